@@ -1,0 +1,130 @@
+//! The number a formula is written in: `f64`, an exact derivative ([`crate::dual::Dual`]), several members at once
+//! ([`crate::lanes`]), or derivatives of several members.
+//!
+//! A formula written once over [`Scalar`] serves all of them. Branches on the state are written with [`Scalar::pos`]
+//! and [`Scalar::select_pos`], so that lanes work and switching surfaces stay visible.
+
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A real number, possibly with derivatives, possibly in lanes.
+///
+/// All methods are pure. Functions with a root or a kink at zero have finite derivatives there (the limit from the unloaded side, zero),
+/// because an unloaded contact evaluates `0 * sqrt(0)`.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The constant `x` (all derivatives zero, the same in every lane).
+    fn cst(x: f64) -> Self;
+    /// `sin` and `cos` in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// Square root; the derivative at 0 is 0.
+    fn sqrt(self) -> Self;
+    /// Natural exponential.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Angle of the point `(x, self)`, in (-pi, pi].
+    fn atan2(self, x: Self) -> Self;
+    /// `max(self, 0)`; the derivative at 0 is 0.
+    fn pos(self) -> Self;
+    /// `max(self, 0)^p`; value and derivative are 0 for `self <= 0` when `p > 1`.
+    fn pow_pos(self, p: f64) -> Self;
+    /// `then` where `self > 0`, `other` elsewhere.
+    fn select_pos(self, then: Self, other: Self) -> Self;
+    /// Multiplication by a constant, cheaper than lifting it.
+    fn scale(self, k: f64) -> Self {
+        self * Self::cst(k)
+    }
+    /// Zero.
+    fn zero() -> Self {
+        Self::cst(0.0)
+    }
+    /// One.
+    fn one() -> Self {
+        Self::cst(1.0)
+    }
+    /// `self * self`.
+    fn square(self) -> Self {
+        self * self
+    }
+    /// Absolute value; the derivative at 0 is 0.
+    fn abs(self) -> Self {
+        self.pos() + (-self).pos()
+    }
+    /// Length of the plane vector `(self, y)`; the derivative at the origin is 0.
+    fn norm2(self, y: Self) -> Self {
+        (self * self + y * y).sqrt()
+    }
+    /// Sine.
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine.
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+}
+
+impl Scalar for f64 {
+    #[inline(always)]
+    fn cst(x: f64) -> Self {
+        x
+    }
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        crate::lanes::math::sin_cos(self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+    #[inline(always)]
+    fn exp(self) -> Self {
+        crate::lanes::math::exp(self)
+    }
+    #[inline(always)]
+    fn ln(self) -> Self {
+        crate::lanes::math::ln(self)
+    }
+    #[inline(always)]
+    fn atan2(self, x: Self) -> Self {
+        f64::atan2(self, x)
+    }
+    #[inline(always)]
+    fn pos(self) -> Self {
+        // not f64::max: that would turn NaN into 0
+        if self > 0.0 || self.is_nan() { self } else { 0.0 }
+    }
+    #[inline(always)]
+    fn pow_pos(self, p: f64) -> Self {
+        if self > 0.0 {
+            if p == 1.5 { self * f64::sqrt(self) } else { f64::powf(self, p) }
+        } else if self.is_nan() {
+            self
+        } else {
+            0.0
+        }
+    }
+    #[inline(always)]
+    fn select_pos(self, then: Self, other: Self) -> Self {
+        if self > 0.0 { then } else { other }
+    }
+    #[inline(always)]
+    fn scale(self, k: f64) -> Self {
+        self * k
+    }
+}
