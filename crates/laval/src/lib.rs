@@ -1,6 +1,8 @@
 //! Rotor dynamics: one description of a machine, every analysis.
 #![warn(missing_docs)]
 
+pub use laval_num;
+
 pub mod diagnostic;
 pub mod file;
 pub mod model;

@@ -1,1 +1,3 @@
-//! (empty)
+//! What a machine is: parts, their parameters and ports, and the system they form.
+pub mod field;
+pub mod params;

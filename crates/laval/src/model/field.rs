@@ -1,0 +1,326 @@
+//! What a part or a study may be told: one declaration each, from which the file reader, the schema, the documentation and
+//! the sweep axes follow.
+
+use crate::diagnostic::Span;
+use std::collections::BTreeMap;
+
+/// Admissible interval of a number, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Lower end.
+    pub min: f64,
+    /// Upper end.
+    pub max: f64,
+    /// The lower end itself is not admitted.
+    pub min_open: bool,
+}
+
+impl Bounds {
+    /// From `min` to `max`, both admitted.
+    pub const fn closed(min: f64, max: f64) -> Self {
+        Bounds { min, max, min_open: false }
+    }
+    /// Above 0, up to `max`.
+    pub const fn positive(max: f64) -> Self {
+        Bounds { min: 0.0, max, min_open: true }
+    }
+    /// From 0 to `max`.
+    pub const fn up_to(max: f64) -> Self {
+        Bounds { min: 0.0, max, min_open: false }
+    }
+    /// From `-max` to `max`.
+    pub const fn within(max: f64) -> Self {
+        Bounds { min: -max, max, min_open: false }
+    }
+    /// `x` is finite and inside.
+    pub fn contains(&self, x: f64) -> bool {
+        x.is_finite() && x <= self.max && if self.min_open { x > self.min } else { x >= self.min }
+    }
+}
+
+/// A word that may be chosen, and what it means.
+pub type Word = (&'static str, &'static str);
+
+/// What kind of value a field takes. `unit` is the SI unit a number is stored in ("" is a pure number), `bounds` its admissible interval.
+#[allow(missing_docs)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FieldKind {
+    /// One number with a unit.
+    Quantity { unit: &'static str, bounds: Bounds },
+    /// One number for both lateral directions, or `{ x = .., y = .. }`.
+    Lateral { unit: &'static str, bounds: Bounds },
+    /// Exactly one of several quantities, as `fill = { volume = "0.3 l" }`.
+    OneOf(&'static [(&'static str, &'static str, Bounds, &'static str)]),
+    /// One of some words.
+    Choice(&'static [Word]),
+    /// A whole number from `min` to `max`.
+    Integer { min: i64, max: i64 },
+    /// A whole number from `min` to `max`, or the word `"auto"`.
+    IntegerOrAuto { min: i64, max: i64 },
+    /// `true` or `false`.
+    Flag,
+    /// Free text.
+    Text,
+    /// One point of a body: `"drum"` or `{ body = "drum", at = "40 mm" }`; `"ground"` where the flag allows it.
+    Attach { ground: bool },
+    /// Two points of bodies: `["drum", { body = "base", at = "10 mm" }]`; one of them may be `"ground"`.
+    Between,
+    /// Numbers from a to b: `{ from = .., to = .., points = .. }`; `points` optional.
+    Range { unit: &'static str, bounds: Bounds },
+    /// A list of numbers with units.
+    List { unit: &'static str, bounds: Bounds },
+    /// A parameter of a part by path, for instance `"liquid.free_surface_radius"`.
+    ParameterPath,
+    /// The range of one parameter: `{ parameter = "liquid.free_surface_radius", from = .., to = .., points = .. }`;
+    /// its unit is that of the parameter.
+    ParameterRange,
+    /// A coordinate by name, for instance `"drum.x"`.
+    Coordinate,
+    /// Numbers in columns of equal length: `{ speed = [..], kxx = [..] }`; each column's name, unit, whether it is required, meaning.
+    Columns(&'static [(&'static str, &'static str, bool, &'static str)]),
+    /// Initial values by coordinate or rate: `{ "drum.x" = "1 mm", "drum.x'" = "0.1 m/s" }`.
+    StateMap,
+}
+
+/// One declared key of a part or a study.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    /// The word in the file.
+    pub name: &'static str,
+    /// What it takes.
+    pub kind: FieldKind,
+    /// Must be given; otherwise absent means the default (stated in `default`).
+    pub required: bool,
+    /// The default as a person would write it in the file, for documentation and for the reader; "" when absence itself has a meaning.
+    pub default: &'static str,
+    /// What it is, with the symbol of its theory page.
+    pub doc: &'static str,
+}
+
+impl Field {
+    /// A field that must be given.
+    pub const fn required(name: &'static str, kind: FieldKind, doc: &'static str) -> Self {
+        Field { name, kind, required: true, default: "", doc }
+    }
+    /// A field that may be left out.
+    pub const fn optional(name: &'static str, kind: FieldKind, default: &'static str, doc: &'static str) -> Self {
+        Field { name, kind, required: false, default, doc }
+    }
+}
+
+/// A point of a body, or the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attach {
+    /// Name of the body; `None` is the ground.
+    pub body: Option<String>,
+    /// Position along the shaft from the body's reference point, m.
+    pub position: f64,
+}
+
+impl Attach {
+    /// The reference point of a body.
+    pub fn on(body: impl Into<String>) -> Self {
+        Attach { body: Some(body.into()), position: 0.0 }
+    }
+    /// A point of a body at a distance (m, along the shaft) from its reference point.
+    pub fn at(body: impl Into<String>, position: f64) -> Self {
+        Attach { body: Some(body.into()), position }
+    }
+    /// The ground.
+    pub fn ground() -> Self {
+        Attach { body: None, position: 0.0 }
+    }
+}
+
+/// `{ from, to, points }` in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RangeValue {
+    /// First value.
+    pub from: f64,
+    /// Last value.
+    pub to: f64,
+    /// Number of points, when given.
+    pub points: Option<usize>,
+}
+
+impl RangeValue {
+    /// Equally spaced values, `points` of them (or `default` when none were given).
+    pub fn linspace(&self, default: usize) -> Vec<f64> {
+        let n = self.points.unwrap_or(default).max(1);
+        (0..n)
+            .map(|i| if i + 1 == n && n > 1 { self.to } else { self.from + (self.to - self.from) * i as f64 / (n.max(2) - 1) as f64 })
+            .collect()
+    }
+}
+
+/// A value read from a file or given by a builder, in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// [`FieldKind::Quantity`].
+    Number(f64),
+    /// [`FieldKind::Lateral`].
+    Lateral([f64; 2]),
+    /// [`FieldKind::OneOf`]: which, and its value.
+    OneOf(&'static str, f64),
+    /// [`FieldKind::Choice`].
+    Choice(&'static str),
+    /// [`FieldKind::Integer`].
+    Integer(i64),
+    /// The word "auto" where it is allowed.
+    Auto,
+    /// [`FieldKind::Flag`].
+    Flag(bool),
+    /// [`FieldKind::Text`], paths and coordinates.
+    Text(String),
+    /// [`FieldKind::Attach`].
+    Attach(Attach),
+    /// [`FieldKind::Between`].
+    Between(Attach, Attach),
+    /// [`FieldKind::Range`].
+    Range(RangeValue),
+    /// [`FieldKind::List`].
+    List(Vec<f64>),
+    /// [`FieldKind::ParameterRange`]: path and range.
+    ParameterRange(String, RangeValue),
+    /// [`FieldKind::Columns`]: by column name.
+    Columns(BTreeMap<&'static str, Vec<f64>>),
+    /// [`FieldKind::StateMap`].
+    StateMap(Vec<(String, f64, Span)>),
+}
+
+/// The values of one block, by field name, each with its place in the file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Values {
+    map: BTreeMap<String, (Value, Option<Span>)>,
+    /// The whole block in the file.
+    pub span: Option<Span>,
+}
+
+impl Values {
+    /// Sets a value.
+    pub fn set(&mut self, name: &str, value: Value, span: Option<Span>) {
+        self.map.insert(name.to_string(), (value, span));
+    }
+    /// The value of a field, if present (defaults are filled in by the reader).
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.map.get(name).map(|(v, _)| v)
+    }
+    /// Place of a field, or of the block.
+    pub fn span_of(&self, name: &str) -> Option<Span> {
+        self.map.get(name).and_then(|(_, s)| s.clone()).or_else(|| self.span.clone())
+    }
+    /// All names present.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.map.keys().map(String::as_str)
+    }
+    /// A number.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name)? {
+            Value::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+    /// A number for each lateral direction.
+    pub fn lateral(&self, name: &str) -> Option<[f64; 2]> {
+        match self.get(name)? {
+            Value::Lateral(x) => Some(*x),
+            Value::Number(x) => Some([*x, *x]),
+            _ => None,
+        }
+    }
+    /// A chosen word.
+    pub fn choice(&self, name: &str) -> Option<&'static str> {
+        match self.get(name)? {
+            Value::Choice(x) => Some(x),
+            _ => None,
+        }
+    }
+    /// A whole number.
+    pub fn integer(&self, name: &str) -> Option<i64> {
+        match self.get(name)? {
+            Value::Integer(x) => Some(*x),
+            _ => None,
+        }
+    }
+    /// A flag.
+    pub fn flag(&self, name: &str) -> Option<bool> {
+        match self.get(name)? {
+            Value::Flag(x) => Some(*x),
+            _ => None,
+        }
+    }
+    /// A text, path or coordinate name.
+    pub fn text(&self, name: &str) -> Option<&str> {
+        match self.get(name)? {
+            Value::Text(x) => Some(x),
+            _ => None,
+        }
+    }
+    /// One point of a body.
+    pub fn attach(&self, name: &str) -> Option<Attach> {
+        match self.get(name)? {
+            Value::Attach(x) => Some(x.clone()),
+            _ => None,
+        }
+    }
+    /// Two points of bodies.
+    pub fn between(&self, name: &str) -> Option<(Attach, Attach)> {
+        match self.get(name)? {
+            Value::Between(a, b) => Some((a.clone(), b.clone())),
+            _ => None,
+        }
+    }
+    /// A range.
+    pub fn range(&self, name: &str) -> Option<RangeValue> {
+        match self.get(name)? {
+            Value::Range(x) => Some(*x),
+            _ => None,
+        }
+    }
+    /// A list of numbers.
+    pub fn list(&self, name: &str) -> Option<&[f64]> {
+        match self.get(name)? {
+            Value::List(x) => Some(x),
+            _ => None,
+        }
+    }
+    /// Which of several, and its value.
+    pub fn one_of(&self, name: &str) -> Option<(&'static str, f64)> {
+        match self.get(name)? {
+            Value::OneOf(k, x) => Some((k, *x)),
+            _ => None,
+        }
+    }
+    /// Columns by name.
+    pub fn columns(&self, name: &str) -> Option<&BTreeMap<&'static str, Vec<f64>>> {
+        match self.get(name)? {
+            Value::Columns(x) => Some(x),
+            _ => None,
+        }
+    }
+    /// A parameter path and its range.
+    pub fn parameter_range(&self, name: &str) -> Option<(&str, RangeValue)> {
+        match self.get(name)? {
+            Value::ParameterRange(p, r) => Some((p, *r)),
+            _ => None,
+        }
+    }
+    /// Initial values.
+    pub fn state_map(&self, name: &str) -> Option<&[(String, f64, Span)]> {
+        match self.get(name)? {
+            Value::StateMap(x) => Some(x),
+            _ => None,
+        }
+    }
+}
+
+/// A kind of part or study as the file reader, the schema and the documentation see it.
+#[derive(Clone, Debug)]
+pub struct KindInfo {
+    /// The word in the file.
+    pub kind: &'static str,
+    /// One paragraph: what it is.
+    pub doc: &'static str,
+    /// Everything that may be said of it, besides `kind` and `name`.
+    pub fields: Vec<Field>,
+}
