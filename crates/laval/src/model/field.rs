@@ -324,3 +324,18 @@ pub struct KindInfo {
     /// Everything that may be said of it, besides `kind` and `name`.
     pub fields: Vec<Field>,
 }
+
+/// Parameter values of one part while it is built: what the file gave, by slot name; a part may add derived ones.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ParamValues(pub BTreeMap<String, f64>);
+
+impl ParamValues {
+    /// A value given so far.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.0.get(name).copied()
+    }
+    /// Sets a scalar parameter.
+    pub fn set(&mut self, name: &str, value: f64) {
+        self.0.insert(name.to_string(), value);
+    }
+}

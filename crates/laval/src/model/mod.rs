@@ -1,3 +1,10 @@
 //! What a machine is: parts, their parameters and ports, and the system they form.
+pub mod blocks;
+pub mod builder;
+pub mod erased;
 pub mod field;
+pub mod linear;
 pub mod params;
+pub mod part;
+pub mod system;
+pub mod tangent;

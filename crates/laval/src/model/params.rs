@@ -45,6 +45,15 @@ pub trait Family: Send + Sync + 'static {
     }
 }
 
+/// Shapes a parameter can have, by the word used in [`params!`](crate::params).
+#[allow(non_camel_case_types)]
+pub mod shape {
+    /// One number.
+    pub type scalar<S> = S;
+    /// One number for x and one for y.
+    pub type lateral<S> = [S; 2];
+}
+
 /// A part without parameters.
 pub struct NoParams;
 impl Family for NoParams {
@@ -79,7 +88,7 @@ macro_rules! params {
     }) => {
         $(#[$m])*
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct $p<S = f64> { $( #[doc = concat!($doc, " [", $unit, "]")] pub $name: $crate::params!(@type $shape, S), )* }
+        pub struct $p<S = f64> { $( #[doc = concat!($doc, " [", $unit, "]")] pub $name: $crate::model::params::shape::$shape<S>, )* }
         #[doc = concat!("Marker that lifts [`", stringify!($p), "`] between scalars.")]
         pub struct $fam;
         impl $crate::model::params::Family for $fam {
@@ -110,8 +119,6 @@ macro_rules! params {
             }
         }
     };
-    (@type scalar, $s:ident) => { $s };
-    (@type lateral, $s:ident) => { [$s; 2] };
     (@len scalar) => { 1 };
     (@len lateral) => { 2 };
     (@kind scalar, $unit:literal, $b:expr) => { $crate::model::field::FieldKind::Quantity { unit: $unit, bounds: $b } };

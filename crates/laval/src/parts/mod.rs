@@ -1,1 +1,75 @@
-//! (empty)
+//! The kinds of parts. This file is the registry: the only place that names them all.
+
+pub mod bearing_cubic;
+pub mod damper;
+pub mod disc;
+pub mod foundation;
+pub mod liquid;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::erased::Erased;
+use crate::model::field::{FieldKind, KindInfo, ParamValues, Value, Values};
+use crate::model::params::Family;
+use crate::model::part::Part;
+use std::sync::Arc;
+
+/// A part built from its fields, with its parameters in slot order.
+pub type Built = (Arc<dyn Erased>, Vec<f64>);
+
+/// A kind of part: what may be said of it, and how it is built.
+#[derive(Clone)]
+pub struct PartKind {
+    /// Fields and documentation.
+    pub info: KindInfo,
+    /// Builds one from its fields; says all that is wrong.
+    pub build: fn(&Values, &mut Diagnostics) -> Option<Built>,
+}
+
+/// All kinds of parts.
+pub fn registry() -> Vec<PartKind> {
+    vec![
+        kind::<disc::Disc>(),
+        kind::<foundation::Foundation>(),
+        kind::<damper::Damper>(),
+        kind::<bearing_cubic::BearingCubic>(),
+        kind::<liquid::Liquid>(),
+    ]
+}
+
+/// The registry entry of a part.
+pub fn kind<P: Part>() -> PartKind {
+    let derived = |name: &str| P::FIELDS.iter().any(|f| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == name)));
+    let fields = P::FIELDS.iter().chain(P::Family::FIELDS.iter().filter(|f| !derived(f.name))).copied().collect();
+    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, fields }, build: build::<P> }
+}
+
+fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Built> {
+    let mut params = ParamValues::default();
+    let defaults = P::Family::to_vec(&P::Family::defaults());
+    for (slot, default) in P::Family::slots().iter().zip(defaults) {
+        if !default.is_nan() {
+            params.set(&slot.name, default);
+        }
+    }
+    for field in P::Family::FIELDS {
+        match values.get(field.name) {
+            Some(Value::Number(x)) if matches!(field.kind, FieldKind::Quantity { .. }) => params.set(field.name, *x),
+            Some(Value::Number(_) | Value::Lateral(_)) => {
+                if let Some([x, y]) = values.lateral(field.name) {
+                    params.set(&format!("{}.x", field.name), x);
+                    params.set(&format!("{}.y", field.name), y);
+                }
+            }
+            _ => {}
+        }
+    }
+    let before = diagnostics.0.len();
+    let part = P::build(values, &mut params, diagnostics)?;
+    let vector: Vec<f64> = P::Family::slots().iter().map(|s| params.get(&s.name).unwrap_or(f64::NAN)).collect();
+    if diagnostics.0.len() == before && vector.iter().all(|x| x.is_finite()) {
+        for (field, message) in part.check(&P::Family::from_slice(&vector)) {
+            diagnostics.push(Diagnostic::error("part.check", message).at(values.span_of(field)));
+        }
+    }
+    Some((Arc::new(part), vector))
+}

@@ -1,0 +1,264 @@
+//! Linear form of a part, or of a whole machine, at one spin speed.
+
+use laval_num::scalar::Scalar;
+use std::ops::{Index, IndexMut};
+
+/// Row-major table of scalars.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid<S> {
+    rows: usize,
+    cols: usize,
+    data: Vec<S>,
+}
+
+impl<S: Scalar> Grid<S> {
+    /// Zeros.
+    pub fn new(rows: usize, cols: usize) -> Self {
+        Grid { rows, cols, data: vec![S::zero(); rows * cols] }
+    }
+    /// Sets the shape and all entries to zero, keeping the allocation.
+    pub fn reset(&mut self, rows: usize, cols: usize) {
+        self.rows = rows;
+        self.cols = cols;
+        self.data.clear();
+        self.data.resize(rows * cols, S::zero());
+    }
+    /// Rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// Columns.
+    pub fn cols(&self) -> usize {
+        self.cols
+    }
+    /// One row.
+    #[inline(always)]
+    pub fn row(&self, i: usize) -> &[S] {
+        &self.data[i * self.cols..(i + 1) * self.cols]
+    }
+    /// `sum_j self[i][j] x[j]`.
+    #[inline(always)]
+    pub fn row_dot(&self, i: usize, x: &[S]) -> S {
+        let mut s = S::zero();
+        for (&a, &x) in self.row(i).iter().zip(x) {
+            s += a * x;
+        }
+        s
+    }
+    /// Adds `[[re, -im], [im, re]]` at rows `i, i+1` and columns `j, j+1`: multiplication of `x + i y` by the complex number `re + i im`.
+    pub fn add_complex(&mut self, i: usize, j: usize, re: S, im: S) {
+        self[(i, j)] += re;
+        self[(i, j + 1)] += -im;
+        self[(i + 1, j)] += im;
+        self[(i + 1, j + 1)] += re;
+    }
+}
+
+impl<S: Scalar> Grid<laval_num::complex::Complex<S>> {
+    /// Square, all zero, keeping the allocation.
+    pub fn reset_complex(&mut self, n: usize) {
+        self.rows = n;
+        self.cols = n;
+        self.data.clear();
+        self.data.resize(n * n, laval_num::complex::Complex::zero());
+    }
+}
+
+impl<S> Grid<S> {
+    /// No rows, no columns.
+    pub fn empty() -> Self {
+        Grid { rows: 0, cols: 0, data: Vec::new() }
+    }
+    /// All entries, row by row.
+    pub fn data(&self) -> &[S] {
+        &self.data
+    }
+}
+
+impl<S> Index<(usize, usize)> for Grid<S> {
+    type Output = S;
+    #[inline(always)]
+    fn index(&self, (i, j): (usize, usize)) -> &S {
+        debug_assert!(j < self.cols);
+        &self.data[i * self.cols + j]
+    }
+}
+impl<S> IndexMut<(usize, usize)> for Grid<S> {
+    #[inline(always)]
+    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut S {
+        debug_assert!(j < self.cols);
+        &mut self.data[i * self.cols + j]
+    }
+}
+
+/// Axes a memory state lives in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// Fixed: `z' = -rate z + q[input]`.
+    Fixed,
+    /// Turning with the rotor, first of a pair `z = z_x + i z_y` (in fixed components): `z' = (i speed - rate) z + u`.
+    RotorX,
+    /// Second of the pair.
+    RotorY,
+}
+
+/// A memory state: `z' = -rate z + q[input]`, adding `gain z` to the force row `output`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Memory<S> {
+    /// Rate of decay, 1/s, positive.
+    pub rate: S,
+    /// Force per state.
+    pub gain: S,
+    /// Local coordinate it remembers.
+    pub input: usize,
+    /// Local row it acts on.
+    pub output: usize,
+    /// Axes.
+    pub axes: Axes,
+}
+
+/// Linear form at spin speed W, for `n` coordinates and `m` internal states:
+///
+/// ```text
+/// rows:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (gc cos(phase) + gs sin(phase))
+/// z' = A z + Aq q + Av v + Aa a + z0     (memory states, listed apart, come last in z)
+/// ```
+#[derive(Clone, Debug)]
+pub struct Blocks<S> {
+    /// Spin speed W the blocks were evaluated at, rad/s.
+    pub speed: S,
+    /// M, kg.
+    pub mass: Grid<S>,
+    /// C, N s/m.
+    pub damping: Grid<S>,
+    /// G, skew: gyroscopic.
+    pub gyroscopic: Grid<S>,
+    /// K, N/m.
+    pub stiffness: Grid<S>,
+    /// N, skew: circulatory (per spin speed).
+    pub circulatory: Grid<S>,
+    /// K', multiplied by the spin acceleration.
+    pub spin_accel_stiffness: Grid<S>,
+    /// H: force rows per state.
+    pub state_force: Grid<S>,
+    /// H', multiplied by the spin acceleration.
+    pub spin_accel_state_force: Grid<S>,
+    /// A.
+    pub state: Grid<S>,
+    /// Aq.
+    pub state_q: Grid<S>,
+    /// Av.
+    pub state_v: Grid<S>,
+    /// Aa.
+    pub state_a: Grid<S>,
+    /// z0: constant rate.
+    pub rate: Vec<S>,
+    /// Memory states.
+    pub memory: Vec<Memory<S>>,
+    /// f0: constant force, N.
+    pub force: Vec<S>,
+    /// fc: force on cos(phase), N (at the speed of evaluation: the factor W^2 of an unbalance is inside).
+    pub force_cos: Vec<S>,
+    /// fs: force on sin(phase).
+    pub force_sin: Vec<S>,
+    /// gc: force per spin acceleration on cos(phase).
+    pub spin_accel_cos: Vec<S>,
+    /// gs: force per spin acceleration on sin(phase).
+    pub spin_accel_sin: Vec<S>,
+}
+
+impl<S: Scalar> Default for Blocks<S> {
+    fn default() -> Self {
+        let g = || Grid::new(0, 0);
+        Blocks {
+            speed: S::zero(),
+            mass: g(),
+            damping: g(),
+            gyroscopic: g(),
+            stiffness: g(),
+            circulatory: g(),
+            spin_accel_stiffness: g(),
+            state_force: g(),
+            spin_accel_state_force: g(),
+            state: g(),
+            state_q: g(),
+            state_v: g(),
+            state_a: g(),
+            rate: Vec::new(),
+            memory: Vec::new(),
+            force: Vec::new(),
+            force_cos: Vec::new(),
+            force_sin: Vec::new(),
+            spin_accel_cos: Vec::new(),
+            spin_accel_sin: Vec::new(),
+        }
+    }
+}
+
+impl<S: Scalar> Blocks<S> {
+    /// All zero for `n` coordinates and `m` internal states other than memory, at `speed`; keeps its allocations.
+    pub fn reset(&mut self, n: usize, m: usize, speed: S) {
+        self.speed = speed;
+        for g in [
+            &mut self.mass,
+            &mut self.damping,
+            &mut self.gyroscopic,
+            &mut self.stiffness,
+            &mut self.circulatory,
+            &mut self.spin_accel_stiffness,
+        ] {
+            g.reset(n, n);
+        }
+        self.state_force.reset(n, m);
+        self.spin_accel_state_force.reset(n, m);
+        self.state.reset(m, m);
+        for g in [&mut self.state_q, &mut self.state_v, &mut self.state_a] {
+            g.reset(m, n);
+        }
+        self.memory.clear();
+        self.rate.clear();
+        self.rate.resize(m, S::zero());
+        for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
+            f.clear();
+            f.resize(n, S::zero());
+        }
+    }
+
+    /// The force rows and state rates at a point, added to `force` and `rate`.
+    pub fn residual(&self, at: &super::part::At<S>, force: &mut [S], rate: &mut [S]) {
+        let (n, m) = (self.mass.rows(), self.state.rows());
+        let (sin, cos) = at.phase.sin_cos();
+        for i in 0..n {
+            let mut r = S::zero();
+            for j in 0..n {
+                let damping = self.damping[(i, j)] + self.speed * self.gyroscopic[(i, j)];
+                let stiffness =
+                    self.stiffness[(i, j)] + self.speed * self.circulatory[(i, j)] + at.spin_accel * self.spin_accel_stiffness[(i, j)];
+                r += self.mass[(i, j)] * at.a[j] + damping * at.v[j] + stiffness * at.q[j];
+            }
+            for j in 0..m {
+                r += (self.state_force[(i, j)] + at.spin_accel * self.spin_accel_state_force[(i, j)]) * at.z[j];
+            }
+            r -= self.force[i] + self.force_cos[i] * cos + self.force_sin[i] * sin;
+            r -= at.spin_accel * (self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
+            force[i] += r;
+        }
+        for i in 0..m {
+            rate[i] += self.state.row_dot(i, &at.z[..m])
+                + self.state_q.row_dot(i, at.q)
+                + self.state_v.row_dot(i, at.v)
+                + self.state_a.row_dot(i, at.a)
+                + self.rate[i];
+        }
+        for (k, mem) in self.memory.iter().enumerate() {
+            let z = at.z[m + k];
+            let turning = match mem.axes {
+                Axes::Fixed => S::zero(),
+                Axes::RotorX => -self.speed * at.z[m + k + 1],
+                Axes::RotorY => self.speed * at.z[m + k - 1],
+            };
+            rate[m + k] += at.q[mem.input] - mem.rate * z + turning;
+            force[mem.output] += mem.gain * z;
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Parts composed at run time: the object-safe face of [`Part`], one method slot per scalar, filled by one blanket implementation.
+
+use super::blocks::Blocks;
+use super::params::{Family, ParamSlot};
+use super::part::{At, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
+use laval_num::complex::Complex;
+use laval_num::dual::Dual;
+use laval_num::scalar::Scalar;
+
+/// One derivative: with respect to the spin speed or one parameter.
+pub type D1 = Dual<f64, 1>;
+/// Eight derivatives at once: the width tangents are seeded in.
+pub type D8 = Dual<f64, 8>;
+
+macro_rules! erased {
+    ($( $scalar:ty: $residual:ident $linear:ident $impedance:ident $energy:ident; )*) => {
+        /// A part with its type forgotten. Parameters arrive as consecutive scalars.
+        #[allow(missing_docs)]
+        pub trait Erased: Send + Sync {
+            fn kind(&self) -> &'static str;
+            fn layout(&self) -> Layout;
+            fn physics(&self) -> Physics;
+            fn uses(&self) -> Uses;
+            fn memory(&self) -> usize;
+            fn slots(&self) -> Vec<ParamSlot>;
+            fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
+            fn refuses_rest(&self, p: &[f64]) -> Option<String>;
+            fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>);
+            fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
+            fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
+            fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
+            $(
+                fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
+                fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
+                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);
+                fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>>;
+            )*
+        }
+
+        impl<T: Part> Erased for T {
+            fn kind(&self) -> &'static str {
+                T::KIND
+            }
+            fn layout(&self) -> Layout {
+                Part::layout(self)
+            }
+            fn physics(&self) -> Physics {
+                Part::physics(self)
+            }
+            fn uses(&self) -> Uses {
+                Part::uses(self)
+            }
+            fn memory(&self) -> usize {
+                Part::memory(self)
+            }
+            fn slots(&self) -> Vec<ParamSlot> {
+                T::Family::slots()
+            }
+            fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]> {
+                Part::shape(self, &T::Family::from_slice(p), position)
+            }
+            fn refuses_rest(&self, p: &[f64]) -> Option<String> {
+                Part::refuses_rest(self, &T::Family::from_slice(p))
+            }
+            fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>) {
+                Part::switches(self, &T::Family::from_slice(p), at, out)
+            }
+            fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>) {
+                Part::observe(self, &T::Family::from_slice(p), at, out)
+            }
+            fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
+                Part::validity(self, &T::Family::from_slice(p), at, out)
+            }
+            fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
+                Part::check(self, &T::Family::from_slice(p))
+            }
+            $(
+                fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>) {
+                    residual(self, p, at, out, blocks)
+                }
+                fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
+                    Part::linear(self, &T::Family::from_slice(p), speed, blocks)
+                }
+                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
+                    Part::impedance(self, &T::Family::from_slice(p), s, speed, out)
+                }
+                fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>> {
+                    Part::energy(self, &T::Family::from_slice(p), at)
+                }
+            )*
+        }
+
+        $(
+            impl Evaluate for $scalar {
+                fn residual(part: &dyn Erased, p: &[Self], at: &At<Self>, out: &mut Rows<Self>, blocks: &mut Blocks<Self>) {
+                    part.$residual(p, at, out, blocks)
+                }
+                fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
+                    part.$linear(p, speed, blocks)
+                }
+                fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]) {
+                    part.$impedance(p, s, speed, out)
+                }
+                fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>> {
+                    part.$energy(p, at)
+                }
+            }
+        )*
+    };
+}
+
+/// A scalar that machines can be evaluated in.
+pub trait Evaluate: Scalar {
+    /// [`Part::residual`], or the same from the part's blocks.
+    fn residual(part: &dyn Erased, p: &[Self], at: &At<Self>, out: &mut Rows<Self>, blocks: &mut Blocks<Self>);
+    /// [`Part::linear`]; the caller has reset the blocks to the part's size.
+    fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
+    /// [`Part::impedance`].
+    fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]);
+    /// [`Part::energy`].
+    fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>>;
+}
+
+erased! {
+    f64: residual_f64 linear_f64 impedance_f64 energy_f64;
+    D1: residual_d1 linear_d1 impedance_d1 energy_d1;
+    D8: residual_d8 linear_d8 impedance_d8 energy_d8;
+}
+
+#[inline(always)]
+fn residual<T: Part, S: Scalar>(part: &T, p: &[S], at: &At<S>, out: &mut Rows<S>, blocks: &mut Blocks<S>) {
+    let p = T::Family::from_slice(p);
+    match Part::physics(part) {
+        Physics::Nonlinear => part.residual(&p, at, out),
+        Physics::Linear | Physics::Frequency(_) => {
+            blocks.reset(at.q.len(), at.z.len() - part.memory(), at.speed);
+            part.linear(&p, at.speed, blocks);
+            blocks.residual(at, out.force, out.rate);
+            *out.spin += part.spin_row(&p, at);
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! The linear parts of a machine at one spin speed: blocks in time, dynamic stiffness in frequency.
+
+use super::blocks::{Axes, Blocks, Grid};
+use super::erased::Evaluate;
+use super::part::Physics;
+use super::system::{Slot, System, scatter};
+use laval_num::complex::{Complex, c};
+use laval_num::scalar::Scalar;
+
+/// All linear parts on global coordinates. Memory states stay with their parts (`memory`); the other states of linear parts are `states`.
+#[derive(Clone, Debug)]
+pub struct LinearModel<S> {
+    /// Blocks over `n` coordinates and `states.len()` states.
+    pub blocks: Blocks<S>,
+    /// Global indices of the states in the blocks.
+    pub states: Vec<usize>,
+    /// Memory states by part: slot, first global state, and the part's own list.
+    pub memory: Vec<SlotMemory<S>>,
+}
+
+/// Memory states of one part.
+#[derive(Clone, Debug)]
+pub struct SlotMemory<S> {
+    /// Slot of the part.
+    pub slot: usize,
+    /// Global index of its first memory state.
+    pub first: usize,
+    /// The states, with local inputs and outputs.
+    pub list: Vec<super::blocks::Memory<S>>,
+}
+
+impl<S: Scalar> Default for LinearModel<S> {
+    fn default() -> Self {
+        LinearModel { blocks: Blocks::default(), states: Vec::new(), memory: Vec::new() }
+    }
+}
+
+/// Scratch for [`System::linear`] and [`System::dynamic_stiffness`].
+pub struct LinearScratch<S> {
+    local: Blocks<S>,
+    impedance: Vec<Complex<S>>,
+}
+
+impl<S: Scalar> Default for LinearScratch<S> {
+    fn default() -> Self {
+        LinearScratch { local: Blocks::default(), impedance: Vec::new() }
+    }
+}
+
+/// Which parts enter a linear model through blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// For time integration and eigenvalue pencils: frequency-domain parts by their fitted time form.
+    Time,
+    /// For harmonics: frequency-domain parts enter [`System::dynamic_stiffness`] by their exact impedance.
+    Frequency,
+}
+
+fn add_mapped<S: Scalar>(slot: &Slot, local: &Grid<S>, global: &mut Grid<S>) {
+    for (i, rows) in slot.map.iter().enumerate() {
+        for (j, cols) in slot.map.iter().enumerate() {
+            let x = local[(i, j)];
+            for &(gi, ci) in rows {
+                for &(gj, cj) in cols {
+                    global[(gi, gj)] += x.scale(ci * cj);
+                }
+            }
+        }
+    }
+}
+
+impl System {
+    /// States that stand in the blocks of a linear model: those of linear parts, without memory.
+    pub fn linear_states(&self, form: Form) -> Vec<usize> {
+        self.slots().iter().filter(|s| in_blocks(s, form)).flat_map(|s| s.states.start..s.states.end - s.memory).collect()
+    }
+
+    /// Assembles the linear parts at a spin speed (rad/s).
+    pub fn linear<S: Evaluate>(&self, params: &[S], speed: S, form: Form, out: &mut LinearModel<S>, scratch: &mut LinearScratch<S>) {
+        out.states.clear();
+        for s in self.slots().iter().filter(|s| in_blocks(s, form)) {
+            out.states.extend(s.states.start..s.states.end - s.memory);
+        }
+        out.blocks.reset(self.n(), out.states.len(), speed);
+        out.memory.clear();
+        let mut row = 0;
+        for (k, slot) in self.slots().iter().enumerate().filter(|(_, s)| in_blocks(s, form)) {
+            let m = slot.states.len() - slot.memory;
+            let b = &mut scratch.local;
+            b.reset(slot.map.len(), m, speed);
+            S::linear(&*slot.part, &params[slot.params.clone()], speed, b);
+            let g = &mut out.blocks;
+            for (local, global) in [
+                (&b.mass, &mut g.mass),
+                (&b.damping, &mut g.damping),
+                (&b.gyroscopic, &mut g.gyroscopic),
+                (&b.stiffness, &mut g.stiffness),
+                (&b.circulatory, &mut g.circulatory),
+                (&b.spin_accel_stiffness, &mut g.spin_accel_stiffness),
+            ] {
+                add_mapped(slot, local, global);
+            }
+            for (i, &w) in slot.weight.iter().enumerate() {
+                for j in 0..slot.map.len() {
+                    b.force[j] -= b.mass[(j, i)].scale(w);
+                }
+                for j in 0..m {
+                    b.rate[j] += b.state_a[(j, i)].scale(w);
+                }
+            }
+            for (local, global) in [
+                (&b.force, &mut g.force),
+                (&b.force_cos, &mut g.force_cos),
+                (&b.force_sin, &mut g.force_sin),
+                (&b.spin_accel_cos, &mut g.spin_accel_cos),
+                (&b.spin_accel_sin, &mut g.spin_accel_sin),
+            ] {
+                scatter(&slot.map, local, global);
+            }
+            for i in 0..m {
+                g.rate[row + i] += b.rate[i];
+                for j in 0..m {
+                    g.state[(row + i, row + j)] += b.state[(i, j)];
+                }
+                for (j, cols) in slot.map.iter().enumerate() {
+                    for &(gj, cj) in cols {
+                        g.state_q[(row + i, gj)] += b.state_q[(i, j)].scale(cj);
+                        g.state_v[(row + i, gj)] += b.state_v[(i, j)].scale(cj);
+                        g.state_a[(row + i, gj)] += b.state_a[(i, j)].scale(cj);
+                        g.state_force[(gj, row + i)] += b.state_force[(j, i)].scale(cj);
+                        g.spin_accel_state_force[(gj, row + i)] += b.spin_accel_state_force[(j, i)].scale(cj);
+                    }
+                }
+            }
+            if slot.memory > 0 {
+                out.memory.push(SlotMemory { slot: k, first: slot.states.start + m, list: b.memory.clone() });
+            }
+            row += m;
+        }
+    }
+
+    /// Dynamic stiffness of the linear parts at `s` (1/s) over coordinates and the states of the blocks:
+    ///
+    /// ```text
+    /// [ s^2 M + s (C + W G) + K + W N + memory + impedances    H       ]
+    /// [ -(Aq + s Av + s^2 Aa)                                  s I - A ]
+    /// ```
+    ///
+    /// Memory states are eliminated exactly; other states stay as unknowns, so that a resonance of the part itself (a liquid wave) is not a pole here.
+    pub fn dynamic_stiffness<S: Evaluate>(
+        &self,
+        params: &[S],
+        model: &LinearModel<S>,
+        form: Form,
+        s: Complex<S>,
+        out: &mut Grid<Complex<S>>,
+        scratch: &mut LinearScratch<S>,
+    ) where
+        Complex<S>: Copy,
+    {
+        let b = &model.blocks;
+        let (n, m) = (self.n(), model.states.len());
+        out.reset_complex(n + m);
+        let s2 = s * s;
+        for i in 0..n {
+            for j in 0..n {
+                let k = b.stiffness[(i, j)] + b.speed * b.circulatory[(i, j)];
+                let d = b.damping[(i, j)] + b.speed * b.gyroscopic[(i, j)];
+                out[(i, j)] = s2.scale(b.mass[(i, j)]) + s.scale(d) + Complex::real(k);
+            }
+            for j in 0..m {
+                out[(i, n + j)] = Complex::real(b.state_force[(i, j)]);
+            }
+        }
+        for i in 0..m {
+            for j in 0..n {
+                out[(n + i, j)] = -(Complex::real(b.state_q[(i, j)]) + s.scale(b.state_v[(i, j)]) + s2.scale(b.state_a[(i, j)]));
+            }
+            for j in 0..m {
+                out[(n + i, n + j)] = Complex::real(-b.state[(i, j)]);
+            }
+            out[(n + i, n + i)] += s;
+        }
+        for mem in &model.memory {
+            let map = &self.slots()[mem.slot].map;
+            let mut add = |row: usize, col: usize, x: Complex<S>| {
+                for &(gi, ci) in &map[row] {
+                    for &(gj, cj) in &map[col] {
+                        out[(gi, gj)] += x.scale(S::cst(ci * cj));
+                    }
+                }
+            };
+            for (k, z) in mem.list.iter().enumerate() {
+                let r = s + Complex::real(z.rate);
+                match z.axes {
+                    Axes::Fixed => add(z.output, z.input, r.recip().scale(z.gain)),
+                    Axes::RotorX | Axes::RotorY => {
+                        let partner = if z.axes == Axes::RotorX { &mem.list[k + 1] } else { &mem.list[k - 1] };
+                        let f = (r * r + Complex::real(b.speed * b.speed)).recip().scale(z.gain);
+                        let w = if z.axes == Axes::RotorX { -b.speed } else { b.speed };
+                        add(z.output, z.input, f * r);
+                        add(z.output, partner.input, f.scale(w));
+                    }
+                }
+            }
+        }
+        if form == Form::Frequency {
+            for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
+                let k = slot.map.len();
+                scratch.impedance.clear();
+                scratch.impedance.resize(k * k, Complex::zero());
+                S::impedance(&*slot.part, &params[slot.params.clone()], s, b.speed, &mut scratch.impedance);
+                for (i, rows) in slot.map.iter().enumerate() {
+                    for (j, cols) in slot.map.iter().enumerate() {
+                        for &(gi, ci) in rows {
+                            for &(gj, cj) in cols {
+                                out[(gi, gj)] += scratch.impedance[i * k + j].scale(S::cst(ci * cj));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn in_blocks(slot: &Slot, form: Form) -> bool {
+    match slot.physics {
+        Physics::Nonlinear => false,
+        Physics::Linear => true,
+        Physics::Frequency(_) => form == Form::Time,
+    }
+}
+
+/// The complex number `re + i im` as lifted constants.
+pub fn lift<S: Scalar>(re: f64, im: f64) -> Complex<S> {
+    c(S::cst(re), S::cst(im))
+}

@@ -1,0 +1,101 @@
+//! A viscous damper between two points, or between a point and the ground, in fixed or rotating axes.
+//!
+//! Equations: force on the relative motion `d = z_a - z_b`: `c d'` (fixed axes), `c (d' - i W d)` (rotating axes: the damping of a material
+//! that turns with the rotor, which feeds whirl slower than the spin).
+//!
+//! Symbols: c damping, N s/m; W spin speed, rad/s.
+//!
+//! Validity: linear.
+//!
+//! Sources: `000_a291f7ede1484e56` equation (8) (fixed axes); rotating damping: H. Kimball (1924) as in every rotor-dynamics text.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
+use crate::params;
+use laval_num::complex::{Complex, c};
+use laval_num::scalar::Scalar;
+
+params! {
+    /// Parameters of a [`Damper`].
+    pub struct DamperParams in DamperFamily {
+        damping: lateral, "N s/m", Bounds::up_to(1e12), required, "damping c";
+    }
+}
+
+/// See the [module](self).
+pub struct Damper {
+    link: Link,
+    rotating: bool,
+}
+
+impl Damper {
+    /// In fixed axes.
+    pub fn fixed(link: Link) -> Self {
+        Damper { link, rotating: false }
+    }
+    /// In axes that turn with the rotor.
+    pub fn rotating(link: Link) -> Self {
+        Damper { link, rotating: true }
+    }
+    fn slip<S: Scalar>(&self, at: &At<S>) -> Complex<S> {
+        let v = c(at.v[0], at.v[1]);
+        if self.rotating { v - c(at.q[0], at.q[1]).mul_i().scale(at.speed) } else { v }
+    }
+}
+
+impl Part for Damper {
+    const KIND: &'static str = "damper";
+    const DOC: &'static str = "A viscous damper between two points or to the ground. axes = \"rotating\" is damping inside the rotor, which \
+        destabilises above the critical speed.";
+    type Family = DamperFamily;
+    const FIELDS: &'static [Field] = &[
+        Field::required("between", FieldKind::Between, "the two points it joins"),
+        Field::optional(
+            "axes",
+            FieldKind::Choice(&[("fixed", "axes at rest"), ("rotating", "axes that turn with the rotor")]),
+            "fixed",
+            "axes the damping acts in",
+        ),
+    ];
+
+    fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let (a, b) = values.between("between")?;
+        let rotating = values.choice("axes") == Some("rotating");
+        if rotating && params.get("damping.x") != params.get("damping.y") {
+            diagnostics.push(
+                Diagnostic::error("damper.rotating", "rotating damping must be the same in x and y")
+                    .at(values.span_of("damping"))
+                    .help("different values in rotating axes would make the machine's equations periodic in time"),
+            );
+        }
+        Some(Damper { link: Link::Between(a, b), rotating })
+    }
+    fn layout(&self) -> Layout {
+        Layout::point(self.link.clone())
+    }
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
+        for i in 0..2 {
+            b.damping[(i, i)] = p.damping[i];
+        }
+        if self.rotating {
+            b.circulatory[(0, 1)] = p.damping[0];
+            b.circulatory[(1, 0)] = -p.damping[0];
+        }
+    }
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        if self.rotating { -(p.damping[0] * (c(at.q[0], at.q[1]).conj() * self.slip(at)).im) } else { S::zero() }
+    }
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        let slip = self.slip(at);
+        Some(Energy { dissipated: p.damping[0] * slip.re.square() + p.damping[1] * slip.im.square(), ..Energy::zero() })
+    }
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        let slip = self.slip(at);
+        out.push(Observed { name: "force", unit: "N", value: (p.damping[0] * slip.re).hypot(p.damping[1] * slip.im) });
+    }
+}

@@ -1,0 +1,202 @@
+//! A rigid disc: two lateral coordinates, or four with tilt and gyroscopic coupling.
+//!
+//! Equations, with `z = x + i y` the displacement of the reference point, `theta = alpha + i beta` the rotation vector, spin angle `phi`,
+//! `W = phi'`, centre of mass at height `h` above the reference point (`z_c = z + h (beta - i alpha)`), `p = m e exp(i (phi + phi_e))`,
+//! `t = tau exp(i (phi + phi_t))`:
+//!
+//! ```text
+//! m z_c''                                        = (W^2 - i W') p
+//! A theta'' - i C W theta' - (i/2) C W' theta    = [(A - C) W^2 - i (A - C/2) W'] t     (and the moment of the force at h)
+//! (C + m e^2 + (A - C) tau^2) W' + Im(conj(p) z_c'') + (C/2)(alpha'' beta - alpha beta'') + skew terms = torque
+//! ```
+//!
+//! Symbols: m mass, kg; e eccentricity, m; A diametral and C polar moment of inertia about the centre of mass, kg m^2; tau skew, rad.
+//!
+//! Validity: small tilt; spin row linear in skew.
+//!
+//! Sources: `000_a291f7ede1484e56` sections 1.1 and 2.1 (planar rotor); tilt terms from the kinetic energy of a symmetric top to second order.
+
+use crate::diagnostic::Diagnostics;
+use crate::model::blocks::Blocks;
+use crate::model::field::{Bounds, Field, ParamValues, Values};
+use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
+use crate::params;
+use laval_num::complex::{Complex, c};
+use laval_num::scalar::Scalar;
+
+params! {
+    /// Parameters of a [`Disc`].
+    pub struct DiscParams in DiscFamily {
+        mass: scalar, "kg", Bounds::positive(1e7), required, "mass m";
+        eccentricity: scalar, "m", Bounds::up_to(0.5), default 0.0, "distance e of the centre of mass from the shaft centre";
+        eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
+        unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";
+        polar_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "polar moment of inertia C";
+        diametral_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "diametral moment of inertia A; when given, the disc tilts";
+        skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau between principal axis and shaft (dynamic unbalance)";
+        skew_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the skew from the key mark";
+        centre_of_mass: scalar, "m", Bounds::within(100.0), default 0.0, "height h of the centre of mass above the reference point";
+    }
+}
+
+/// See the [module](self).
+pub struct Disc {
+    tilts: bool,
+}
+
+impl Disc {
+    /// Two coordinates: x, y.
+    pub fn planar() -> Self {
+        Disc { tilts: false }
+    }
+    /// Four coordinates: x, y and tilt; needs the inertias.
+    pub fn tilting() -> Self {
+        Disc { tilts: true }
+    }
+}
+
+/// Rotating vector `amplitude exp(i (phase + offset))` as its factors on cos and sin of the phase, for the x row and the y row.
+fn rotating<S: Scalar>(amplitude: S, offset: S) -> [[S; 2]; 2] {
+    let (s, co) = offset.sin_cos();
+    [[amplitude * co, -(amplitude * s)], [amplitude * s, amplitude * co]]
+}
+
+impl Disc {
+    /// Adds a force that turns with the rotor, `(k W^2 - i kappa W') r exp(i phase)`, on two rows with lever arms.
+    fn add_rotating<S: Scalar>(b: &mut Blocks<S>, rows: [(usize, S); 2], r: [[S; 2]; 2], k: S, kappa: S) {
+        let w2 = b.speed * b.speed;
+        for (axis, &(row, lever)) in rows.iter().enumerate() {
+            b.force_cos[row] += lever * k * w2 * r[axis][0];
+            b.force_sin[row] += lever * k * w2 * r[axis][1];
+            // -i times the vector: x takes +y, y takes -x
+            let (other, sign) = if axis == 0 { (1, 1.0) } else { (0, -1.0) };
+            b.spin_accel_cos[row] += (lever * kappa * r[other][0]).scale(sign);
+            b.spin_accel_sin[row] += (lever * kappa * r[other][1]).scale(sign);
+        }
+    }
+
+    /// Centre-of-mass motion `x' + h beta', y' - h alpha'` of rates or accelerations.
+    fn centre<S: Scalar>(&self, h: S, d: &[S]) -> Complex<S> {
+        if self.tilts { c(d[0] + h * d[3], d[1] - h * d[2]) } else { c(d[0], d[1]) }
+    }
+}
+
+impl Part for Disc {
+    const KIND: &'static str = "disc";
+    const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
+        and dynamic unbalance. Other parts attach to it.";
+    type Family = DiscFamily;
+    const FIELDS: &'static [Field] = &[];
+
+    fn build(values: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        Some(Disc { tilts: values.number("diametral_inertia").is_some_and(|x| x > 0.0) })
+    }
+
+    fn layout(&self) -> Layout {
+        let mut own = Dof::lateral();
+        if self.tilts {
+            own.extend(Dof::tilt());
+        }
+        Layout::body(own)
+    }
+
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
+        let one = S::one();
+        b.mass[(0, 0)] = p.mass;
+        b.mass[(1, 1)] = p.mass;
+        let static_unbalance = rotating(p.mass * p.eccentricity + p.unbalance, p.eccentricity_phase);
+        Self::add_rotating(b, [(0, one), (1, one)], static_unbalance, one, one);
+        if self.tilts {
+            let (a, cp, h) = (p.diametral_inertia, p.polar_inertia, p.centre_of_mass);
+            let mh = p.mass * h;
+            for (i, j, x) in [(0, 3, mh), (1, 2, -mh)] {
+                b.mass[(i, j)] = x;
+                b.mass[(j, i)] = x;
+            }
+            for i in [2, 3] {
+                b.mass[(i, i)] = a + mh * h;
+            }
+            b.gyroscopic[(2, 3)] = cp;
+            b.gyroscopic[(3, 2)] = -cp;
+            b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
+            b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
+            Self::add_rotating(b, [(3, h), (2, -h)], static_unbalance, one, one);
+            Self::add_rotating(b, [(2, one), (3, one)], rotating(p.skew, p.skew_phase), a - cp, a - cp.scale(0.5));
+        }
+    }
+
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        let u = p.mass * p.eccentricity + p.unbalance;
+        let turning = Complex::cis(at.phase + p.eccentricity_phase).scale(u);
+        let zc = self.centre(p.centre_of_mass, at.a);
+        let mut r = self.spin_inertia(p) * at.spin_accel + (turning.conj() * zc).im;
+        if self.tilts {
+            let (a, cp) = (p.diametral_inertia, p.polar_inertia);
+            r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
+            let t = Complex::cis(at.phase + p.skew_phase).scale(p.skew);
+            let (theta, rate, accel) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]), c(at.a[2], at.a[3]));
+            let (c1, c2) = (a - cp.scale(0.5), cp.scale(-0.5));
+            let re = |z: Complex<S>, w: Complex<S>| (z.conj() * w).re;
+            r += c1 * re(accel, t.mul_i());
+            r += c2 * (at.spin_accel * re(theta, t) + at.speed * re(rate, t)).scale(2.0);
+            r += c2 * at.speed * at.speed * re(theta, t.mul_i());
+        }
+        r
+    }
+
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        let u = p.mass * p.eccentricity + p.unbalance;
+        let turning = Complex::cis(at.phase + p.eccentricity_phase).scale(u);
+        let vc = self.centre(p.centre_of_mass, at.v);
+        let w = at.speed;
+        let mut t = (p.mass * vc.norm_sqr() + self.spin_inertia(p) * w * w).scale(0.5) + w * (turning.conj() * vc).im;
+        if self.tilts {
+            let (a, cp) = (p.diametral_inertia, p.polar_inertia);
+            let (theta, rate) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]));
+            let skew = Complex::cis(at.phase + p.skew_phase).scale(p.skew);
+            t += (a * rate.norm_sqr()).scale(0.5) + (cp * w * (rate.re * theta.im - theta.re * rate.im)).scale(0.5);
+            t += (a - cp.scale(0.5)) * w * (rate.conj() * skew.mul_i()).re - cp.scale(0.5) * w * w * (theta.conj() * skew).re;
+        }
+        Some(Energy { stored: t, ..Energy::zero() })
+    }
+
+    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
+        let mut columns = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
+        if self.tilts {
+            // x + z beta, y - z alpha
+            columns.extend([[0.0, -z, 1.0, 0.0], [z, 0.0, 0.0, 1.0]]);
+        }
+        columns
+    }
+
+    fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
+    }
+
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let mut wrong = Vec::new();
+        if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {
+            wrong.push((
+                "polar_inertia",
+                format!("no body has a polar inertia ({} kg m^2) above twice its diametral inertia", p.polar_inertia),
+            ));
+        }
+        if !self.tilts && (p.skew != 0.0 || p.centre_of_mass != 0.0) {
+            let field = if p.skew != 0.0 { "skew" } else { "centre_of_mass" };
+            wrong.push((field, format!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well")));
+        }
+        wrong
+    }
+}
+
+impl Disc {
+    fn spin_inertia<S: Scalar>(&self, p: &DiscParams<S>) -> S {
+        let u = p.mass * p.eccentricity + p.unbalance;
+        let skew = if self.tilts { (p.diametral_inertia - p.polar_inertia) * p.skew * p.skew } else { S::zero() };
+        p.polar_inertia + u * u / p.mass + skew
+    }
+}

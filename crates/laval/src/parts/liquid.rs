@@ -1,0 +1,250 @@
+//! A cylindrical cavity partly filled with liquid that turns with the rotor: plane flow of an ideal liquid, exact.
+//!
+//! Equations, with `z` the cavity centre, `beta` and `eta` (surface displacement) in fixed axes:
+//!
+//! ```text
+//! beta' = i W beta + g (2 i W beta + W^2 eta - z'') - 2 delta beta
+//! eta'  = i W eta - beta
+//! F     = -mL [g z'' + (1 - g)(2 i W beta + W^2 eta)] + i W' mo eta          on the rotor
+//! spin row: (ml/2)(R^2 + r0^2) W'
+//! ```
+//!
+//! Symbols: R cavity radius, r0 radius of the undisturbed free surface, h height, m; rho density, kg/m^3; mL = pi R^2 h rho the full cavity,
+//! mo = mL (r0/R)^2, ml = mL - mo the real liquid, kg; g = (R^2 - r0^2)/(R^2 + r0^2); delta damping of the surface wave in rotor axes, 1/s; W spin
+//! speed. Empty, full and partly filled are separate cases: a full cavity is frozen liquid, an empty one is nothing.
+//!
+//! Validity: surface displacement well below the layer thickness, cavity always wetted (W^2 r0 above the local acceleration), no viscosity but
+//! delta, motion without tilt, spin-up slow against r0^2/(14.7 nu).
+//!
+//! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
+use crate::params;
+use laval_num::complex::{Complex, c};
+use laval_num::scalar::Scalar;
+use std::f64::consts::PI;
+
+params! {
+    /// Parameters of a [`Liquid`].
+    pub struct LiquidParams in LiquidFamily {
+        cavity_radius: scalar, "m", Bounds::positive(100.0), required, "cavity radius R";
+        cavity_height: scalar, "m", Bounds::positive(1000.0), required, "cavity height h";
+        density: scalar, "kg/m^3", Bounds::positive(3e4), required, "liquid density rho";
+        free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
+        wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
+    }
+}
+
+/// How full the cavity is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fill {
+    /// No liquid.
+    Empty,
+    /// A free surface.
+    Partial,
+    /// No free surface.
+    Full,
+}
+
+/// See the [module](self).
+pub struct Liquid {
+    attach: Attach,
+    fill: Fill,
+}
+
+struct Coefficients<S> {
+    full: S,
+    void: S,
+    g: S,
+}
+
+impl Liquid {
+    /// In the cavity of a body; the case must agree with the free-surface radius.
+    pub fn new(attach: Attach, fill: Fill) -> Self {
+        Liquid { attach, fill }
+    }
+    fn coefficients<S: Scalar>(p: &LiquidParams<S>) -> Coefficients<S> {
+        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
+        let column = p.cavity_height * p.density;
+        Coefficients { full: (r2 * column).scale(PI), void: (s2 * column).scale(PI), g: (r2 - s2) / (r2 + s2) }
+    }
+    /// Surface displacement and its rate.
+    fn surface<S: Scalar>(at: &At<S>) -> (Complex<S>, Complex<S>) {
+        let (beta, eta) = (c(at.z[0], at.z[1]), c(at.z[2], at.z[3]));
+        (eta, eta.mul_i().scale(at.speed) - beta)
+    }
+}
+
+const FILLS: &[(&str, &str, Bounds, &str)] = &[
+    ("free_surface_radius", "m", Bounds::up_to(100.0), "radius of the undisturbed free surface"),
+    ("volume_fraction", "", Bounds::closed(0.0, 1.0), "liquid volume over cavity volume"),
+    ("volume", "m^3", Bounds::up_to(1e6), "liquid volume"),
+    ("mass", "kg", Bounds::up_to(1e9), "liquid mass"),
+];
+
+impl Part for Liquid {
+    const KIND: &'static str = "liquid";
+    const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
+        rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass.";
+    type Family = LiquidFamily;
+    const FIELDS: &'static [Field] = &[
+        Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills"),
+        Field::optional("model", FieldKind::Choice(&[("planar", "plane flow of an ideal liquid")]), "planar", "flow model"),
+        Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
+    ];
+
+    fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let attach = values.attach("in")?;
+        let (kind, value) = values.one_of("fill")?;
+        let (radius, height, density) = (params.get("cavity_radius")?, params.get("cavity_height")?, params.get("density")?);
+        let cavity = PI * radius * radius * height;
+        let fraction = match kind {
+            "volume_fraction" => value,
+            "volume" => value / cavity,
+            "mass" => value / (cavity * density),
+            _ => 1.0 - (value / radius) * (value / radius),
+        };
+        if !(0.0..=1.0 + 1e-12).contains(&fraction) {
+            let (message, help) = if kind == "free_surface_radius" {
+                (
+                    format!("the free surface (radius {value} m) lies outside the cavity (radius {radius} m)"),
+                    "the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty".to_string(),
+                )
+            } else {
+                (
+                    format!("the cavity holds less than this: {:.4} times its volume", fraction),
+                    format!("the cavity's volume is {cavity:.6} m^3, {:.6} kg of this liquid", cavity * density),
+                )
+            };
+            diagnostics.push(Diagnostic::error("liquid.fill", message).at(values.span_of("fill")).help(help));
+            return None;
+        }
+        let free = if kind == "free_surface_radius" { value } else { radius * (1.0 - fraction).max(0.0).sqrt() };
+        params.set("free_surface_radius", free);
+        let fill = if free == 0.0 {
+            Fill::Full
+        } else if free >= radius {
+            Fill::Empty
+        } else {
+            Fill::Partial
+        };
+        Some(Liquid { attach, fill })
+    }
+
+    fn layout(&self) -> Layout {
+        let mut layout = Layout::point(Link::On(self.attach.clone()));
+        if self.fill == Fill::Partial {
+            layout.states = Dof::pair("flow_", DofKind::VectorX, "m/s", 1.0);
+            layout.states.extend(Dof::pair("surface_", DofKind::VectorX, "m", 1e-3));
+        }
+        layout
+    }
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, w: S, b: &mut Blocks<S>) {
+        let Coefficients { full, void, g } = Self::coefficients(p);
+        let (zero, one) = (S::zero(), S::one());
+        match self.fill {
+            Fill::Empty => {}
+            Fill::Full => {
+                for i in 0..2 {
+                    b.mass[(i, i)] = full;
+                }
+            }
+            Fill::Partial => {
+                for i in 0..2 {
+                    b.mass[(i, i)] = full * g;
+                }
+                let outer = full * (one - g);
+                b.state_force.add_complex(0, 0, zero, (outer * w).scale(2.0));
+                b.state_force.add_complex(0, 2, outer * w * w, zero);
+                b.spin_accel_state_force.add_complex(0, 2, zero, -void);
+                b.state.add_complex(0, 0, p.wave_damping.scale(-2.0), w + (g * w).scale(2.0));
+                b.state.add_complex(0, 2, g * w * w, zero);
+                b.state.add_complex(2, 0, -one, zero);
+                b.state.add_complex(2, 2, zero, w);
+                b.state_a.add_complex(0, 0, -g, zero);
+            }
+        }
+    }
+
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        self.polar_inertia(p) * at.spin_accel
+    }
+
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        let Coefficients { full, void, g } = Self::coefficients(p);
+        let v = c(at.v[0], at.v[1]);
+        let w = at.speed;
+        let spin = (self.polar_inertia(p) * w * w).scale(0.5);
+        Some(match self.fill {
+            Fill::Empty => Energy::zero(),
+            Fill::Full => Energy { stored: (full * v.norm_sqr()).scale(0.5) + spin, ..Energy::zero() },
+            Fill::Partial => {
+                let (eta, rate) = Self::surface(at);
+                let gamma = S::one() / g;
+                let wave = (gamma * rate.norm_sqr() - (gamma + S::one()) * w * w * eta.norm_sqr()).scale(0.5) - (v * rate.conj()).re;
+                let slip = rate - eta.mul_i().scale(w);
+                let loss = (rate.scale(gamma) - v) * slip.conj();
+                let spin_up = gamma * (rate.conj() * eta.mul_i()).re - (gamma + S::one()) * w * eta.norm_sqr();
+                Energy {
+                    stored: ((full - void) * v.norm_sqr()).scale(0.5) + void * wave + spin,
+                    dissipated: (p.wave_damping * void * loss.re).scale(2.0),
+                    supplied: void * at.spin_accel * spin_up,
+                }
+            }
+        })
+    }
+
+    fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        if self.fill == Fill::Partial {
+            out.push(Observed { name: "surface displacement", unit: "m", value: at.z[2].hypot(at.z[3]) });
+        }
+    }
+    fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        if self.fill == Fill::Partial {
+            let layer = p.cavity_radius - p.free_surface_radius;
+            // the surface is measured from the cavity centre
+            out.push(Validity { what: "surface excursion over layer thickness", ratio: at.z[2].hypot(at.z[3]) / layer });
+            let field = at.speed * at.speed * p.free_surface_radius;
+            out.push(Validity {
+                what: "wall acceleration over centrifugal acceleration of the layer",
+                ratio: at.a[0].hypot(at.a[1]) / field,
+            });
+        }
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let fill = if p.free_surface_radius == 0.0 {
+            Fill::Full
+        } else if p.free_surface_radius < p.cavity_radius {
+            Fill::Partial
+        } else {
+            Fill::Empty
+        };
+        if p.free_surface_radius > p.cavity_radius {
+            let text =
+                format!("the free surface (radius {} m) lies outside the cavity (radius {} m)", p.free_surface_radius, p.cavity_radius);
+            return vec![("fill", text)];
+        }
+        if fill != self.fill {
+            return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
+        }
+        Vec::new()
+    }
+}
+
+impl Liquid {
+    fn polar_inertia<S: Scalar>(&self, p: &LiquidParams<S>) -> S {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
+        match self.fill {
+            Fill::Empty => S::zero(),
+            _ => ((full - void) * (r2 + s2)).scale(0.5),
+        }
+    }
+}
