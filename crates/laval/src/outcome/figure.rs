@@ -1,0 +1,396 @@
+//! Figures: declarative marks over table columns. A figure is a column of panels that share x.
+
+use super::{Data, OutcomeError, Table};
+
+/// A figure: panels, one below the other, sharing the x axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Machine name, also part of the file name.
+    pub name: String,
+    /// Title for reading.
+    pub title: String,
+    /// What a reader who cannot see the figure should know.
+    pub alt: String,
+    /// The common x axis.
+    pub x: Axis,
+    /// The panels from top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// One panel: a y axis and marks, drawn in order (heat maps and bands always lie below).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The y axis.
+    pub y: Axis,
+    /// What is drawn.
+    pub marks: Vec<Mark>,
+}
+
+/// Scale of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal steps.
+    Linear,
+    /// Equal ratios; values that are not positive are left out.
+    Log,
+}
+
+/// An axis. Every value along it (columns and constants alike) is multiplied by `factor` before it is drawn, so that tables
+/// and marks stay in SI units while the axis shows `rpm` or `µm`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Label, such as `speed`.
+    pub label: String,
+    /// Unit after the factor.
+    pub unit: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// Factor from the values of the table to the unit of the axis.
+    pub factor: f64,
+    /// Range to show, in the unit of the axis; from the data when absent.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Axis {
+    /// A linear axis.
+    pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, factor: 1.0, range: None }
+    }
+
+    /// A logarithmic axis.
+    pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Axis { scale: Scale::Log, ..Axis::new(label, unit) }
+    }
+
+    /// Factor from the values of the table to the unit of the axis: `1e6` from m to µm.
+    pub fn factor(mut self, factor: f64) -> Self {
+        self.factor = factor;
+        self
+    }
+
+    /// Shows this range (in the unit of the axis) whatever the data.
+    pub fn range(mut self, from: f64, to: f64) -> Self {
+        self.range = Some((from, to));
+        self
+    }
+}
+
+/// One layer of a panel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// Curve.
+    Line(Line),
+    /// Markers.
+    Points(Points),
+    /// Shaded interval.
+    Band(Band),
+    /// Straight line across the panel.
+    Rule(Rule),
+    /// Heat map.
+    Heat(Heat),
+    /// Words at a place.
+    Text(Text),
+}
+
+macro_rules! into_mark {
+    ($($kind:ident),*) => { $(impl From<$kind> for Mark { fn from(m: $kind) -> Mark { Mark::$kind(m) } })* };
+}
+into_mark!(Line, Points, Band, Rule, Heat, Text);
+
+/// A curve through the rows of a table in their order; it may fold back. NaN breaks it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Table.
+    pub table: String,
+    /// Column of x.
+    pub x: String,
+    /// Column of y.
+    pub y: String,
+    /// Column whose values split the rows into one line each (mode number, branch).
+    pub group: Option<String>,
+    /// Flag column: a piece is solid where it is true at both ends, dashed elsewhere.
+    pub solid_where: Option<String>,
+    /// What solid and dashed mean in the legend.
+    pub solid_dashed: (String, String),
+    /// Name in the legend.
+    pub name: String,
+    /// Drawn thin and grey with its name at its end instead of in the legend: for orders such as 1× and 2×.
+    pub reference: bool,
+}
+
+impl Line {
+    /// A curve of column `y` over column `x`.
+    pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>) -> Self {
+        Line {
+            table: table.into(),
+            x: x.into(),
+            y: y.into(),
+            group: None,
+            solid_where: None,
+            solid_dashed: ("stable".into(), "unstable".into()),
+            name: String::new(),
+            reference: false,
+        }
+    }
+
+    /// One line per value of this column.
+    pub fn group(mut self, column: impl Into<String>) -> Self {
+        self.group = Some(column.into());
+        self
+    }
+
+    /// Solid where this flag column is true (stable), dashed elsewhere (unstable).
+    pub fn solid_where(mut self, column: impl Into<String>) -> Self {
+        self.solid_where = Some(column.into());
+        self
+    }
+
+    /// What solid and dashed mean, when not stable and unstable.
+    pub fn meaning(mut self, solid: impl Into<String>, dashed: impl Into<String>) -> Self {
+        self.solid_dashed = (solid.into(), dashed.into());
+        self
+    }
+
+    /// Name in the legend.
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+
+    /// Draws a thin grey line with its name at its end.
+    pub fn reference(mut self) -> Self {
+        self.reference = true;
+        self
+    }
+}
+
+/// A marker per row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    /// Table.
+    pub table: String,
+    /// Column of x.
+    pub x: String,
+    /// Column of y.
+    pub y: String,
+    /// Column whose values choose colour and shape.
+    pub group: Option<String>,
+    /// Flag column: filled markers where true, open ones elsewhere.
+    pub filled_where: Option<String>,
+    /// Name in the legend.
+    pub name: String,
+}
+
+impl Points {
+    /// Markers at columns `x`, `y`.
+    pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>) -> Self {
+        Points { table: table.into(), x: x.into(), y: y.into(), group: None, filled_where: None, name: String::new() }
+    }
+
+    /// Colour and shape by this column.
+    pub fn group(mut self, column: impl Into<String>) -> Self {
+        self.group = Some(column.into());
+        self
+    }
+
+    /// Filled where this flag column is true, open elsewhere.
+    pub fn filled_where(mut self, column: impl Into<String>) -> Self {
+        self.filled_where = Some(column.into());
+        self
+    }
+
+    /// Name in the legend.
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+}
+
+/// A shaded interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Band {
+    /// Where.
+    pub place: BandPlace,
+    /// Name in the legend.
+    pub name: String,
+}
+
+/// Where a [`Band`] lies; values before the axis factor.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BandPlace {
+    /// Between two values of x, the whole height.
+    X(f64, f64),
+    /// Between two values of y, the whole width.
+    Y(f64, f64),
+    /// Between two curves: table, x, lower and upper column.
+    Between(String, String, String, String),
+}
+
+impl Band {
+    /// Between two values of x.
+    pub fn x(from: f64, to: f64) -> Self {
+        Band { place: BandPlace::X(from, to), name: String::new() }
+    }
+
+    /// Between two values of y.
+    pub fn y(from: f64, to: f64) -> Self {
+        Band { place: BandPlace::Y(from, to), name: String::new() }
+    }
+
+    /// Between the columns `low` and `high` over column `x`.
+    pub fn between(table: impl Into<String>, x: impl Into<String>, low: impl Into<String>, high: impl Into<String>) -> Self {
+        Band { place: BandPlace::Between(table.into(), x.into(), low.into(), high.into()), name: String::new() }
+    }
+
+    /// Name in the legend.
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
+    }
+}
+
+/// A straight line across the panel with a label; `at` before the axis factor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// True: vertical, at a value of x. False: horizontal, at a value of y.
+    pub vertical: bool,
+    /// Where.
+    pub at: f64,
+    /// Label.
+    pub label: String,
+}
+
+impl Rule {
+    /// Vertical, at a value of x.
+    pub fn x(at: f64, label: impl Into<String>) -> Self {
+        Rule { vertical: true, at, label: label.into() }
+    }
+
+    /// Horizontal, at a value of y.
+    pub fn y(at: f64, label: impl Into<String>) -> Self {
+        Rule { vertical: false, at, label: label.into() }
+    }
+}
+
+/// A heat map of `value` over a grid of x and y, given row by row in any order; missing cells stay blank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heat {
+    /// Table.
+    pub table: String,
+    /// Column of x.
+    pub x: String,
+    /// Column of y.
+    pub y: String,
+    /// Column of the value.
+    pub value: String,
+    /// Label, unit, factor, scale and range of the colours.
+    pub colours: Axis,
+    /// Colours that part at zero (growth rates) instead of a plain ramp.
+    pub diverging: bool,
+    /// Draws the curve where the value (before the factor) equals this.
+    pub contour: Option<f64>,
+}
+
+impl Heat {
+    /// A heat map; colours part at zero when the data do.
+    pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>, value: impl Into<String>, colours: Axis) -> Self {
+        Heat { table: table.into(), x: x.into(), y: y.into(), value: value.into(), colours, diverging: false, contour: None }
+    }
+
+    /// Colours that part at zero: blue below, red above.
+    pub fn diverging(mut self) -> Self {
+        self.diverging = true;
+        self
+    }
+
+    /// Draws the curve where the value equals `level`.
+    pub fn contour(mut self, level: f64) -> Self {
+        self.contour = Some(level);
+        self
+    }
+}
+
+/// Words at a place in data coordinates (before the axis factors).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// x.
+    pub x: f64,
+    /// y.
+    pub y: f64,
+    /// The words.
+    pub text: String,
+}
+
+impl Text {
+    /// Words centred at a place.
+    pub fn new(x: f64, y: f64, text: impl Into<String>) -> Self {
+        Text { x, y, text: text.into() }
+    }
+}
+
+impl Panel {
+    /// An empty panel.
+    pub fn new(y: Axis) -> Self {
+        Panel { y, marks: Vec::new() }
+    }
+
+    /// Adds a mark.
+    pub fn mark(mut self, mark: impl Into<Mark>) -> Self {
+        self.marks.push(mark.into());
+        self
+    }
+}
+
+impl Figure {
+    /// A figure without panels. `alt` tells what it shows to a reader who cannot see it.
+    pub fn new(name: impl Into<String>, title: impl Into<String>, alt: impl Into<String>) -> Self {
+        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new() }
+    }
+
+    /// Sets the x axis.
+    pub fn x(mut self, axis: Axis) -> Self {
+        self.x = axis;
+        self
+    }
+
+    /// Adds a panel below the others.
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Whether every mark names columns that exist and have a fitting type.
+    ///
+    /// # Errors
+    /// The first one that does not.
+    pub fn check(&self, tables: &[Table]) -> Result<(), OutcomeError> {
+        for mark in self.panels.iter().flat_map(|p| &p.marks) {
+            let (table, numbers, group, flag): (&str, Vec<&str>, Option<&String>, Option<&String>) = match mark {
+                Mark::Line(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.solid_where.as_ref()),
+                Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.as_ref()),
+                Mark::Heat(m) => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
+                Mark::Band(Band { place: BandPlace::Between(t, x, low, high), .. }) => (t, vec![x, low, high], None, None),
+                Mark::Band(_) | Mark::Rule(_) | Mark::Text(_) => continue,
+            };
+            let wrong = |column: &str, expected| OutcomeError::Reference {
+                figure: self.name.clone(),
+                table: table.into(),
+                column: column.into(),
+                expected,
+            };
+            let found = tables.iter().find(|t| t.name() == table).ok_or_else(|| wrong("", "a table"))?;
+            for column in numbers {
+                let fits = found.column(column).is_some_and(|c| matches!(c.data, Data::Float(_) | Data::Int(_)));
+                fits.then_some(()).ok_or_else(|| wrong(column, "a column of numbers"))?;
+            }
+            if let Some(column) = group {
+                found.column(column).ok_or_else(|| wrong(column, "a column"))?;
+            }
+            if let Some(column) = flag {
+                let fits = found.column(column).is_some_and(|c| matches!(c.data, Data::Flag(_)));
+                fits.then_some(()).ok_or_else(|| wrong(column, "a column of flags"))?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,210 @@
+//! Tables: named columns with unit and documentation, all of one length.
+
+use super::{OutcomeError, unique};
+
+/// A table whose columns have one length and different names.
+///
+/// ```
+/// use laval::outcome::Table;
+/// # fn main() -> Result<(), laval::outcome::OutcomeError> {
+/// let modes = Table::new("modes", "Natural modes at 3000 rpm")
+///     .int("mode", "", "number in order of frequency", vec![1, 2])
+///     .float("frequency", "rad/s", "whirl frequency", vec![210.0, 655.5])
+///     .text("whirl", "direction of whirl", vec!["forward".into(), "backward".into()])
+///     .build()?;
+/// assert_eq!(modes.rows(), 2);
+///
+/// let same_length = Table::new("t", "").float("a", "", "", vec![1.0]).float("b", "", "", vec![]).build();
+/// assert!(same_length.is_err());
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    name: String,
+    doc: String,
+    columns: Vec<Column>,
+}
+
+/// One column of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Name, such as `amplitude`.
+    pub name: String,
+    /// Unit; empty for a pure number, text or flag.
+    pub unit: String,
+    /// What it holds.
+    pub doc: String,
+    /// The values.
+    pub data: Data,
+}
+
+/// Values of a column. NaN stands for "no value".
+#[derive(Clone, Debug, PartialEq)]
+pub enum Data {
+    /// Real numbers.
+    Float(Vec<f64>),
+    /// Whole numbers.
+    Int(Vec<i64>),
+    /// Words.
+    Text(Vec<String>),
+    /// Yes or no.
+    Flag(Vec<bool>),
+}
+
+impl Data {
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        match self {
+            Data::Float(v) => v.len(),
+            Data::Int(v) => v.len(),
+            Data::Text(v) => v.len(),
+            Data::Flag(v) => v.len(),
+        }
+    }
+
+    /// Whether there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Column {
+    /// The heading: `speed [rad/s]`, or the bare name without a unit.
+    pub fn heading(&self) -> String {
+        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+    }
+
+    /// The numbers of the column; NaN for rows that do not exist. `None` for text and flags.
+    pub fn number(&self, row: usize) -> Option<f64> {
+        match &self.data {
+            Data::Float(v) => Some(v.get(row).copied().unwrap_or(f64::NAN)),
+            Data::Int(v) => Some(v.get(row).map_or(f64::NAN, |x| *x as f64)),
+            _ => None,
+        }
+    }
+}
+
+impl Table {
+    /// Starts a table.
+    #[allow(clippy::new_ret_no_self)]
+    pub fn new(name: impl Into<String>, doc: impl Into<String>) -> TableBuilder {
+        TableBuilder { table: Table { name: name.into(), doc: doc.into(), columns: Vec::new() } }
+    }
+
+    /// A table of real numbers from rows; `columns` holds name, unit and documentation of each.
+    ///
+    /// ```
+    /// use laval::outcome::Table;
+    /// let t = Table::from_rows("orbit", "Motion of the drum", [("t", "s", "time"), ("x", "m", "")], &[[0.0, 1.0], [0.1, 2.0]]);
+    /// assert_eq!(t.unwrap().rows(), 2);
+    /// ```
+    ///
+    /// # Errors
+    /// When two columns have one name.
+    pub fn from_rows<const N: usize>(
+        name: impl Into<String>,
+        doc: impl Into<String>,
+        columns: [(&str, &str, &str); N],
+        rows: &[[f64; N]],
+    ) -> Result<Table, OutcomeError> {
+        let mut builder = Table::new(name, doc);
+        for (j, (column, unit, doc)) in columns.into_iter().enumerate() {
+            builder = builder.float(column, unit, doc, rows.iter().map(|r| r[j]).collect());
+        }
+        builder.build()
+    }
+
+    /// Name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the table holds.
+    pub fn doc(&self) -> &str {
+        &self.doc
+    }
+
+    /// The columns, all of one length.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |c| c.data.len())
+    }
+
+    /// The column of that name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|c| c.name == name)
+    }
+}
+
+/// Collects the columns of a [`Table`]; [`TableBuilder::build`] checks them.
+#[derive(Clone, Debug)]
+pub struct TableBuilder {
+    table: Table,
+}
+
+impl TableBuilder {
+    fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, data: Data) -> Self {
+        self.table.columns.push(Column { name: name.into(), unit: unit.into(), doc: doc.into(), data });
+        self
+    }
+
+    /// Adds a column of real numbers.
+    pub fn float(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<f64>) -> Self {
+        self.add(name, unit, doc, Data::Float(values))
+    }
+
+    /// Adds a column of whole numbers.
+    pub fn int(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<i64>) -> Self {
+        self.add(name, unit, doc, Data::Int(values))
+    }
+
+    /// Adds a column of words.
+    pub fn text(self, name: impl Into<String>, doc: impl Into<String>, values: Vec<String>) -> Self {
+        self.add(name, "", doc, Data::Text(values))
+    }
+
+    /// Adds a column of yes and no.
+    pub fn flag(self, name: impl Into<String>, doc: impl Into<String>, values: Vec<bool>) -> Self {
+        self.add(name, "", doc, Data::Flag(values))
+    }
+
+    /// The table.
+    ///
+    /// # Errors
+    /// When a column has another length than the first, or two have one name.
+    pub fn build(self) -> Result<Table, OutcomeError> {
+        let table = self.table;
+        let expected = table.rows();
+        for column in &table.columns {
+            let found = column.data.len();
+            if found != expected {
+                return Err(OutcomeError::Length { table: table.name.clone(), column: column.name.clone(), found, expected });
+            }
+        }
+        unique("column", table.columns.iter().map(|c| c.name.as_str()))?;
+        Ok(table)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_and_names_are_checked() {
+        let short = Table::new("t", "").float("a", "m", "", vec![1.0, 2.0]).flag("b", "", vec![true]).build();
+        assert_eq!(short, Err(OutcomeError::Length { table: "t".into(), column: "b".into(), found: 1, expected: 2 }));
+        let twice = Table::new("t", "").float("a", "m", "", vec![]).int("a", "", "", vec![]).build();
+        assert!(matches!(twice, Err(OutcomeError::Twice { .. })));
+    }
+
+    #[test]
+    fn headings() {
+        let t = Table::new("t", "").float("speed", "rad/s", "", vec![]).text("branch", "", vec![]).build().unwrap();
+        assert_eq!(t.columns().iter().map(Column::heading).collect::<Vec<_>>(), ["speed [rad/s]", "branch"]);
+    }
+}
