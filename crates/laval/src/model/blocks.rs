@@ -23,19 +23,6 @@ impl<S: Scalar> Grid<S> {
         self.data.clear();
         self.data.resize(rows * cols, S::zero());
     }
-    /// Rows.
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-    /// Columns.
-    pub fn cols(&self) -> usize {
-        self.cols
-    }
-    /// One row.
-    #[inline(always)]
-    pub fn row(&self, i: usize) -> &[S] {
-        &self.data[i * self.cols..(i + 1) * self.cols]
-    }
     /// `sum_j self[i][j] x[j]`.
     #[inline(always)]
     pub fn row_dot(&self, i: usize, x: &[S]) -> S {
@@ -68,6 +55,19 @@ impl<S> Grid<S> {
     /// No rows, no columns.
     pub fn empty() -> Self {
         Grid { rows: 0, cols: 0, data: Vec::new() }
+    }
+    /// Rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+    /// Columns.
+    pub fn cols(&self) -> usize {
+        self.cols
+    }
+    /// One row.
+    #[inline(always)]
+    pub fn row(&self, i: usize) -> &[S] {
+        &self.data[i * self.cols..(i + 1) * self.cols]
     }
     /// All entries, row by row.
     pub fn data(&self) -> &[S] {

@@ -1,1 +1,102 @@
-//! (empty)
+//! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, KindInfo, Values};
+use crate::model::system::System;
+use crate::outcome::Outcome;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Told how far a study is.
+pub trait Progress: Sync {
+    /// `done` of `total` units of work (`total` 0: unknown).
+    fn report(&self, done: u64, total: u64);
+}
+
+/// No progress display.
+pub struct Silent;
+impl Progress for Silent {
+    fn report(&self, _: u64, _: u64) {}
+}
+
+/// What surrounds a running study.
+#[derive(Clone, Copy)]
+pub struct Context<'a> {
+    /// Name of the study in the file.
+    pub name: &'a str,
+    /// Set to stop: the study ends at its next step and returns what it has.
+    pub cancel: &'a AtomicBool,
+    /// Progress display.
+    pub progress: &'a dyn Progress,
+    /// Most steps (integration steps, continuation points, grid points) before the study ends by itself.
+    pub work_limit: u64,
+}
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl Context<'static> {
+    /// Runs to the end, silently.
+    pub fn quiet(name: &'static str) -> Self {
+        Context { name, cancel: &NEVER, progress: &Silent, work_limit: u64::MAX }
+    }
+}
+
+impl Context<'_> {
+    /// The user asked to stop.
+    pub fn cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+/// A kind of study: its struct is the `[[study]]` block.
+pub trait Study: Send + Sync + Sized + 'static {
+    /// The word in the file.
+    const KIND: &'static str;
+    /// One paragraph for the documentation.
+    const DOC: &'static str;
+    /// What may be said of it.
+    const FIELDS: &'static [Field];
+
+    /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
+    /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
+}
+
+/// A study with its type forgotten.
+pub trait ErasedStudy: Send + Sync {
+    /// The word in the file.
+    fn kind(&self) -> &'static str;
+    /// Runs it.
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
+}
+
+impl<T: Study> ErasedStudy for T {
+    fn kind(&self) -> &'static str {
+        T::KIND
+    }
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        Study::run(self, system, context)
+    }
+}
+
+/// A kind of study: what may be said of it, and how it is built.
+#[derive(Clone)]
+pub struct StudyKind {
+    /// Fields and documentation.
+    pub info: KindInfo,
+    /// Builds one from its fields; says all that is wrong.
+    pub build: fn(&Values, &System, &mut Diagnostics) -> Option<Box<dyn ErasedStudy>>,
+}
+
+/// All kinds of studies.
+pub fn registry() -> Vec<StudyKind> {
+    vec![]
+}
+
+/// The registry entry of a study.
+pub fn kind<T: Study>() -> StudyKind {
+    StudyKind {
+        info: KindInfo { kind: T::KIND, doc: T::DOC, fields: T::FIELDS.to_vec() },
+        build: |values, system, diagnostics| T::build(values, system, diagnostics).map(|s| Box::new(s) as Box<dyn ErasedStudy>),
+    }
+}
