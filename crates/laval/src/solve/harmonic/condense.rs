@@ -1,0 +1,209 @@
+//! The linear parts of a machine condensed exactly onto the nonlinear coordinates, at one order of the base frequency.
+//!
+//! With Z(s) the dynamic stiffness, `u = B x` the nonlinear coordinates, f(u) their forces and F the external ones:
+//!
+//! ```text
+//! Z x = F - B^T f   =>   K u + f = p,   K = (B Z^-1 B^T)^-1,   p = K B Z^-1 F
+//! ```
+//!
+//! A reference stiffness S is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
+//! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
+
+use crate::model::blocks::Grid;
+use crate::model::erased::D1;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat, Singular};
+use laval_num::scalar::Scalar;
+
+/// Rows of independent nonlinear coordinates over global ones, and every nonlinear part's local coordinates in terms of them.
+#[derive(Clone, Debug, Default)]
+pub struct Basis {
+    /// B, row by row.
+    pub rows: Vec<Vec<(usize, f64)>>,
+}
+
+impl Basis {
+    /// Expresses a row in the basis, adding it when it is independent.
+    pub fn express(&mut self, row: &[(usize, f64)], n: usize) -> Vec<(usize, f64)> {
+        let dense = |r: &[(usize, f64)]| {
+            let mut d = vec![0.0; n];
+            for &(g, c) in r {
+                d[g] += c;
+            }
+            d
+        };
+        let target = dense(row);
+        if target.iter().all(|&x| x == 0.0) {
+            return Vec::new();
+        }
+        // the same row again is the common case
+        if let Some(k) = self.rows.iter().position(|r| dense(r) == target) {
+            return vec![(k, 1.0)];
+        }
+        if let Some(combination) = combine(&self.rows.iter().map(|r| dense(r)).collect::<Vec<_>>(), &target) {
+            return combination;
+        }
+        self.rows.push(row.to_vec());
+        vec![(self.rows.len() - 1, 1.0)]
+    }
+}
+
+/// Coefficients of `target` over `rows` by least squares, when it lies in their span.
+fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
+    let k = rows.len();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let gram = Mat::from_fn(k, k, |i, j| dot(&rows[i], &rows[j]));
+    let mut coefficients: Vec<f64> = rows.iter().map(|r| dot(r, target)).collect();
+    Lu::new(&gram).ok()?.solve(&mut coefficients);
+    let mut rest = target.to_vec();
+    for (row, &c) in rows.iter().zip(&coefficients) {
+        for (r, x) in rest.iter_mut().zip(row) {
+            *r -= c * x;
+        }
+    }
+    let size = dot(target, target).sqrt();
+    (dot(&rest, &rest).sqrt() < 1e-12 * size)
+        .then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
+}
+
+/// One order condensed at one speed, with derivatives in the speed.
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    /// K over the nonlinear coordinates.
+    pub stiffness: Mat<C64>,
+    /// dK/dspeed.
+    pub stiffness_speed: Mat<C64>,
+    /// p.
+    pub load: Vec<C64>,
+    /// dp/dspeed.
+    pub load_speed: Vec<C64>,
+    /// Z^-1 B^T (with the reference stiffness), for the motion of all coordinates.
+    pub spread: Mat<C64>,
+    /// Z^-1 F.
+    pub free: Vec<C64>,
+}
+
+/// Condenses orders of one machine; keeps its scratch.
+pub struct Condenser {
+    basis: Vec<Vec<(usize, f64)>>,
+    /// S: reference stiffness on every nonlinear coordinate, N/m.
+    pub reference: f64,
+    divisor: usize,
+    params: Vec<D1>,
+    model: LinearModel<D1>,
+    scratch: LinearScratch<D1>,
+    grid: Grid<laval_num::complex::Complex<D1>>,
+    z: Mat<C64>,
+    dz: Mat<C64>,
+    lu: Lu<C64>,
+    rhs: Mat<C64>,
+    work: Mat<C64>,
+}
+
+impl Condenser {
+    /// For a machine whose base frequency is speed / divisor.
+    pub fn new(system: &System, basis: &Basis, reference: f64, divisor: usize) -> Self {
+        Condenser {
+            basis: basis.rows.clone(),
+            reference,
+            divisor,
+            params: system.params().iter().map(|&x| D1::lift(x)).collect(),
+            model: LinearModel::default(),
+            scratch: LinearScratch::default(),
+            grid: Grid::empty(),
+            z: Mat::default(),
+            dz: Mat::default(),
+            lu: Lu::default(),
+            rhs: Mat::default(),
+            work: Mat::default(),
+        }
+    }
+
+    /// Evaluates the linear parts at a speed (rad/s); call before [`Condenser::order`].
+    pub fn set_speed(&mut self, system: &System, speed: f64) {
+        system.linear(&self.params, D1::seed(speed, 0), Form::Frequency, &mut self.model, &mut self.scratch);
+    }
+
+    /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
+    pub fn linear_states(&self) -> &[usize] {
+        &self.model.states
+    }
+
+    /// Condenses order `k >= 0` of the base frequency.
+    pub fn order(&mut self, system: &System, k: usize, out: &mut Order) -> Result<(), Singular> {
+        let (n, m) = (system.n(), self.basis.len());
+        let ratio = k as f64 / self.divisor as f64;
+        let b = &self.model.blocks;
+        let s = laval_num::complex::c(D1::zero(), b.speed.scale(ratio));
+        system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
+        let size = self.grid.rows();
+        self.z.reset(size, size);
+        self.dz.reset(size, size);
+        for (i, e) in self.grid.data().iter().enumerate() {
+            self.z.data_mut()[i] = c(e.re.re, e.im.re);
+            self.dz.data_mut()[i] = c(e.re.eps[0], e.im.eps[0]);
+        }
+        for row in &self.basis {
+            for &(gi, ci) in row {
+                for &(gj, cj) in row {
+                    self.z[(gi, gj)] += c(ci * cj * self.reference, 0.0);
+                }
+            }
+        }
+        self.lu.factor(&self.z)?;
+        // columns: B^T, then the load and its derivative
+        self.rhs.reset(size, m + 2);
+        for (j, row) in self.basis.iter().enumerate() {
+            for &(g, x) in row {
+                self.rhs[(g, j)] += c(x, 0.0);
+            }
+        }
+        for i in 0..size {
+            let (f, df) = if k == self.divisor && i < n {
+                (c(b.force_cos[i].re, -b.force_sin[i].re), c(b.force_cos[i].eps[0], -b.force_sin[i].eps[0]))
+            } else if k == 0 {
+                let x = if i < n { b.force[i] } else { b.rate[i - n] };
+                (c(x.re, 0.0), c(x.eps[0], 0.0))
+            } else {
+                continue;
+            };
+            self.rhs[(i, m)] = f;
+            self.rhs[(i, m + 1)] = df;
+        }
+        self.lu.solve_mat(&mut self.rhs);
+        // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
+        self.dz.matmul_into(&self.rhs, &mut self.work);
+        self.lu.solve_mat(&mut self.work);
+        let project = |w: &Mat<C64>, j: usize| -> Vec<C64> {
+            self.basis.iter().map(|row| row.iter().fold(C64::zero(), |s, &(g, x)| s + w[(g, j)].scale(x))).collect()
+        };
+        let columns = |w: &Mat<C64>| -> Mat<C64> {
+            let cols: Vec<Vec<C64>> = (0..m).map(|j| project(w, j)).collect();
+            Mat::from_fn(m, m, |i, j| cols[j][i])
+        };
+        let flexibility = Lu::new(&columns(&self.rhs))?;
+        let mut k_ref = Mat::identity(m);
+        flexibility.solve_mat(&mut k_ref);
+        // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
+        let dk = k_ref.matmul(&columns(&self.work)).matmul(&k_ref);
+        let u0 = project(&self.rhs, m);
+        let du0: Vec<C64> = project(&self.rhs, m + 1).iter().zip(project(&self.work, m)).map(|(&a, b)| a - b).collect();
+        out.load = k_ref.mul_vec(&u0);
+        out.load_speed = k_ref.mul_vec(&du0);
+        dk.mul_vec_add(&u0, &mut out.load_speed);
+        for i in 0..m {
+            k_ref[(i, i)] -= c(self.reference, 0.0);
+        }
+        out.stiffness = k_ref;
+        out.stiffness_speed = dk;
+        out.spread.reset(size, m);
+        out.free.clear();
+        for i in 0..size {
+            out.spread.row_mut(i).copy_from_slice(&self.rhs.row(i)[..m]);
+            out.free.push(self.rhs[(i, m)]);
+        }
+        Ok(())
+    }
+}

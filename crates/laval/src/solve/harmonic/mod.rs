@@ -1,0 +1,5 @@
+//! Harmonic balance: periodic motions from linear parts exact in frequency and nonlinear parts sampled in time.
+pub mod condense;
+pub mod nonlinear;
+pub mod problem;
+pub mod terms;

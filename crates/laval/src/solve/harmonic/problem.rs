@@ -1,0 +1,428 @@
+//! The balance as equations `r(x, speed) = 0`: residual, exact tangents, monitored motion of the bodies.
+//!
+//! ```text
+//! r = L(W) x + analysis f(u(x)) - p(W)
+//! ```
+//!
+//! x are the terms of the nonlinear coordinates u, L and p the linear parts condensed exactly at every order, f the nonlinear forces sampled over the
+//! period. Rows are in N (N m), divided by nothing: Newton scales them.
+
+use super::condense::{Basis, Condenser, Order};
+use super::nonlinear::{Member, Sampled};
+use super::terms::{Term, Terms};
+use crate::diagnostic::Diagnostic;
+use crate::model::part::{At, DofKind};
+use crate::model::system::System;
+use crate::model::tangent::{Tangent, TangentScratch};
+use crate::solve::symmetry::Symmetry;
+use laval_num::complex::{C64, c};
+use laval_num::continuation::{Failure, Zero};
+use laval_num::dense::Mat;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How a balance is discretised.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Discretisation {
+    /// Largest order kept, in multiples of the base frequency.
+    pub harmonics: usize,
+    /// Subharmonic divisor nu.
+    pub divisor: usize,
+    /// Samples of a whole period, at least.
+    pub samples: usize,
+    /// Symmetry imposed on the motion.
+    pub symmetry: Symmetry,
+}
+
+/// The nonlinear coordinates of a machine: what its nonlinear parts see, without repetition.
+#[derive(Clone, Debug)]
+pub struct Nonlinear {
+    /// Rows over global coordinates.
+    pub basis: Basis,
+    /// Kinds of these coordinates, then of the nonlinear parts' states.
+    pub kinds: Vec<DofKind>,
+    /// Typical sizes.
+    pub typical: Vec<f64>,
+    /// Global state of each state coordinate.
+    pub states: Vec<usize>,
+    /// The nonlinear parts.
+    pub members: Vec<Member>,
+}
+
+impl Nonlinear {
+    /// Of a machine. A linear machine is seen through its first pair of coordinates.
+    pub fn of(system: &System) -> Nonlinear {
+        let n = system.n();
+        let mut basis = Basis::default();
+        let (mut kinds, mut typical) = (Vec::new(), Vec::new());
+        let mut members = Vec::new();
+        let mut note = |basis: &Basis, local_kind: DofKind, size: f64, kinds: &mut Vec<DofKind>| {
+            if basis.rows.len() > kinds.len() {
+                kinds.push(local_kind);
+                typical.push(size);
+            }
+        };
+        for (k, slot) in system.slots().iter().enumerate().filter(|(_, s)| !s.is_linear()) {
+            let mut map = Vec::new();
+            for row in &slot.map {
+                map.push(basis.express(row, n));
+                let (kind, size) = row.first().map_or((DofKind::Scalar, 1.0), |&(g, _)| {
+                    let d = &system.coordinates()[g].dof;
+                    (d.kind, d.typical)
+                });
+                note(&basis, kind, size, &mut kinds);
+            }
+            members.push(Member { slot: k, map, states: 0..0, uses: slot.uses });
+        }
+        if basis.rows.is_empty() {
+            for (g, coordinate) in system.coordinates().iter().enumerate().take(2) {
+                basis.express(&[(g, 1.0)], n);
+                note(&basis, coordinate.dof.kind, coordinate.dof.typical, &mut kinds);
+            }
+        }
+        // pairs that do not stand side by side are treated as scalars
+        let paired = |kinds: &[DofKind], i: usize| {
+            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair())) || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
+        };
+        let kinds_before = kinds.clone();
+        for (i, kind) in kinds.iter_mut().enumerate() {
+            if !paired(&kinds_before, i) {
+                *kind = DofKind::Scalar;
+            }
+        }
+        let mut states = Vec::new();
+        for member in &mut members {
+            let slot = &system.slots()[member.slot];
+            let first = basis.rows.len() + states.len();
+            for g in slot.states.clone() {
+                states.push(g);
+                kinds.push(system.states()[g].dof.kind);
+                typical.push(system.states()[g].dof.typical);
+            }
+            member.states = first..basis.rows.len() + states.len();
+        }
+        Nonlinear { basis, kinds, typical, states, members }
+    }
+}
+
+/// The balance of one machine.
+pub struct Balance<'a> {
+    /// The machine.
+    pub system: &'a System,
+    /// Its nonlinear coordinates.
+    pub nonlinear: Nonlinear,
+    /// The harmonics.
+    pub terms: Terms,
+    /// The linear parts, order by order (as `terms.orders`), at the last speed.
+    pub orders: Vec<Order>,
+    /// Samples of the last evaluation.
+    pub sampled: Sampled,
+    condenser: Condenser,
+    speed: f64,
+    linear: Mat,
+    linear_speed: Mat,
+    load: Vec<f64>,
+    load_speed: Vec<f64>,
+    scale: Vec<f64>,
+    speed_scale: f64,
+    bodies: Vec<usize>,
+    cancel: Option<&'a AtomicBool>,
+    amplitudes: Vec<C64>,
+    forces: Vec<C64>,
+    coefficients: Vec<f64>,
+    /// Evaluations of the residual so far.
+    pub evaluations: u64,
+}
+
+impl<'a> Balance<'a> {
+    /// Sets up the balance for speeds around `speeds` (rad/s), which also set its scales.
+    pub fn new(system: &'a System, d: Discretisation, speeds: (f64, f64), cancel: Option<&'a AtomicBool>) -> Result<Self, Diagnostic> {
+        let nonlinear = Nonlinear::of(system);
+        let terms = Terms::new(&nonlinear.kinds, d.symmetry, d.harmonics, d.divisor, d.samples);
+        let reference = reference_stiffness(system, &nonlinear, 0.5 * (speeds.0 + speeds.1));
+        let condenser = Condenser::new(system, &nonlinear.basis, reference, d.divisor);
+        let m = nonlinear.kinds.len();
+        let unknowns = terms.unknowns;
+        let mut balance = Balance {
+            orders: vec![Order::default(); terms.orders.len()],
+            sampled: Sampled::default(),
+            condenser,
+            speed: f64::NAN,
+            linear: Mat::zeros(unknowns, unknowns),
+            linear_speed: Mat::zeros(unknowns, unknowns),
+            load: vec![0.0; unknowns],
+            load_speed: vec![0.0; unknowns],
+            scale: vec![1.0; unknowns],
+            speed_scale: speeds.0.abs().max(speeds.1.abs()).max(1e-3),
+            bodies: system.bodies().iter().map(|b| b.x).collect(),
+            cancel,
+            amplitudes: vec![C64::zero(); m],
+            forces: vec![C64::zero(); m],
+            coefficients: vec![0.0; unknowns],
+            evaluations: 0,
+            system,
+            nonlinear,
+            terms,
+        };
+        balance.find_scale(speeds)?;
+        Ok(balance)
+    }
+
+    /// A size for every unknown: the geometric mean over the range of the response with the reference stiffness, no less than a
+    /// millionth of the coordinate's typical size.
+    fn find_scale(&mut self, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
+        let mu = self.nonlinear.basis.rows.len();
+        let m = self.nonlinear.kinds.len();
+        let mut size = vec![0.0f64; m];
+        let points = 24;
+        for i in 0..points {
+            let speed = lo + (hi - lo) * (i as f64 + 0.5) / points as f64;
+            self.set_speed(speed).map_err(|e| self.drifts(e))?;
+            let mut u = vec![0.0f64; mu];
+            for order in &self.orders {
+                for (u, p) in u.iter_mut().zip(order.load.iter()) {
+                    *u = u.max(p.abs() / self.condenser.reference);
+                }
+            }
+            for (s, u) in size.iter_mut().zip(&u) {
+                *s += (u.max(1e-300)).ln() / points as f64;
+            }
+        }
+        for (i, s) in size.iter_mut().enumerate() {
+            let typical = self.nonlinear.typical[i];
+            *s = if i < mu { s.exp().clamp(1e-6 * typical, 1e3 * typical) } else { typical };
+        }
+        // the two halves of a pair share one size
+        for &(term, at) in &self.terms.list {
+            let (c, width) = match term {
+                Term::Pair { coordinate, .. } => (size[coordinate].max(size[coordinate + 1]), 2),
+                Term::Scalar { coordinate, .. } => (size[coordinate], term.size()),
+            };
+            self.scale[at..at + width].fill(10.0 * c);
+        }
+        Ok(())
+    }
+
+    fn drifts(&self, e: laval_num::dense::Singular) -> Diagnostic {
+        Diagnostic::error("harmonic.singular", format!("the machine has no periodic motion at some order: {e}"))
+            .help("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined")
+    }
+
+    /// Condenses the linear parts at a speed, unless they stand there already.
+    pub fn set_speed(&mut self, speed: f64) -> Result<(), laval_num::dense::Singular> {
+        if self.speed == speed {
+            return Ok(());
+        }
+        self.speed = f64::NAN;
+        self.condenser.set_speed(self.system, speed);
+        let unknowns = self.terms.unknowns;
+        self.linear.reset(unknowns, unknowns);
+        self.linear_speed.reset(unknowns, unknowns);
+        self.load.fill(0.0);
+        self.load_speed.fill(0.0);
+        let m = self.nonlinear.kinds.len();
+        let mu = self.nonlinear.basis.rows.len();
+        let mut force = vec![C64::zero(); m];
+        for (order, &k) in self.orders.iter_mut().zip(&self.terms.orders) {
+            self.condenser.order(self.system, k, order)?;
+            for (matrix, out) in [(&order.stiffness, &mut self.linear), (&order.stiffness_speed, &mut self.linear_speed)] {
+                add_operator(&self.terms, k, mu, matrix, &mut force, out);
+            }
+            for (load, out) in [(&order.load, &mut self.load), (&order.load_speed, &mut self.load_speed)] {
+                force[..mu].copy_from_slice(load);
+                force[mu..].fill(C64::zero());
+                self.terms.add_amplitudes(k, &force, out);
+            }
+        }
+        self.speed = speed;
+        Ok(())
+    }
+
+    /// Motion of all coordinates and linear states at order `terms.orders[which]`: complex amplitudes of real coordinates, of the last point
+    /// evaluated (its samples give the forces).
+    pub fn motion(&mut self, x: &[f64], which: usize, out: &mut Vec<C64>) {
+        let k = self.terms.orders[which];
+        let mu = self.nonlinear.basis.rows.len();
+        self.terms.amplitudes(x, k, &mut self.amplitudes);
+        self.force_amplitudes(k);
+        let order = &self.orders[which];
+        out.clear();
+        for (i, &free) in order.free.iter().enumerate() {
+            let mut sum = free;
+            for j in 0..mu {
+                sum -= order.spread[(i, j)] * (self.forces[j] - self.amplitudes[j].scale(self.condenser.reference));
+            }
+            out.push(sum);
+        }
+    }
+
+    /// Amplitudes of the sampled forces at order `k`, into `self.forces`.
+    fn force_amplitudes(&mut self, k: usize) {
+        self.coefficients.fill(0.0);
+        for &(term, at) in &self.terms.list {
+            if term.order().unsigned_abs() as usize == k {
+                for i in at..at + term.size() {
+                    self.coefficients[i] = self.terms.analysis.row(i).iter().zip(&self.sampled.rows).map(|(a, f)| a * f).sum();
+                }
+            }
+        }
+        let (coefficients, forces) = (std::mem::take(&mut self.coefficients), &mut self.forces);
+        self.terms.amplitudes(&coefficients, k, forces);
+        self.coefficients = coefficients;
+    }
+
+    /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
+    pub fn linear_states(&self) -> &[usize] {
+        self.condenser.linear_states()
+    }
+
+    /// Size of the unknowns.
+    pub fn scales(&self) -> &[f64] {
+        &self.scale
+    }
+
+    /// Dropped force harmonics over kept ones at the last evaluated point: how much of the nonlinear force the chosen orders leave out.
+    pub fn truncation(&self) -> f64 {
+        let t = &self.terms;
+        if t.symmetry == Symmetry::Circular {
+            return 0.0;
+        }
+        let (m, count) = (t.coordinates, t.samples);
+        let whole = count * t.symmetry.order();
+        let highest = (whole - 1) / 2;
+        let (mut kept, mut dropped) = (0.0f64, 0.0f64);
+        let (vector, scalar) = super::terms::admitted(t.symmetry, highest, t.divisor);
+        let mut i = 0;
+        while i < m {
+            let pair = self.nonlinear.kinds[i].leads_pair() && i + 1 < m;
+            for &n in if pair { &vector } else { &scalar } {
+                let mut sum = C64::zero();
+                for j in 0..count {
+                    let step = (i64::from(n) * j as i64).rem_euclid(whole as i64) as f64 / whole as f64;
+                    let f = c(self.sampled.rows[j * m + i], if pair { self.sampled.rows[j * m + i + 1] } else { 0.0 });
+                    sum += f * C64::cis(-std::f64::consts::TAU * step);
+                }
+                let size = sum.abs() / count as f64;
+                if n.unsigned_abs() as usize <= t.harmonics {
+                    kept = kept.max(size);
+                } else if !(size <= dropped) {
+                    dropped = size;
+                }
+            }
+            i += if pair { 2 } else { 1 };
+        }
+        if kept == 0.0 { 0.0 } else { dropped / kept }
+    }
+}
+
+/// Adds the real operator of a complex matrix at order `k` on the terms.
+fn add_operator(terms: &Terms, k: usize, mu: usize, matrix: &Mat<C64>, force: &mut [C64], out: &mut Mat) {
+    let mut column = vec![0.0; terms.unknowns];
+    for &(term, at) in &terms.list {
+        if term.order().unsigned_abs() as usize != k {
+            continue;
+        }
+        for part in 0..term.size() {
+            let unit = if part == 0 { c(1.0, 0.0) } else { c(0.0, 1.0) };
+            let (first, amplitudes, count) = match term {
+                Term::Pair { coordinate, order } => {
+                    let a = match order.signum() {
+                        1 => [unit, -unit.mul_i()],
+                        -1 => [unit.conj(), unit.conj().mul_i()],
+                        _ => [c(unit.re, 0.0), c(unit.im, 0.0)],
+                    };
+                    (coordinate, a, 2)
+                }
+                Term::Scalar { coordinate, .. } => (coordinate, [unit.conj(), C64::zero()], 1),
+            };
+            if first >= mu {
+                continue; // a state of a nonlinear part: all in its samples
+            }
+            for (i, f) in force.iter_mut().enumerate() {
+                *f = if i < mu { (0..count).fold(C64::zero(), |s, j| s + matrix[(i, first + j)] * amplitudes[j]) } else { C64::zero() };
+            }
+            column.fill(0.0);
+            terms.add_amplitudes(k, force, &mut column);
+            for (i, &x) in column.iter().enumerate() {
+                if x != 0.0 {
+                    out[(i, at + part)] += x;
+                }
+            }
+        }
+    }
+}
+
+/// A stiffness of the size of the nonlinear parts', for [`Condenser`].
+fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> f64 {
+    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+    let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 }).collect();
+    let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    system.tangent(&at, false, &mut tangent, &mut scratch, |s| !s.is_linear());
+    let mut k = nonlinear.basis.rows.iter().flatten().map(|&(g, _)| tangent.q[(g, g)].abs()).fold(0.0, f64::max);
+    if !(k.is_finite() && k > 0.0) {
+        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
+        k = (0..system.n()).map(|g| tangent.q[(g, g)].abs() + speed * speed * tangent.a[(g, g)].abs()).fold(0.0, f64::max);
+    }
+    if k.is_finite() && k > 0.0 { k } else { 1.0 }
+}
+
+impl Zero for Balance<'_> {
+    fn dim(&self) -> usize {
+        self.terms.unknowns
+    }
+    fn scale(&self, out: &mut [f64]) {
+        out.copy_from_slice(&self.scale);
+    }
+    fn parameter_scale(&self) -> f64 {
+        self.speed_scale
+    }
+    fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
+        self.evaluations += 1;
+        self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
+        let tangents = jac.is_some() || dr_dp.is_some();
+        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, p, tangents);
+        for (r, l) in r.iter_mut().zip(&self.load) {
+            *r = -l;
+        }
+        self.linear.mul_vec_add(x, r);
+        self.terms.analysis.mul_vec_add(&self.sampled.rows, r);
+        if let Some(jac) = jac {
+            jac.copy_from(&self.linear);
+            self.sampled.add_jacobian(&self.terms, p, jac);
+        }
+        if let Some(d) = dr_dp {
+            for (d, l) in d.iter_mut().zip(&self.load_speed) {
+                *d = -l;
+            }
+            self.linear_speed.mul_vec_add(x, d);
+            self.terms.analysis.mul_vec_add(&self.sampled.rows_speed, d);
+        }
+        Ok(())
+    }
+    fn monitors(&self) -> usize {
+        2 * self.bodies.len()
+    }
+    fn monitor_width(&self) -> usize {
+        2
+    }
+    fn monitor_scale(&self, out: &mut [f64]) {
+        let size = self.scale.iter().copied().fold(f64::INFINITY, f64::min);
+        out.fill(1e-3 * size);
+    }
+    fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
+        self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
+        let Some(which) = self.terms.orders.iter().position(|&k| k == self.terms.divisor) else { return Ok(()) };
+        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, p, false);
+        let mut motion = Vec::new();
+        self.motion(x, which, &mut motion);
+        for (i, &g) in self.bodies.iter().enumerate() {
+            let forward = (motion[g] + motion[g + 1].mul_i()).scale(0.5);
+            out[2 * i] = forward.re;
+            out[2 * i + 1] = forward.im;
+        }
+        Ok(())
+    }
+    fn cancelled(&self) -> bool {
+        self.cancel.is_some_and(|c| c.load(Ordering::Relaxed))
+    }
+}
