@@ -138,7 +138,7 @@ fn advance<S: Ode + ?Sized, M: Method<S>>(
             Attempt::Accepted { factor } => factor,
             Attempt::Rejected { factor, cause } => {
                 run.work.rejected += 1;
-                if (t1 - t).abs() <= shortest {
+                if h <= shortest || (t1 - t).abs() <= shortest {
                     return Ok(End::StepTooSmall { t, cause });
                 }
                 run.next_step = (t1 - t).abs() * factor;

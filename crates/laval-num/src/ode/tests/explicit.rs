@@ -54,7 +54,8 @@ fn kepler_keeps_its_energy_and_its_period() {
     let run = integrate(&mut Dop853::new(), &mut kepler(), 0.0, &mut y, 10.0 * TAU, &Control::new(1e-12, 1e-12), &mut watch);
     assert_eq!(run.end, End::Reached);
     assert!(drift < 1e-10, "{drift}");
-    assert!(distance(&y, &PERICENTRE) < 1e-9, "{y:?}");
+    // the period varies by 6 pi per unit of energy, and the velocity at the pericentre by 1/0.4^2 per unit of time
+    assert!(distance(&y, &PERICENTRE) < 10.0 * 3.0 * TAU / 0.16 * drift, "{drift} {y:?}");
 }
 
 #[test]
