@@ -37,7 +37,8 @@ impl Tolerance {
 /// What is asked of an integration.
 ///
 /// The local error estimate e of a step from y to w is kept to rms(e_i / (a_i + r_i max(|y_i|, |w_i|))) < 1 with absolute tolerances a
-/// (in the unit of the state) and relative tolerances r. A state that starts at zero is governed by a alone.
+/// (in the unit of the state) and relative tolerances r. A state that starts at zero is governed by a alone, which must
+/// then not be zero.
 #[derive(Clone)]
 pub struct Control<'a> {
     /// Relative tolerance r.
@@ -46,7 +47,7 @@ pub struct Control<'a> {
     pub absolute: Tolerance,
     /// Length of the first step; chosen from the problem if absent.
     pub first_step: Option<f64>,
-    /// Longest step.
+    /// Longest step; the last of a run may be one percent longer.
     pub max_step: f64,
     /// Most steps, accepted and rejected together.
     pub max_steps: u64,
@@ -54,7 +55,7 @@ pub struct Control<'a> {
     pub outputs: &'a [f64],
     /// Events to locate.
     pub events: &'a [Event<'a>],
-    /// Asked before every step; `true` ends the integration.
+    /// Asked before every step; `true` ends the integration. Reading an atomic flag here is the usual way to stop on Ctrl-C.
     pub cancel: Option<&'a dyn Fn() -> bool>,
 }
 

@@ -15,8 +15,8 @@ pub(super) const REAL: f64 = 3.637834252744496;
 pub(super) const COMPLEX: C64 = c(2.681082873627752, -3.050430199247411);
 /// A^-1 T = T diag(REAL, [[re, -im], [im, re]] of conj(COMPLEX)).
 pub(super) const T: [[f64; 3]; 3] = [
-    [0.09443876248897524, -0.14125529502095421, 0.03002919410514742],
-    [0.25021312296533332, 0.20412935229379994, -0.38294211275726192],
+    [0.09443876248897524, -0.141_255_295_020_954_2, 0.03002919410514742],
+    [0.250_213_122_965_333_3, 0.20412935229379994, -0.382_942_112_757_261_9],
     [1.0, 1.0, 0.0],
 ];
 /// T^-1.
@@ -40,7 +40,8 @@ const SAME_LENGTH: f64 = 1e-6;
 /// output of order 3. The object is its storage; reuse it to avoid allocation.
 ///
 /// The error estimate is of order 3; following the source it is held to the tolerances r' = r^(2/3)/10, a' = a r'/r, at which the error of the
-/// formula itself is about r. A state with r = 0 keeps its absolute tolerance.
+/// formula itself is about r. A state with r = 0 keeps its absolute tolerance. Inside a step, at outputs and events, the error is about r', not r:
+/// where that matters, ask for a smaller tolerance.
 #[derive(Clone, Debug, Default)]
 pub struct Radau {
     /// Newton's iteration stops when its estimated error is this fraction of the (transformed) tolerance; chosen from the tolerance if absent.
@@ -102,9 +103,9 @@ impl Radau {
                 self.z[i * n + j] = x * (a[j] + (1.0 - x) * (b[j] + x * d[j])) - a[j];
             }
         }
-        for i in 0..3 {
+        for (i, row) in TI.iter().enumerate() {
             for j in 0..n {
-                self.tz[i * n + j] = TI[i][0] * self.z[j] + TI[i][1] * self.z[n + j] + TI[i][2] * self.z[2 * n + j];
+                self.tz[i * n + j] = row[0] * self.z[j] + row[1] * self.z[n + j] + row[2] * self.z[2 * n + j];
             }
         }
     }

@@ -112,3 +112,52 @@ fn work_is_what_the_formula_costs() {
     assert_eq!((jacobians, factorisations, iterations), (0, 0, 0));
     assert!(distance(&y, &Forced::exact(10.0)) < 1e-7 && steps < 60, "{:?}", run.work);
 }
+
+/// Two masses in the plane joined by a hardening spring c0 d + c1 d^3 per axis, the second on a soft spring, the first driven by a rotating force
+/// growing with the square of the speed (base set of the planar rotor, SI). States (x1, x2, y1, y2) and their rates.
+struct Driven {
+    speed: f64,
+    damping: f64,
+    eccentricity: f64,
+}
+
+impl Ode for Driven {
+    fn dim(&self) -> usize {
+        8
+    }
+    fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        let (s, c) = (self.speed * t).sin_cos();
+        let force = 2.4 * self.eccentricity * self.speed * self.speed;
+        for (axis, drive) in [(0, c), (2, s)] {
+            let (d, v) = (y[axis] - y[axis + 1], &y[4 + axis..6 + axis]);
+            let spring = d * (1.1e7 + 8.7e10 * d * d);
+            (dy[axis], dy[axis + 1]) = (v[0], v[1]);
+            dy[4 + axis] = (force * drive - self.damping * v[0] - spring) / 2.4;
+            dy[5 + axis] = (spring - 6.59 * v[1] - 3.26e5 * y[axis + 1]) / 25.0;
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn a_forced_nonlinear_transient_agrees_with_other_programs() {
+    // x1, y1 after 250 periods from rest, known to 5e-10 from other programs of order 8
+    for (speed, damping, eccentricity, x, y) in [
+        (275.0, 42.0, 1e-3, -9.0107751689e-5, 6.675835849e-7),
+        (1775.0, 42.0, 1e-3, 1.36026417963e-3, 4.8356411572e-4),
+        (2775.0, 42.0, 1e-3, 9.70244253793e-3, -1.90103807740e-3),
+        (4775.0, 42.0, 1e-3, -1.34170302347e-3, -2.80175434056e-3),
+        (2275.0, 420.0, 1e-5, -4.59068183905e-5, -1.11014124666e-4),
+        (4775.0, 420.0, 1e-5, -1.25694543483e-5, -3.3576859092e-6),
+    ] {
+        let mut state = [0.0; 8];
+        let mut absolute = vec![1e-16; 4];
+        absolute.extend([1e-13; 4]);
+        let mut system = Driven { speed, damping, eccentricity };
+        let t1 = 250.0 * TAU / speed;
+        let run = integrate(&mut Dop853::new(), &mut system, 0.0, &mut state, t1, &Control::new(1e-12, absolute), &mut ());
+        assert_eq!(run.end, End::Reached);
+        let (error, size) = (distance(&[state[0], state[2]], &[x, y]), f64::hypot(x, y));
+        assert!(error < 1e-9 * size, "{speed}: {:e} {:?}", error / size, run.work);
+    }
+}

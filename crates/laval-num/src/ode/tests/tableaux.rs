@@ -1,6 +1,7 @@
 //! The coefficients against all order conditions: every rooted tree up to the order, generated here.
 
 use super::super::{radau, tableau as t8};
+use super::{Mat, distance};
 
 /// A rooted tree: its number of vertices, its density gamma, and the trees left when the root is cut off.
 struct Tree {
@@ -162,12 +163,8 @@ fn radau_is_collocation_of_order_five() {
     // T^-1 A^-1 T is the real eigenvalue and the block of the complex pair: A T D = T
     let z = radau::COMPLEX;
     let d = [[radau::REAL, 0.0, 0.0], [0.0, z.re, -z.im], [0.0, z.im, z.re]];
-    for i in 0..3 {
-        for j in 0..3 {
-            let atd: f64 = (0..3).map(|k| (0..3).map(|l| a[i][k] * radau::T[k][l] * d[l][j]).sum::<f64>()).sum();
-            assert!((atd - radau::T[i][j]).abs() < 1e-14, "{i} {j}: {atd} {}", radau::T[i][j]);
-            let one: f64 = (0..3).map(|k| radau::TI[i][k] * radau::T[k][j]).sum();
-            assert!((one - f64::from(u8::from(i == j))).abs() < 1e-14);
-        }
-    }
+    let mat = |rows: [[f64; 3]; 3]| Mat::from_fn(3, 3, |i, j| rows[i][j]);
+    let (t, a) = (mat(radau::T), Mat::from_fn(3, 3, |i, j| a[i][j]));
+    assert!(distance(a.matmul(&t).matmul(&mat(d)).data(), t.data()) < 1e-14);
+    assert!(distance(mat(radau::TI).matmul(&t).data(), Mat::identity(3).data()) < 1e-14);
 }
