@@ -87,6 +87,18 @@ fn many_events_of_one_step_come_in_order_among_the_outputs() {
 }
 
 #[test]
+fn one_event_may_occur_twice_in_a_step() {
+    let g = |_: f64, y: &[f64]| (y[0] - 0.3) * (y[0] - 0.8);
+    let events = [Event::new(&g)];
+    let control = Control { first_step: Some(1.0), events: &events, ..tight() };
+    let (mut y, mut record) = ([0.0], Record::default());
+    let run = integrate(&mut Dop853::new(), &mut ode(1, |_, _, dy| dy[0] = 1.0), 0.0, &mut y, 1.0, &control, &mut record);
+    let found: Vec<f64> = record.events.iter().map(|e| e.t).collect();
+    assert!(run.work.steps == 1 && distance(&found, &[0.3, 0.8]) < 1e-15, "{found:?}");
+    assert_eq!([Direction::Falling, Direction::Rising], [record.events[0].direction, record.events[1].direction]);
+}
+
+#[test]
 fn a_run_continued_from_an_event_does_not_meet_it_again() {
     let q = |_: f64, y: &[f64]| y[0];
     let events = [Event::new(&q).terminal()];
