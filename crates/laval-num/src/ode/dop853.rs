@@ -1,0 +1,200 @@
+//! Explicit Runge-Kutta method of order 8 of Dormand and Prince, 8(5,3), with a dense output of order 7.
+
+use super::control::{Attempt, Cause, Control, Scale, Work, evaluate, finite};
+use super::driver::Method;
+use super::step::Step;
+use super::system::{Failure, Ode};
+use super::tableau::{self as t8, Row};
+
+const STAGES: usize = 16;
+const ROWS: usize = 7;
+/// Exponent of the previous error in the step control (PI control); the present error has 1/8 - BETA/5.
+const BETA: f64 = 0.04;
+const SAFETY: f64 = 0.9;
+const MIN_FACTOR: f64 = 1.0 / 3.0;
+const MAX_FACTOR: f64 = 6.0;
+
+/// Explicit method of order 8 for problems that are not stiff: 12 evaluations of the right side a step, 15 where the solution inside the step
+/// is wanted. The object is its storage; reuse it to avoid allocation.
+#[derive(Clone, Debug, Default)]
+pub struct Dop853 {
+    scale: Scale,
+    y0: Vec<f64>,
+    y1: Vec<f64>,
+    w: Vec<f64>,
+    /// Stage after stage; stage 12 is f at the end of the step.
+    k: Vec<f64>,
+    rows: Vec<f64>,
+    used_rows: usize,
+    last_error: f64,
+    after_rejection: bool,
+    t0: f64,
+    t1: f64,
+}
+
+/// `out = y + h sum_m a_m k_m`.
+#[inline(always)]
+fn combine<const N: usize>(out: &mut [f64], y: &[f64], h: f64, k: &[f64], row: &Row<N>) {
+    let n = out.len();
+    let stages: [&[f64]; N] = std::array::from_fn(|m| &k[row[m].0 * n..][..n]);
+    for (j, (out, y)) in out.iter_mut().zip(&y[..n]).enumerate() {
+        *out = y + h * sum(&stages, row, j);
+    }
+}
+
+#[inline(always)]
+fn sum<const N: usize>(stages: &[&[f64]; N], row: &Row<N>, j: usize) -> f64 {
+    let mut s = 0.0;
+    for m in 0..N {
+        s += row[m].1 * stages[m][j];
+    }
+    s
+}
+
+impl Dop853 {
+    /// Empty storage.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    fn stage<S: Ode + ?Sized, const N: usize>(
+        &mut self,
+        system: &mut S,
+        i: usize,
+        row: &Row<N>,
+        h: f64,
+        work: &mut Work,
+    ) -> Result<bool, Failure> {
+        let n = self.y0.len();
+        combine(&mut self.w, &self.y0, h, &self.k, row);
+        evaluate(system, self.t0 + t8::C[i] * h, &self.w, &mut self.k[i * n..(i + 1) * n], work)
+    }
+
+    /// The error norm of the formula 8(5,3): |h| e5^2 / sqrt(e5^2 + e3^2/100).
+    fn error(&self, h: f64) -> f64 {
+        let n = self.y0.len();
+        let mut estimates = [0.0, 0.0];
+        let (e5s, e3s): ([&[f64]; 8], [&[f64]; 3]) =
+            (std::array::from_fn(|m| &self.k[t8::E5[m].0 * n..][..n]), std::array::from_fn(|m| &self.k[t8::BHH[m].0 * n..][..n]));
+        for j in 0..n {
+            let scale = self.scale.at(j, self.y0[j].abs().max(self.y1[j].abs()));
+            let e5 = sum(&e5s, &t8::E5, j);
+            let e3 = (self.y1[j] - self.y0[j]) / h - sum(&e3s, &t8::BHH, j);
+            for (total, e) in estimates.iter_mut().zip([e5, e3]) {
+                if e != 0.0 {
+                    *total += (e / scale) * (e / scale);
+                }
+            }
+        }
+        let [e5, e3] = estimates;
+        if e5 == 0.0 { 0.0 } else { h.abs() * e5 / ((e5 + 0.01 * e3) * n as f64).sqrt() }
+    }
+
+    /// The cubic rows from both ends, and with `dense` the rows of degree 4 to 7.
+    fn extend<S: Ode + ?Sized>(&mut self, system: &mut S, h: f64, dense: bool, work: &mut Work) -> Result<bool, Failure> {
+        let n = self.y0.len();
+        for j in 0..n {
+            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * n + j], self.y1[j] - self.y0[j]);
+            self.rows[j] = d;
+            self.rows[n + j] = f0 - d;
+            self.rows[2 * n + j] = d - f1 - (f0 - d);
+        }
+        self.used_rows = 3;
+        if !dense {
+            return Ok(true);
+        }
+        let fine = self.stage(system, 13, &t8::A13, h, work)?
+            && self.stage(system, 14, &t8::A14, h, work)?
+            && self.stage(system, 15, &t8::A15, h, work)?;
+        if !fine {
+            return Ok(false);
+        }
+        self.w.fill(0.0);
+        for (i, row) in [&t8::D3, &t8::D4, &t8::D5, &t8::D6].into_iter().enumerate() {
+            combine(&mut self.rows[(3 + i) * n..(4 + i) * n], &self.w, h, &self.k, row);
+        }
+        self.used_rows = ROWS;
+        Ok(true)
+    }
+}
+
+impl<S: Ode + ?Sized> Method<S> for Dop853 {
+    fn begin(
+        &mut self,
+        system: &mut S,
+        (t0, t1): (f64, f64),
+        y: &[f64],
+        control: &Control,
+        work: &mut Work,
+    ) -> Result<Option<f64>, Failure> {
+        let n = y.len();
+        self.scale.load(control, n)?;
+        self.y0.clear();
+        self.y0.extend_from_slice(y);
+        for (v, len) in [(&mut self.y1, n), (&mut self.w, n), (&mut self.k, STAGES * n), (&mut self.rows, ROWS * n)] {
+            v.clear();
+            v.resize(len, 0.0);
+        }
+        (self.last_error, self.after_rejection) = (1e-4, false);
+        if !evaluate(system, t0, y, &mut self.k[..n], work)? {
+            return Ok(None);
+        }
+        if let Some(h) = control.first_step {
+            return Ok(Some(h));
+        }
+        let (f0, f1) = self.k.split_at_mut(n);
+        self.scale.first_step(system, (t0, t1 - t0), 7.0, y, f0, &mut self.w, &mut f1[..n], work).map(Some)
+    }
+
+    fn attempt(&mut self, system: &mut S, (t, t1): (f64, f64), dense: bool, work: &mut Work) -> Result<Attempt, Failure> {
+        let (n, h) = (self.y0.len(), t1 - t);
+        (self.t0, self.t1) = (t, t1);
+        let fine = self.stage(system, 1, &t8::A1, h, work)?
+            && self.stage(system, 2, &t8::A2, h, work)?
+            && self.stage(system, 3, &t8::A3, h, work)?
+            && self.stage(system, 4, &t8::A4, h, work)?
+            && self.stage(system, 5, &t8::A5, h, work)?
+            && self.stage(system, 6, &t8::A6, h, work)?
+            && self.stage(system, 7, &t8::A7, h, work)?
+            && self.stage(system, 8, &t8::A8, h, work)?
+            && self.stage(system, 9, &t8::A9, h, work)?
+            && self.stage(system, 10, &t8::A10, h, work)?
+            && self.stage(system, 11, &t8::A11, h, work)?;
+        if fine {
+            combine(&mut self.y1, &self.y0, h, &self.k, &t8::B);
+        }
+        if !fine || !finite(&self.y1) {
+            self.after_rejection = true;
+            return Ok(Attempt::not_finite());
+        }
+        let error = self.error(h);
+        let needed = error.powf(1.0 / 8.0 - 0.2 * BETA) / SAFETY;
+        // a NaN must reject
+        if error.is_nan() || error >= 1.0 {
+            self.after_rejection = true;
+            let factor = if needed.is_finite() { (1.0 / needed).max(MIN_FACTOR) } else { MIN_FACTOR };
+            return Ok(Attempt::Rejected { factor, cause: Cause::Error });
+        }
+        let fine = evaluate(system, t1, &self.y1, &mut self.k[12 * n..13 * n], work)? && self.extend(system, h, dense, work)?;
+        if !fine {
+            self.after_rejection = true;
+            return Ok(Attempt::not_finite());
+        }
+        let most = if self.after_rejection { 1.0 } else { MAX_FACTOR };
+        let factor = (self.last_error.powf(BETA) / needed).clamp(MIN_FACTOR, most);
+        self.last_error = error.max(1e-4);
+        self.after_rejection = false;
+        Ok(Attempt::Accepted { factor })
+    }
+
+    fn step(&self) -> Step<'_> {
+        let n = self.y0.len();
+        Step { t0: self.t0, t1: self.t1, y0: &self.y0, y1: &self.y1, h: self.t1 - self.t0, rows: &self.rows[..self.used_rows * n] }
+    }
+
+    fn advance(&mut self) {
+        let n = self.y0.len();
+        std::mem::swap(&mut self.y0, &mut self.y1);
+        self.k.copy_within(12 * n..13 * n, 0);
+    }
+}
