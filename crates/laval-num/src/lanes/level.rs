@@ -48,7 +48,8 @@ impl Level {
 /// A computation written once for the lanes of any level, entered by [`dispatch`].
 ///
 /// `run` and every generic function it calls inside its loop must be `#[inline(always)]`: a function that is called instead of inlined
-/// does not have the level's instructions, and each operation in it becomes a call.
+/// does not have the level's instructions, and each operation in it becomes a call. Closures count as functions: those handed to
+/// `array::map` or an iterator may stay calls, so hot code uses plain loops.
 pub trait Kernel {
     /// Result.
     type Out;

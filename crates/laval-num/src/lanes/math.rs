@@ -8,7 +8,7 @@
 //! doubles nearest to multiples of pi/2), `exp` 0.88, `ln` 0.75, `pow_pos` 0.87, `atan2` 1.24. Subnormal results excepted.
 //!
 //! The functions evaluate all cases and select, so a register costs the same whatever it holds. Only angles beyond
-//! [`SIN_COS_DIRECT`] leave the straight line.
+//! [`SIN_COS_DIRECT`] and powers of registers without a positive lane leave the straight line.
 //!
 //! Polynomials of `sin_cos`, `ln` and `atan2` are those of fdlibm (Sun Microsystems, 1993; permission to use, copy, modify and
 //! distribute is freely granted, provided that this notice is preserved).
