@@ -46,34 +46,42 @@ pub trait Scalar:
     /// `then` where `self > 0`, `other` elsewhere.
     fn select_pos(self, then: Self, other: Self) -> Self;
     /// Multiplication by a constant, cheaper than lifting it.
+    #[inline(always)]
     fn scale(self, k: f64) -> Self {
         self * Self::cst(k)
     }
     /// Zero.
+    #[inline(always)]
     fn zero() -> Self {
         Self::cst(0.0)
     }
     /// One.
+    #[inline(always)]
     fn one() -> Self {
         Self::cst(1.0)
     }
     /// `self * self`.
+    #[inline(always)]
     fn square(self) -> Self {
         self * self
     }
     /// Absolute value; the derivative at 0 is 0.
+    #[inline(always)]
     fn abs(self) -> Self {
         self.pos() + (-self).pos()
     }
     /// Length of the plane vector `(self, y)`; the derivative at the origin is 0.
+    #[inline(always)]
     fn norm2(self, y: Self) -> Self {
         (self * self + y * y).sqrt()
     }
     /// Sine.
+    #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
     /// Cosine.
+    #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
@@ -84,7 +92,7 @@ impl Scalar for f64 {
     fn cst(x: f64) -> Self {
         x
     }
-    #[inline(always)]
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         crate::lanes::math::sin_cos(self)
     }
@@ -92,32 +100,26 @@ impl Scalar for f64 {
     fn sqrt(self) -> Self {
         f64::sqrt(self)
     }
-    #[inline(always)]
+    #[inline]
     fn exp(self) -> Self {
         crate::lanes::math::exp(self)
     }
-    #[inline(always)]
+    #[inline]
     fn ln(self) -> Self {
         crate::lanes::math::ln(self)
     }
-    #[inline(always)]
+    #[inline]
     fn atan2(self, x: Self) -> Self {
-        f64::atan2(self, x)
+        crate::lanes::math::atan2(self, x)
     }
     #[inline(always)]
     fn pos(self) -> Self {
         // not f64::max: that would turn NaN into 0
-        if self > 0.0 || self.is_nan() { self } else { 0.0 }
+        crate::lanes::math::pos(self)
     }
-    #[inline(always)]
+    #[inline]
     fn pow_pos(self, p: f64) -> Self {
-        if self > 0.0 {
-            if p == 1.5 { self * f64::sqrt(self) } else { f64::powf(self, p) }
-        } else if self.is_nan() {
-            self
-        } else {
-            0.0
-        }
+        crate::lanes::pow_pos(self, p)
     }
     #[inline(always)]
     fn select_pos(self, then: Self, other: Self) -> Self {
@@ -126,5 +128,9 @@ impl Scalar for f64 {
     #[inline(always)]
     fn scale(self, k: f64) -> Self {
         self * k
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
     }
 }
