@@ -184,10 +184,26 @@ fn aberth(p: &[C64]) -> Result<Vec<C64>, RootError> {
             done[i] = step.abs() <= 0.5 * f64::EPSILON * z[i].abs();
         }
         if done.iter().all(|&d| d) {
+            polish(p, &mut z);
             return Ok(z);
         }
     }
     Err(RootError::NoConvergence)
+}
+
+/// The bound of the rounding error that stops the iteration is generous; a few steps more are taken as long as they halve |p|.
+fn polish(p: &[C64], z: &mut [C64]) {
+    for r in z {
+        let (mut q, mut size, _) = newton(p, *r);
+        for _ in 0..4 {
+            let next = *r - q;
+            let (q2, size2, _) = newton(p, next);
+            if !next.is_finite() || size2.is_nan() || size2 > 0.5 * size {
+                break;
+            }
+            (*r, q, size) = (next, q2, size2);
+        }
+    }
 }
 
 /// Makes the roots of a real polynomial symmetric: a root is real if its conjugate is nearer to itself than to any other root, and
@@ -400,18 +416,18 @@ mod tests {
 
     #[test]
     fn wilkinson_polynomial() {
-        // Coefficients to degree 20 are not all exact in f64; the middle roots move by about 1e-2 per 1e-16 relative change.
+        // At degree 20 rounding of the coefficients alone moves the middle roots by some tenths: a small backward error is all there is,
+        // and the discs must hold the exact roots.
         let exact: Vec<f64> = (1..=20).map(f64::from).collect();
-        let r = real_roots(&from_roots(&exact)).unwrap();
-        assert_eq!(r.len(), 20);
-        let scale: Vec<f64> = exact.iter().map(|&x| exact.iter().filter(|&&y| y != x).map(|y| (x - y).abs()).product()).collect();
         let p = from_roots(&exact);
-        for (k, &e) in exact.iter().enumerate() {
-            let near = r.iter().map(|r| (r.value - c(e, 0.0)).abs()).fold(f64::INFINITY, f64::min);
-            // First-order bound: eps sum |p_k| x^k / |p'(x)|, times the length of the Horner chain.
-            let weight: f64 = eval(&p.iter().map(|a| a.abs()).collect::<Vec<_>>(), e);
-            let bound = 40.0 * f64::EPSILON * weight / scale[k];
-            assert!(near <= bound.max(1e-15), "{e} {near} {bound}");
+        let r = real_roots(&p).unwrap();
+        assert_eq!(r.len(), 20);
+        for root in &r {
+            let weight = eval(&p.iter().map(|a| a.abs()).collect::<Vec<_>>(), root.value.abs());
+            assert!(eval(&real(&p), root.value).abs() <= 20.0 * f64::EPSILON * weight);
+        }
+        for &e in &exact {
+            assert!(r.iter().any(|r| (r.value - c(e, 0.0)).abs() <= r.radius), "{e}");
         }
         // To degree 15 the coefficients are exact.
         let exact: Vec<f64> = (1..=15).map(f64::from).collect();

@@ -69,13 +69,12 @@ impl<T: Number> Finite<T> {
             None => z,
         }
     }
-    /// A left vector of the whole pencil at the eigenvalue `alpha / beta`.
-    pub(super) fn left(&self, mut y: Vec<C64>, alpha: C64, beta: C64) -> Vec<C64> {
+    /// A left vector of the whole pencil at the eigenvalue s.
+    pub(super) fn left(&self, mut y: Vec<C64>, s: C64) -> Vec<C64> {
         for st in self.steps.iter().rev() {
             // y2^H P S = -y1^H (A1 - s E1) V_row.
             let (ya, ye) = (apply_adjoint(&st.a_row, &y), apply_adjoint(&st.e_row, &y));
-            let s = (alpha / beta).conj();
-            let w: Vec<C64> = ya.iter().zip(&ye).zip(&st.s).map(|((&a, &e), &k)| (s * e - a).scale(1.0 / k)).collect();
+            let w: Vec<C64> = ya.iter().zip(&ye).zip(&st.s).map(|((&a, &e), &k)| (s.conj() * e - a).scale(1.0 / k)).collect();
             let y2 = super::number::apply(&st.p, &w);
             y.extend(y2);
             y = super::number::apply(&st.u, &y);

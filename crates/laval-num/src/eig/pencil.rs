@@ -6,7 +6,7 @@ use super::deflate::finite_part;
 use super::mode::{Mode, sorted};
 use super::number::{Number, apply, apply_adjoint, check_finite, frobenius, inner, norm2, qz};
 use crate::complex::{C64, c};
-use crate::dense::Mat;
+use crate::dense::{Lu, Mat};
 
 /// The modes of a problem that may have infinite eigenvalues.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,12 +44,61 @@ pub(super) fn solve<T: Number>(a: Mat<T>, e: Mat<T>) -> Result<(Vec<Pair>, usize
     for (((alpha, beta), right), left) in raw.alpha.into_iter().zip(raw.beta).zip(raw.right).zip(raw.left) {
         let value = alpha / beta;
         if value.is_finite() {
-            pairs.push(Pair { value, right: part.right(right), left: part.left(left, alpha, beta) });
+            pairs.push(Pair { value, right, left });
         } else {
             infinite += 1;
         }
     }
-    Ok((if T::REAL { conjugate_symmetric(pairs) } else { pairs }, infinite))
+    if T::REAL {
+        pairs = conjugate_symmetric(pairs);
+    }
+    separate_clusters(&mut pairs, &complex(&part.a), &complex(&part.e))?;
+    for p in &mut pairs {
+        p.left = part.left(std::mem::take(&mut p.left), p.value);
+        p.right = part.right(std::mem::take(&mut p.right));
+    }
+    Ok((pairs, infinite))
+}
+
+/// Vectors of nearly equal eigenvalues again, by inverse iteration from different starts: the back substitution after QZ divides by the
+/// difference of the values, and may return nothing finite, or parallel vectors where independent ones exist.
+fn separate_clusters(pairs: &mut [Pair], a: &Mat<C64>, e: &Mat<C64>) -> Result<(), EigError> {
+    let values: Vec<C64> = pairs.iter().map(|p| p.value).collect();
+    let finite = |v: &[C64]| v.iter().all(|z| z.is_finite()) && norm2(v) > 0.0;
+    for (i, p) in pairs.iter_mut().enumerate() {
+        let size = values[i].abs().max(1.0);
+        let clustered = values.iter().enumerate().any(|(j, v)| j != i && (*v - values[i]).abs() <= 1e-9 * size);
+        if !clustered && finite(&p.right) && finite(&p.left) {
+            continue;
+        }
+        // A shift off by some roundings keeps the factors regular and costs no accuracy.
+        let s = values[i] + c(3.0, 2.0).scale(f64::EPSILON * size);
+        let shifted = Mat::from_fn(a.rows(), a.rows(), |i, j| a[(i, j)] - s * e[(i, j)]);
+        let adjoint = Mat::from_fn(a.rows(), a.rows(), |i, j| shifted[(j, i)].conj());
+        p.right = inverse_iteration(&shifted, e, i).ok_or(EigError::NoConvergence)?;
+        let eh = Mat::from_fn(a.rows(), a.rows(), |i, j| e[(j, i)].conj());
+        p.left = inverse_iteration(&adjoint, &eh, i).ok_or(EigError::NoConvergence)?;
+    }
+    Ok(())
+}
+
+fn inverse_iteration(shifted: &Mat<C64>, e: &Mat<C64>, seed: usize) -> Option<Vec<C64>> {
+    let lu = Lu::new(shifted).ok()?;
+    // Angles of the golden section: starts for different seeds are far from parallel.
+    let start = |k: usize| C64::cis(2.399963229728653 * ((k + 1) * (seed + 1) + k * k) as f64);
+    let mut x: Vec<C64> = (0..shifted.rows()).map(start).collect();
+    for pass in 0..2 {
+        if pass > 0 {
+            x = apply(e, &x);
+        }
+        lu.solve(&mut x);
+        let n = norm2(&x);
+        if !(n > 0.0 && n.is_finite()) {
+            return None;
+        }
+        x.iter_mut().for_each(|z| *z = z.scale(1.0 / n));
+    }
+    Some(x)
 }
 
 /// The members with Im >= 0 of the pairs of a real problem, whose values are conjugate only to rounding: a value is taken as real if its

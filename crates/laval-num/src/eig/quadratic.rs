@@ -69,9 +69,16 @@ impl<T: Number> Scaled<T> {
         a * a * self.norms[0] + a * self.norms[1] + self.norms[2]
     }
 
-    fn at(&self, mu: C64) -> Mat<C64> {
-        let mu2 = mu * mu;
-        Mat::from_fn(self.m.rows(), self.m.rows(), |i, j| mu2 * self.m[(i, j)].into() + mu * self.c[(i, j)].into() + self.k[(i, j)].into())
+    /// [P(mu), P'(mu) x; x^H, 0]: regular at a simple eigenvalue.
+    fn bordered(&self, mu: C64, x: &[C64]) -> Mat<C64> {
+        let (n, mu2) = (x.len(), mu * mu);
+        let dx = slope(mu, &self.m, &self.c, x);
+        Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
+            (true, true) => mu2 * self.m[(i, j)].into() + mu * self.c[(i, j)].into() + self.k[(i, j)].into(),
+            (true, false) => dx[i],
+            (false, true) => x[j].conj(),
+            _ => C64::ZERO,
+        })
     }
 
     fn residual(&self, p: &Pair) -> f64 {
@@ -173,8 +180,8 @@ impl<T: Number> Quadratic<T> {
         for _ in 0..6 {
             let Some(next) = self.newton(&p) else { break };
             let r = q.residual(&next);
-            // Also an equal residual is taken once: the value gains after the residual has reached rounding.
-            if r.is_nan() || r > least {
+            // At rounding level the residual no longer tells which pair is better; the value still gains.
+            if r.is_nan() || (r > least && r > 8.0 * f64::EPSILON) {
                 break;
             }
             let moved = (next.value - p.value).abs();
@@ -189,35 +196,31 @@ impl<T: Number> Quadratic<T> {
         best.map_or_else(|| mode.clone(), |p| self.mode(p))
     }
 
-    /// One Newton step on `P(mu) x = 0, x0^H x = 1` and one solution of the bordered adjoint for the left vector.
+    /// One Newton step on `P(mu) x = 0, x0^H x = 1`, and the left vector at the new value.
     fn newton(&self, p: &Pair) -> Option<Pair> {
         let q = &self.scaled;
         let n = q.m.rows();
-        let (mu, at) = (p.value, q.at(p.value));
-        let dx = slope(mu, &q.m, &q.c, &p.right);
-        let bordered = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-            (true, true) => at[(i, j)],
-            (true, false) => dx[i],
-            (false, true) => p.right[j].conj(),
-            _ => C64::ZERO,
-        });
+        let mu = p.value;
         let mut step: Vec<C64> = value(mu, &q.m, &q.c, &q.k, &p.right).iter().map(|&r| -r).collect();
         step.push(C64::ZERO);
-        Lu::new(&bordered).ok()?.solve(&mut step);
-        let adjoint = Mat::from_fn(n + 1, n + 1, |i, j| bordered[(j, i)].conj());
-        let mut left = vec![C64::ZERO; n + 1];
-        left[n] = C64::ONE;
-        Lu::new(&adjoint).ok()?.solve(&mut left);
-        left.truncate(n);
+        Lu::new(&q.bordered(mu, &p.right)).ok()?.solve(&mut step);
         let mut right: Vec<C64> = p.right.iter().zip(&step).map(|(&x, &d)| x + d).collect();
-        for v in [&mut right, &mut left] {
+        let unit = |v: &mut [C64]| {
             let s = 1.0 / norm2(v);
             v.iter_mut().for_each(|z| *z = z.scale(s));
-        }
+        };
+        unit(&mut right);
         let mut value = mu + step[n];
         if T::REAL && mu.im == 0.0 {
             value = c(value.re, 0.0);
         }
+        let b = q.bordered(value, &right);
+        let adjoint = Mat::from_fn(n + 1, n + 1, |i, j| b[(j, i)].conj());
+        let mut left = vec![C64::ZERO; n + 1];
+        left[n] = C64::ONE;
+        Lu::new(&adjoint).ok()?.solve(&mut left);
+        left.truncate(n);
+        unit(&mut left);
         (value.is_finite() && right.iter().chain(&left).all(|z| z.is_finite())).then_some(Pair { value, right, left })
     }
 

@@ -195,7 +195,7 @@ fn defective_block_errs_by_the_root_of_rounding_and_says_so() {
         assert!(error < 1e-6, "{error}");
         assert!(p.residual < 1e-14);
         assert!(p.sensitivity > 1e6, "{}", p.sensitivity);
-        assert!(error <= (p.error() * 1.0).max(1e-15) * 1e2);
+        assert!(error <= p.error());
     }
 }
 
@@ -377,7 +377,6 @@ fn coupled(l: f64, e: f64) -> Vec<Mode> {
 fn tracks_through_a_crossing() {
     let mut t = Track::new(&coupled(0.0, 0.0));
     let mut index = [0usize, 1];
-    let mut crossed = 0;
     for step in 1..=10 {
         let l = 0.1 * step as f64;
         let m = coupled(l, 0.0);
@@ -385,13 +384,10 @@ fn tracks_through_a_crossing() {
         // At l = 1/2 the values are equal and any vectors will do: the subspace is compared.
         assert!(!found.ambiguous && found.worst_mac > 1.0 - 1e-12, "{l} {found:?}");
         index = [found.permutation[0].unwrap(), found.permutation[1].unwrap()];
-        crossed += found.crossings.len();
-        if step != 5 {
-            assert!((m[index[0]].value.re - (1.0 + l)).abs() < 1e-14 || step > 5);
-        }
+        // Before the crossing mode 0 is the one with value 1 + l.
+        assert!(step >= 5 || (m[index[0]].value.re - (1.0 + l)).abs() < 1e-14);
     }
     assert_ne!(index[0], index[1]);
-    let _ = crossed;
     // Stepping over the crossing is seen as one and reported.
     let mut t = Track::new(&coupled(0.4, 0.0));
     let found = t.next(&coupled(0.65, 0.0));
@@ -476,5 +472,24 @@ fn derivative_of_a_standard_eigenvalue() {
     for ((m, p), q) in at(0.0).iter().zip(at(h)).zip(at(-h)) {
         let numeric = (p.value - q.value).scale(0.5 / h);
         assert!((numeric - derivative(m, &da)).abs() < 1e-8);
+    }
+}
+
+#[test]
+fn zz_bench() {
+    let mut r = Rng(1);
+    for n in [4, 8, 12, 16, 24, 32] {
+        let m: Vec<Mat> = (0..200).map(|_| r.mat(n)).collect();
+        let mut s = Spectrum::default();
+        let mut best = [f64::INFINITY; 2];
+        for _ in 0..20 {
+            let t = std::time::Instant::now();
+            for a in &m { std::hint::black_box(f64::values(a).unwrap()); }
+            best[0] = best[0].min(t.elapsed().as_secs_f64() / 200e-6);
+            let t = std::time::Instant::now();
+            for a in &m { std::hint::black_box(s.of(a).unwrap()); }
+            best[1] = best[1].min(t.elapsed().as_secs_f64() / 200e-6);
+        }
+        println!("BENCH n {n} faer {:.2} us own {:.2} us", best[0], best[1]);
     }
 }
