@@ -474,22 +474,3 @@ fn derivative_of_a_standard_eigenvalue() {
         assert!((numeric - derivative(m, &da)).abs() < 1e-8);
     }
 }
-
-#[test]
-fn zz_bench() {
-    let mut r = Rng(1);
-    for n in [4, 8, 12, 16, 24, 32] {
-        let m: Vec<Mat> = (0..200).map(|_| r.mat(n)).collect();
-        let mut s = Spectrum::default();
-        let mut best = [f64::INFINITY; 2];
-        for _ in 0..20 {
-            let t = std::time::Instant::now();
-            for a in &m { std::hint::black_box(f64::values(a).unwrap()); }
-            best[0] = best[0].min(t.elapsed().as_secs_f64() / 200e-6);
-            let t = std::time::Instant::now();
-            for a in &m { std::hint::black_box(s.of(a).unwrap()); }
-            best[1] = best[1].min(t.elapsed().as_secs_f64() / 200e-6);
-        }
-        println!("BENCH n {n} faer {:.2} us own {:.2} us", best[0], best[1]);
-    }
-}
