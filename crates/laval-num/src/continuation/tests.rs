@@ -1,0 +1,415 @@
+use super::*;
+use crate::dense::Mat;
+use crate::newton::Cause;
+
+type Equations = Box<dyn Fn(&[f64], f64, &mut [f64], &mut Mat, &mut [f64])>;
+type Measure = Box<dyn Fn(&[f64], f64, &mut [f64])>;
+
+/// A problem from closures; `units` multiply unknowns, parameter and equations.
+struct Problem {
+    n: usize,
+    f: Equations,
+    x_unit: f64,
+    p_unit: f64,
+    r_unit: f64,
+    p_scale: f64,
+    monitor: Option<(usize, Measure)>,
+    cap: Box<dyn Fn(f64) -> f64>,
+    budget: usize,
+}
+
+fn problem(n: usize, f: impl Fn(&[f64], f64, &mut [f64], &mut Mat, &mut [f64]) + 'static) -> Problem {
+    Problem {
+        n,
+        f: Box::new(f),
+        x_unit: 1.0,
+        p_unit: 1.0,
+        r_unit: 1.0,
+        p_scale: 1.0,
+        monitor: None,
+        cap: Box::new(|_| f64::INFINITY),
+        budget: usize::MAX,
+    }
+}
+
+impl Zero for Problem {
+    fn dim(&self) -> usize {
+        self.n
+    }
+    fn scale(&self, out: &mut [f64]) {
+        out.fill(self.x_unit);
+    }
+    fn parameter_scale(&self) -> f64 {
+        self.p_scale * self.p_unit
+    }
+    fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
+        self.budget = self.budget.saturating_sub(1);
+        let x: Vec<f64> = x.iter().map(|x| x / self.x_unit).collect();
+        let (mut j, mut d) = (Mat::zeros(self.n, self.n), vec![0.0; self.n]);
+        (self.f)(&x, p / self.p_unit, r, &mut j, &mut d);
+        r.iter_mut().for_each(|r| *r *= self.r_unit);
+        if let Some(jac) = jac {
+            for (a, b) in jac.data_mut().iter_mut().zip(j.data()) {
+                *a = b * self.r_unit / self.x_unit;
+            }
+        }
+        if let Some(out) = dr_dp {
+            for (a, b) in out.iter_mut().zip(&d) {
+                *a = b * self.r_unit / self.p_unit;
+            }
+        }
+        Ok(())
+    }
+    fn monitors(&self) -> usize {
+        self.monitor.as_ref().map_or(0, |m| m.0)
+    }
+    fn monitor_width(&self) -> usize {
+        self.monitors().max(1)
+    }
+    fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
+        if let Some(m) = &self.monitor {
+            (m.1)(x, p, out);
+        }
+        Ok(())
+    }
+    fn max_parameter_step(&mut self, _x: &[f64], p: f64) -> f64 {
+        (self.cap)(p)
+    }
+    fn cancelled(&self) -> bool {
+        self.budget == 0
+    }
+}
+
+/// `g(x) + p = 0` for a function and its derivative.
+fn graph(g: impl Fn(f64) -> f64 + 'static, d: impl Fn(f64) -> f64 + 'static) -> Problem {
+    problem(1, move |x, p, r, j, dp| {
+        r[0] = g(x[0]) + p;
+        j[(0, 0)] = d(x[0]);
+        dp[0] = 1.0;
+    })
+}
+
+fn circle() -> Problem {
+    problem(1, |x, p, r, j, dp| {
+        r[0] = x[0] * x[0] + p * p - 1.0;
+        j[(0, 0)] = 2.0 * x[0];
+        dp[0] = 2.0 * p;
+    })
+}
+
+fn folds(b: &Branch) -> Vec<&Special> {
+    b.of(Kind::Fold).collect()
+}
+
+#[test]
+fn a_circle_closes_with_two_folds() {
+    let b = trace(&mut circle(), &[1.0], 0.0, Direction::Up, &Settings::new(-3.0, 3.0), &mut []).unwrap();
+    assert_eq!(b.end, End::Closed);
+    let f = folds(&b);
+    assert_eq!((f.len(), b.specials.len()), (2, 2));
+    assert!((f[0].point.p - 1.0).abs() < 1e-14 && (f[1].point.p + 1.0).abs() < 1e-14);
+    assert!(f.iter().all(|f| f.point.x[0].abs() < 1e-10 && f.status == Status::Confirmed));
+    let (first, last) = (&b.points[0], &b.points[b.points.len() - 1]);
+    assert_eq!((first.p, &first.x), (last.p, &last.x));
+    // sum of chords: the circumference to second order in the step
+    assert!((last.s / std::f64::consts::TAU - 1.0).abs() < 2e-3, "{}", last.s);
+    for q in &b.points {
+        assert!((q.x[0].hypot(q.p) - 1.0).abs() < 1e-9 && q.residual < 1e-9);
+        // tangent of a circle
+        assert!((q.dp_ds - q.x[0]).abs() < 1e-8 && (q.dx_ds[0] + q.p).abs() < 1e-8);
+    }
+    let both = trace_both(&mut circle(), &[1.0], 0.0, &Settings::new(-3.0, 3.0), &mut []).unwrap();
+    assert_eq!((both.end, both.first_end), (End::Closed, None));
+}
+
+#[test]
+fn cubic_folds_are_exact_and_ends_lie_on_the_edge() {
+    let b = trace_both(&mut graph(|x| x * x * x - x, |x| 3.0 * x * x - 1.0), &[0.0], 0.0, &Settings::new(-2.0, 3.0), &mut []).unwrap();
+    assert_eq!((b.first_end, b.end), (Some(End::Reached), End::Reached));
+    let (p, x) = (2.0 / (3.0 * 3f64.sqrt()), 1.0 / 3f64.sqrt());
+    let f = folds(&b);
+    assert_eq!(f.len(), 2);
+    for f in &f {
+        let sign = f.point.x[0].signum();
+        assert!((f.point.p - sign * p).abs() < 1e-14 && (f.point.x[0] - sign * x).abs() < 1e-10, "{f:?}");
+        let exact = f.fold.as_ref().unwrap();
+        assert!((exact.x[0] - sign * x).abs() < 1e-12 && exact.p_difference.abs() < 1e-14 && f.status == Status::Confirmed);
+        assert!(f.bracket[0].value * f.bracket[1].value <= 0.0 && f.bracket[0].s <= f.point.s && f.point.s <= f.bracket[1].s);
+        assert!(f.bracket[1].s - f.bracket[0].s < 1e-9);
+        assert!(b.points[f.after].s <= f.point.s && f.point.s <= b.points[f.after + 1].s);
+    }
+    let edges = [b.points[0].p, b.points[b.points.len() - 1].p];
+    assert!(edges == [-2.0, 3.0] || edges == [3.0, -2.0], "{edges:?}");
+    assert!(b.points.windows(2).all(|w| w[1].s > w[0].s));
+}
+
+/// x^3/3 - e^2 x = p with e chosen so that the folds are 1e-4 apart in p: they lie within one step.
+#[test]
+fn two_folds_within_one_step_are_both_found() {
+    let e2 = (0.75e-4f64).powf(2.0 / 3.0);
+    // an offset varies where the points fall
+    for k in 0..20 {
+        let c = 0.9 + 0.013 * k as f64;
+        let mut z = graph(
+            move |x| -((x - c).powi(3) / 3.0 - e2 * (x - c)) - 0.02 * (x - c).powi(5),
+            move |x| -((x - c).powi(2) - e2) - 0.1 * (x - c).powi(4),
+        );
+        let p0 = c * 0.0 - 1.0;
+        let mut set = Settings::new(-1.0, 1.0);
+        set.max_parameter_step = 2.0;
+        set.first_step = 0.05;
+        let b = trace(&mut z, &[c - 1.43], p0, Direction::Up, &set, &mut []).unwrap();
+        assert_eq!(b.end, End::Reached);
+        let f = folds(&b);
+        assert_eq!(f.len(), 2, "offset {c}");
+        // zeros of the derivative, x^2 - e2 + x^4/10
+        let x2 = (-1.0 + (1.0 + 0.4 * e2).sqrt()) / 0.2;
+        let p = |x: f64| x.powi(3) / 3.0 - e2 * x + 0.02 * x.powi(5);
+        assert!((f[0].point.p - p(-x2.sqrt())).abs() < 1e-14 && (f[1].point.p - p(x2.sqrt())).abs() < 1e-14);
+        assert!((f[0].point.p - f[1].point.p - 1e-4).abs() < 2e-6);
+    }
+}
+
+/// p x - x^3 = 0: on the line x = 0 the determinant changes sign with the parameter running on; on the bent branch p has a minimum.
+#[test]
+fn a_pitchfork_is_a_branch_point_on_both_its_branches() {
+    let z = || {
+        problem(1, |x, p, r, j, dp| {
+            r[0] = p * x[0] - x[0].powi(3);
+            j[(0, 0)] = p - 3.0 * x[0] * x[0];
+            dp[0] = x[0];
+        })
+    };
+    let b = trace(&mut z(), &[0.0], -1.03, Direction::Up, &Settings::new(-2.0, 1.0), &mut []).unwrap();
+    assert_eq!(b.end, End::Reached);
+    assert_eq!(b.specials.len(), 1);
+    assert!(b.specials[0].kind == Kind::BranchPoint && b.specials[0].point.p.abs() < 1e-8, "{:?}", b.specials);
+    let b = trace(&mut z(), &[0.9], 0.81, Direction::Down, &Settings::new(-2.0, 1.0), &mut []).unwrap();
+    assert_eq!(b.end, End::Reached);
+    assert!(b.points[b.points.len() - 1].x[0] < -0.99);
+    let kinds: Vec<Kind> = b.specials.iter().map(|s| s.kind).collect();
+    assert_eq!(b.specials.len(), 2, "{kinds:?}");
+    assert!(kinds.contains(&Kind::BranchPoint) && kinds.contains(&Kind::ParameterExtremum));
+    assert!(b.specials.iter().all(|s| s.point.p.abs() < 1e-8 && s.point.x[0].abs() < 1e-4));
+}
+
+/// The unknown does not feel a resonance one unit wide in a range of 5000; a body does.
+#[test]
+fn a_narrow_resonance_of_a_monitored_body_is_resolved() {
+    let build = |monitor: bool, cap: bool| {
+        let mut z = problem(1, |x, p, r, j, dp| {
+            r[0] = x[0] - 1e-3 * p;
+            j[(0, 0)] = 1.0;
+            dp[0] = -1e-3;
+        });
+        z.p_scale = 1000.0;
+        let (centre, half) = (112.7, 0.5);
+        if monitor {
+            // 1 + 5 / (1 + i u)
+            z.monitor = Some((
+                2,
+                Box::new(move |_, p, out| {
+                    let u = (p - centre) / half;
+                    (out[0], out[1]) = (1.0 + 5.0 / (1.0 + u * u), -5.0 * u / (1.0 + u * u));
+                }),
+            ));
+        }
+        if cap {
+            z.cap = Box::new(move |p| resonance_cap(p, centre, half));
+        }
+        z
+    };
+    let within = |mut z: Problem, p0: f64, direction| {
+        let b = trace(&mut z, &[1e-3 * p0], p0, direction, &Settings::new(25.0, 5025.0), &mut []).unwrap();
+        assert_eq!(b.end, End::Reached);
+        (b.points.iter().filter(|q| (q.p - 112.7).abs() <= 0.5).count(), b.points.len())
+    };
+    assert_eq!(within(build(false, false), 25.0, Direction::Up).0, 0);
+    for (monitor, cap) in [(true, true), (false, true)] {
+        for p0 in [25.0, 31.0, 60.3] {
+            let (n, all) = within(build(monitor, cap), p0, Direction::Up);
+            assert!(n >= 8 - 3 * usize::from(!monitor) && all < 300, "{n} of {all}");
+        }
+        assert!(within(build(monitor, cap), 5025.0, Direction::Down).0 >= 5);
+    }
+    // without a cap the monitored quantity alone shows it while steps are not much longer than its skirts
+    let mut set = Settings::new(25.0, 525.0);
+    set.max_parameter_step = 10.0;
+    let b = trace(&mut build(true, false), &[0.025], 25.0, Direction::Up, &set, &mut []).unwrap();
+    assert!(b.points.iter().filter(|q| (q.p - 112.7).abs() <= 0.5).count() >= 8);
+}
+
+/// Duffing's oscillator with one harmonic, a = |A|^2: ((1 - p^2 + 3/4 k a)^2 + (d p)^2) a = f^2.
+fn duffing(d: f64, k: f64, f: f64) -> Problem {
+    problem(2, move |x, p, r, j, dp| {
+        let (u, v) = (x[0], x[1]);
+        let (s, q) = (1.0 - p * p + 0.75 * k * (u * u + v * v), 1.5 * k);
+        r[0] = s * u - d * p * v - f;
+        r[1] = s * v + d * p * u;
+        j[(0, 0)] = s + q * u * u;
+        j[(0, 1)] = q * u * v - d * p;
+        j[(1, 0)] = q * u * v + d * p;
+        j[(1, 1)] = s + q * v * v;
+        dp[0] = -2.0 * p * u - d * v;
+        dp[1] = -2.0 * p * v + d * u;
+    })
+}
+
+/// Discriminant in `a` of the cubic (3k/4)^2 a^3 + 2 (3k/4) c a^2 + (c^2 + d^2 p^2) a - f^2, c = 1 - p^2.
+fn discriminant(p: f64, d: f64, k: f64, f: f64) -> f64 {
+    let (g, c) = (0.75 * k, 1.0 - p * p);
+    let (a3, a2, a1, a0) = (g * g, 2.0 * g * c, c * c + d * d * p * p, -f * f);
+    18.0 * a3 * a2 * a1 * a0 - 4.0 * a2.powi(3) * a0 + a2 * a2 * a1 * a1 - 4.0 * a3 * a1.powi(3) - 27.0 * a3 * a3 * a0 * a0
+}
+
+fn root(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+    let left = f(a) < 0.0;
+    assert_ne!(left, f(b) < 0.0);
+    for _ in 0..200 {
+        let m = 0.5 * (a + b);
+        if (f(m) < 0.0) == left { a = m } else { b = m }
+    }
+    0.5 * (a + b)
+}
+
+#[test]
+fn duffing_folds_are_zeros_of_the_discriminant() {
+    let (d, k, f) = (0.05, 0.1, 0.2);
+    let b = trace(&mut duffing(d, k, f), &[0.2, 0.0], 0.1, Direction::Up, &Settings::new(0.1, 3.0), &mut []).unwrap();
+    assert_eq!(b.end, End::Reached);
+    assert_eq!(b.points[b.points.len() - 1].p, 3.0);
+    let found = folds(&b);
+    assert_eq!((found.len(), b.specials.len()), (2, 2));
+    let disc = |p| discriminant(p, d, k, f);
+    let mut exact = Vec::new();
+    for i in 0..2900 {
+        let (l, r) = (0.1 + 1e-3 * i as f64, 0.1 + 1e-3 * (i + 1) as f64);
+        if (disc(l) < 0.0) != (disc(r) < 0.0) {
+            exact.push(root(disc, l, r));
+        }
+    }
+    assert_eq!(exact.len(), 2);
+    // upper branch first: its fold has the larger frequency
+    for (fold, exact) in found.iter().zip(exact.iter().rev()) {
+        assert!((fold.point.p - exact).abs() < 1e-11, "{} {exact}", fold.point.p);
+        assert_eq!(fold.status, Status::Confirmed);
+        let polished = fold.fold.as_ref().unwrap();
+        assert!(polished.p_difference.abs() < 1e-13 && polished.x_difference < 1e-8, "{polished:?}");
+    }
+}
+
+/// Lightly damped and linear: a spike 1e-3 wide and tall, with no fold; the branch must not turn back at its tip.
+#[test]
+fn a_sharp_peak_does_not_reverse_the_branch() {
+    for d in [1e-2, 1e-3, 1e-4] {
+        let b = trace(&mut duffing(d, 0.0, 0.1), &[0.1, 0.0], 0.0, Direction::Up, &Settings::new(0.0, 2.0), &mut []).unwrap();
+        assert_eq!(b.end, End::Reached, "damping {d}");
+        assert!(b.specials.is_empty() && b.points.windows(2).all(|w| w[1].p > w[0].p));
+        let top = b.points.iter().map(|q| q.x[0].hypot(q.x[1])).fold(0.0, f64::max);
+        assert!((top / (0.1 / (d * (1.0 - 0.25 * d * d).sqrt())) - 1.0).abs() < 0.02, "{top}");
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_units() {
+    let run = |x_unit, p_unit, r_unit| {
+        let mut z = duffing(0.05, 0.1, 0.2);
+        (z.x_unit, z.p_unit, z.r_unit) = (x_unit, p_unit, r_unit);
+        let set = Settings::new(0.1 * p_unit, 3.0 * p_unit);
+        trace(&mut z, &[0.2 * x_unit, 0.0], 0.1 * p_unit, Direction::Up, &set, &mut []).unwrap()
+    };
+    let (a, b) = (run(1.0, 1.0, 1.0), run(3e-6, 700.0, 1.1e7));
+    assert_eq!(a.points.len(), b.points.len());
+    for (a, b) in a.specials.iter().zip(&b.specials) {
+        assert!((b.point.p / 700.0 - a.point.p).abs() < 1e-13 && (b.point.x[0] / 3e-6 - a.point.x[0]).abs() < 1e-8);
+    }
+    for (a, b) in a.points.iter().zip(&b.points) {
+        assert!((b.p / 700.0 - a.p).abs() < 1e-6 && (b.s - a.s).abs() < 1e-6);
+    }
+}
+
+/// (x^2 - 1)^2 + (p - 1)^2 = 1/4: two detached loops.
+#[test]
+fn a_detached_loop_closes() {
+    let mut z = problem(1, |x, p, r, j, dp| {
+        let q = x[0] * x[0] - 1.0;
+        r[0] = q * q + (p - 1.0).powi(2) - 0.25;
+        j[(0, 0)] = 4.0 * q * x[0];
+        dp[0] = 2.0 * (p - 1.0);
+    });
+    let b = trace(&mut z, &[1.2], 1.2, Direction::Down, &Settings::new(0.0, 3.0), &mut []).unwrap();
+    assert_eq!(b.end, End::Closed);
+    let mut p: Vec<f64> = folds(&b).iter().map(|f| f.point.p).collect();
+    p.sort_by(f64::total_cmp);
+    assert!(p.len() == 2 && (p[0] - 0.5).abs() < 1e-14 && (p[1] - 1.5).abs() < 1e-14);
+    assert!(b.points.iter().all(|q| q.x[0] > 0.0));
+}
+
+#[test]
+fn where_the_law_ends_the_points_so_far_are_kept() {
+    let mut z = graph(|x| if x > 0.7 { f64::NAN } else { -x }, |_| -1.0);
+    let b = trace(&mut z, &[0.0], 0.0, Direction::Up, &Settings::new(0.0, 2.0), &mut []).unwrap();
+    let End::StepTooSmall { at, why } = b.end else { panic!("{:?}", b.end) };
+    assert_eq!(why, Refusal::Corrector(Cause::NotFinite));
+    assert!(b.points.len() > 5 && at <= 0.7 && at > 0.7 - 1e-8 && b.points.iter().all(|q| q.p.is_finite()), "{at}");
+}
+
+#[test]
+fn a_bad_start_a_stop_and_a_limit_are_ends() {
+    let set = Settings::new(0.0, 2.0);
+    let none = trace(&mut graph(|x| x * x + 1.0, |x| 2.0 * x), &[1.0], 0.0, Direction::Up, &set, &mut []).unwrap();
+    assert!(matches!(none.end, End::NewtonFailed { residual, .. } if residual > 0.0) && none.points.is_empty());
+    let mut z = graph(|x| -x, |_| -1.0);
+    z.budget = 12;
+    let b = trace(&mut z, &[0.0], 0.0, Direction::Up, &set, &mut []).unwrap();
+    assert!(b.end == End::Cancelled && b.points.len() > 1);
+    let mut z = graph(|x| -x, |_| -1.0);
+    let few = Settings { max_points: 4, ..set.clone() };
+    let b = trace(&mut z, &[0.0], 0.0, Direction::Up, &few, &mut []).unwrap();
+    assert!(b.end == End::MaxPoints && b.points.len() == 4);
+    assert!(trace(&mut z, &[0.0], 5.0, Direction::Up, &set, &mut []).is_err());
+    assert!(trace(&mut z, &[0.0], 1.0, Direction::Up, &Settings::new(1.0, f64::NAN), &mut []).is_err());
+}
+
+/// At the edge the range may cut a fold off: the branch must end there.
+#[test]
+fn a_fold_just_outside_the_range_ends_the_branch_on_the_edge() {
+    for over in [1e-3, 1e-5, 1e-8] {
+        let hi = 1.0 - over;
+        let b = trace(&mut circle(), &[1.0], 0.0, Direction::Up, &Settings::new(-0.5, hi), &mut []).unwrap();
+        assert!(b.end == End::Reached && b.points[b.points.len() - 1].p == hi && b.specials.is_empty(), "{:?}", b.end);
+        assert!(b.points.iter().all(|q| q.p <= hi));
+    }
+}
+
+#[test]
+fn a_user_test_is_located_and_a_jump_is_only_bracketed() {
+    let mut tests: Vec<Test<'_, Problem>> =
+        vec![Box::new(|_, q| q.x[0] - 0.3), Box::new(|_, q| if q.x[0] > 0.4 { 1.0 } else { -1.0 }), Box::new(|_, _| f64::NAN)];
+    let mut z = graph(|x| -x - x * x * x, |x| -1.0 - 3.0 * x * x);
+    let b = trace(&mut z, &[0.0], 0.0, Direction::Up, &Settings::new(0.0, 2.0), &mut tests).unwrap();
+    assert_eq!(b.specials.len(), 2);
+    let (a, c) = (&b.specials[0], &b.specials[1]);
+    assert!(a.kind == Kind::User(0) && a.status == Status::Located && (a.point.p - 0.327).abs() < 1e-10);
+    assert!(c.kind == Kind::User(1) && c.status == Status::Bracketed);
+    assert!(c.bracket[0].p < 0.464 + 1e-10 && c.bracket[1].p > 0.464 - 1e-10);
+    assert_eq!(b.counters.undefined_tests, b.points.len());
+}
+
+/// Two planes that fold together have two null vectors: the fold is located, and the extended system says that it does not apply.
+#[test]
+fn a_double_null_vector_is_not_confirmed() {
+    let mut z = problem(2, |x, p, r, j, dp| {
+        for i in 0..2 {
+            r[i] = x[i].powi(3) - x[i] + p;
+            j[(i, i)] = 3.0 * x[i] * x[i] - 1.0;
+            dp[i] = 1.0;
+        }
+    });
+    let x0 = 0.9f64;
+    let p0 = x0 - x0.powi(3);
+    let b = trace(&mut z, &[x0, x0], p0, Direction::Up, &Settings::new(-2.0, 2.0), &mut []).unwrap();
+    let p = 2.0 / (3.0 * 3f64.sqrt());
+    let near: Vec<&Special> = b.specials.iter().filter(|s| (s.point.p - p).abs() < 1e-6).collect();
+    assert!(!near.is_empty() && near.iter().all(|s| s.status != Status::Confirmed), "{:?} {:?}", b.end, b.specials);
+}

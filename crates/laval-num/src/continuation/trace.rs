@@ -1,0 +1,276 @@
+//! Following a branch from a start to its ends.
+
+use super::branch::{Branch, Counters, End, Refusal};
+use super::event::{Found, Test};
+use super::problem::Zero;
+use super::settings::{Invalid, Settings};
+use super::step::{Node, Tracer, distance, hermite};
+use crate::dense::dot;
+use crate::newton::{Cause, Options};
+
+/// The way to set out from the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Towards larger parameters.
+    Up,
+    /// Towards smaller parameters.
+    Down,
+}
+
+/// Follows the branch through the solution near `x0` at the parameter `p0`.
+pub fn trace<P: Zero + ?Sized>(
+    problem: &mut P,
+    x0: &[f64],
+    p0: f64,
+    direction: Direction,
+    settings: &Settings,
+    tests: &mut [Test<'_, P>],
+) -> Result<Branch, Invalid> {
+    settings.check()?;
+    if x0.len() != problem.dim() {
+        return Err(Invalid("the start must have as many entries as the problem has unknowns"));
+    }
+    let (lo, hi) = settings.range;
+    if !(lo..=hi).contains(&p0) {
+        return Err(Invalid("the start must lie in the range of the parameter"));
+    }
+    let mut tracer = Tracer::new(problem, settings);
+    if tracer.scale.iter().any(|s| !(*s > 0.0 && s.is_finite())) {
+        return Err(Invalid("scales must be positive"));
+    }
+    let mut branch = Branch { points: Vec::new(), specials: Vec::new(), first_end: None, end: End::Reached, counters: Counters::default() };
+    branch.end = follow(&mut tracer, x0, p0, direction, tests, &mut branch);
+    branch.counters = Counters { points: branch.points.len(), work: tracer.solver.work, ..tracer.counters };
+    Ok(branch)
+}
+
+/// Follows the branch both ways from the start; points run from the end reached downwards to the end reached upwards.
+pub fn trace_both<P: Zero + ?Sized>(
+    problem: &mut P,
+    x0: &[f64],
+    p0: f64,
+    settings: &Settings,
+    tests: &mut [Test<'_, P>],
+) -> Result<Branch, Invalid> {
+    let mut branch = trace(problem, x0, p0, Direction::Down, settings, tests)?;
+    if branch.end == End::Closed || branch.points.is_empty() {
+        return Ok(branch);
+    }
+    let up = trace(problem, x0, p0, Direction::Up, settings, tests)?;
+    branch.reverse();
+    let joint = branch.points.len() - 1;
+    branch.first_end = Some(branch.end);
+    branch.end = up.end;
+    branch.points.extend(up.points.into_iter().skip(1));
+    branch.specials.extend(up.specials.into_iter().map(|mut special| {
+        special.after += joint;
+        special
+    }));
+    let (a, b) = (&mut branch.counters, &up.counters);
+    a.points = branch.points.len();
+    a.refused += b.refused;
+    a.located += b.located;
+    a.undefined_tests += b.undefined_tests;
+    a.work.evaluations += b.work.evaluations;
+    a.work.jacobians += b.work.jacobians;
+    a.work.factorisations += b.work.factorisations;
+    a.work.iterations += b.work.iterations;
+    Ok(branch)
+}
+
+fn follow<P: Zero + ?Sized>(
+    tracer: &mut Tracer<'_, P>,
+    x0: &[f64],
+    p0: f64,
+    direction: Direction,
+    tests: &mut [Test<'_, P>],
+    branch: &mut Branch,
+) -> End {
+    let set = tracer.settings;
+    let (lo, hi) = set.range;
+    let mut a = Node { y: x0.iter().chain([&p0]).zip(&tracer.scale).map(|(x, s)| x / s).collect(), ..Node::default() };
+    if let Err(e) = tracer.correct_at(&mut a, p0, &Options { to_rounding: true, ..Options::default() }) {
+        return match e.cause {
+            Cause::Cancelled => End::Cancelled,
+            cause => End::NewtonFailed { at: p0, residual: e.residual, cause },
+        };
+    }
+    if direction == Direction::Down {
+        a.turn();
+    }
+    if let Err(f) = tracer.monitor(&mut a) {
+        return End::NewtonFailed { at: p0, residual: a.evidence.residual, cause: f.into() };
+    }
+    let start = a.clone();
+    let mut values = [Vec::new(), Vec::new()];
+    keep(tracer, &a, tests, branch, &mut values);
+    if p0 == hi && direction == Direction::Up || p0 == lo && direction == Direction::Down {
+        return End::Reached;
+    }
+
+    let (mut before, mut b) = (Node::default(), Node::default());
+    let (mut predicted, mut ds, mut refusal) = (Vec::new(), set.first_step, None);
+    loop {
+        if branch.points.len() >= set.max_points {
+            return End::MaxPoints;
+        }
+        let cap = tracer.cap(&a);
+        if cap < ds || cap.is_nan() {
+            ds = cap;
+        }
+        if ds.is_nan() || ds < set.min_step {
+            return End::StepTooSmall { at: a.p, why: refusal.unwrap_or(Refusal::Parameter) };
+        }
+        predict(&a, &before, ds, refusal.is_none(), &mut b.y);
+        predicted.clone_from(&b.y);
+        match attempt(tracer, &a, &mut b, &predicted, ds, &start, tests, branch, &mut values) {
+            Ok(Advance { grow, end }) => {
+                if let Some(end) = end {
+                    return end;
+                }
+                ds *= if refusal.is_some() { grow.min(1.0) } else { grow };
+                refusal = None;
+                std::mem::swap(&mut before, &mut a);
+                std::mem::swap(&mut a, &mut b);
+            }
+            Err(Refusal::Corrector(Cause::Cancelled)) => return End::Cancelled,
+            Err(why) => {
+                tracer.counters.refused += 1;
+                refusal = Some(why);
+                ds *= 0.5;
+            }
+        }
+    }
+}
+
+/// Point at the distance `ds` along the tangent, bent as it bent since the node before (not after a refusal, nor at the start).
+fn predict(a: &Node, before: &Node, ds: f64, bend: bool, y: &mut Vec<f64>) {
+    y.clear();
+    y.extend(a.y.iter().zip(&a.t).map(|(y, t)| y + ds * t));
+    if bend && before.t.len() == a.t.len() {
+        let c = 0.5 * ds * ds / (a.s - before.s);
+        for ((y, t), t0) in y.iter_mut().zip(&a.t).zip(&before.t) {
+            *y += c * (t - t0);
+        }
+    }
+}
+
+struct Advance {
+    grow: f64,
+    end: Option<End>,
+}
+
+/// One step: correct, judge, cut at the edge of the range, look for special points, keep.
+#[allow(clippy::too_many_arguments)]
+fn attempt<P: Zero + ?Sized>(
+    tracer: &mut Tracer<'_, P>,
+    a: &Node,
+    b: &mut Node,
+    predicted: &[f64],
+    ds: f64,
+    start: &Node,
+    tests: &mut [Test<'_, P>],
+    branch: &mut Branch,
+    values: &mut [Vec<f64>; 2],
+) -> Result<Advance, Refusal> {
+    let set = tracer.settings;
+    let o = Options { damped: false, to_rounding: false, ..set.corrector.clone() };
+    tracer.correct(b, &a.t, &o).map_err(Refusal::Corrector)?;
+    b.s = a.s + distance(&a.y, &b.y);
+    tracer.monitor(b).map_err(|f| Refusal::Corrector(f.into()))?;
+    let grow = tracer.judge(a, b, predicted, ds)?;
+    let after = branch.points.len() - 1;
+    let outside = |p: f64| p < set.range.0 || p > set.range.1;
+    let nearest = |p: f64| if p > set.range.1 { set.range.1 } else { set.range.0 };
+
+    let mut end = None;
+    if outside(b.p) {
+        *b = tracer.edge(a, b, nearest(b.p)).ok_or(Refusal::Parameter)?;
+        end = Some(End::Reached);
+    } else if after > 0 && tracer.closes(a, b, start) {
+        let s = a.s + distance(&a.y, &start.y);
+        b.copy_from(start);
+        b.s = s;
+        end = Some(End::Closed);
+    }
+    let point = tracer.point(b);
+    evaluate(tracer, &point, tests, &mut values[1]);
+    let mut found = tracer.scan(a, b, after, tests, values)?;
+    if let Some(k) = found.iter().position(|f| outside(f.node.p)) {
+        // the branch leaves the range and comes back within the step
+        let edge = tracer.edge(a, &found[k].node, nearest(found[k].node.p)).ok_or(Refusal::Parameter)?;
+        found.retain(|f: &Found| f.node.s < edge.s);
+        *b = edge;
+        end = Some(End::Reached);
+    }
+    branch.specials.extend(found.into_iter().map(|f| f.special));
+    keep(tracer, b, tests, branch, values);
+    Ok(Advance { grow, end })
+}
+
+fn evaluate<P: Zero + ?Sized>(tracer: &mut Tracer<'_, P>, point: &super::Point, tests: &mut [Test<'_, P>], out: &mut Vec<f64>) {
+    out.clear();
+    for test in tests {
+        out.push(test(tracer.problem, point));
+    }
+}
+
+/// Stores the node; its test values become those of the left side of the next step.
+fn keep<P: Zero + ?Sized>(
+    tracer: &mut Tracer<'_, P>,
+    node: &Node,
+    tests: &mut [Test<'_, P>],
+    branch: &mut Branch,
+    values: &mut [Vec<f64>; 2],
+) {
+    let point = tracer.point(node);
+    let known = branch.points.last().is_some() && values[1].len() == tests.len();
+    if !known {
+        evaluate(tracer, &point, tests, &mut values[1]);
+    }
+    values.swap(0, 1);
+    tracer.counters.undefined_tests += values[0].iter().filter(|v| !v.is_finite()).count();
+    branch.points.push(point);
+}
+
+impl<P: Zero + ?Sized> Tracer<'_, P> {
+    /// The point between `a` and `b` exactly at the parameter `p`.
+    fn edge(&mut self, a: &Node, b: &Node, p: f64) -> Option<Node> {
+        let (n, h) = (self.n(), distance(&a.y, &b.y));
+        let (mut guess, mut u) = (Vec::new(), [0.0, 1.0]);
+        let rising = b.p > a.p;
+        for _ in 0..50 {
+            let middle = 0.5 * (u[0] + u[1]);
+            hermite(a, b, h, middle, &mut guess);
+            u[usize::from((guess[n] * self.scale[n] > p) == rising)] = middle;
+        }
+        let o = Options { max_iterations: 15, damped: false, to_rounding: true, ..self.settings.corrector.clone() };
+        self.counters.located += 1;
+        let mut node = Node { y: guess.clone(), ..Node::default() };
+        self.correct_at(&mut node, p, &o).ok()?;
+        if distance(&guess, &node.y).is_nan() || distance(&guess, &node.y) > 0.25 * h {
+            return None;
+        }
+        if node.t.iter().zip(&a.y).zip(&b.y).map(|((t, a), b)| t * (b - a)).sum::<f64>() < 0.0 {
+            node.turn();
+        }
+        node.s = a.s + distance(&a.y, &node.y);
+        Some(node)
+    }
+
+    /// Whether the step from `a` to `b` passes through the start in the direction in which it was left.
+    fn closes(&mut self, a: &Node, b: &Node, start: &Node) -> bool {
+        let h = distance(&a.y, &b.y);
+        let u = a.y.iter().zip(&b.y).zip(&start.y).map(|((a, b), s)| (b - a) * (s - a)).sum::<f64>() / (h * h);
+        if !(u > 0.0 && u <= 1.0) || dot(&start.t, &b.t) < 0.8 {
+            return false;
+        }
+        let mut node = Node::default();
+        hermite(a, b, h, u, &mut node.y);
+        if distance(&node.y, &start.y) > 0.1 * h || self.between(a, b, u, &mut node).is_err() {
+            return false;
+        }
+        let size = start.y.iter().fold(1.0, |m: f64, y| m.max(y.abs()));
+        distance(&node.y, &start.y) <= 1e-6 * size
+    }
+}
