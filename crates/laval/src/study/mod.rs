@@ -1,6 +1,7 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
 mod history;
+pub mod run_up;
 pub mod transient;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -93,7 +94,7 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<transient::Transient>()]
+    vec![kind::<transient::Transient>(), kind::<run_up::RunUp>()]
 }
 
 /// The registry entry of a study.

@@ -227,10 +227,9 @@ fn legs<'a, M: Method<Motion<'a>>>(
     cuts.retain(|&t| t > 0.0 && t < plan.t_end);
     cuts.push(plan.t_end);
     cuts.sort_by(f64::total_cmp);
-    let surfaces = Surfaces::new(motion, y);
-    let functions: Vec<Box<dyn Fn(f64, &[f64]) -> f64 + '_>> =
-        (0..surfaces.list.len()).map(|i| Box::new(move |t: f64, y: &[f64]| surfaces_value(&surfaces, i, t, y)) as Box<dyn Fn(f64, &[f64]) -> f64>).collect();
-    let events: Vec<Event> = functions.iter().map(|g| Event::new(&**g).terminal()).collect();
+    let surfaces = &Surfaces::new(motion, y);
+    let functions: Vec<_> = (0..surfaces.list.len()).map(|i| move |t: f64, y: &[f64]| surfaces_value(surfaces, i, t, y)).collect();
+    let events: Vec<Event> = functions.iter().map(|g| Event::new(g).terminal()).collect();
     let mut total = Run { t: 0.0, end: End::Reached, next_step: 0.0, work: Work::default() };
     let mut cut = 0;
     let mut first_step = None;
