@@ -39,8 +39,12 @@ pub(super) const ABSOLUTE: Field = Field::optional(
 pub(super) const POINTS: Field =
     Field::optional("points", FieldKind::Integer { min: 2, max: 1_000_000 }, "2000", "number of output times, equally spaced");
 /// `initial`.
-pub(super) const INITIAL: Field =
-    Field::optional("initial", FieldKind::StateMap, "", "start: displacements, rates (with ') and internal states by name; all others are zero");
+pub(super) const INITIAL: Field = Field::optional(
+    "initial",
+    FieldKind::StateMap,
+    "",
+    "start: displacements, rates (with ') and internal states by name; all others are zero",
+);
 /// `phase`.
 pub(super) const PHASE: Field =
     Field::optional("phase", FieldKind::Quantity { unit: "rad", bounds: Bounds::within(1e6) }, "0 rad", "spin angle at the start");
@@ -93,12 +97,16 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
     for (name, value, span) in values.state_map(field).unwrap_or_default() {
         let Some(found) = entry(system, name) else {
             diagnostics.push(
-                Diagnostic::error("state.unknown", format!("there is no coordinate or state \"{name}\"")).at(span.clone()).help(nearest(system, name)),
+                Diagnostic::error("state.unknown", format!("there is no coordinate or state \"{name}\""))
+                    .at(span.clone())
+                    .help(nearest(system, name)),
             );
             continue;
         };
         if !value.is_finite() {
-            diagnostics.push(Diagnostic::error("state.not_finite", format!("\"{name}\" must start at a finite value, not {value}")).at(span.clone()));
+            diagnostics.push(
+                Diagnostic::error("state.not_finite", format!("\"{name}\" must start at a finite value, not {value}")).at(span.clone()),
+            );
         }
         if out.iter().any(|(e, _)| *e == found) {
             diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
@@ -119,7 +127,8 @@ fn nearest(system: &System, name: &str) -> String {
     match all.map(|n| (distance(n, plain), n)).min() {
         Some((d, best)) if d <= 3 => format!("did you mean \"{best}{rate}\"?"),
         _ => {
-            let list: Vec<String> = system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
+            let list: Vec<String> =
+                system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
             format!("this machine has {}", list.join(", "))
         }
     }
@@ -276,8 +285,9 @@ pub(super) fn observed_table(motion: &mut Motion, flight: &Flight) -> Result<Opt
 /// The energy balance at the outputs.
 pub(super) struct Balance {
     pub table: Table,
-    /// Largest missing energy, J, and the energy exchanged by the end, J.
+    /// Largest missing energy, J.
     pub missing: f64,
+    /// Largest flows and changes, and the largest stored energy beside that of the spin alone, J.
     pub exchanged: f64,
 }
 
@@ -288,15 +298,21 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     let rows: Vec<&[f64]> = flight.states.chunks_exact(dim).collect();
     let stored: Vec<f64> = flight.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
     let first = stored.first().copied().unwrap_or(f64::NAN);
-    let (mut missing, mut swing) = (0.0f64, 0.0f64);
+    let (mut missing, mut swing, mut vibration) = (0.0f64, 0.0f64, 0.0f64);
     let grow = |m: &mut f64, x: f64| {
         if x > *m || x.is_nan() {
             *m = x;
         }
     };
+    let mut motionless = vec![0.0; dim];
     let mut lack = Vec::with_capacity(rows.len());
     let mut flows = [0.0f64; 4];
-    for (y, e) in rows.iter().zip(&stored) {
+    for ((y, e), &t) in rows.iter().zip(&stored).zip(&flight.times) {
+        if let Some(s) = motion.spin_start() {
+            motionless[s..s + 2].copy_from_slice(&y[s..s + 2]);
+        }
+        let spin = motion.stored_energy(t, &motionless).unwrap_or(f64::NAN);
+        grow(&mut vibration, (e - spin).abs());
         let change = e - first;
         let x = change - (-y[k] + y[k + 1] + y[k + 2] + y[k + 3]);
         lack.push(x);
@@ -315,7 +331,11 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     c.add("drive", "J", "work of the drive since the start", column(2));
     c.add("weight", "J", "work of the weight since the start", column(3));
     c.add("missing", "J", "change of the stored energy not explained by the others: the error of the integration", lack);
-    Ok(Some(Balance { table: c.table("energy", "Energy balance against time")?, missing, exchanged: flows.iter().sum::<f64>() + swing }))
+    Ok(Some(Balance {
+        table: c.table("energy", "Energy balance against time")?,
+        missing,
+        exchanged: flows.iter().sum::<f64>() + swing + vibration,
+    }))
 }
 
 /// The balance in a sentence.
@@ -338,7 +358,11 @@ pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Out
             Finding::info("validity", format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what))
         } else {
             let since = u.exceeded.unwrap_or(u.t);
-            Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what)).evidence("first exceeded at", since, "s")
+            Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what)).evidence(
+                "first exceeded at",
+                since,
+                "s",
+            )
         };
         outcome = outcome.finding(finding.value(u.ratio, "").evidence("reached at", u.t, "s"));
     }
@@ -350,7 +374,8 @@ pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Out
     }
     if !flight.contacts.is_empty() {
         let count = flight.contacts.len() as f64;
-        let finding = Finding::info("contacts", "Laws with a switch changed side {} times; the integration restarted at each.").value(count, "");
+        let finding =
+            Finding::info("contacts", "Laws with a switch changed side {} times; the integration restarted at each.").value(count, "");
         outcome = outcome.finding(finding.evidence("first at", flight.contacts[0].2, "s"));
     }
     let w = &flight.run.work;
@@ -370,7 +395,8 @@ pub(super) fn motion_figures(system: &System, mut outcome: Outcome) -> Outcome {
         return outcome;
     }
     let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
-    let mut lateral = Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let mut lateral =
+        Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
     let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane.").x(mm("x"));
     let mut plane = Panel::new(mm("y"));
     for b in &bodies {

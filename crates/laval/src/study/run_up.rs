@@ -39,7 +39,8 @@ pub struct RunUp {
     observables: bool,
 }
 
-const TABLE: &[(&str, &str, bool, &str)] = &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
+const TABLE: &[(&str, &str, bool, &str)] =
+    &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
 
 impl Study for RunUp {
     const KIND: &'static str = "run_up";
@@ -47,8 +48,18 @@ impl Study for RunUp {
         speeds. Reports the envelope against speed beside the quasi-static linear response, the peaks, and the torque and power of the drive.";
     const FIELDS: &'static [Field] = &[
         Field::optional("from", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) }, "0 rad/s", "speed at the start"),
-        Field::optional("to", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) }, "", "speed at the end; that of the machine when absent"),
-        Field::optional("duration", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "", "time from one speed to the other"),
+        Field::optional(
+            "to",
+            FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "",
+            "speed at the end; that of the machine when absent",
+        ),
+        Field::optional(
+            "duration",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time from one speed to the other",
+        ),
         Field::optional(
             "shape",
             FieldKind::Choice(&[
@@ -59,7 +70,12 @@ impl Study for RunUp {
             "linear",
             "how the speed changes",
         ),
-        Field::optional("programme", FieldKind::Columns(TABLE), "", "speeds at given times, joined smoothly, instead of from, to and duration"),
+        Field::optional(
+            "programme",
+            FieldKind::Columns(TABLE),
+            "",
+            "speeds at given times, joined smoothly, instead of from, to and duration",
+        ),
         Field::optional("hold", FieldKind::Quantity { unit: "s", bounds: Bounds::up_to(1e9) }, "0 s", "time at the last speed"),
         Field::optional("windows", FieldKind::Integer { min: 10, max: 100_000 }, "400", "pieces of equal time the envelope is taken over"),
         PHASE,
@@ -210,7 +226,9 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 /// Peaks of an envelope that stand out on both sides: indices.
 fn prominent(amplitudes: &[f64]) -> Vec<usize> {
     let mut out = Vec::new();
-    let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| side.find_map(|&a| if a > top { Some(false) } else { (a < PROMINENT * top).then_some(true) });
+    let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| {
+        side.find_map(|&a| if a > top { Some(false) } else { (a < PROMINENT * top).then_some(true) })
+    };
     for (i, &top) in amplitudes.iter().enumerate() {
         let left = falls(Box::new(amplitudes[..i].iter().rev()), top);
         let right = falls(Box::new(amplitudes[i + 1..].iter()), top);
@@ -248,9 +266,11 @@ impl RunUp {
                             .evidence("amplitude", p.amplitude, "m")
                             .evidence("at time", p.t, "s"),
                     )
-                    .special_point(
-                        SpecialPoint::new("peak", at, (a.min(b_), a.max(b_))).status(Status::Bracketed).evidence("amplitude", p.amplitude, "m"),
-                    );
+                    .special_point(SpecialPoint::new("peak", at, (a.min(b_), a.max(b_))).status(Status::Bracketed).evidence(
+                        "amplitude",
+                        p.amplitude,
+                        "m",
+                    ));
             }
         }
         outcome
@@ -265,7 +285,8 @@ impl RunUp {
             torque.push(motion.torque(t, y).unwrap_or(f64::NAN));
         }
         let power: Vec<f64> = torque.iter().zip(&spins).map(|(m, s)| m * s.speed).collect();
-        let largest = |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
+        let largest =
+            |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
         let ((most, at), (strongest, when)) = (largest(&torque), largest(&power));
         let speed = |i: usize| spins.get(i).map_or(f64::NAN, |s| s.speed);
         let mut columns = Columns::default();
@@ -281,8 +302,16 @@ impl RunUp {
             .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
             .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
         Ok(outcome
-            .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence("at speed", speed(at), "rad/s"))
-            .finding(Finding::info("largest_power", "The drive must bring up to {}.").value(strongest, "W").evidence("at speed", speed(when), "rad/s"))
+            .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence(
+                "at speed",
+                speed(at),
+                "rad/s",
+            ))
+            .finding(Finding::info("largest_power", "The drive must bring up to {}.").value(strongest, "W").evidence(
+                "at speed",
+                speed(when),
+                "rad/s",
+            ))
             .table(columns.table("drive", "Torque and power of the drive against time")?)
             .figure(figure))
     }
@@ -301,8 +330,12 @@ impl RunUp {
         let mut columns = Columns::default();
         columns.add("t", "s", "middle of the window", middle);
         columns.add("speed", "rad/s", "spin speed there", speeds);
-        let mut figure = Figure::new("envelope", "Envelope against speed", "Largest displacement of each body in short windows of time, against the spin speed.")
-            .x(Axis::new("speed", "rad/s"));
+        let mut figure = Figure::new(
+            "envelope",
+            "Envelope against speed",
+            "Largest displacement of each body in short windows of time, against the spin speed.",
+        )
+        .x(Axis::new("speed", "rad/s"));
         for (k, b) in bodies.iter().enumerate() {
             let amplitude = |i: usize| flight.windows[k][i].peak.amplitude;
             columns.add(format!("{} amplitude", b.name), "m", "largest |x + i y| in the window", (0..count).map(amplitude).collect());
@@ -310,7 +343,12 @@ impl RunUp {
                 .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
             if let Some(q) = &quasi {
                 let name = format!("{} linear", b.name);
-                columns.add(&name, "m", "largest |x + i y| of the steady linear response at this speed", q.iter().map(|row| row[k]).collect());
+                columns.add(
+                    &name,
+                    "m",
+                    "largest |x + i y| of the steady linear response at this speed",
+                    q.iter().map(|row| row[k]).collect(),
+                );
                 panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
             }
             figure = figure.panel(panel);

@@ -38,7 +38,12 @@ impl Study for Transient {
         is free. Reports the motion, the energy balance, the largest displacements and whether the motion grows.";
     const FIELDS: &'static [Field] = &[
         Field::required("duration", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "time to compute"),
-        Field::optional("speed", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) }, "", "spin speed; that of the machine when absent"),
+        Field::optional(
+            "speed",
+            FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "",
+            "spin speed; that of the machine when absent",
+        ),
         PHASE,
         INITIAL,
         Field::optional("kick", FieldKind::StateMap, "", "sudden changes of rates, as { \"drum.x'\" = \"0.1 m/s\" }"),
@@ -47,7 +52,12 @@ impl Study for Transient {
         RELATIVE,
         ABSOLUTE,
         POINTS,
-        Field::optional("output_step", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "", "time between outputs, instead of their number"),
+        Field::optional(
+            "output_step",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time between outputs, instead of their number",
+        ),
         Field::optional("velocities", FieldKind::Flag, "false", "list the rates too"),
         Field::optional("observables", FieldKind::Flag, "true", "list the quantities the parts show, such as bearing forces"),
     ];
@@ -79,7 +89,8 @@ impl Study for Transient {
         let at = values.number("kick_time").unwrap_or(0.0);
         if !kicks.is_empty() && !(at < duration) {
             diagnostics.push(
-                Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s")).at(values.span_of("kick_time")),
+                Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s"))
+                    .at(values.span_of("kick_time")),
             );
         }
         let step = values.number("output_step");
@@ -176,14 +187,23 @@ impl Transient {
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
             let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
-            out.push(Finding::info("end_state", text).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence("t", flight.run.t, "s"));
+            out.push(Finding::info("end_state", text).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence(
+                "t",
+                flight.run.t,
+                "s",
+            ));
         }
         if system.machine.drive == Drive::Free {
             let speed = motion.spin(flight.run.t, &flight.state).speed;
-            out.push(Finding::info("end_speed", "The spin speed at the end is {}.").value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
+            out.push(Finding::info("end_speed", "The spin speed at the end is {}.").value(speed, "rad/s").evidence(
+                "change",
+                speed - self.speed,
+                "rad/s",
+            ));
         }
         // the body that moves most at the end speaks for the machine
-        let last = |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
+        let last =
+            |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
         let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
         if let Some((body, windows)) = loudest
             && let Some(g) = growth(windows)

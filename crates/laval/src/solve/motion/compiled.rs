@@ -8,6 +8,7 @@ use crate::model::system::{System, Workspace};
 use crate::solve::programme::Spin;
 use laval_num::dense::{Lu, Mat};
 use laval_num::ode::Failure;
+use laval_num::scalar::Scalar;
 
 /// The machine at one speed. Rows are the accelerations, then the rates of the linear parts' states without memory.
 pub(super) struct Compiled {
@@ -92,7 +93,8 @@ impl Compiled {
         for (x, &i) in self.x[2 * n..].iter_mut().zip(&self.model.states) {
             *x = y[2 * n + i];
         }
-        let (sin, cos) = spin.phase.sin_cos();
+        // the same sine as the parts use, on every machine
+        let (sin, cos) = Scalar::sin_cos(spin.phase);
         for (i, [f0, fc, fs]) in self.forcing.iter().enumerate() {
             let mut sum = f0 + fc * cos + fs * sin;
             for (a, x) in self.matrix.row(i).iter().zip(&self.x) {

@@ -10,7 +10,9 @@ use crate::model::system::{System, Workspace};
 use crate::solve::programme::Spin;
 use laval_num::dense::Mat;
 use laval_num::eig::eigenvalues;
-use laval_num::ode::{Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate};
+use laval_num::ode::{
+    Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate,
+};
 use std::cell::RefCell;
 
 /// Which method integrates.
@@ -189,11 +191,8 @@ const BORDER: f64 = 3.5;
 /// A trial of some explicit steps: are they as long as stability, not accuracy, allows, and is there still far to go?
 fn explicit_is_limited_by_stability(motion: &mut Motion, y: &[f64], plan: &Plan, relative: &Tolerance, absolute: &Tolerance) -> bool {
     let mut state = y.to_vec();
-    let control = Control {
-        max_steps: TRIAL.min(plan.max_steps),
-        cancel: Some(plan.cancel),
-        ..Control::new(relative.clone(), absolute.clone())
-    };
+    let control =
+        Control { max_steps: TRIAL.min(plan.max_steps), cancel: Some(plan.cancel), ..Control::new(relative.clone(), absolute.clone()) };
     let run = integrate(&mut Dop853::new(), motion, 0.0, &mut state, plan.t_end, &control, &mut ());
     if !matches!(run.end, End::WorkLimit { .. } | End::StepTooSmall { .. }) {
         return false;
@@ -507,7 +506,8 @@ pub struct Growth {
 /// Log-slope of the window peaks over the second half of a flight; `None` when there are fewer than eight usable windows.
 pub fn growth(windows: &[Window]) -> Option<Growth> {
     let filled = windows.iter().take_while(|w| w.last.is_finite()).count();
-    let used: Vec<&Window> = windows[filled / 2..filled].iter().filter(|w| w.peak.amplitude > 0.0 && w.peak.amplitude.is_finite()).collect();
+    let used: Vec<&Window> =
+        windows[filled / 2..filled].iter().filter(|w| w.peak.amplitude > 0.0 && w.peak.amplitude.is_finite()).collect();
     if used.len() < 8 {
         return None;
     }
@@ -515,7 +515,9 @@ pub fn growth(windows: &[Window]) -> Option<Growth> {
     let (rate, error) = slope(&points);
     let half = points.len() / 2;
     let (first, second) = (slope(&points[..half]).0, slope(&points[half..]).0);
-    let spread = [(first - rate).abs(), (second - rate).abs(), 2.0 * error].into_iter().fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m });
+    let spread = [(first - rate).abs(), (second - rate).abs(), 2.0 * error]
+        .into_iter()
+        .fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m });
     let (a, b) = (used[0], used[used.len() - 1]);
     Some(Growth { rate, uncertainty: spread, frequency: (b.angle - a.angle) / (b.last - a.last), from: a.peak.t })
 }
