@@ -44,7 +44,7 @@ static ALLOCATOR: Counting = Counting;
 fn allocations(system: &System, law: SpinLaw, account: bool) -> u64 {
     let mut m = Motion::new(system, law).unwrap();
     if account {
-        m = m.with_account().ok().unwrap();
+        m.keep_account().unwrap();
     }
     let (y, mut dy) = (vec![1e-3; m.dim()], vec![0.0; m.dim()]);
     for i in 0..3 {

@@ -424,14 +424,10 @@ pub(super) fn energy_figure() -> Figure {
 }
 
 /// Adds the energy account, or says which part keeps none.
-pub(super) fn with_account(motion: Motion<'_>) -> (Motion<'_>, Option<Finding>) {
-    match motion.with_account() {
-        Ok(m) => (m, None),
-        Err((m, part)) => {
-            let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
-            (m, Some(Finding::info("no_energy_account", text)))
-        }
-    }
+pub(super) fn keep_account(motion: &mut Motion) -> Option<Finding> {
+    let part = motion.keep_account().err()?;
+    let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
+    Some(Finding::info("no_energy_account", text))
 }
 
 /// Reports time reached in thousandths.

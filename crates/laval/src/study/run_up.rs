@@ -117,7 +117,8 @@ impl Study for RunUp {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
-        let (mut motion, no_account) = history::with_account(Motion::new(system, SpinLaw::Programme(self.programme.clone()))?);
+        let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         history::apply(&self.initial, system, &mut y);
         let outputs = history::spaced(self.t_end, s.points);
