@@ -37,7 +37,8 @@ fn stiff(m: &mut Motion, y: &mut [f64], t0: f64, t1: f64, rel: f64, abs: f64) {
 
 /// Free-surface radius over cavity radius (1: empty), isotropic law, speed, wave damping, end time; x1, y1, their rates, x2, y2, surface x, y.
 /// Start with the rotor at x1 = 0.1 mm, all else zero. Two integrators of different order agree to 1e-12 m.
-const TRANSIENTS: [(f64, bool, f64, f64, f64, &[f64]); 5] = [
+type Row = (f64, bool, f64, f64, f64, &'static [f64]);
+const TRANSIENTS: [Row; 5] = [
     (1.0, false, 900.0, 0.0, 0.05, &[7.761583373e-05, -0.0004077428172, -0.1642139086, 0.03597835033, 9.844210423e-06, -0.0006128994052]),
     (1.0, true, 2900.0, 0.0, 0.05, &[-0.002842807891, -0.005332105167, 9.275644647, -8.98593985, 0.0002584650001, -0.001343361569]),
     (
@@ -191,7 +192,7 @@ fn random_state(m: &Motion, seed: u64) -> Vec<f64> {
         *y *= if i < n { 1e-3 } else { 1.0 };
     }
     if let Some(k) = m.spin_start() {
-        y[k + 1] = 150.0 + y[k + 1];
+        y[k + 1] += 150.0;
     }
     y
 }
@@ -599,7 +600,7 @@ fn circular_orbits_persist() {
                 (residual(d + c(0.0, h)) - residual(d - c(0.0, h))).scale(0.5 / h),
             );
             let det = a.re * b.im - a.im * b.re;
-            d = d - c((b.im * r.re - b.re * r.im) / det, (a.re * r.im - a.im * r.re) / det);
+            d -= c((b.im * r.re - b.re * r.im) / det, (a.re * r.im - a.im * r.re) / det);
         }
         let z2 = d.scale(1.1e7 + 8.7e10 * d.norm_sqr()) / k2;
         let z1 = z2 + d;

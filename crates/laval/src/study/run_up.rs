@@ -228,7 +228,7 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 fn prominent(amplitudes: &[f64]) -> Vec<usize> {
     let mut out = Vec::new();
     let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| {
-        side.find_map(|&a| if a > top { Some(false) } else { (a < PROMINENT * top).then_some(true) })
+        side.find_map(|&a| if a > top || a.is_nan() { Some(false) } else { (a < PROMINENT * top).then_some(true) })
     };
     for (i, &top) in amplitudes.iter().enumerate() {
         let left = falls(Box::new(amplitudes[..i].iter().rev()), top);
