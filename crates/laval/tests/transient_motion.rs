@@ -641,3 +641,30 @@ fn long_transients_from_rest() {
         assert!((y[0] - x).abs() < 2e-9 * size && (y[1] - z).abs() < 2e-9 * size, "{chi} {speed}: {:e} {:e}", y[0] - x, y[1] - z);
     }
 }
+
+/// Asked for an explicit method, a machine with memory says which part forbids it; left to itself it takes the implicit one.
+#[test]
+fn memory_needs_the_implicit_method() {
+    use laval::solve::motion::flight::{Choice, Plan, fly};
+    let system = with_memory(20, 1e7);
+    let mut m = motion(&system, constant(300.0));
+    let y = vec![0.0; m.dim()];
+    let mut plan = Plan {
+        t_end: 0.02,
+        choice: Choice::Explicit,
+        relative: 1e-6,
+        absolute: 1e-6,
+        outputs: &[0.0, 0.01, 0.02],
+        windows: 10,
+        kick: None,
+        max_steps: 10_000,
+        cancel: &|| false,
+        progress: &|_| {},
+    };
+    let d = fly(&mut m, &y, &plan).err().unwrap();
+    assert!(d.message.contains("\"shaft\"") && d.help.as_deref() == Some("use method = \"stiff\""), "{d}");
+    plan.choice = Choice::Auto;
+    let f = fly(&mut m, &y, &plan).unwrap();
+    assert!(f.stiff && f.run.end == End::Reached && f.times == [0.0, 0.01, 0.02]);
+    assert_eq!(f.states.len(), 3 * m.dim());
+}
