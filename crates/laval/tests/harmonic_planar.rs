@@ -20,6 +20,22 @@ fn folds_of_the_benchmark() {
     let branch = trace(&mut b, &x, 25.0, Direction::Up, &Settings::new(25.0, 8000.0), &mut []);
     let branch = branch.unwrap();
     println!("{:?} {:?} in {:?}", branch.end, branch.counters, t.elapsed());
+    let mut st = laval::solve::harmonic::floquet::Stability::new(&system).unwrap();
+    let t = std::time::Instant::now();
+    let mut kinds = [0; 3];
+    let mut r = vec![0.0; b.dim()];
+    let mut j = laval_num::dense::Mat::zeros(b.dim(), b.dim());
+    let mut prev = true;
+    for p in &branch.points {
+        b.eval(&p.x, p.p, &mut r, Some(&mut j), None).unwrap();
+        let e = st.exponents(&mut b, &p.x, p.p).unwrap();
+        kinds[e.method as usize] += 1;
+        if e.stable() != prev {
+            println!("change at {} {:?}", p.p, e);
+        }
+        prev = e.stable();
+    }
+    println!("stability {kinds:?} in {:?}", t.elapsed());
     for s in &branch.specials {
         println!("{:?} {:.10} {:?} {:?}", s.kind, s.point.p, s.status, s.fold);
     }

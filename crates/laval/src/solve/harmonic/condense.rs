@@ -9,7 +9,7 @@
 //! A reference stiffness S is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
-use crate::model::blocks::Grid;
+use crate::model::blocks::{Axes, Grid};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::system::System;
@@ -64,8 +64,7 @@ fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
         }
     }
     let size = dot(target, target).sqrt();
-    (dot(&rest, &rest).sqrt() < 1e-12 * size)
-        .then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
+    (dot(&rest, &rest).sqrt() < 1e-12 * size).then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
 }
 
 /// One order condensed at one speed, with derivatives in the speed.
@@ -129,6 +128,24 @@ impl Condenser {
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
     pub fn linear_states(&self) -> &[usize] {
         &self.model.states
+    }
+
+    /// Fills the memory states that belong to coordinates moving as `amplitude exp(s t)`.
+    pub fn memory_states(&self, system: &System, s: C64, coordinates: &[C64], states: &mut [C64]) {
+        let speed = self.model.blocks.speed.re;
+        for mem in &self.model.memory {
+            let map = &system.slots()[mem.slot].map;
+            let input = |i: usize| map[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + coordinates[g].scale(x));
+            for (k, z) in mem.list.iter().enumerate() {
+                let r = s + c(z.rate.re, 0.0);
+                let u = input(z.input);
+                states[mem.first + k] = match z.axes {
+                    Axes::Fixed => u * r.recip(),
+                    Axes::RotorX => (r * u - input(mem.list[k + 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                    Axes::RotorY => (r * u + input(mem.list[k - 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                };
+            }
+        }
     }
 
     /// Condenses order `k >= 0` of the base frequency.

@@ -6,6 +6,7 @@ use crate::model::erased::{D1, D8, Evaluate};
 use crate::model::part::{At, Rows, Uses};
 use crate::model::system::{System, gather, scatter};
 use laval_num::dense::Mat;
+use std::ops::Range;
 
 /// A nonlinear part seen from the balance: local coordinates over nonlinear ones, states among them.
 #[derive(Clone, Debug)]
@@ -15,9 +16,17 @@ pub struct Member {
     /// Local coordinates over the nonlinear coordinates.
     pub map: Vec<Vec<(usize, f64)>>,
     /// Index of its first state among the nonlinear coordinates; states follow the coordinates there.
-    pub states: std::ops::Range<usize>,
+    pub states: Range<usize>,
     /// What it reads.
     pub uses: Uses,
+}
+
+/// The instants rows are evaluated at: base phases, and what turns them into time.
+struct Instants<'a> {
+    m: usize,
+    angles: &'a [f64],
+    divisor: usize,
+    speed: f64,
 }
 
 /// Samples of forces and their tangents over nonlinear coordinates `u` (states included: their row is `z' - rate`).
@@ -51,8 +60,7 @@ impl Sampled {
         &self.u[derivative]
     }
 
-    /// Motion of unknowns `x` at base frequency `w`, rows and (with `tangents`) their tangents, of all `members`.
-    #[allow(clippy::too_many_arguments)]
+    /// Motion of unknowns `x` at a speed, rows and (with `tangents`) their tangents, of all `members` at all samples.
     pub fn eval(&mut self, system: &System, members: &[Member], terms: &Terms, x: &[f64], speed: f64, tangents: bool) {
         let (m, samples) = (terms.coordinates, terms.samples);
         let w = speed / terms.divisor as f64;
@@ -61,9 +69,23 @@ impl Sampled {
             self.u[d].resize(samples * m, 0.0);
             terms.synthesis[d].mul_vec_add(x, &mut self.u[d]);
             self.u[d].iter_mut().for_each(|v| *v *= factor);
-            if tangents {
-                self.tangent[d].reset(samples * m, m);
-            }
+        }
+        self.evaluate(system, members, &Instants { m, angles: &terms.angles, divisor: terms.divisor, speed }, tangents);
+    }
+
+    /// The same at one instant, base phase `tau`, where the coordinates and their derivatives are `u`.
+    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], speed: f64) {
+        for (own, u) in self.u.iter_mut().zip(u) {
+            own.clear();
+            own.extend_from_slice(u);
+        }
+        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }, true);
+    }
+
+    fn evaluate(&mut self, system: &System, members: &[Member], instants: &Instants, tangents: bool) {
+        let (m, samples) = (instants.m, instants.angles.len());
+        if tangents {
+            self.tangent.iter_mut().for_each(|t| t.reset(samples * m, m));
         }
         self.uses = [true, members.iter().any(|p| p.uses.velocity || !p.states.is_empty()), members.iter().any(|p| p.uses.acceleration)];
         self.rows.clear();
@@ -72,16 +94,17 @@ impl Sampled {
         self.rows_speed.resize(samples * m, 0.0);
         for member in members {
             for j in 0..samples {
-                self.member(system, member, terms, j, speed, tangents);
+                self.member(system, member, instants, j, tangents);
             }
         }
     }
 
-    fn member(&mut self, system: &System, member: &Member, terms: &Terms, j: usize, speed: f64, tangents: bool) {
+    fn member(&mut self, system: &System, member: &Member, instants: &Instants, j: usize, tangents: bool) {
         let slot = &system.slots()[member.slot];
-        let (m, range) = (terms.coordinates, j * terms.coordinates..(j + 1) * terms.coordinates);
-        let w = speed / terms.divisor as f64;
-        let (phase, t) = (terms.divisor as f64 * terms.angles[j], if w == 0.0 { 0.0 } else { terms.angles[j] / w });
+        let &Instants { m, angles, divisor, speed } = instants;
+        let range = j * m..(j + 1) * m;
+        let w = speed / divisor as f64;
+        let (phase, t) = (divisor as f64 * angles[j], if w == 0.0 { 0.0 } else { angles[j] / w });
         for (u, local) in self.u.iter().zip(&mut self.local) {
             gather(&member.map, &u[range.clone()], local);
         }
@@ -163,17 +186,15 @@ impl Sampled {
                 self.tangent[1][(range.start + i, i)] += 1.0;
             }
             if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
-                self.speed_derivative(system, member, terms, j, speed, phase, t);
+                self.speed_derivative(system, member, range, speed, phase, t);
             }
         }
-        debug_assert_eq!(m, range.len());
     }
 
     /// d rows / d speed with the unknowns fixed: rates grow with the base frequency, and the part may read the speed itself.
-    #[allow(clippy::too_many_arguments)]
-    fn speed_derivative(&mut self, system: &System, member: &Member, terms: &Terms, j: usize, speed: f64, phase: f64, t: f64) {
+    fn speed_derivative(&mut self, system: &System, member: &Member, range: Range<usize>, speed: f64, phase: f64, t: f64) {
         let slot = &system.slots()[member.slot];
-        let start = j * terms.coordinates;
+        let start = range.start;
         let per_speed = if speed == 0.0 { 0.0 } else { 1.0 / speed };
         let states = member.states.clone();
         self.params1.clear();
@@ -199,7 +220,7 @@ impl Sampled {
         let mut out = Rows { force: &mut self.force1, rate: &mut self.rate1, spin: &mut spin };
         D1::residual(&*slot.part, &self.params1, &at, &mut out, &mut self.blocks1);
         let force: Vec<f64> = self.force1.iter().map(|f| f.eps[0]).collect();
-        scatter(&member.map, &force, &mut self.rows_speed[start..start + terms.coordinates]);
+        scatter(&member.map, &force, &mut self.rows_speed[range]);
         for (i, r) in self.rate1.iter().enumerate() {
             let row = start + states.start + i;
             self.rows_speed[row] += self.u[1][row] * per_speed - r.eps[0];

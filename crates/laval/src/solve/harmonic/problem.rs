@@ -81,7 +81,8 @@ impl Nonlinear {
         }
         // pairs that do not stand side by side are treated as scalars
         let paired = |kinds: &[DofKind], i: usize| {
-            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair())) || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
+            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair()))
+                || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
         };
         let kinds_before = kinds.clone();
         for (i, kind) in kinds.iter_mut().enumerate() {
@@ -273,6 +274,11 @@ impl<'a> Balance<'a> {
     /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
     pub fn linear_states(&self) -> &[usize] {
         self.condenser.linear_states()
+    }
+
+    /// Memory states at `s` (1/s) that belong to amplitudes of the coordinates: eliminated in the balance, found again here.
+    pub fn memory_states(&self, s: C64, coordinates: &[C64], states: &mut [C64]) {
+        self.condenser.memory_states(self.system, s, coordinates, states);
     }
 
     /// Size of the unknowns.
