@@ -461,7 +461,7 @@ fn rounding(a: &Mat) -> f64 {
 }
 
 /// `[q v z]' = A [q v z]` from tangents.
-fn first_order(t: &Tangent) -> Result<Mat, Unjudged> {
+pub(super) fn first_order(t: &Tangent) -> Result<Mat, Unjudged> {
     let (n, m) = (t.a.rows(), t.rate_z.rows());
     let mut p = Mat::from_fn(n, 2 * n + m, |i, j| -match j {
         j if j < n => t.q[(i, j)],

@@ -4,4 +4,5 @@ pub mod floquet;
 pub mod nonlinear;
 pub mod orbit;
 pub mod problem;
+pub mod response;
 pub mod terms;
