@@ -1,5 +1,7 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod nonlinear_response;
+
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
@@ -90,7 +92,7 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![]
+    vec![kind::<nonlinear_response::NonlinearResponse>()]
 }
 
 /// The registry entry of a study.
