@@ -344,10 +344,14 @@ mod tests {
     fn figure_must_name_existing_columns_of_the_right_type() {
         let table = || Table::new("t", "").float("x", "m", "", vec![1.0]).text("s", "", vec!["a".into()]).build().unwrap();
         let with = |mark: Mark| {
-            Outcome::new("k", "n").table(table()).figure(Figure::new("f", "", "").panel(Panel::new(Axis::new("y", "")).mark(mark))).checked()
+            Outcome::new("k", "n")
+                .table(table())
+                .figure(Figure::new("f", "", "").panel(Panel::new(Axis::new("y", "")).mark(mark)))
+                .checked()
         };
         assert!(with(Line::new("t", "x", "x").into()).is_ok());
-        for bad in [Line::new("u", "x", "x"), Line::new("t", "x", "z"), Line::new("t", "x", "s"), Line::new("t", "x", "x").solid_where("x")] {
+        for bad in [Line::new("u", "x", "x"), Line::new("t", "x", "z"), Line::new("t", "x", "s"), Line::new("t", "x", "x").solid_where("x")]
+        {
             assert!(matches!(with(bad.into()), Err(OutcomeError::Reference { .. })));
         }
     }
