@@ -10,7 +10,7 @@ const RPM: f64 = 30.0 / PI;
 
 /// Steady response of a hardening oscillator: the frequency is explicit in the amplitude, so the curve folds back.
 fn response() -> Outcome {
-    let (w0, zeta, cubic, drive) = (300.0_f64, 0.02, 2.0e11, 0.12e-3);
+    let (w0, zeta, cubic, drive) = (300.0_f64, 0.11, 2.5e11, 0.12e-3);
     let (mut speed, mut amplitude, mut phase, mut stable, mut branch) = (vec![], vec![], vec![], vec![], vec![]);
     let mut folds = Vec::new();
     // s = w^2: (w0^2 + 3/4 k a^2 - s)^2 a^2 + (2 zeta w0)^2 s a^2 = (drive s)^2

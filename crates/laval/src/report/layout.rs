@@ -244,7 +244,7 @@ fn bar_ticks(h: &super::heat::HeatView, height: f64) -> Ticks {
         return h.axis.ticks((height / 42.0) as usize);
     }
     // each side of zero has its own scale
-    let side = |lo: f64, hi: f64| super::ticks::AxisView { lo, hi, ..h.axis.clone() }.ticks(3).major;
+    let side = |lo: f64, hi: f64| super::ticks::AxisView { lo, hi, ..h.axis.clone() }.ticks(4).major;
     let mut major = side(lo, 0.0);
     major.extend(side(0.0, hi).into_iter().filter(|t| t.0 > 0.0));
     // two scales write zero with different decimals

@@ -220,22 +220,19 @@ impl Build<'_> {
                     let of = groups.len();
                     for (shape, g) in groups.into_iter().enumerate() {
                         let colour = self.colour(&g.name, shape, of);
-                        for open in [false, true] {
+                        let sides = [false, true].map(|open| {
                             let fits = |i: &&usize| filled.as_ref().is_none_or(|f| f[**i]) != open;
-                            let points: Vec<_> = g.rows.iter().filter(fits).map(|i| (xs[*i], ys[*i])).collect();
-                            if !points.is_empty() {
-                                let entry = Some(self.entry(&g.name, colour, Glyph::Marker { shape, open }));
-                                let kind = Kind::Marker { shape, open };
-                                view.series.push(Series {
-                                    name: g.name.clone(),
-                                    state: String::new(),
-                                    kind,
-                                    colour,
-                                    points,
-                                    entry,
-                                    reference: false,
-                                });
-                            }
+                            g.rows.iter().filter(fits).map(|i| (xs[*i], ys[*i])).collect::<Vec<_>>()
+                        });
+                        let both = sides.iter().all(|s| !s.is_empty());
+                        for (open, points) in [false, true].into_iter().zip(sides).filter(|s| !s.1.is_empty()) {
+                            // the name of the flag tells filled from open markers
+                            let flag = m.filled_where.as_ref().filter(|_| both || open).map(|f| f.replace('_', " "));
+                            let parts = [g.name.clone(), flag.map_or(String::new(), |f| format!("{}{f}", if open { "not " } else { "" }))];
+                            let name = parts.into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(", ");
+                            let kind = Kind::Marker { shape, open };
+                            let entry = Some(self.entry(&name, colour, Glyph::Marker { shape, open }));
+                            view.series.push(Series { name, state: String::new(), kind, colour, points, entry, reference: false });
                         }
                     }
                 }
@@ -263,7 +260,11 @@ impl Build<'_> {
                         self.values(&m.table, &m.y, fy),
                         self.values(&m.table, &m.value, m.colours.factor),
                     );
-                    let rows: Vec<_> = x.into_iter().zip(y).zip(v).map(|((x, y), v)| (x, y, v)).collect();
+                    // what a logarithmic axis cannot show is left out
+                    let fits = |v: f64, scale: Scale| scale == Scale::Linear || v > 0.0;
+                    let scales = (self.figure.x.scale, panel.y.scale, m.colours.scale);
+                    let rows = x.into_iter().zip(y).zip(v).map(|((x, y), v)| (x, y, v));
+                    let rows: Vec<_> = rows.filter(|r| fits(r.0, scales.0) && fits(r.1, scales.1) && fits(r.2, scales.2)).collect();
                     let (xs, ys, values) = HeatView::grid(&rows);
                     let mut range = extent(values.iter().copied(), m.colours.scale == Scale::Log);
                     if let (true, Some((lo, hi))) = (m.diverging, range) {

@@ -43,23 +43,19 @@ pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, inside: Option<&str
     let mut s = String::new();
     let (sw, sh) = (px(lay.w), px(lay.h));
     let class = if w < 500.0 { "narrow" } else { "wide" };
+    let (title, alt) = (escape(&figure.title), escape(&figure.alt));
     let _ = write!(
         s,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {sw} {sh}" role="img" aria-labelledby="{id}-t {id}-d" font-family="{FONT}" font-size="{TICK}" fill="none""#
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {sw} {sh}" role="img" font-family="{FONT}" font-size="{TICK}" fill="none""#
     );
     if alone {
-        let _ = write!(s, r#" width="{sw}" height="{sh}""#);
-    } else {
-        let _ = write!(s, r#" class="{class}" data-x="{}" data-w="{}""#, px(lay.x0), px(lay.pw));
-    }
-    let _ = write!(s, r#"><title id="{id}-t">{}</title><desc id="{id}-d">{}</desc>"#, escape(&figure.title), escape(&figure.alt));
-    if alone {
-        s = s.replace(&format!(r#"<desc id="{id}-d">"#), "<desc>").replace(&format!(r#" aria-labelledby="{id}-t {id}-d""#), "");
         let _ = write!(
             s,
-            r##"<rect width="{sw}" height="{sh}" fill="#ffffff"/><text x="6" y="20" font-size="{TITLE}" font-weight="bold" fill="{INK}">{}</text>"##,
-            escape(&figure.title)
+            r##" width="{sw}" height="{sh}"><title>{title}</title><desc>{alt}</desc><rect width="{sw}" height="{sh}" fill="#ffffff"/><text x="6" y="20" font-size="{TITLE}" font-weight="bold" fill="{INK}">{title}</text>"##
         );
+    } else {
+        // a title element would pop up over the whole drawing
+        let _ = write!(s, r#" class="{class}" data-x="{}" data-w="{}" aria-label="{title}. {alt}">"#, px(lay.x0), px(lay.pw));
     }
     for (i, (p, b)) in scene.panels.iter().zip(&lay.panels).enumerate() {
         panel(&mut s, scene, p, b, &lay, &format!("{id}-{i}"), i, i + 1 == scene.panels.len());
@@ -252,7 +248,7 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
             );
         }
         Kind::Marker { shape, open } => {
-            let kept: Vec<_> = thin::cloud(points, 0.5).into_iter().map(|i| points[i]).collect();
+            let kept: Vec<_> = thin::cloud(points, 1.0).into_iter().map(|i| points[i]).collect();
             if kept.len() > DOTS {
                 let d: String = kept.iter().map(|q| format!("M{} {}h0", px(q.0), px(q.1))).collect();
                 let _ = write!(
@@ -342,4 +338,65 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
         _ => {}
     }
     let _ = write!(s, r#"<text class="t" x="{}" y="{}" fill="{INK}">{}</text></g>"#, px(x + 30.0), px(y), escape(text));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outcome::{Axis, Heat, Line, Panel, Points, Rule};
+
+    fn table(ys: Vec<f64>) -> Table {
+        let n = ys.len();
+        let xs = (0..n).map(|i| i as f64).collect();
+        Table::new("t", "").float("x", "s", "", xs).float("y", "m", "", ys).text("g", "", vec!["<g>".into(); n]).build().unwrap()
+    }
+
+    fn with(mark: impl Into<crate::outcome::Mark>, y: Axis) -> Figure {
+        Figure::new("f", "T <1>", "A & B").x(Axis::new("x<", "s")).panel(Panel::new(y).mark(mark))
+    }
+
+    #[test]
+    fn words_are_escaped_and_the_bytes_repeat() {
+        let figure = Figure::new("f", "<t>", "<d>").x(Axis::new("<x>", "<u>")).panel(
+            Panel::new(Axis::new("<y>", ""))
+                .mark(Points::new("t", "x", "y").group("g").name("<n>"))
+                .mark(Rule::x(1.0, "<r>"))
+                .mark(crate::outcome::Text::new(1.0, 1.0, "<w>")),
+        );
+        let svg = draw(&figure, &[table(vec![1.0, 2.0, 3.0])]).unwrap();
+        for word in ["t", "d", "x", "u", "y", "n", "r", "w"] {
+            assert!(!svg.contains(&format!("<{word}>")), "{word}");
+            assert!(svg.contains(&format!("&lt;{word}&gt;")), "{word}");
+        }
+        assert_eq!(svg, draw(&figure, &[table(vec![1.0, 2.0, 3.0])]).unwrap());
+    }
+
+    #[test]
+    fn no_coordinate_is_nan_and_gaps_break_lines() {
+        for ys in [vec![1.0, f64::NAN, 2.0, 0.0, -1.0, f64::INFINITY, 5.0, 6.0], vec![], vec![f64::NAN; 4], vec![3.0]] {
+            for y in [Axis::new("y", "m"), Axis::log("y", "m")] {
+                for figure in
+                    [with(Line::new("t", "x", "y"), y.clone()), with(Heat::new("t", "x", "x", "y", y.clone()).contour(1.0), y.clone())]
+                {
+                    let svg = draw(&figure, &[table(ys.clone())]).unwrap();
+                    assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+                }
+            }
+        }
+        let line = path(&[(0.0, 0.0), (5.0, 5.0), (f64::NAN, 0.0), (9.0, 9.0), (12.0, 1.0)], 1.0);
+        assert_eq!(line, "M0 0L5 5M9 9L12 1");
+    }
+
+    #[test]
+    fn an_empty_figure_says_so() {
+        let svg = draw(&with(Line::new("t", "x", "y"), Axis::new("y", "")), &[table(vec![f64::NAN; 3])]).unwrap();
+        assert!(svg.contains("no data in this range"));
+    }
+
+    #[test]
+    fn long_histories_are_thinned() {
+        let ys: Vec<f64> = (0..200_000).map(|i| (i as f64 * 0.1).sin()).collect();
+        let svg = draw(&with(Line::new("t", "x", "y"), Axis::new("y", "")), &[table(ys)]).unwrap();
+        assert!(svg.len() < 60_000, "{}", svg.len());
+    }
 }

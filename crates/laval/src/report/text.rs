@@ -65,7 +65,8 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
             _ => 0.57,
         })
         .sum();
-    units * size
+    // fonts differ by some percent; labels must not run out of the drawing in the widest common one
+    1.06 * units * size
 }
 
 /// The text, cut with an ellipsis when wider than `room`.

@@ -229,3 +229,114 @@ impl Writer<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Table};
+    use crate::report::Provenance;
+
+    struct Dir(PathBuf);
+
+    impl Dir {
+        fn new(name: &str) -> Dir {
+            let dir = std::env::temp_dir().join(format!("laval-write-{}-{name}", std::process::id()));
+            let _ = fs::remove_dir_all(&dir);
+            Dir(dir)
+        }
+    }
+
+    impl Drop for Dir {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn report(names: &[&str]) -> Report {
+        let outcome = |name: &&str| {
+            let table = Table::new("t", "").float("x", "m", "", vec![1.0, f64::NAN]).build().unwrap();
+            let figure = Figure::new("f", "", "").panel(Panel::new(Axis::new("", "")).mark(Line::new("t", "x", "x")));
+            Outcome::new("k", *name).table(table).figure(figure).finding(Finding::info("i", "Value {}.").value(f64::NAN, "m").evidence(
+                "e",
+                f64::INFINITY,
+                "",
+            ))
+        };
+        Report { machine: "m".into(), provenance: Provenance::default(), input: None, outcomes: names.iter().map(outcome).collect() }
+    }
+
+    #[test]
+    fn names_stay_inside_and_apart() {
+        let dir = Dir::new("names");
+        let files = write(&dir.0, &report(&["../up", "up", "Up", "figures"]), &[Format::Csv, Format::Svg]).unwrap();
+        let names: Vec<_> = files.iter().map(|f| f.strip_prefix(&dir.0).unwrap().to_str().unwrap().to_string()).collect();
+        assert_eq!(
+            names,
+            [
+                "up/t.csv",
+                "figures/up-f.svg",
+                "up-2/t.csv",
+                "figures/up-2-f.svg",
+                "Up-3/t.csv",
+                "figures/Up-3-f.svg",
+                "figures-2/t.csv",
+                "figures/figures-2-f.svg"
+            ]
+        );
+        assert!(files.iter().all(|f| f.is_file()));
+    }
+
+    #[test]
+    fn no_part_stays_and_the_same_run_gives_the_same_bytes() {
+        let dir = Dir::new("same");
+        let read = |files: &[PathBuf]| files.iter().map(|f| fs::read(f).unwrap()).collect::<Vec<_>>();
+        let first = read(&write(&dir.0, &report(&["a"]), Format::ALL).unwrap());
+        let files = write(&dir.0, &report(&["a"]), Format::ALL).unwrap();
+        assert!(first == read(&files));
+        let on_disk = ["", "a", "figures"]
+            .iter()
+            .map(|d| fs::read_dir(dir.0.join(d)).unwrap().filter(|e| e.as_ref().unwrap().path().is_file()).count());
+        assert_eq!(on_disk.sum::<usize>(), files.len());
+    }
+
+    #[test]
+    fn a_failure_names_the_path_and_keeps_what_was_written() {
+        let dir = Dir::new("fail");
+        fs::create_dir_all(dir.0.join("results.json")).unwrap();
+        let error = write(&dir.0, &report(&["a"]), Format::ALL).unwrap_err();
+        let WriteError::Io { path, written, .. } = &error else { panic!("{error}") };
+        assert_eq!(path, &dir.0.join("results.json"));
+        assert!(!written.is_empty() && written.iter().all(|f| f.is_file()));
+        assert!(error.to_string().contains("results.json") && error.to_string().contains("complete"));
+        let file = dir.0.join("file");
+        fs::write(&file, "").unwrap();
+        assert!(matches!(write(&file, &report(&["a"]), Format::ALL), Err(WriteError::Io { .. })));
+    }
+
+    #[test]
+    fn json_has_null_for_numbers_that_are_none() {
+        let text = json(&report(&["a"]));
+        let v: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let finding = &v["studies"][0]["findings"][0];
+        assert!(finding["value"].is_null() && finding["evidence"][0]["value"].is_null());
+        assert_eq!(finding["text"], "Value not a number.");
+        assert_eq!(v["studies"][0]["tables"][0]["file"], "a/t");
+        let keys: Vec<&String> = v["studies"][0].as_object().unwrap().keys().collect();
+        assert_eq!(keys, ["kind", "name", "end", "parameter", "findings", "special_points", "tables", "figures", "work"]);
+    }
+
+    #[test]
+    fn contradictions_are_found_before_anything_is_written() {
+        let dir = Dir::new("check");
+        let mut r = report(&["a"]);
+        r.outcomes[0].tables.clear();
+        assert!(matches!(write(&dir.0, &r, Format::ALL), Err(WriteError::Outcome { .. })));
+        assert!(!dir.0.exists());
+    }
+
+    #[test]
+    fn formats_by_word() {
+        assert_eq!("svg".parse(), Ok(Format::Svg));
+        assert!("pdf".parse::<Format>().unwrap_err().contains("json, csv"));
+    }
+}
