@@ -60,7 +60,10 @@ impl AxisView {
 }
 
 fn linear(lo: f64, hi: f64, most: usize, exponent: i32) -> Ticks {
-    let step = step(hi - lo, most);
+    // at least three labels, else the scale cannot be read
+    let inside = |s: f64| (hi / s + 1e-6).floor() - (lo / s - 1e-6).ceil() + 1.0;
+    let mut steps = (most..most + 6).map(|m| step(hi - lo, m));
+    let step = steps.find(|s| inside(*s) >= 3.0).unwrap_or_else(|| step(hi - lo, most));
     let decimals = (-(step / 10f64.powi(exponent)).log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
     let (first, last) = ((lo / step - 1e-6).ceil() as i64, (hi / step + 1e-6).floor() as i64);
     let major = (first..=last.min(first + 100))
@@ -137,7 +140,8 @@ mod tests {
         assert_eq!(labels(0.0, 1.0, false, 5), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(labels(-3.0, 3.0, false, 6), ["−3", "−2", "−1", "0", "1", "2", "3"]);
         assert_eq!(labels(0.0, 8000.0, false, 5), ["0", "2000", "4000", "6000", "8000"]);
-        assert_eq!(labels(25.0, 130.0, false, 4), ["50", "100"]);
+        assert_eq!(labels(25.0, 130.0, false, 4), ["40", "60", "80", "100", "120"]);
+        assert_eq!(labels(-450.0, 450.0, false, 3), ["−400", "−200", "0", "200", "400"]);
     }
 
     #[test]

@@ -51,7 +51,10 @@ function ticks(ax, lo, hi, most) {
     return inside.filter((t, i) => i % stride === 0).map(([m, d, v]) =>
       [v, plain ? v.toFixed(Math.max(0, -d)) : d > 1 || d < 0 ? (m > 1 ? m + "·" : "") + power(d) : String(v)]);
   }
-  const s = step(hi - lo, most), e = Math.pow(10, ax.e), out = [];
+  const inside = s => Math.floor(hi / s + 1e-6) - Math.ceil(lo / s - 1e-6) + 1;
+  let s = step(hi - lo, most);
+  for (let m = most + 1; inside(s) < 3 && m < most + 6; m++) s = step(hi - lo, m);
+  const e = Math.pow(10, ax.e), out = [];
   const digits = Math.min(12, Math.max(0, Math.ceil(-Math.log10(s / e) - 1e-9)));
   for (let k = Math.ceil(lo / s - 1e-6); k <= hi / s + 1e-6 && out.length < 60; k++) {
     let label = (k * s / e).toFixed(digits);
