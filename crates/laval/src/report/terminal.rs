@@ -57,7 +57,10 @@ fn study(o: &Outcome, how: Terminal) -> String {
         let first = f.evidence.first().map(|e| format!(" ({} {})", plain(&e.what), quantity(e.value, &e.unit)));
         // evidence only where it does not push the finding beyond two lines
         if let Some(e) = first.filter(|e| text.chars().count() + e.chars().count() < 2 * how.width.saturating_sub(8)) {
-            text.push_str(&e);
+            match text.strip_suffix('.') {
+                Some(open) => text = format!("{open}{e}."),
+                None => text.push_str(&e),
+            }
         }
         wrap(&mut out, &sign, length, &text, how.width);
     }
@@ -124,8 +127,16 @@ mod tests {
         let text = print(o.clone(), Terminal { width: 60, colour: false });
         assert!(text.lines().all(|l| l.chars().count() <= 60), "{text}");
         assert_eq!(text.matches("  ! ").count(), 2);
+        // evidence is left out where it would make a third line of it
+        assert!(text.ends_with("casing.\n"), "{text}");
         assert!(!text.contains('\x1b'));
         assert!(print(o, Terminal { width: 60, colour: true }).contains("\x1b[33m!\x1b[0m"));
+    }
+
+    #[test]
+    fn evidence_stands_inside_the_sentence() {
+        let o = Outcome::new("k", "n").finding(Finding::info("p", "The peak is {}.").value(8.8e-4, "m").evidence("residual", 3e-9, "N"));
+        assert_eq!(print(o, Terminal::default()), "n\n  The peak is 880 µm (residual 3·10⁻⁹ N).\n");
     }
 
     #[test]
