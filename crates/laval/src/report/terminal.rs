@@ -106,9 +106,9 @@ fn wrap(out: &mut String, sign: &str, sign_length: usize, text: &str, width: usi
 
 #[cfg(test)]
 mod tests {
+    use super::super::Provenance;
     use super::*;
     use crate::outcome::{End, Finding};
-    use crate::report::Provenance;
 
     fn print(o: Outcome, how: Terminal) -> String {
         terminal(&Report { machine: "m".into(), provenance: Provenance::default(), input: None, outcomes: vec![o] }, how)

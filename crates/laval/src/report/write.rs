@@ -232,9 +232,9 @@ impl Writer<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Provenance;
     use super::*;
     use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Table};
-    use crate::report::Provenance;
 
     struct Dir(PathBuf);
 

@@ -264,7 +264,7 @@ class Figure {
     const [x, y] = this.at(v, e), i = this.panelAt(v, x, y);
     if (i < 0) return;
     this.drag = { i, x, y };
-    v.svg.setPointerCapture(e.pointerId);
+    if (e.isTrusted) v.svg.setPointerCapture(e.pointerId);
   }
 
   // The rectangle chosen so far; a flat one chooses a range of x only.
@@ -398,11 +398,15 @@ class Figure {
   // Runs through zoom, readout, switches and keys.
   exercise() {
     const v = this.visible(), before = v.svg.querySelector("g.p").innerHTML;
-    this.x = [0.2, 0.6]; this.y[0] = [0.1, 0.9];
-    this.redraw();
-    if (/NaN|undefined/.test(v.svg.innerHTML)) throw new Error("zoomed drawing holds NaN");
     const r = v.svg.getBoundingClientRect(), k = r.width / v.svg.viewBox.baseVal.width, p = v.panels[0];
-    for (let a = 0.1; a < 1; a += 0.2) this.move(v, { clientX: r.left + (v.x0 + a * v.w) * k, clientY: r.top + (p.y0 + a * p.h) * k });
+    const event = (a, b) => ({ button: 0, target: v.svg, clientX: r.left + (v.x0 + a * v.w) * k, clientY: r.top + (p.y0 + b * p.h) * k });
+    this.down(v, event(0.2, 0.1));
+    this.move(v, event(0.4, 0.5));
+    this.up(v, event(0.6, 0.9));
+    if (Math.abs(this.x[0] - 0.2) + Math.abs(this.x[1] - 0.6) + Math.abs(this.y[0][0] - 0.1) > 0.01) throw new Error("dragging does not zoom");
+    if (v.svg.querySelector("g.p").innerHTML === before) throw new Error("zoom draws nothing new");
+    if (/NaN|undefined/.test(v.svg.innerHTML)) throw new Error("zoomed drawing holds NaN");
+    for (let a = 0.1; a < 1; a += 0.2) this.move(v, event(a, a));
     for (const key of ["ArrowRight", "ArrowDown", "+", "-", "0"]) this.key({ key, target: this.box, preventDefault() {} });
     const g = v.svg.querySelector(".lg[role]");
     if (g) { this.toggle(+g.dataset.k); this.toggle(+g.dataset.k); }
