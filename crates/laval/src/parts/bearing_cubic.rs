@@ -118,3 +118,23 @@ impl Part for BearingCubic {
         }
     }
 }
+
+#[cfg(test)]
+fn joint() -> Link {
+    use crate::model::field::Attach;
+    Link::Between(Attach::on("drum"), Attach::on("base"))
+}
+
+crate::conformance! {
+    BearingCubic {
+        per_axis: BearingCubic::per_axis(joint()),
+            BearingCubicParams { stiffness: [1.1e7, 0.9e7], cubic_stiffness: [8.7e10, 5e10], valid_to: 1e-2 },
+            Options { length: 0.01, ..Options::anisotropic() };
+        per_axis_equal: BearingCubic::per_axis(joint()),
+            BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 0.0 },
+            Options { length: 0.01, ..Options::anisotropic() };
+        isotropic: BearingCubic::isotropic(joint()),
+            BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 1e-2 },
+            Options { length: 0.01, ..Options::default() };
+    }
+}

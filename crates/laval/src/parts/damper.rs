@@ -99,3 +99,17 @@ impl Part for Damper {
         out.push(Observed { name: "force", unit: "N", value: (p.damping[0] * slip.re).hypot(p.damping[1] * slip.im) });
     }
 }
+
+#[cfg(test)]
+fn to_ground() -> Link {
+    use crate::model::field::Attach;
+    Link::Between(Attach::on("drum"), Attach::ground())
+}
+
+crate::conformance! {
+    Damper {
+        fixed: Damper::fixed(to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
+        fixed_anisotropic: Damper::fixed(to_ground()), DamperParams { damping: [42.0, 10.0] }, Options::anisotropic();
+        rotating: Damper::rotating(to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
+    }
+}

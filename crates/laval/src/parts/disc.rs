@@ -200,3 +200,17 @@ impl Disc {
         p.polar_inertia + u * u / p.mass + skew
     }
 }
+
+crate::conformance! {
+    Disc {
+        planar: Disc::planar(),
+            DiscParams { mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscFamily::defaults() },
+            Options::default();
+        tilting: Disc::tilting(),
+            DiscParams {
+                mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
+                skew: 0.02, skew_phase: -0.4, centre_of_mass: 0.06,
+            },
+            Options::default();
+    }
+}
