@@ -304,9 +304,10 @@ impl<'a, P: Part> Bench<'a, P> {
                     y[j] += k * h;
                     y
                 };
-                let side = self.switches(&moved(2.0));
-                if [-2.0, -1.0, 1.0].iter().any(|&k| self.switches(&moved(k)) != side) {
-                    continue; // the step crosses a declared switching surface
+                // differences are good only away from the declared switching surfaces, where higher derivatives may be large
+                let side = self.switches(&moved(32.0));
+                if [-32.0, -2.0, 0.0, 2.0].iter().any(|&k| self.switches(&moved(k)) != side) {
+                    continue;
                 }
                 tried[j] = true;
                 let f = [-2.0, -1.0, 1.0, 2.0].map(|k| self.eval(&moved(k)));
