@@ -46,19 +46,26 @@ fn sources() -> Vec<Source> {
     found
 }
 
-/// Code lines, numbered from 1: whole-line comments are dropped, trailing ones cut, and everything from the unit tests on left out.
+/// Code lines, numbered from 1: whole-line comments are dropped, trailing ones cut, lists after `crate::{` joined to one line, and
+/// everything from the unit tests on left out.
 fn code(text: &str) -> Vec<(usize, String)> {
     let lines: Vec<&str> = text.lines().collect();
     let test_module = |i: usize| {
-        lines[i].trim() == "#[cfg(test)]" && lines.get(i + 1).is_some_and(|l| l.trim().starts_with("mod ") && l.trim().ends_with('{'))
+        let next = lines.get(i + 1).map_or("", |l| l.trim());
+        lines[i].trim() == "#[cfg(test)]" && next.starts_with("mod ") && next.ends_with('{')
     };
     let end = (0..lines.len()).find(|&i| test_module(i)).unwrap_or(lines.len());
-    lines[..end]
-        .iter()
-        .enumerate()
-        .filter(|(_, l)| !l.trim_start().starts_with("//"))
-        .map(|(i, l)| (i + 1, l.split(" // ").next().unwrap_or_default().to_string()))
-        .collect()
+    let mut out: Vec<(usize, String)> = Vec::new();
+    for (i, line) in lines[..end].iter().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
+        let line = line.split(" // ").next().unwrap_or_default();
+        match out.last_mut() {
+            Some((_, last)) if last.contains("crate::{") && last.matches('{').count() > last.matches('}').count() => {
+                last.push_str(line.trim())
+            }
+            _ => out.push((i + 1, line.to_string())),
+        }
+    }
+    out
 }
 
 /// Modules named after `crate::` in a line, also inside braces.
@@ -146,6 +153,9 @@ fn the_rules_can_be_broken() {
     assert_eq!(forbidden("solve", "use crate::{model::part::At, outcome::Outcome};").as_deref(), Some("outcome"));
     assert_eq!(forbidden("parts", "use crate::solve::X;").as_deref(), Some("solve"));
     assert_eq!(forbidden("study", "use crate::{diagnostic::Diagnostic, outcome::Outcome};"), None);
+    let list = code("use crate::{\n    model::part::{At, Rows},\n    outcome::Outcome,\n};\nfn f() {}");
+    assert_eq!(list.len(), 2);
+    assert_eq!(forbidden("solve", &list[0].1).as_deref(), Some("outcome"));
     assert_eq!(named("    \"disc\" => 1,", &["disc"]), Some("disc"));
     assert_eq!(named("    .help(\"kind = \\\"disc\\\"\")", &["disc"]), None);
     assert_eq!(code("let a = 1;\n// crate::x\n#[cfg(test)]\nmod tests {\nuse crate::parts;\n}").len(), 1);
