@@ -77,8 +77,14 @@ fn used(line: &str) -> Vec<String> {
             continue;
         }
         let rest = &line[at + "crate::".len()..];
-        let mut names = rest.strip_prefix('{').map_or(vec![rest], |list| list.split(',').collect());
-        for name in names.drain(..) {
+        // names at the outermost level of a list
+        let mut depth = 0;
+        let outermost = |c: char| {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            c == ',' && depth == 0
+        };
+        let names: Vec<&str> = rest.strip_prefix('{').map_or(vec![rest], |list| list.split(outermost).collect());
+        for name in names {
             let word: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
             if !word.is_empty() {
                 out.push(word);

@@ -240,10 +240,10 @@ impl<'a, P: Part> Bench<'a, P> {
         value.iter().enumerate().map(|(i, f)| f.abs() + term(i)).collect()
     }
     fn compare(&mut self, promise: Promise, what: &str, a: &[f64], b: &[f64], size: &[f64], tolerance: f64) {
-        for i in 0..a.len().max(b.len()) {
-            let (x, y) = (a.get(i).copied().unwrap_or(f64::NAN), b.get(i).copied().unwrap_or(f64::NAN));
-            if !within(x - y, tolerance, size[i]) {
-                let text = format!("{what}: {} is {x:e}, expected {y:e} (size {:e})", self.output_name(i), size[i]);
+        debug_assert_eq!(a.len(), b.len());
+        for (i, ((x, y), size)) in a.iter().zip(b).zip(size).enumerate() {
+            if !within(x - y, tolerance, *size) {
+                let text = format!("{what}: {} is {x:e}, expected {y:e} (size {size:e})", self.output_name(i));
                 return self.fail(promise, text);
             }
         }
@@ -397,8 +397,8 @@ impl<'a, P: Part> Bench<'a, P> {
             for j in 0..2 * n {
                 moving[j].eps[0] = x[n + j];
             }
-            for j in 2 * n..3 * n {
-                moving[j].eps[0] = self.scale[j] * self.options.rate * random.next();
+            for (a, scale) in moving[2 * n..3 * n].iter_mut().zip(&self.scale[2 * n..]) {
+                a.eps[0] = scale * self.options.rate * random.next();
             }
             for j in 0..m {
                 moving[3 * n + j].eps[0] = f[n + j];

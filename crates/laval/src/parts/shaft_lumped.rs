@@ -125,13 +125,13 @@ impl Part for ShaftLumped {
     }
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let k = Self::matrix(p);
-        for i in 0..self.size() {
+        for (i, row) in k.iter().enumerate().take(self.size()) {
             for j in 0..self.size() {
-                b.stiffness[(i, j)] = k[i][j];
+                b.stiffness[(i, j)] = row[j];
                 if self.damped {
-                    b.damping[(i, j)] = p.material_damping * k[i][j];
+                    b.damping[(i, j)] = p.material_damping * row[j];
                     // -b K R: column j of K R is the partner column of K
-                    let turned = if j % 2 == 0 { k[i][j + 1] } else { -k[i][j - 1] };
+                    let turned = if j % 2 == 0 { row[j + 1] } else { -row[j - 1] };
                     b.circulatory[(i, j)] = -(p.material_damping * turned);
                 }
             }

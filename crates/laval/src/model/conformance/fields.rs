@@ -27,16 +27,18 @@ pub fn check_fields<P: Part>() -> Vec<Failure> {
                 fail(format!("field \"{}\" has an unreadable unit \"{unit}\"", f.name));
             }
         }
-        if let FieldKind::Choice(words) = f.kind {
-            if !f.required && !words.iter().any(|w| w.0 == f.default) {
-                fail(format!("default \"{}\" of \"{}\" is none of its words", f.default, f.name));
-            }
+        if let FieldKind::Choice(words) = f.kind
+            && !f.required
+            && !words.iter().any(|w| w.0 == f.default)
+        {
+            fail(format!("default \"{}\" of \"{}\" is none of its words", f.default, f.name));
         }
     }
     let slot_required = |name: &str| P::Family::FIELDS.iter().any(|f| f.required && name.split('.').next() == Some(f.name));
     for (slot, value) in P::Family::slots().iter().zip(P::Family::to_vec(&P::Family::defaults())) {
         let Bounds { min, max, .. } = slot.bounds;
-        if !(min <= max) || slot_required(&slot.name) != value.is_nan() || !(value.is_nan() || slot.bounds.contains(value)) {
+        let (ordered, required) = (min <= max, slot_required(&slot.name));
+        if !ordered || required != value.is_nan() || !(required || slot.bounds.contains(value)) {
             fail(format!("default {value} of \"{}\" does not fit its bounds", slot.name));
         }
     }
