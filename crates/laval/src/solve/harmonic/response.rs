@@ -285,10 +285,9 @@ fn judge(
     if stability.is_some() && request.stability {
         for i in 1..points.len() {
             let (a, b) = (&points[i - 1], &points[i]);
-            if a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i) {
-                if let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1, &mut r, &mut jac) {
-                    changes.push(c);
-                }
+            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i);
+            if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1, &mut r, &mut jac) {
+                changes.push(c);
             }
         }
     }
