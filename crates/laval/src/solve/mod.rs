@@ -1,1 +1,7 @@
-//! (empty)
+//! Solving: equilibria, spectra, responses. An analysis knows the system and no concrete part.
+
+pub mod characteristic;
+pub mod pencil;
+pub mod rest;
+pub mod sectors;
+pub mod turning;

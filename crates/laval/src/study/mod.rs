@@ -1,5 +1,8 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod modes;
+pub mod support;
+
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
@@ -90,7 +93,7 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![]
+    vec![kind::<modes::Modes>()]
 }
 
 /// The registry entry of a study.
