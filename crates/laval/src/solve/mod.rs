@@ -1,8 +1,10 @@
-//! Solving: equilibria, spectra, responses. An analysis knows the system and no concrete part.
+//! Solving: equilibria, spectra, responses, motions. An analysis knows the system and no concrete part.
 
 pub mod characteristic;
 pub mod harmonic;
+pub mod motion;
 pub mod pencil;
+pub mod programme;
 pub mod rest;
 pub mod sectors;
 pub mod symmetry;
