@@ -5,7 +5,14 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
+use laval::model::system::System;
+use laval::solve::harmonic::floquet::Stability;
+use laval::solve::harmonic::orbit::Orbit;
+use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response::{Request, Response, respond};
+use laval_num::continuation::Zero;
+use laval_num::dense::Mat;
+use laval_num::newton::{Options, newton};
 use std::sync::atomic::AtomicBool;
 
 /// A rotor on a cubic bearing on a foundation.
@@ -95,4 +102,61 @@ pub fn run(builder: Builder, request: Request) -> Response {
     static NEVER: AtomicBool = AtomicBool::new(false);
     let system = builder.build().unwrap_or_else(|d| panic!("{:?}", d.0));
     respond(&system, &request, &NEVER, &|_| {}).unwrap()
+}
+
+/// States of all branches at one speed, corrected there: unknowns of the response's discretisation, with the moduli the tables give.
+pub struct Found {
+    /// Unknowns.
+    pub x: Vec<f64>,
+    /// |Z_1| of drum and base.
+    pub z: [f64; 2],
+    /// |Z_1| of the deflection.
+    pub deflection: f64,
+    /// Backward third order of the drum.
+    pub minus3: f64,
+    /// Largest growth rate.
+    pub growth: f64,
+}
+
+/// Moduli of a motion.
+pub fn moduli(orbit: &Orbit) -> ([f64; 2], f64, f64) {
+    let (a, b) = (orbit.whirl(0, 1).0, orbit.whirl(2, 1).0);
+    ([a.abs(), b.abs()], (a - b).abs(), orbit.whirl(0, 3).1.abs())
+}
+
+/// All states of the response at a speed.
+pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed: f64, stability: bool) -> Vec<Found> {
+    let mut balance = Balance::new(system, response.discretisation, range, None).unwrap();
+    let mut judge = Stability::new(system).unwrap();
+    let mut out: Vec<Found> = Vec::new();
+    let n = balance.dim();
+    let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
+    for w in response.branches.iter().flat_map(|b| b.points.windows(2)) {
+        let (a, b) = (w[0].speed, w[1].speed);
+        if (a - speed) * (b - speed) > 0.0 || a == b {
+            continue;
+        }
+        let t = (speed - a) / (b - a);
+        let mut x: Vec<f64> = w[0].x.iter().zip(&w[1].x).map(|(p, q)| p + t * (q - p)).collect();
+        let options = Options { to_rounding: true, ..Options::default() };
+        newton(&mut balance, &mut x, speed, &options).unwrap();
+        balance.eval(&x, speed, &mut r, Some(&mut jac), None).unwrap();
+        let growth = if stability { judge.exponents(&mut balance, &x, speed).unwrap().growth() } else { f64::NAN };
+        let (z, deflection, minus3) = moduli(&Orbit::of(&mut balance, &x, speed).unwrap());
+        if !out.iter().any(|f| (f.z[0] - z[0]).abs() < 1e-9 * z[0]) {
+            out.push(Found { x, z, deflection, minus3, growth });
+        }
+    }
+    out
+}
+
+/// The machine of a table row.
+pub fn table_base(fill: &str, law: &str, chi: &str) -> Base {
+    let r: f64 = fill.parse().unwrap();
+    Base {
+        fill: (r < 1.0).then_some(r),
+        isotropic: law == "isotropic",
+        chi: chi.parse().unwrap_or(42.0),
+        ..Base::default()
+    }
 }
