@@ -1,6 +1,8 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod modes;
 pub mod nonlinear_response;
+pub mod support;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
@@ -92,7 +94,7 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<nonlinear_response::NonlinearResponse>()]
+    vec![kind::<modes::Modes>(), kind::<nonlinear_response::NonlinearResponse>()]
 }
 
 /// The registry entry of a study.
