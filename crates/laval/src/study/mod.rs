@@ -1,6 +1,8 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod forced_response;
 pub mod modes;
+pub mod stability_map;
 pub mod support;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -93,7 +95,7 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<modes::Modes>()]
+    vec![kind::<modes::Modes>(), kind::<stability_map::StabilityMap>(), kind::<forced_response::ForcedResponse>()]
 }
 
 /// The registry entry of a study.

@@ -1,0 +1,74 @@
+//! Forced response: reference resonances, the Jeffcott rotor, critical speeds.
+
+mod common;
+
+use common::{Planar, number, rows};
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, RangeValue};
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::model::system::System;
+use laval::outcome::{Data, Outcome};
+use laval::parts::{bearing_cubic::*, damper::*, disc::*};
+use laval::study::forced_response::{ForcedResponse, at_speed};
+use laval::study::{Context, Study};
+
+fn run(system: &System, from: f64, to: f64) -> Outcome {
+    ForcedResponse { speed: RangeValue { from, to, points: None } }.run(system, &Context::quiet("response")).unwrap()
+}
+
+/// Speed and amplitude of the first extremum of a kind of a body.
+fn first(out: &Outcome, body: &str, kind: &str) -> (f64, f64) {
+    let t = out.find_table("extrema").unwrap();
+    let text = |name: &str| match &t.column(name).unwrap().data {
+        Data::Text(v) => v.clone(),
+        _ => unreachable!(),
+    };
+    let row = text("body").iter().zip(&text("kind")).position(|(b, k)| b == body && k == kind).unwrap();
+    (t.column("speed").unwrap().number(row).unwrap(), t.column("amplitude").unwrap().number(row).unwrap())
+}
+
+#[test]
+fn first_resonance_and_antiresonance() {
+    for r in rows(include_str!("reference/planar/first_resonance.csv")) {
+        let system = Planar { fill: number(r[0]), chi: number(r[1]), base: number(r[2]), ..Planar::default() }.build();
+        let out = run(&system, 25.0, 8000.0);
+        let (speed, z1) = first(&out, "drum", "resonance");
+        // a maximum of a curve known to rounding is known to about its root times the width (about 1 rad/s, or 20 with much damping)
+        assert!((speed - number(r[3])).abs() < 2e-6, "{r:?}: {speed}");
+        assert!((z1 / number(r[4]) - 1.0).abs() < 1e-9, "{r:?}: {z1}");
+        let z2 = at_speed(&system, speed).unwrap().unwrap().major(2);
+        assert!((z2 / number(r[5]) - 1.0).abs() < 1e-6, "{r:?}: {z2}");
+        let (speed, z1) = first(&out, "drum", "antiresonance");
+        assert!((speed / number(r[7]) - 1.0).abs() < 1e-8, "{r:?}: {speed}");
+        assert!((z1 / number(r[8]) - 1.0).abs() < 2e-6, "{r:?}: {z1}");
+    }
+}
+
+#[test]
+fn jeffcott_rotor() {
+    let (m, e, k, d): (f64, f64, f64, f64) = (3.0, 2e-5, 4e6, 150.0);
+    let system = Builder::new("Jeffcott")
+        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part(
+            "shaft",
+            BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+            BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+        )
+        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [d; 2] })
+        .build()
+        .unwrap();
+    for w in [100.0, 1000.0, 1154.7, 3000.0] {
+        let r = at_speed(&system, w).unwrap().unwrap();
+        let (f, b) = r.circles(0);
+        let amplitude = m * e * w * w / (k - m * w * w).hypot(d * w);
+        assert!((f.abs() / amplitude - 1.0).abs() < 1e-12 && b.abs() < 1e-12 * amplitude);
+        assert!((f.arg() + (d * w).atan2(k - m * w * w)).abs() < 1e-12);
+    }
+    // peak of the unbalance response: w0 / sqrt(1 - 2 D^2)
+    let w0 = (k / m).sqrt();
+    let ratio = d / (2.0 * (k * m).sqrt());
+    let (peak, top) = first(&run(&system, 50.0, 4000.0), "disc", "resonance");
+    assert!((peak / (w0 / (1.0 - 2.0 * ratio * ratio).sqrt()) - 1.0).abs() < 1e-8);
+    assert!((top / (e / (2.0 * ratio * (1.0 - ratio * ratio).sqrt())) - 1.0).abs() < 1e-12);
+}
