@@ -72,3 +72,46 @@ fn jeffcott_rotor() {
     assert!((peak / (w0 / (1.0 - 2.0 * ratio * ratio).sqrt()) - 1.0).abs() < 1e-8);
     assert!((top / (e / (2.0 * ratio * (1.0 - ratio * ratio).sqrt())) - 1.0).abs() < 1e-12);
 }
+
+#[test]
+fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
+    use laval::study::critical_speeds::CriticalSpeeds;
+    let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.build();
+    let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0, 2.0], margin: 0.1 };
+    let out = study.run(&system, &Context::quiet("critical")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    // forward and backward each
+    let expected = [109.06465573, 2241.53479433].map(|w| [w, w, w / 2.0, w / 2.0]).concat();
+    assert_eq!(t.rows(), expected.len());
+    let mut found: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    let mut expected = expected;
+    found.sort_by(f64::total_cmp);
+    expected.sort_by(f64::total_cmp);
+    for (f, e) in found.iter().zip(&expected) {
+        assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+    }
+}
+
+#[test]
+fn critical_speed_of_a_gyroscopic_tilt() {
+    use laval::study::campbell::Campbell;
+    // forward: A w^2 - C W w = k at w = W gives W^2 = k/(A - C); backward: W^2 = k/(A + C)
+    let (a, cp, k, h): (f64, f64, f64, f64) = (0.02, 0.008, 800.0, 0.1);
+    let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
+    let p = BearingCubicParams { stiffness: [k / (2.0 * h * h); 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+    let system = Builder::new("gyro")
+        .part("disc", Disc::tilting(), DiscParams { mass: 4.0, diametral_inertia: a, polar_inertia: cp, ..DiscFamily::defaults() })
+        .part("upper", spring(h), p)
+        .part("lower", spring(-h), p)
+        .build()
+        .unwrap();
+    let study = Campbell { speed: RangeValue { from: 0.0, to: 400.0, points: Some(30) }, orders: vec![1.0], threshold: 0.0 };
+    let out = study.run(&system, &Context::quiet("campbell")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    let speeds: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    for e in [(k / (a - cp)).sqrt(), (k / (a + cp)).sqrt(), (k / (h * h) / 4.0).sqrt()] {
+        let d = speeds.iter().map(|s| (s / e - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(d < 1e-12, "{e} in {speeds:?}");
+    }
+    assert_eq!(speeds.len(), 4);
+}

@@ -130,7 +130,8 @@ pub fn curve(
     each: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Curve, Diagnostic> {
     speeds.sort_by(f64::total_cmp);
-    speeds.dedup();
+    // two crossings at one speed seed the same points twice, but for rounding
+    speeds.dedup_by(|b, a| *b - *a <= 1e-8 * b.abs());
     let mut out = Curve { complete: true, ..Curve::default() };
     // intervals still to be looked at, the leftmost last
     let mut right: Vec<(f64, usize)> = speeds.iter().rev().map(|&w| (w, 0)).collect();

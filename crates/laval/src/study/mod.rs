@@ -1,5 +1,7 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod campbell;
+pub mod critical_speeds;
 pub mod forced_response;
 pub mod modes;
 pub mod stability_map;
@@ -95,7 +97,13 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<modes::Modes>(), kind::<stability_map::StabilityMap>(), kind::<forced_response::ForcedResponse>()]
+    vec![
+        kind::<modes::Modes>(),
+        kind::<campbell::Campbell>(),
+        kind::<critical_speeds::CriticalSpeeds>(),
+        kind::<stability_map::StabilityMap>(),
+        kind::<forced_response::ForcedResponse>(),
+    ]
 }
 
 /// The registry entry of a study.
