@@ -64,7 +64,11 @@ pub(super) fn critical_table(found: &[Critical]) -> Result<Table, Diagnostic> {
         .text("whirl", "direction of whirl", found.iter().map(|c| c.whirl.word().into()).collect())
         .int("mode", "", "branch of the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
         .float("uncertainty", "rad/s", "last Newton step", column(|c| c.step))
-        .flag("located", "solved for on the characteristic function; otherwise read between two speeds", found.iter().map(|c| !c.defect.is_nan()).collect())
+        .flag(
+            "located",
+            "solved for on the characteristic function; otherwise read between two speeds",
+            found.iter().map(|c| !c.defect.is_nan()).collect(),
+        )
         .build()
         .map_err(inconsistent)
 }
@@ -87,7 +91,13 @@ pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Resu
         !context.cancelled() && (k as u64) < context.work_limit
     })?;
     let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
-    let end = if whole { End::Reached } else if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+    let end = if whole {
+        End::Reached
+    } else if context.cancelled() {
+        End::Cancelled
+    } else {
+        End::MaxPoints
+    };
     Ok((found, end))
 }
 
@@ -123,20 +133,26 @@ impl Study for Campbell {
             .build()
             .map_err(inconsistent)?;
         let (from, to) = (self.speed.from, self.speed.to);
-        let mut lines = Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", vec![from, 0f64.clamp(from, to), to]);
+        let mut lines =
+            Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", vec![from, 0f64.clamp(from, to), to]);
         for k in &self.orders {
-            lines = lines.float(format!("{k}x"), "rad/s", "frequency of this order", [from, 0f64.clamp(from, to), to].map(|w| k * w.abs()).to_vec());
+            lines = lines.float(
+                format!("{k}x"),
+                "rad/s",
+                "frequency of this order",
+                [from, 0f64.clamp(from, to), to].map(|w| k * w.abs()).to_vec(),
+            );
         }
-        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
             let text = format!("Order {} meets a {} mode at {{}}, damping ratio {}.", c.order, c.whirl.word(), quantity(damping(c), ""));
             outcome = outcome
-                .finding(
-                    Finding::info("critical_speed", text)
-                        .value(c.speed, "rad/s")
-                        .evidence("growth", c.growth, "1/s")
-                        .evidence("relative defect of the dynamic stiffness", c.defect, ""),
-                )
+                .finding(Finding::info("critical_speed", text).value(c.speed, "rad/s").evidence("growth", c.growth, "1/s").evidence(
+                    "relative defect of the dynamic stiffness",
+                    c.defect,
+                    "",
+                ))
                 .special_point(special(c));
         }
         if crossings.is_empty() {
@@ -144,18 +160,28 @@ impl Study for Campbell {
         }
         let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
         if let Some((k, (w, m))) = worst {
-            let text = format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
+            let text =
+                format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
             outcome = outcome.finding(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"));
         }
         if !found.ambiguous.is_empty() {
             let (a, b) = found.ambiguous[0];
-            let text = format!("Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.", found.ambiguous.len(), quantity(b, "rad/s"));
-            outcome = outcome.finding(Finding::warning("ambiguous", text).value(a, "rad/s").evidence("smallest assurance", found.worst_assurance, ""));
+            let text = format!(
+                "Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.",
+                found.ambiguous.len(),
+                quantity(b, "rad/s")
+            );
+            outcome = outcome.finding(Finding::warning("ambiguous", text).value(a, "rad/s").evidence(
+                "smallest assurance",
+                found.worst_assurance,
+                "",
+            ));
         }
         for f in remarks(system, &rest(system, from)?) {
             outcome = outcome.finding(f);
         }
-        let mut frequency = Panel::new(Axis::new("frequency", "rad/s")).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
+        let mut frequency =
+            Panel::new(Axis::new("frequency", "rad/s")).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
         for k in &self.orders {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
         }
@@ -163,8 +189,18 @@ impl Study for Campbell {
         let growth = Panel::new(Axis::new("growth rate", "1/s"))
             .mark(Line::new("modes", "speed", "growth").group("mode").solid_where("stable"))
             .mark(Rule::y(self.threshold, "threshold"));
-        let alt = format!("Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.", found.branches.len(), crossings.len());
+        let alt = format!(
+            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.",
+            found.branches.len(),
+            crossings.len()
+        );
         let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
-        outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure).checked().map_err(inconsistent)
+        outcome
+            .table(table)
+            .table(lines.build().map_err(inconsistent)?)
+            .table(critical_table(&crossings)?)
+            .figure(figure)
+            .checked()
+            .map_err(inconsistent)
     }
 }

@@ -66,9 +66,11 @@ impl Study for CriticalSpeeds {
         } else {
             Vec::new()
         };
-        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
-            let near = peaks.iter().filter(|_| c.order == 1.0).min_by(|a, b| (a.speed - c.speed).abs().total_cmp(&(b.speed - c.speed).abs()));
+            let near =
+                peaks.iter().filter(|_| c.order == 1.0).min_by(|a, b| (a.speed - c.speed).abs().total_cmp(&(b.speed - c.speed).abs()));
             // a peak belongs to a critical speed when it lies within a few widths of its resonance
             let near = near.filter(|p| (p.speed - c.speed).abs() <= 4.0 * c.growth.abs() + 1e-6 * c.speed.abs());
             let beside = match near {
@@ -76,7 +78,12 @@ impl Study for CriticalSpeeds {
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
             };
-            let text = format!("Critical speed of order {} at {{}} ({} whirl, damping ratio {}){beside}.", c.order, c.whirl.word(), quantity(damping(c), ""));
+            let text = format!(
+                "Critical speed of order {} at {{}} ({} whirl, damping ratio {}){beside}.",
+                c.order,
+                c.whirl.word(),
+                quantity(damping(c), "")
+            );
             let mut finding = Finding::info("critical_speed", text)
                 .value(c.speed, "rad/s")
                 .evidence("relative defect of the dynamic stiffness", c.defect, "")
@@ -90,14 +97,23 @@ impl Study for CriticalSpeeds {
             outcome = outcome.finding(Finding::info("no_critical_speed", "There is no critical speed in this range."));
         }
         for p in &peaks {
-            outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).evidence(format!("amplitude of {}", bodies[p.body].name), p.value, "m"));
+            outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).evidence(
+                format!("amplitude of {}", bodies[p.body].name),
+                p.value,
+                "m",
+            ));
         }
         if let Some(w) = system.machine.speed {
             // a mode with a tenth of critical damping or more does not show as a resonance
-            let close = crossings.iter().filter(|c| damping(c).abs() < 0.1).min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
+            let close =
+                crossings.iter().filter(|c| damping(c).abs() < 0.1).min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
-                let text = format!("The operating speed, {}, keeps {{}} of its value from the nearest lightly damped critical speed, {}.", quantity(w, "rad/s"), quantity(c.speed, "rad/s"));
+                let text = format!(
+                    "The operating speed, {}, keeps {{}} of its value from the nearest lightly damped critical speed, {}.",
+                    quantity(w, "rad/s"),
+                    quantity(c.speed, "rad/s")
+                );
                 let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
                 outcome = outcome.finding(finding.value(distance, "").evidence("margin asked for", self.margin, ""));
             }
@@ -111,7 +127,8 @@ impl Study for CriticalSpeeds {
             .float("amplitude", "m", "semi-major axis of the orbit", peaks.iter().map(|p| p.value).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut panel = Panel::new(Axis::new("damping ratio", "")).mark(Points::new("critical_speeds", "speed", "damping_ratio").group("whirl"));
+        let mut panel =
+            Panel::new(Axis::new("damping ratio", "")).mark(Points::new("critical_speeds", "speed", "damping_ratio").group("whirl"));
         if let Some(w) = system.machine.speed {
             panel = panel.mark(Rule::x(w, "operating speed"));
         }
