@@ -1,7 +1,11 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod campbell;
+pub mod critical_speeds;
+pub mod forced_response;
 pub mod modes;
 pub mod nonlinear_response;
+pub mod stability_map;
 pub mod support;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -94,7 +98,14 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<modes::Modes>(), kind::<nonlinear_response::NonlinearResponse>()]
+    vec![
+        kind::<modes::Modes>(),
+        kind::<campbell::Campbell>(),
+        kind::<critical_speeds::CriticalSpeeds>(),
+        kind::<stability_map::StabilityMap>(),
+        kind::<forced_response::ForcedResponse>(),
+        kind::<nonlinear_response::NonlinearResponse>(),
+    ]
 }
 
 /// The registry entry of a study.

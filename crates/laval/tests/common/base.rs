@@ -4,8 +4,8 @@ use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
-use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
 use laval::model::system::System;
+use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
 use laval::solve::harmonic::floquet::Stability;
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
@@ -153,10 +153,5 @@ pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed:
 /// The machine of a table row.
 pub fn table_base(fill: &str, law: &str, chi: &str) -> Base {
     let r: f64 = fill.parse().unwrap();
-    Base {
-        fill: (r < 1.0).then_some(r),
-        isotropic: law == "isotropic",
-        chi: chi.parse().unwrap_or(42.0),
-        ..Base::default()
-    }
+    Base { fill: (r < 1.0).then_some(r), isotropic: law == "isotropic", chi: chi.parse().unwrap_or(42.0), ..Base::default() }
 }
