@@ -3,10 +3,13 @@
 pub mod campbell;
 pub mod critical_speeds;
 pub mod forced_response;
+mod history;
 pub mod modes;
 pub mod nonlinear_response;
+pub mod run_up;
 pub mod stability_map;
 pub mod support;
+pub mod transient;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
@@ -105,6 +108,8 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<stability_map::StabilityMap>(),
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<transient::Transient>(),
+        kind::<run_up::RunUp>(),
     ]
 }
 

@@ -118,6 +118,7 @@ impl<'a> Motion<'a> {
                 .help("every coordinate needs inertia; give the part that owns it a mass")
         };
         motion.accelerate(0.0, &y).map_err(fail)?;
+        motion.direct.check_mass(system).map_err(fail)?;
         if let SpinLaw::Programme(p) = &motion.law
             && let Some(speed) = p.constant_speed()
             && motion.direct.constant_mass()
