@@ -266,3 +266,17 @@ fn turning_state_of_an_isotropic_cubic_bearing() {
         assert!((p * q - off * off.conj()).abs() < 1e-11 * (p.abs() * q.abs() + off.abs() * off.abs()), "{:?}", mode.value);
     }
 }
+
+#[test]
+fn growth_agrees_with_time_integration() {
+    for r in rows(include_str!("reference/planar/growth_from_time.csv")) {
+        let chi = number(r[0]);
+        let system = Planar { chi, chi0: if chi == 0.0 { 0.0 } else { 6.59 }, fill: number(r[1]), ..Planar::default() }.build();
+        let s = at_rest(&system, number(r[2]));
+        let worst = s.least_stable().unwrap().value;
+        // ten digits are printed
+        assert!((worst.re / number(r[3]) - 1.0).abs() < 1e-9 && (worst.im / number(r[4]) - 1.0).abs() < 1e-9, "{r:?}: {worst:?}");
+        // the integrations were fitted over a finite time
+        assert!((worst.re / number(r[5]) - 1.0).abs() < 5e-5 && (worst.im / number(r[6]) - 1.0).abs() < 5e-5, "{r:?}: {worst:?}");
+    }
+}
