@@ -347,11 +347,11 @@ fn equilibrate(t: &Mat<C64>, slope: &Mat<C64>, s: f64, members: &[usize]) -> (Ve
     let size = |i: usize, j: usize| t[(members[i], members[j])].size() + s * slope[(members[i], members[j])].size();
     let factor = |x: f64| if x > 0.0 && x.is_finite() { x.sqrt().recip() } else { 1.0 };
     for _ in 0..6 {
-        for i in 0..k {
-            rows[i] *= factor((0..k).map(|j| size(i, j) * rows[i] * cols[j]).fold(0.0, f64::max));
+        for (i, r) in rows.iter_mut().enumerate() {
+            *r *= factor((0..k).map(|j| size(i, j) * *r * cols[j]).fold(0.0, f64::max));
         }
-        for j in 0..k {
-            cols[j] *= factor((0..k).map(|i| size(i, j) * rows[i] * cols[j]).fold(0.0, f64::max));
+        for (j, c) in cols.iter_mut().enumerate() {
+            *c *= factor((0..k).map(|i| size(i, j) * rows[i] * *c).fold(0.0, f64::max));
         }
     }
     let power = |x: &f64| x.log2().round().exp2();

@@ -156,7 +156,7 @@ pub fn curve(
                 Some(m) => at.iter().any(|&i| {
                     let (a, b, c) = (left.major(i), m.major(i), r.major(i));
                     let bend = (b * b / (a * c)).ln().abs() * 0.5;
-                    a > 0.0 && c > 0.0 && !(bend <= BEND)
+                    a > 0.0 && c > 0.0 && (bend > BEND || bend.is_nan())
                 }),
             };
             out.solved += 1;

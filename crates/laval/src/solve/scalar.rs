@@ -6,7 +6,7 @@ pub fn root<F: FnMut(f64) -> Option<f64>>(mut f: F, a: (f64, f64), b: (f64, f64)
     if fa == 0.0 {
         return Some(a);
     }
-    if !(fa * fb <= 0.0) {
+    if fa * fb > 0.0 || (fa * fb).is_nan() {
         return None;
     }
     let (mut c, mut fc) = (a, fa);

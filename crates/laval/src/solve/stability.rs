@@ -91,7 +91,7 @@ impl Row {
 fn above(s: &Sample, threshold: f64, undamped: bool) -> bool {
     let level = if undamped && threshold <= NOISE * s.size { NOISE * s.size } else { threshold };
     // a growth that is not a number is not stable
-    !(s.value.re <= level)
+    s.value.re > level || s.value.re.is_nan()
 }
 
 fn largest(s: &Spectrum) -> f64 {
@@ -231,7 +231,7 @@ fn threshold_edge(system: &System, state: State, a: Sample, b: Sample, threshold
     let found =
         root(|w| at(w).map(|s| s.value.re - threshold), (a.speed, a.value.re - threshold), (b.speed, b.value.re - threshold), tolerance);
     let bracket = (a.speed, b.speed);
-    match found.and_then(|w| at(w)) {
+    match found.and_then(at) {
         Some(s) => Edge { speed: s.speed, onset, value: s.value, double: false, bracket, located: true, step: tolerance },
         None => {
             let middle = 0.5 * (a.speed + b.speed);

@@ -108,7 +108,7 @@ impl Follower<'_> {
         let before = self.out.points[self.out.points.len() - 1].1.clone();
         let mut order = Vec::new();
         for (k, (m, f)) in trial.iter().zip(&spectrum.families).enumerate() {
-            if !(m.worst_mac >= self.out.worst_assurance) {
+            if m.worst_mac < self.out.worst_assurance || m.worst_mac.is_nan() {
                 self.out.worst_assurance = m.worst_mac;
             }
             self.tracks[k].force(&f.modes);

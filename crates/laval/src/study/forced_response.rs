@@ -201,7 +201,7 @@ fn observed(
                     continue;
                 }
                 let column = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
-                if !(o.value.abs() <= column[row]) {
+                if o.value.abs() > column[row] || o.value.is_nan() {
                     column[row] = o.value.abs();
                 }
             }
