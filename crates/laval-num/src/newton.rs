@@ -185,7 +185,7 @@ pub(crate) struct Solver {
     pub lu: Lu,
     pub work: Work,
     jac: Mat,
-    weight: Vec<f64>,
+    pub weight: Vec<f64>,
     y: Vec<f64>,
     r: Vec<f64>,
     delta: Vec<f64>,
@@ -222,7 +222,11 @@ impl Solver {
         let n = self.r.len();
         self.weight.clear();
         for i in 0..n {
-            let w = norm(self.jac.row(i));
+            let row = self.jac.row_mut(i);
+            let mut w = row.iter().map(|a| a * a).sum::<f64>().sqrt();
+            if !(1e-140..1e140).contains(&w) {
+                w = norm(row);
+            }
             if !w.is_finite() {
                 return Err(Cause::NotFinite);
             }
@@ -231,9 +235,8 @@ impl Solver {
             }
             self.weight.push(w);
             self.r[i] /= w;
-            for a in self.jac.row_mut(i) {
-                *a /= w;
-            }
+            let inverse = 1.0 / w;
+            row.iter_mut().for_each(|a| *a *= inverse);
         }
         Ok(())
     }

@@ -72,11 +72,14 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         let (mut trial, width) = (Node::default(), 1e-12);
         let mut t: f64 = (f1 / (f1 - f2)).clamp(0.05, 0.95);
         for _ in 0..80 {
-            let x = x1 + t * (x2 - x1);
-            let f = match self.between(a, b, x, &mut trial) {
-                Ok(()) => g(self, &trial),
-                Err(_) => f64::NAN,
-            };
+            let mut x = x1 + t * (x2 - x1);
+            let mut end = self.between(a, b, x, &mut trial);
+            if end == Err(Cause::Singular) {
+                // exactly on a branch point: beside it will do
+                x += 1e-6 * (x2 - x);
+                end = self.between(a, b, x, &mut trial);
+            }
+            let f = end.map_or(f64::NAN, |()| g(self, &trial));
             if f.is_nan() {
                 best.narrow = (x2 - x1).abs() <= 1e-6;
                 break;
@@ -137,8 +140,8 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         let mut all = Vec::new();
         let mut crossing = None;
         if differ(a.determinant, b.determinant) {
-            let ends = [a.determinant, b.determinant];
-            let zero = self.locate(a, b, ends, &mut |_, node| node.determinant);
+            let ends = [a.determinant, b.determinant_as(a)];
+            let zero = self.locate(a, b, ends, &mut |_, node| node.determinant_as(a));
             let (small, large) = (ends[0].abs().min(ends[1].abs()), ends[0].abs().max(ends[1].abs()));
             if zero.value.abs() > (0.1 * small).max(1e-9 * large) {
                 return Err(Refusal::Reversal);

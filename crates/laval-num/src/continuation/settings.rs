@@ -20,7 +20,8 @@ pub struct Settings {
     pub max_points: usize,
     /// Smallest cosine of the angle between successive tangents, and between tangent and chord.
     pub min_cosine: f64,
-    /// Largest change of a monitored vector per step, relative to its length or scale.
+    /// Largest change of a monitored vector per step, relative to its length or scale. A complex resonance then gets about ten points
+    /// within its half-power width.
     pub monitor_change: f64,
     /// Contraction of Newton's method that step control aims at.
     pub target_rate: f64,
@@ -39,7 +40,7 @@ impl Settings {
             max_parameter_step: (hi - lo) / 50.0,
             max_points: 20_000,
             min_cosine: 0.985,
-            monitor_change: 0.2,
+            monitor_change: 0.15,
             target_rate: 0.1,
             corrector: newton::Options { max_iterations: 8, damped: false, ..newton::Options::default() },
         }

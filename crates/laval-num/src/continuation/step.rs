@@ -16,6 +16,8 @@ pub(super) struct Node {
     /// The parameter itself: exact on the edge of the range.
     pub p: f64,
     pub determinant: f64,
+    /// Lengths of the rows that the determinant was divided by.
+    pub weight: Vec<f64>,
     /// Monitored quantities and their derivative in arclength.
     pub m: Vec<f64>,
     pub dm: Vec<f64>,
@@ -42,11 +44,16 @@ impl Node {
         self.t.clone_from(&o.t);
         self.m.clone_from(&o.m);
         self.dm.clone_from(&o.dm);
+        self.weight.clone_from(&o.weight);
         (self.s, self.p, self.determinant, self.evidence) = (o.s, o.p, o.determinant, o.evidence);
     }
     /// Parameter's component of the unit tangent.
     pub fn slope(&self) -> f64 {
         self.t[self.t.len() - 1]
+    }
+    /// Determinant with the rows divided by their lengths at `o`: smooth where a row vanishes.
+    pub fn determinant_as(&self, o: &Node) -> f64 {
+        self.weight.iter().zip(&o.weight).fold(self.determinant, |d, (w, o)| d * (w / o))
     }
     /// Turns the tangent round.
     pub fn turn(&mut self) {
@@ -199,6 +206,7 @@ impl<'a, P: Zero + ?Sized> Tracer<'a, P> {
         node.t.iter_mut().for_each(|t| *t /= length);
         // the determinant is linear in the border, and border . t = 1 before t was normed
         node.determinant = self.solver.lu.det() * length * row;
+        node.weight.clone_from(&self.solver.weight);
         Ok(())
     }
 
@@ -216,6 +224,7 @@ impl<'a, P: Zero + ?Sized> Tracer<'a, P> {
             .map_err(lost)?;
         node.t = probe.t;
         node.determinant = probe.determinant;
+        node.weight = probe.weight;
         node.p = p;
         node.evidence = done.into();
         Ok(())

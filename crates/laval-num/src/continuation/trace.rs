@@ -265,9 +265,14 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         if !(u > 0.0 && u <= 1.0) || dot(&start.t, &b.t) < 0.8 {
             return false;
         }
+        let chord: Vec<f64> = a.y.iter().zip(&b.y).map(|(a, b)| (b - a) / h).collect();
         let mut node = Node::default();
         hermite(a, b, h, u, &mut node.y);
-        if distance(&node.y, &start.y) > 0.1 * h || self.between(a, b, u, &mut node).is_err() {
+        // into the plane through the start normal to the chord
+        let short = chord.iter().zip(&start.y).zip(&node.y).map(|((c, s), y)| c * (s - y)).sum::<f64>();
+        node.y.iter_mut().zip(&chord).for_each(|(y, c)| *y += short * c);
+        let o = Options { max_iterations: 15, damped: false, to_rounding: true, noise: 1e-13, ..self.settings.corrector.clone() };
+        if distance(&node.y, &start.y) > 0.1 * h || self.correct(&mut node, &chord, &o).is_err() {
             return false;
         }
         let size = start.y.iter().fold(1.0, |m: f64, y| m.max(y.abs()));

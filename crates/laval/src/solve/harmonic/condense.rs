@@ -9,7 +9,7 @@
 //! A reference stiffness S is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
-use crate::model::blocks::Grid;
+use crate::model::blocks::{Axes, Grid};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::system::System;
@@ -64,8 +64,7 @@ fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
         }
     }
     let size = dot(target, target).sqrt();
-    (dot(&rest, &rest).sqrt() < 1e-12 * size)
-        .then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
+    (dot(&rest, &rest).sqrt() < 1e-12 * size).then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
 }
 
 /// One order condensed at one speed, with derivatives in the speed.
@@ -100,6 +99,8 @@ pub struct Condenser {
     lu: Lu<C64>,
     rhs: Mat<C64>,
     work: Mat<C64>,
+    projected: [Mat<C64>; 2],
+    small: Lu<C64>,
 }
 
 impl Condenser {
@@ -118,6 +119,8 @@ impl Condenser {
             lu: Lu::default(),
             rhs: Mat::default(),
             work: Mat::default(),
+            projected: Default::default(),
+            small: Lu::default(),
         }
     }
 
@@ -129,6 +132,24 @@ impl Condenser {
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
     pub fn linear_states(&self) -> &[usize] {
         &self.model.states
+    }
+
+    /// Fills the memory states that belong to coordinates moving as `amplitude exp(s t)`.
+    pub fn memory_states(&self, system: &System, s: C64, coordinates: &[C64], states: &mut [C64]) {
+        let speed = self.model.blocks.speed.re;
+        for mem in &self.model.memory {
+            let map = &system.slots()[mem.slot].map;
+            let input = |i: usize| map[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + coordinates[g].scale(x));
+            for (k, z) in mem.list.iter().enumerate() {
+                let r = s + c(z.rate.re, 0.0);
+                let u = input(z.input);
+                states[mem.first + k] = match z.axes {
+                    Axes::Fixed => u * r.recip(),
+                    Axes::RotorX => (r * u - input(mem.list[k + 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                    Axes::RotorY => (r * u + input(mem.list[k - 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                };
+            }
+        }
     }
 
     /// Condenses order `k >= 0` of the base frequency.
@@ -176,20 +197,26 @@ impl Condenser {
         // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
         self.dz.matmul_into(&self.rhs, &mut self.work);
         self.lu.solve_mat(&mut self.work);
-        let project = |w: &Mat<C64>, j: usize| -> Vec<C64> {
-            self.basis.iter().map(|row| row.iter().fold(C64::zero(), |s, &(g, x)| s + w[(g, j)].scale(x))).collect()
-        };
-        let columns = |w: &Mat<C64>| -> Mat<C64> {
-            let cols: Vec<Vec<C64>> = (0..m).map(|j| project(w, j)).collect();
-            Mat::from_fn(m, m, |i, j| cols[j][i])
-        };
-        let flexibility = Lu::new(&columns(&self.rhs))?;
+        // rows of B applied to both: flexibility and its derivative, and the free motion
+        for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
+            projected.reset(m, m + 2);
+            for (i, row) in self.basis.iter().enumerate() {
+                for &(g, x) in row {
+                    for (p, w) in projected.row_mut(i).iter_mut().zip(w.row(g)) {
+                        *p += w.scale(x);
+                    }
+                }
+            }
+        }
+        let [flexibility, change] = &self.projected;
+        let square = |a: &Mat<C64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
+        self.small.factor(&square(flexibility))?;
         let mut k_ref = Mat::identity(m);
-        flexibility.solve_mat(&mut k_ref);
+        self.small.solve_mat(&mut k_ref);
         // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
-        let dk = k_ref.matmul(&columns(&self.work)).matmul(&k_ref);
-        let u0 = project(&self.rhs, m);
-        let du0: Vec<C64> = project(&self.rhs, m + 1).iter().zip(project(&self.work, m)).map(|(&a, b)| a - b).collect();
+        let dk = k_ref.matmul(&square(change)).matmul(&k_ref);
+        let u0: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
+        let du0: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
         out.load = k_ref.mul_vec(&u0);
         out.load_speed = k_ref.mul_vec(&du0);
         dk.mul_vec_add(&u0, &mut out.load_speed);

@@ -1,5 +1,8 @@
 //! Harmonic balance: periodic motions from linear parts exact in frequency and nonlinear parts sampled in time.
 pub mod condense;
+pub mod floquet;
 pub mod nonlinear;
+pub mod orbit;
 pub mod problem;
+pub mod response;
 pub mod terms;

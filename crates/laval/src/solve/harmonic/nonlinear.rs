@@ -6,6 +6,7 @@ use crate::model::erased::{D1, D8, Evaluate};
 use crate::model::part::{At, Rows, Uses};
 use crate::model::system::{System, gather, scatter};
 use laval_num::dense::Mat;
+use std::ops::Range;
 
 /// A nonlinear part seen from the balance: local coordinates over nonlinear ones, states among them.
 #[derive(Clone, Debug)]
@@ -15,9 +16,25 @@ pub struct Member {
     /// Local coordinates over the nonlinear coordinates.
     pub map: Vec<Vec<(usize, f64)>>,
     /// Index of its first state among the nonlinear coordinates; states follow the coordinates there.
-    pub states: std::ops::Range<usize>,
+    pub states: Range<usize>,
     /// What it reads.
     pub uses: Uses,
+}
+
+/// The instants rows are evaluated at: base phases, and what turns them into time.
+struct Instants<'a> {
+    m: usize,
+    angles: &'a [f64],
+    divisor: usize,
+    speed: f64,
+}
+
+impl Instants<'_> {
+    /// Spin phase and time of instant `j`.
+    fn time(&self, j: usize) -> (f64, f64) {
+        let w = self.speed / self.divisor as f64;
+        (self.divisor as f64 * self.angles[j], if w == 0.0 { 0.0 } else { self.angles[j] / w })
+    }
 }
 
 /// Samples of forces and their tangents over nonlinear coordinates `u` (states included: their row is `z' - rate`).
@@ -31,6 +48,9 @@ pub struct Sampled {
     tangent: [Mat; 3],
     uses: [bool; 3],
     local: [Vec<f64>; 3],
+    force: Vec<f64>,
+    rate: Vec<f64>,
+    blocks: Blocks<f64>,
     seeded: [Vec<D8>; 4],
     force8: Vec<D8>,
     rate8: Vec<D8>,
@@ -51,8 +71,7 @@ impl Sampled {
         &self.u[derivative]
     }
 
-    /// Motion of unknowns `x` at base frequency `w`, rows and (with `tangents`) their tangents, of all `members`.
-    #[allow(clippy::too_many_arguments)]
+    /// Motion of unknowns `x` at a speed, rows and (with `tangents`) their tangents, of all `members` at all samples.
     pub fn eval(&mut self, system: &System, members: &[Member], terms: &Terms, x: &[f64], speed: f64, tangents: bool) {
         let (m, samples) = (terms.coordinates, terms.samples);
         let w = speed / terms.divisor as f64;
@@ -61,9 +80,23 @@ impl Sampled {
             self.u[d].resize(samples * m, 0.0);
             terms.synthesis[d].mul_vec_add(x, &mut self.u[d]);
             self.u[d].iter_mut().for_each(|v| *v *= factor);
-            if tangents {
-                self.tangent[d].reset(samples * m, m);
-            }
+        }
+        self.evaluate(system, members, &Instants { m, angles: &terms.angles, divisor: terms.divisor, speed }, tangents);
+    }
+
+    /// The same at one instant, base phase `tau`, where the coordinates and their derivatives are `u`.
+    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], speed: f64) {
+        for (own, u) in self.u.iter_mut().zip(u) {
+            own.clear();
+            own.extend_from_slice(u);
+        }
+        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }, true);
+    }
+
+    fn evaluate(&mut self, system: &System, members: &[Member], instants: &Instants, tangents: bool) {
+        let (m, samples) = (instants.m, instants.angles.len());
+        if tangents {
+            self.tangent.iter_mut().for_each(|t| t.reset(samples * m, m));
         }
         self.uses = [true, members.iter().any(|p| p.uses.velocity || !p.states.is_empty()), members.iter().any(|p| p.uses.acceleration)];
         self.rows.clear();
@@ -71,42 +104,73 @@ impl Sampled {
         self.rows_speed.clear();
         self.rows_speed.resize(samples * m, 0.0);
         for member in members {
+            if tangents {
+                let slot = &system.slots()[member.slot];
+                self.params8.clear();
+                self.params8.extend(system.params()[slot.params.clone()].iter().map(|&p| D8::lift(p)));
+                self.seeds.clear();
+                let n = member.map.len();
+                self.seeds.extend((0..n).map(|i| (0, i)));
+                if member.uses.velocity {
+                    self.seeds.extend((0..n).map(|i| (1, i)));
+                }
+                if member.uses.acceleration {
+                    self.seeds.extend((0..n).map(|i| (2, i)));
+                }
+                self.seeds.extend((0..member.states.len()).map(|i| (3, i)));
+            }
             for j in 0..samples {
-                self.member(system, member, terms, j, speed, tangents);
+                if tangents {
+                    self.member(system, member, instants, j);
+                } else {
+                    self.member_value(system, member, instants, j);
+                }
             }
         }
     }
 
-    fn member(&mut self, system: &System, member: &Member, terms: &Terms, j: usize, speed: f64, tangents: bool) {
-        let slot = &system.slots()[member.slot];
-        let (m, range) = (terms.coordinates, j * terms.coordinates..(j + 1) * terms.coordinates);
-        let w = speed / terms.divisor as f64;
-        let (phase, t) = (terms.divisor as f64 * terms.angles[j], if w == 0.0 { 0.0 } else { terms.angles[j] / w });
+    /// Local coordinates and their derivatives of a member at sample `j`.
+    fn gather(&mut self, member: &Member, weight: &[f64], range: Range<usize>) {
         for (u, local) in self.u.iter().zip(&mut self.local) {
             gather(&member.map, &u[range.clone()], local);
         }
-        for (a, &g) in self.local[2].iter_mut().zip(&slot.weight) {
+        for (a, &g) in self.local[2].iter_mut().zip(weight) {
             *a += g;
         }
+    }
+
+    fn member_value(&mut self, system: &System, member: &Member, instants: &Instants, j: usize) {
+        let slot = &system.slots()[member.slot];
+        let range = j * instants.m..(j + 1) * instants.m;
+        let (phase, t) = instants.time(j);
+        self.gather(member, &slot.weight, range.clone());
+        let states = range.start + member.states.start..range.start + member.states.end;
+        let (mut force, mut rate) = (std::mem::take(&mut self.force), std::mem::take(&mut self.rate));
+        force.clear();
+        force.resize(member.map.len(), 0.0);
+        rate.clear();
+        rate.resize(states.len(), 0.0);
+        let mut spin = 0.0;
+        let [q, v, a] = &self.local;
+        let at = At { q, v, a, z: &self.u[0][states.clone()], phase, speed: instants.speed, spin_accel: 0.0, t };
+        let mut out = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        f64::residual(&*slot.part, &system.params()[slot.params.clone()], &at, &mut out, &mut self.blocks);
+        scatter(&member.map, &force, &mut self.rows[range]);
+        for ((row, d), r) in states.clone().zip(&self.u[1][states]).zip(&rate) {
+            self.rows[row] += d - r;
+        }
+        (self.force, self.rate) = (force, rate);
+    }
+
+    fn member(&mut self, system: &System, member: &Member, instants: &Instants, j: usize) {
+        let slot = &system.slots()[member.slot];
+        let &Instants { m, speed, .. } = instants;
+        let range = j * m..(j + 1) * m;
+        let (phase, t) = instants.time(j);
+        self.gather(member, &slot.weight, range.clone());
         let (n, states) = (member.map.len(), member.states.clone());
         let z = &self.u[0][range.start + states.start..range.start + states.end];
         let zdot = &self.u[1][range.start + states.start..range.start + states.end];
-        // directions: (group, index); groups q, v, a, z
-        self.seeds.clear();
-        self.seeds.extend((0..n).map(|i| (0, i)));
-        if tangents {
-            if member.uses.velocity {
-                self.seeds.extend((0..n).map(|i| (1, i)));
-            }
-            if member.uses.acceleration {
-                self.seeds.extend((0..n).map(|i| (2, i)));
-            }
-            self.seeds.extend((0..z.len()).map(|i| (3, i)));
-        } else {
-            self.seeds.truncate(1);
-        }
-        self.params8.clear();
-        self.params8.extend(system.params()[slot.params.clone()].iter().map(|&p| D8::lift(p)));
         let seeds = std::mem::take(&mut self.seeds);
         for (pass, chunk) in seeds.chunks(8).enumerate() {
             for (x, s) in self.local.iter().map(Vec::as_slice).chain([z]).zip(&mut self.seeded) {
@@ -138,9 +202,6 @@ impl Sampled {
                     self.rows[range.start + states.start + i] += d - r.re;
                 }
             }
-            if !tangents {
-                continue;
-            }
             for (k, &(group, index)) in chunk.iter().enumerate() {
                 let own = [(states.start + index, 1.0)];
                 let (columns, derivative) = if group == 3 { (&own[..], 0) } else { (&member.map[index][..], group) };
@@ -158,22 +219,18 @@ impl Sampled {
             }
         }
         self.seeds = seeds;
-        if tangents {
-            for i in states.clone() {
-                self.tangent[1][(range.start + i, i)] += 1.0;
-            }
-            if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
-                self.speed_derivative(system, member, terms, j, speed, phase, t);
-            }
+        for i in states.clone() {
+            self.tangent[1][(range.start + i, i)] += 1.0;
         }
-        debug_assert_eq!(m, range.len());
+        if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
+            self.speed_derivative(system, member, range, speed, phase, t);
+        }
     }
 
     /// d rows / d speed with the unknowns fixed: rates grow with the base frequency, and the part may read the speed itself.
-    #[allow(clippy::too_many_arguments)]
-    fn speed_derivative(&mut self, system: &System, member: &Member, terms: &Terms, j: usize, speed: f64, phase: f64, t: f64) {
+    fn speed_derivative(&mut self, system: &System, member: &Member, range: Range<usize>, speed: f64, phase: f64, t: f64) {
         let slot = &system.slots()[member.slot];
-        let start = j * terms.coordinates;
+        let start = range.start;
         let per_speed = if speed == 0.0 { 0.0 } else { 1.0 / speed };
         let states = member.states.clone();
         self.params1.clear();
@@ -199,7 +256,7 @@ impl Sampled {
         let mut out = Rows { force: &mut self.force1, rate: &mut self.rate1, spin: &mut spin };
         D1::residual(&*slot.part, &self.params1, &at, &mut out, &mut self.blocks1);
         let force: Vec<f64> = self.force1.iter().map(|f| f.eps[0]).collect();
-        scatter(&member.map, &force, &mut self.rows_speed[start..start + terms.coordinates]);
+        scatter(&member.map, &force, &mut self.rows_speed[range]);
         for (i, r) in self.rate1.iter().enumerate() {
             let row = start + states.start + i;
             self.rows_speed[row] += self.u[1][row] * per_speed - r.eps[0];

@@ -16,8 +16,8 @@ use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
-use laval_num::continuation::{Failure, Zero};
-use laval_num::dense::Mat;
+use laval_num::continuation::{Failure, Zero, resonance_cap};
+use laval_num::dense::{Lu, Mat};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How a balance is discretised.
@@ -81,7 +81,8 @@ impl Nonlinear {
         }
         // pairs that do not stand side by side are treated as scalars
         let paired = |kinds: &[DofKind], i: usize| {
-            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair())) || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
+            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair()))
+                || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
         };
         let kinds_before = kinds.clone();
         for (i, kind) in kinds.iter_mut().enumerate() {
@@ -125,6 +126,8 @@ pub struct Balance<'a> {
     scale: Vec<f64>,
     speed_scale: f64,
     bodies: Vec<usize>,
+    /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
+    resonances: Vec<(f64, f64)>,
     cancel: Option<&'a AtomicBool>,
     amplitudes: Vec<C64>,
     forces: Vec<C64>,
@@ -154,6 +157,7 @@ impl<'a> Balance<'a> {
             scale: vec![1.0; unknowns],
             speed_scale: speeds.0.abs().max(speeds.1.abs()).max(1e-3),
             bodies: system.bodies().iter().map(|b| b.x).collect(),
+            resonances: Vec::new(),
             cancel,
             amplitudes: vec![C64::zero(); m],
             forces: vec![C64::zero(); m],
@@ -164,6 +168,7 @@ impl<'a> Balance<'a> {
             terms,
         };
         balance.find_scale(speeds)?;
+        balance.resonances = resonances(system, speeds);
         Ok(balance)
     }
 
@@ -173,7 +178,7 @@ impl<'a> Balance<'a> {
         let mu = self.nonlinear.basis.rows.len();
         let m = self.nonlinear.kinds.len();
         let mut size = vec![0.0f64; m];
-        let points = 24;
+        let points = 8;
         for i in 0..points {
             let speed = lo + (hi - lo) * (i as f64 + 0.5) / points as f64;
             self.set_speed(speed).map_err(|e| self.drifts(e))?;
@@ -237,6 +242,18 @@ impl<'a> Balance<'a> {
         Ok(())
     }
 
+    /// Unknowns of the linear machine in which `part` of the reference stiffness stands for the nonlinear parts, at a speed.
+    pub fn linear_estimate(&mut self, speed: f64, part: f64) -> Option<Vec<f64>> {
+        self.set_speed(speed).ok()?;
+        let mut matrix = self.linear.clone();
+        for i in 0..matrix.rows() {
+            matrix[(i, i)] += part * self.condenser.reference;
+        }
+        let mut x = self.load.clone();
+        Lu::new(&matrix).ok()?.solve(&mut x);
+        Some(x)
+    }
+
     /// Motion of all coordinates and linear states at order `terms.orders[which]`: complex amplitudes of real coordinates, of the last point
     /// evaluated (its samples give the forces).
     pub fn motion(&mut self, x: &[f64], which: usize, out: &mut Vec<C64>) {
@@ -273,6 +290,16 @@ impl<'a> Balance<'a> {
     /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
     pub fn linear_states(&self) -> &[usize] {
         self.condenser.linear_states()
+    }
+
+    /// Samples the nonlinear parts, with tangents, at a motion `x`; the linear parts are left alone.
+    pub fn sample(&mut self, x: &[f64], speed: f64) {
+        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, speed, true);
+    }
+
+    /// Memory states at `s` (1/s) that belong to amplitudes of the coordinates: eliminated in the balance, found again here.
+    pub fn memory_states(&self, s: C64, coordinates: &[C64], states: &mut [C64]) {
+        self.condenser.memory_states(self.system, s, coordinates, states);
     }
 
     /// Size of the unknowns.
@@ -351,6 +378,36 @@ fn add_operator(terms: &Terms, k: usize, mu: usize, matrix: &Mat<C64>, force: &m
     }
 }
 
+/// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
+fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
+    use super::floquet::{MOST_STATES, first_order};
+    let (n, m) = (system.n(), system.m());
+    if 2 * n + m > MOST_STATES {
+        return Vec::new();
+    }
+    let (q, z) = (vec![0.0; n], vec![0.0; m]);
+    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    let points = 12;
+    let spacing = (hi - lo) / points as f64;
+    for i in 0..points {
+        let speed = lo + spacing * (i as f64 + 0.5);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
+        let Ok(values) = first_order(&tangent).map_err(|_| ()).and_then(|a| laval_num::eig::eigenvalues(&a).map_err(|_| ())) else {
+            continue;
+        };
+        for z in values {
+            // trusted only near the speed it was computed at; the synchronous wave of a liquid is no resonance of the unbalance
+            let (centre, half_width) = (z.im.abs(), z.re.abs().max(1e-4 * z.im.abs()));
+            if (centre - speed).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
+                found.push((centre, half_width));
+            }
+        }
+    }
+    found
+}
+
 /// A stiffness of the size of the nonlinear parts', for [`Condenser`].
 fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> f64 {
     let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
@@ -421,6 +478,9 @@ impl Zero for Balance<'_> {
             out[2 * i + 1] = forward.im;
         }
         Ok(())
+    }
+    fn max_parameter_step(&mut self, _: &[f64], p: f64) -> f64 {
+        self.resonances.iter().map(|&(centre, half_width)| resonance_cap(p, centre, half_width)).fold(f64::INFINITY, f64::min)
     }
     fn cancelled(&self) -> bool {
         self.cancel.is_some_and(|c| c.load(Ordering::Relaxed))

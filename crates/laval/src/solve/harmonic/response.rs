@@ -1,0 +1,453 @@
+//! The forced response over a range of speeds: branches from both ends, folds, stability of every point, evidence.
+
+use super::floquet::{Exponents, Method, Stability, Unjudged};
+use super::orbit::Orbit;
+use super::problem::{Balance, Discretisation};
+use super::terms::Terms;
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::solve::symmetry::{Broken, Symmetry, probe};
+use laval_num::complex::C64;
+use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
+use laval_num::dense::{Mat, max_abs};
+use laval_num::newton::{Options, newton};
+use std::sync::atomic::AtomicBool;
+
+/// Largest order tried by the automatic choice.
+pub const MOST_HARMONICS: usize = 63;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Request {
+    /// Range of the spin speed, rad/s, ascending.
+    pub speeds: (f64, f64),
+    /// Largest order; `None` chooses.
+    pub harmonics: Option<usize>,
+    /// Symmetry to impose; `None` takes the largest the machine has.
+    pub symmetry: Option<Symmetry>,
+    /// Subharmonic divisor.
+    pub divisor: usize,
+    /// Dropped force harmonics over kept ones that the automatic choice of orders accepts.
+    pub truncation: f64,
+    /// Judge stability.
+    pub stability: bool,
+    /// Most points of a branch.
+    pub max_points: usize,
+}
+
+impl Request {
+    /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
+    pub fn over(lo: f64, hi: f64) -> Self {
+        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 20_000 }
+    }
+}
+
+/// One point of the response.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Unknowns of the balance.
+    pub x: Vec<f64>,
+    /// Exponents, when they could be found.
+    pub exponents: Option<Exponents>,
+    /// Dropped force harmonics over kept ones.
+    pub truncation: f64,
+    /// Scaled residual.
+    pub residual: f64,
+}
+
+impl State {
+    /// Judged stable; unknown counts as not.
+    pub fn stable(&self) -> bool {
+        self.exponents.as_ref().is_some_and(Exponents::stable)
+    }
+    /// Largest growth rate, 1/s; NaN when not judged.
+    pub fn growth(&self) -> f64 {
+        self.exponents.as_ref().map_or(f64::NAN, Exponents::growth)
+    }
+}
+
+/// A fold of the response, and how well it is known.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Unknowns there.
+    pub x: Vec<f64>,
+    /// Speeds of corrected points on both sides along the branch, where the slope dW/ds has opposite signs.
+    pub bracket: (f64, f64),
+    /// Scaled residual of the extended system, when it confirmed the fold.
+    pub residual: f64,
+    /// Change of the speed between the branch's location and the extended system, rad/s.
+    pub methods_differ: f64,
+    /// Change of the speed when four more orders are kept, rad/s; NaN when that did not converge.
+    pub harmonics_change: f64,
+    /// The extended system found it too.
+    pub confirmed: bool,
+    /// It lies between this point of the branch and the next.
+    pub after: usize,
+    /// The branch turns back from rising speeds here (else from falling ones).
+    pub upper: bool,
+}
+
+/// Loss or gain of stability away from folds.
+#[derive(Clone, Debug)]
+pub struct Change {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Bracket, rad/s.
+    pub bracket: (f64, f64),
+    /// The exponent that crosses.
+    pub exponent: C64,
+    /// Largest growth rate found at the place, 1/s: how well it is located.
+    pub growth: f64,
+    /// It lies between this point of the branch and the next.
+    pub after: usize,
+}
+
+/// A branch with its points judged.
+#[derive(Clone, Debug)]
+pub struct Traced {
+    /// Points in order along the branch.
+    pub points: Vec<State>,
+    /// Folds in the same order.
+    pub folds: Vec<Fold>,
+    /// Other changes of stability.
+    pub changes: Vec<Change>,
+    /// Speeds of simple branch points met.
+    pub branch_points: Vec<f64>,
+    /// Followed from the low end of the range (else from the high end).
+    pub from_low: bool,
+    /// How it ended.
+    pub end: End,
+}
+
+/// The response.
+pub struct Response {
+    /// Branches.
+    pub branches: Vec<Traced>,
+    /// Discretisation used.
+    pub discretisation: Discretisation,
+    /// Parts that break larger symmetries.
+    pub broken: Vec<Broken>,
+    /// Why stability was not judged.
+    pub unjudged: Option<Unjudged>,
+    /// Largest change of the residual when the samples of a period are doubled, relative to the largest force.
+    pub sampling: f64,
+    /// Work: name and count.
+    pub work: Vec<(&'static str, u64)>,
+}
+
+/// Told of every accepted round of work; returns whether to go on.
+pub type Tick<'a> = &'a dyn Fn(u64);
+
+/// Smallest number of samples for orders up to `h`: without aliasing for a cubic law, a whole number for every symmetry, no less than 32.
+fn samples(h: usize, divisor: usize) -> usize {
+    Terms::alias_free(3, h.max(divisor)).next_multiple_of(8).max(32)
+}
+
+/// Computes the response of a machine.
+pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
+    let (lo, hi) = request.speeds;
+    let (found, broken) = probe(system, 0.5 * (lo + hi));
+    let symmetry = match request.symmetry {
+        None => found,
+        Some(s) if s <= found => s,
+        Some(s) => {
+            let why =
+                broken.iter().find(|b| b.change > 0.0).map(|b| format!(": part \"{}\" changes when turned", b.part)).unwrap_or_default();
+            return Err(Diagnostic::error("response.symmetry", format!("the machine has no symmetry by {}{why}", s.name()))
+                .help(format!("use symmetry = \"auto\"; this machine is symmetric by {}", found.name())));
+        }
+    };
+    let automatic = request.harmonics.is_none() && symmetry != Symmetry::Circular;
+    let mut harmonics = match symmetry {
+        Symmetry::Circular => request.divisor,
+        _ => request.harmonics.unwrap_or(7 * request.divisor).max(request.divisor),
+    };
+    let mut oversampling = 1;
+    loop {
+        let d =
+            Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
+        let response = attempt(system, request, d, cancel, tick)?;
+        let worst = worst_truncation(&response);
+        let more = match request.divisor {
+            1 if symmetry == Symmetry::Quarter => 4,
+            nu => 4 * nu,
+        };
+        let complete = response.branches.iter().all(|b| b.end != End::Cancelled);
+        if automatic && complete && worst > request.truncation && harmonics + more <= MOST_HARMONICS {
+            harmonics += more;
+        } else if complete && response.sampling > 1e-9 && oversampling < 8 {
+            oversampling *= 2;
+        } else {
+            return Ok(Response { broken, ..response });
+        }
+    }
+}
+
+fn worst_truncation(r: &Response) -> f64 {
+    r.branches
+        .iter()
+        .flat_map(|b| &b.points)
+        .fold(0.0, |m: f64, p| if p.truncation > m || p.truncation.is_nan() { p.truncation } else { m })
+}
+
+fn attempt<'a>(
+    system: &'a System,
+    request: &Request,
+    d: Discretisation,
+    cancel: &'a AtomicBool,
+    tick: Tick,
+) -> Result<Response, Diagnostic> {
+    let (lo, hi) = request.speeds;
+    let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
+    let settings = Settings { max_points: request.max_points, ..Settings::new(lo, hi) };
+    let invalid =
+        |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
+    let mut branches: Vec<(Branch, bool)> = Vec::new();
+    if let Some(start) = start(&mut balance, lo) {
+        branches.push((trace(&mut balance, &start, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
+        tick(branches[0].0.points.len() as u64);
+    }
+    if let Some(start) = start(&mut balance, hi) {
+        let scale = balance.scales().to_vec();
+        let met = branches
+            .iter()
+            .flat_map(|(b, _)| [b.points.first(), b.points.last()])
+            .flatten()
+            .any(|p| p.p == hi && p.x.iter().zip(&start).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs())));
+        if !met {
+            branches.push((trace(&mut balance, &start, hi, Direction::Down, &settings, &mut []).map_err(invalid)?, false));
+        }
+    }
+    if branches.is_empty() {
+        return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
+            .help("start the range at a lower speed, where the unbalance force is small"));
+    }
+    let (mut stability, mut unjudged) = match request.stability.then(|| Stability::new(system)) {
+        None => (None, None),
+        Some(Ok(s)) => (Some(s), None),
+        Some(Err(why)) => (None, Some(why)),
+    };
+    let sampling = sampling_error(system, &mut balance, d, &branches)?;
+    let mut work = [("points", 0), ("Newton iterations", 0), ("factorisations", 0), ("maps over the period", 0)];
+    let mut traced = Vec::new();
+    for (branch, from_low) in branches {
+        work[0].1 += branch.points.len() as u64;
+        work[1].1 += branch.counters.work.iterations as u64;
+        work[2].1 += branch.counters.work.factorisations as u64;
+        traced.push(judge(&mut balance, &mut stability, &mut unjudged, branch, from_low, request, tick)?);
+    }
+    for t in &mut traced {
+        confirm_with_more_harmonics(system, d, request, &mut t.folds);
+    }
+    let maps = |t: &Traced| t.points.iter().filter(|p| p.exponents.as_ref().is_some_and(|e| e.method == Method::Map)).count() as u64;
+    work[3].1 = traced.iter().map(maps).sum();
+    Ok(Response { branches: traced, discretisation: d, broken: Vec::new(), unjudged, sampling, work: work.to_vec() })
+}
+
+/// A motion at one speed: from rest, else by raising the load.
+fn start(balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
+    let options = Options { to_rounding: true, ..Options::default() };
+    let mut x = vec![0.0; balance.dim()];
+    if newton(balance, &mut x, speed, &options).is_ok() {
+        return Some(x);
+    }
+    // a linear estimate with the reference stiffness, then with a tenth of it
+    for part in [1.0, 0.1, 10.0] {
+        let mut x = balance.linear_estimate(speed, part)?;
+        if newton(balance, &mut x, speed, &options).is_ok() {
+            return Some(x);
+        }
+    }
+    None
+}
+
+fn judge(
+    balance: &mut Balance,
+    stability: &mut Option<Stability>,
+    unjudged: &mut Option<Unjudged>,
+    branch: Branch,
+    from_low: bool,
+    request: &Request,
+    tick: Tick,
+) -> Result<Traced, Diagnostic> {
+    let mut points = Vec::with_capacity(branch.points.len());
+    for (i, p) in branch.points.iter().enumerate() {
+        if balance.cancelled() {
+            break;
+        }
+        points.push(evaluate(balance, stability, unjudged, &p.x, p.p).with_residual(p.residual));
+        if i % 16 == 0 {
+            tick(points.len() as u64);
+        }
+    }
+    let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
+    let branch_points = branch.of(Kind::BranchPoint).map(|s| s.point.p).collect();
+    let mut changes = Vec::new();
+    if stability.is_some() && request.stability {
+        for i in 1..points.len() {
+            let (a, b) = (&points[i - 1], &points[i]);
+            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i);
+            if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
+                changes.push(c);
+            }
+        }
+    }
+    let end = if points.len() < branch.points.len() { End::Cancelled } else { branch.end };
+    Ok(Traced { points, folds, changes, branch_points, from_low, end })
+}
+
+impl State {
+    fn with_residual(self, residual: f64) -> Self {
+        State { residual, ..self }
+    }
+}
+
+fn evaluate(balance: &mut Balance, stability: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64) -> State {
+    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, residual: f64::NAN };
+    balance.sample(x, speed);
+    state.truncation = balance.truncation();
+    if let Some(s) = stability {
+        match s.exponents(balance, x, speed) {
+            Ok(e) => state.exponents = Some(e),
+            Err(why) => *unjudged = Some(why),
+        }
+    }
+    state
+}
+
+fn fold_of(s: &Special, branch: &Branch) -> Fold {
+    let confirmed = s.status == Status::Confirmed;
+    let polished = s.fold.as_ref();
+    let speed = polished.map_or(s.point.p, |f| f.p);
+    Fold {
+        speed,
+        x: polished.map_or_else(|| s.point.x.clone(), |f| f.x.clone()),
+        bracket: (s.bracket[0].p, s.bracket[1].p),
+        residual: polished.map_or(s.residual, |f| f.residual),
+        methods_differ: polished.map_or(f64::NAN, |f| f.p_difference),
+        harmonics_change: f64::NAN,
+        confirmed,
+        after: s.after,
+        upper: branch.points[s.after].p < speed || branch.points[s.after].slope > 0.0,
+    }
+}
+
+/// Bisection with corrected points on the sign of the largest growth rate.
+fn locate_change(
+    balance: &mut Balance,
+    stability: &mut Option<Stability>,
+    unjudged: &mut Option<Unjudged>,
+    a: &State,
+    b: &State,
+    after: usize,
+) -> Option<Change> {
+    let (mut a, mut b) = (a.clone(), b.clone());
+    let mut best = None;
+    for _ in 0..60 {
+        if (b.speed - a.speed).abs() <= 1e-12 * b.speed.abs().max(1.0) {
+            break;
+        }
+        // regula falsi inside, bisection when it leaves the middle
+        let (ga, gb) = (a.growth(), b.growth());
+        let t = (ga / (ga - gb)).clamp(0.1, 0.9);
+        let t = if t.is_finite() { t } else { 0.5 };
+        let speed = a.speed + t * (b.speed - a.speed);
+        let mut x: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| a + t * (b - a)).collect();
+        if newton(balance, &mut x, speed, &Options::default()).is_err() {
+            break;
+        }
+        let mid = evaluate(balance, stability, unjudged, &x, speed);
+        let growth = mid.growth();
+        let leading = mid.exponents.as_ref()?.values.iter().copied().max_by(|x, y| x.re.total_cmp(&y.re))?;
+        best = Some(Change { speed, bracket: (a.speed, b.speed), exponent: leading, growth, after });
+        if mid.stable() == a.stable() { a = mid } else { b = mid }
+    }
+    best.map(|c| Change { bracket: (a.speed.min(b.speed), a.speed.max(b.speed)), ..c })
+}
+
+/// The same folds with four more orders, as evidence.
+fn confirm_with_more_harmonics(system: &System, d: Discretisation, request: &Request, folds: &mut [Fold]) {
+    if d.symmetry == Symmetry::Circular {
+        folds.iter_mut().for_each(|f| f.harmonics_change = 0.0);
+        return;
+    }
+    let more = Discretisation {
+        harmonics: d.harmonics + 4 * d.divisor,
+        samples: d.samples.max(samples(d.harmonics + 4 * d.divisor, d.divisor)),
+        ..d
+    };
+    if folds.is_empty() {
+        return;
+    }
+    let (Ok(mut finer), Ok(coarse)) = (Balance::new(system, more, request.speeds, None), Balance::new(system, d, request.speeds, None))
+    else {
+        return;
+    };
+    for f in folds {
+        let x = carry(&coarse.terms, &finer.terms, &f.x);
+        let guess = vec![0.0; x.len()];
+        let null = null_vector(&mut finer, &x, f.speed).unwrap_or(guess);
+        if let Ok(p) = fold(&mut finer, &x, f.speed, &null) {
+            f.harmonics_change = p.p - f.speed;
+        }
+    }
+}
+
+/// Unknowns of one set of terms in another; orders it lacks are left out, new ones are zero.
+pub fn carry(from: &Terms, to: &Terms, x: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; to.unknowns];
+    for &(term, at) in &to.list {
+        if let Some(&(_, old)) = from.list.iter().find(|(t, _)| *t == term) {
+            out[at..at + term.size()].copy_from_slice(&x[old..old + term.size()]);
+        }
+    }
+    out
+}
+
+/// Null vector of the Jacobian near a fold by inverse iteration.
+fn null_vector(balance: &mut Balance, x: &[f64], speed: f64) -> Option<Vec<f64>> {
+    let n = balance.dim();
+    let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
+    balance.eval(x, speed, &mut r, Some(&mut jac), None).ok()?;
+    let lu = laval_num::dense::Lu::new(&jac).ok()?;
+    let mut v: Vec<f64> = (0..n).map(|i| 1.0 + 0.1 * (i as f64).sin()).collect();
+    for _ in 0..4 {
+        lu.solve(&mut v);
+        let size = max_abs(&v);
+        if !(size.is_finite() && size > 0.0) {
+            return None;
+        }
+        v.iter_mut().for_each(|x| *x /= size);
+    }
+    Some(v)
+}
+
+/// Change of the residual at the point of largest motion when the samples are doubled, relative to the largest force.
+fn sampling_error(system: &System, balance: &mut Balance, d: Discretisation, branches: &[(Branch, bool)]) -> Result<f64, Diagnostic> {
+    if d.symmetry == Symmetry::Circular {
+        return Ok(0.0);
+    }
+    let points = branches.iter().flat_map(|(b, _)| &b.points);
+    let Some(largest) = points.max_by(|a, b| max_abs(&a.x).total_cmp(&max_abs(&b.x))) else { return Ok(0.0) };
+    let n = balance.dim();
+    let speeds = (largest.p, largest.p);
+    let mut finer = Balance::new(system, Discretisation { samples: 2 * d.samples, ..d }, speeds, None)?;
+    let (mut r, mut fine) = (vec![0.0; n], vec![0.0; n]);
+    let evaluated =
+        balance.eval(&largest.x, largest.p, &mut r, None, None).is_ok() && finer.eval(&largest.x, largest.p, &mut fine, None, None).is_ok();
+    if !evaluated {
+        return Ok(f64::NAN);
+    }
+    let size = max_abs(&balance.sampled.rows);
+    let change = max_abs(&r.iter().zip(&fine).map(|(a, b)| a - b).collect::<Vec<_>>());
+    Ok(if size == 0.0 { change } else { change / size })
+}
+
+/// The whole motion at a point.
+pub fn orbit_at(balance: &mut Balance, state: &State) -> Option<Orbit> {
+    Orbit::of(balance, &state.x, state.speed).ok()
+}
