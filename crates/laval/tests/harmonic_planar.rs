@@ -1,7 +1,7 @@
 //! Harmonic balance of the planar machine: folds and stability of the reference tables, and checks that know no table.
 
 mod common;
-use common::Base;
+use common::base::Base;
 use laval::solve::harmonic::response::{Request, Response, respond};
 use std::sync::atomic::AtomicBool;
 

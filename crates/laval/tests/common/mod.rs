@@ -1,63 +1,77 @@
-//! Machines that several tests share.
+//! Machines and tables the linear tests share.
 #![allow(dead_code)]
+
+pub mod base;
+#[allow(unused_imports)]
+pub use base::Base;
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
+use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
 
-/// Base set of the planar reference tables, with what they vary.
+/// The planar rotor of the reference tables.
 #[derive(Clone, Copy)]
-pub struct Base {
-    /// Damping rotor to ground, N s/m.
-    pub chi: f64,
-    /// Eccentricity, m.
-    pub e: f64,
-    /// Direction of the eccentricity, rad.
-    pub phase: f64,
-    /// Same law in all directions.
-    pub isotropic: bool,
-    /// Free-surface radius over cavity radius; `None` is empty.
-    pub fill: Option<f64>,
-    /// Damping of the surface wave, 1/s.
-    pub wave_damping: f64,
-    /// Foundation damping, N s/m.
-    pub chi0: f64,
+pub struct Planar {
     /// Foundation mass, kg.
-    pub foundation: f64,
+    pub base: f64,
+    /// Rotor to ground, N s/m.
+    pub chi: f64,
+    /// Foundation to ground, N s/m.
+    pub chi0: f64,
+    /// Free surface over cavity radius; 1 is empty, 0 full.
+    pub fill: f64,
+    /// Wave damping, 1/s.
+    pub delta: f64,
+    /// Unit of length: lengths are divided by it, masses and times stay.
+    pub metre: f64,
 }
 
-impl Default for Base {
+impl Default for Planar {
     fn default() -> Self {
-        Base { chi: 42.0, e: 1e-3, phase: 0.0, isotropic: false, fill: None, wave_damping: 0.0, chi0: 6.59, foundation: 25.0 }
+        Planar { base: 25.0, chi: 42.0, chi0: 6.59, fill: 1.0, delta: 0.0, metre: 1.0 }
     }
 }
 
-impl Base {
-    /// The machine, before assembly.
+impl Planar {
     pub fn builder(self) -> Builder {
-        let link = Link::Between(Attach::on("drum"), Attach::on("base"));
-        let bearing = if self.isotropic { BearingCubic::isotropic(link) } else { BearingCubic::per_axis(link) };
-        let ground = Link::Between(Attach::on("drum"), Attach::ground());
-        let disc = DiscParams { mass: 2.4, eccentricity: self.e, eccentricity_phase: self.phase, ..DiscFamily::defaults() };
-        let base = FoundationParams { mass: self.foundation, stiffness: [3.26e5; 2], damping: [self.chi0; 2] };
-        let law = BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 0.0 };
-        let mut b = Builder::new("base set")
-            .part("drum", Disc::planar(), disc)
-            .part("base", Foundation, base)
-            .part("bearing", bearing, law)
-            .part("air", Damper::fixed(ground), DamperParams { damping: [self.chi; 2] });
-        if let Some(r) = self.fill {
+        let l = 1.0 / self.metre;
+        let joint = || Link::Between(Attach::on("drum"), Attach::on("base"));
+        let mut b = Builder::new("planar")
+            .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 1e-3 * l, ..DiscFamily::defaults() })
+            .part("base", Foundation, FoundationParams { mass: self.base, stiffness: [3.26e5; 2], damping: [self.chi0; 2] })
+            .part(
+                "bearing",
+                BearingCubic::per_axis(joint()),
+                BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10 / (l * l); 2], valid_to: 0.0 },
+            )
+            .part("air", Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())), DamperParams { damping: [self.chi; 2] });
+        if self.fill < 1.0 {
             let p = LiquidParams {
-                cavity_radius: 0.07,
-                cavity_height: 0.06,
-                density: 1000.0,
-                free_surface_radius: 0.07 * r,
-                wave_damping: self.wave_damping,
+                cavity_radius: 0.07 * l,
+                cavity_height: 0.06 * l,
+                density: 1000.0 / (l * l * l),
+                free_surface_radius: 0.07 * self.fill * l,
+                wave_damping: self.delta,
             };
-            b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
+            let fill = if self.fill > 0.0 { Fill::Partial } else { Fill::Full };
+            b = b.part("liquid", Liquid::new(Attach::on("drum"), fill), p);
         }
         b
     }
+    pub fn build(self) -> System {
+        self.builder().build().unwrap()
+    }
+}
+
+/// Rows of a reference table as words, comments and heading dropped.
+pub fn rows(text: &str) -> Vec<Vec<&str>> {
+    text.lines().filter(|l| !l.starts_with('#')).skip(1).map(|l| l.split(',').collect()).collect()
+}
+
+/// A number of a reference table; NaN when the cell is blank.
+pub fn number(cell: &str) -> f64 {
+    cell.parse().unwrap_or(f64::NAN)
 }

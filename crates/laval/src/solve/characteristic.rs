@@ -1,0 +1,391 @@
+//! The characteristic matrix T(s) of a machine about an equilibrium: singular exactly at the eigenvalues.
+//!
+//! Unknowns are the coordinates and those internal states that are not eliminated: memory states and frequency-domain parts enter exactly.
+//! T is given in the coordinates of [`Sectors`]. About a state that turns with the rotor, column j is evaluated at `s + i k_j W` with the winding
+//! k_j of its coordinate; for a machine without preferred direction that is exact and constant in time.
+
+use super::sectors::{Sector, Sectors, imaginary};
+use crate::model::blocks::Grid;
+use crate::model::erased::D1;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::At;
+use crate::model::system::System;
+use crate::model::tangent::{Tangent, TangentScratch};
+use laval_num::complex::{C64, Complex, c};
+use laval_num::dense::{Field, Lu, Mat};
+use laval_num::dual::Dual;
+
+/// Axes in which a state is at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// Fixed axes: nothing moves.
+    Fixed,
+    /// Axes that turn with the rotor.
+    Turning,
+}
+
+/// A state the machine is linearised about, with the evidence that it is one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// Axes it rests in.
+    pub frame: Frame,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Coordinates (at spin angle 0 for [`Frame::Turning`]).
+    pub q: Vec<f64>,
+    /// Internal states of the whole machine; memory states and states of frequency-domain parts are left zero.
+    pub z: Vec<f64>,
+    /// Newton steps taken.
+    pub iterations: usize,
+    /// Length of the last Newton step relative to the typical sizes of the coordinates.
+    pub last_step: f64,
+}
+
+impl Equilibrium {
+    /// The state zero.
+    pub fn zero(system: &System, frame: Frame, speed: f64) -> Self {
+        Equilibrium { frame, speed, q: vec![0.0; system.n()], z: vec![0.0; system.m()], iterations: 0, last_step: 0.0 }
+    }
+    /// Rates of the coordinates.
+    pub fn velocity(&self, sectors: &Sectors) -> Vec<f64> {
+        match self.frame {
+            Frame::Fixed => vec![0.0; self.q.len()],
+            Frame::Turning => sectors.quarter_turn(&self.q).iter().map(|x| x * self.speed).collect(),
+        }
+    }
+    /// Accelerations of the coordinates.
+    pub fn acceleration(&self, sectors: &Sectors) -> Vec<f64> {
+        let v = self.velocity(sectors);
+        match self.frame {
+            Frame::Fixed => v,
+            Frame::Turning => sectors.quarter_turn(&v).iter().map(|x| x * self.speed).collect(),
+        }
+    }
+}
+
+/// Sectors of the machine's coordinates.
+pub fn coordinate_sectors(system: &System) -> Sectors {
+    Sectors::new(system.coordinates().iter().map(|d| d.dof.kind))
+}
+
+/// Sectors of some of the machine's internal states (global indices).
+pub fn state_sectors(system: &System, states: &[usize]) -> Sectors {
+    Sectors::new(states.iter().map(|&i| system.states()[i].dof.kind))
+}
+
+/// Global indices of the internal states of nonlinear parts.
+pub fn nonlinear_states(system: &System) -> Vec<usize> {
+    system.slots().iter().filter(|s| !s.is_linear()).flat_map(|s| s.states.clone()).collect()
+}
+
+/// T(s) about one equilibrium.
+pub struct Characteristic<'a> {
+    system: &'a System,
+    params: Vec<D1>,
+    model: LinearModel<D1>,
+    scratch: LinearScratch<D1>,
+    grid: Grid<Complex<D1>>,
+    /// Tangents of nonlinear parts in sector coordinates: multiplied by 1, s, s^2.
+    nonlinear: [Mat<C64>; 3],
+    states: Vec<usize>,
+    sectors: Sectors,
+    frame: Frame,
+    speed: f64,
+    n: usize,
+}
+
+impl<'a> Characteristic<'a> {
+    /// About an equilibrium.
+    pub fn new(system: &'a System, about: &Equilibrium) -> Self {
+        let params: Vec<D1> = system.params().iter().map(|&x| Dual::lift(x)).collect();
+        let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+        system.linear(&params, Dual::lift(about.speed), Form::Frequency, &mut model, &mut scratch);
+        let own = nonlinear_states(system);
+        let states: Vec<usize> = model.states.iter().chain(&own).copied().collect();
+        let coordinates = coordinate_sectors(system);
+        let sectors = Sectors::chain(&[&coordinates, &state_sectors(system, &states)]);
+        let (v, a) = (about.velocity(&coordinates), about.acceleration(&coordinates));
+        let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
+        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
+        let (n, first) = (system.n(), system.n() + model.states.len());
+        let size = n + states.len();
+        let nonlinear = [0, 1, 2].map(|power| {
+            let (top, bottom) = [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)][power];
+            let m = Mat::from_fn(size, size, |i, j| match (i < n, j < n) {
+                (true, true) => top[(i, j)],
+                (true, false) if power == 0 && j >= first => t.z[(i, states[j - n])],
+                (false, true) if i >= first => -bottom[(states[i - n], j)],
+                (false, false) if i >= first && j >= first => match power {
+                    0 => -t.rate_z[(states[i - n], states[j - n])],
+                    1 if i == j => 1.0,
+                    _ => 0.0,
+                },
+                _ => 0.0,
+            });
+            sectors.polarised(&sectors, &m)
+        });
+        let (frame, speed) = (about.frame, about.speed);
+        Characteristic { system, params, model, scratch, grid: Grid::empty(), nonlinear, states, sectors, frame, speed, n }
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.sectors.len()
+    }
+    /// Sectors of the unknowns: coordinates, then states.
+    pub fn sectors(&self) -> &Sectors {
+        &self.sectors
+    }
+    /// Global indices of the states among the unknowns.
+    pub fn states(&self) -> &[usize] {
+        &self.states
+    }
+    /// Speed, rad/s.
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    fn shift(&self, k: Sector) -> C64 {
+        match self.frame {
+            Frame::Fixed => C64::ZERO,
+            Frame::Turning => imaginary(k.winding() * self.speed),
+        }
+    }
+
+    /// T(s) and dT/ds.
+    pub fn at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
+        self.linear_at(s, value, slope);
+        let [k, d, m] = &self.nonlinear;
+        for j in 0..self.sectors.len() {
+            let s = s + self.shift(self.sectors.of(j));
+            for i in 0..self.sectors.len() {
+                value[(i, j)] += k[(i, j)] + s * (d[(i, j)] + s * m[(i, j)]);
+                slope[(i, j)] += d[(i, j)] + (s * m[(i, j)]).scale(2.0);
+            }
+        }
+    }
+
+    /// The share of linear and frequency-domain parts.
+    pub fn linear_at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
+        let size = self.sectors.len();
+        value.reset(size, size);
+        slope.reset(size, size);
+        let kinds: &[Sector] =
+            if self.frame == Frame::Fixed { &[Sector::Axial] } else { &[Sector::Axial, Sector::Forward, Sector::Backward] };
+        let (mut v, mut d) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        for &kind in kinds {
+            let s = s + self.shift(kind);
+            let s = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
+            self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
+            for i in 0..self.grid.rows() {
+                for j in 0..self.grid.cols() {
+                    let x = self.grid[(i, j)];
+                    v[(i, j)] = c(x.re.re, x.im.re);
+                    d[(i, j)] = c(x.re.eps[0], x.im.eps[0]);
+                }
+            }
+            self.sectors.polarise_matrix(&self.sectors, &mut v);
+            self.sectors.polarise_matrix(&self.sectors, &mut d);
+            for j in (0..size).filter(|&j| self.frame == Frame::Fixed || self.sectors.of(j) == kind) {
+                for i in 0..size {
+                    (value[(i, j)], slope[(i, j)]) = (v[(i, j)], d[(i, j)]);
+                }
+            }
+            v.reset(size, size);
+            d.reset(size, size);
+        }
+    }
+
+    /// Constant forces and those that turn with the rotor (complex amplitudes `c - i s` of `c cos(phase) + s sin(phase)`), in x and y, over all
+    /// unknowns.
+    pub fn loads(&self) -> (Vec<f64>, Vec<C64>) {
+        let b = &self.model.blocks;
+        let (mut constant, mut turning) = (vec![0.0; self.size()], vec![C64::ZERO; self.size()]);
+        for i in 0..self.n {
+            constant[i] = b.force[i].re;
+            turning[i] = c(b.force_cos[i].re, -b.force_sin[i].re);
+        }
+        for (i, r) in b.rate.iter().enumerate() {
+            constant[self.n + i] = r.re;
+        }
+        (constant, turning)
+    }
+
+    /// Scales T at `s` over the members so that its rows and columns are of size one, and finds its smallest singular directions.
+    pub fn border(&mut self, s: C64, members: &[usize]) -> Option<Border> {
+        let (mut t, mut d) = (Mat::default(), Mat::default());
+        self.at(s, &mut t, &mut d);
+        let (rows, cols) = equilibrate(&t, &d, s.abs(), members);
+        let k = members.len();
+        let scaled = Mat::from_fn(k, k, |i, j| t[(members[i], members[j])].scale(rows[i] * cols[j]));
+        let (b, a) = singular_directions(&scaled)?;
+        Some(Border { members: members.to_vec(), rows, cols, b, c: a })
+    }
+
+    /// The bordered test function `g` (zero exactly where T is singular), dg/ds, and the null vectors that belong to it.
+    pub fn test(&mut self, s: C64, border: &Border) -> Option<Test> {
+        let (mut t, mut d) = (Mat::default(), Mat::default());
+        self.at(s, &mut t, &mut d);
+        border.test(&t, &d)
+    }
+
+    /// Newton's method on `g(s) = 0` from a nearby start, over the members of a sector or all unknowns (`None`).
+    pub fn polish(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
+        let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
+        let border = self.border(start, &members)?;
+        let (mut s, mut last) = (start, f64::INFINITY);
+        for iterations in 1..=25 {
+            let test = self.test(s, &border)?;
+            let step = test.g / test.slope;
+            let length = step.abs();
+            if !step.is_finite() {
+                return None;
+            }
+            s -= step;
+            let size = s.abs();
+            if length <= 1e-15 * size || (length >= 0.5 * last && length <= 1e-9 * size) || (length == 0.0) {
+                let end = self.test(s, &border)?;
+                let (right, left) =
+                    (border.spread(&end.right, &border.cols, self.size()), border.spread(&end.left, &border.rows, self.size()));
+                return Some(Polished { value: s, right, left, defect: end.g.abs(), step: length, iterations });
+            }
+            last = length;
+        }
+        None
+    }
+}
+
+/// A root of the characteristic function.
+#[derive(Clone, Debug)]
+pub struct Polished {
+    /// s.
+    pub value: C64,
+    /// Right null vector over all unknowns, in sector coordinates.
+    pub right: Vec<C64>,
+    /// Left null vector (`y^H T = 0`).
+    pub left: Vec<C64>,
+    /// Size of the relative change of T that makes it exactly singular.
+    pub defect: f64,
+    /// Last Newton step, 1/s.
+    pub step: f64,
+    /// Newton steps.
+    pub iterations: usize,
+}
+
+/// Scaling and bordering vectors, kept while `s` and the speed move a little.
+#[derive(Clone, Debug)]
+pub struct Border {
+    members: Vec<usize>,
+    rows: Vec<f64>,
+    cols: Vec<f64>,
+    b: Vec<C64>,
+    c: Vec<C64>,
+}
+
+/// Value of the test function.
+#[derive(Clone, Debug)]
+pub struct Test {
+    /// g: relative distance from singularity.
+    pub g: C64,
+    /// dg/ds.
+    pub slope: C64,
+    /// Right vector (scaled, over the members).
+    pub right: Vec<C64>,
+    /// Left vector.
+    pub left: Vec<C64>,
+}
+
+impl Border {
+    /// `y^H M x` for the vectors of a test and a matrix over all unknowns.
+    pub fn product(&self, test: &Test, m: &Mat<C64>) -> C64 {
+        let mut sum = C64::ZERO;
+        for (i, (&mi, y)) in self.members.iter().zip(&test.left).enumerate() {
+            let row =
+                self.members.iter().zip(&test.right).zip(&self.cols).fold(C64::ZERO, |s, ((&mj, &x), &k)| s + m[(mi, mj)] * x.scale(k));
+            sum += y.conj() * row.scale(self.rows[i]);
+        }
+        sum
+    }
+
+    fn test(&self, t: &Mat<C64>, d: &Mat<C64>) -> Option<Test> {
+        let k = self.members.len();
+        let m = Mat::from_fn(k + 1, k + 1, |i, j| match (i < k, j < k) {
+            (true, true) => t[(self.members[i], self.members[j])].scale(self.rows[i] * self.cols[j]),
+            (true, false) => self.b[i],
+            (false, true) => self.c[j].conj(),
+            _ => C64::ZERO,
+        });
+        let mut right = vec![C64::ZERO; k + 1];
+        right[k] = C64::ONE;
+        let mut left = right.clone();
+        Lu::new(&m).ok()?.solve(&mut right);
+        Lu::new(&Mat::from_fn(k + 1, k + 1, |i, j| m[(j, i)].conj())).ok()?.solve(&mut left);
+        // T x + b g = 0, so that g is minus the usual sign; it vanishes with the determinant.
+        let g = right[k];
+        right.truncate(k);
+        left.truncate(k);
+        let mut test = Test { g, slope: C64::ZERO, right, left };
+        test.slope = -self.product(&test, d);
+        (test.g.is_finite() && test.slope.is_finite()).then_some(test)
+    }
+
+    fn spread(&self, x: &[C64], scale: &[f64], size: usize) -> Vec<C64> {
+        let mut out = vec![C64::ZERO; size];
+        for ((&m, &x), &k) in self.members.iter().zip(x).zip(scale) {
+            out[m] = x.scale(k);
+        }
+        out
+    }
+}
+
+/// Row and column factors that bring the largest entries of rows and columns near one. Sizes come from T and s dT/ds together: T alone may be
+/// small only because its terms cancel, which is what the test function is to see.
+fn equilibrate(t: &Mat<C64>, slope: &Mat<C64>, s: f64, members: &[usize]) -> (Vec<f64>, Vec<f64>) {
+    let k = members.len();
+    let (mut rows, mut cols) = (vec![1.0; k], vec![1.0; k]);
+    let size = |i: usize, j: usize| t[(members[i], members[j])].size() + s * slope[(members[i], members[j])].size();
+    let factor = |x: f64| if x > 0.0 && x.is_finite() { x.sqrt().recip() } else { 1.0 };
+    for _ in 0..6 {
+        for (i, r) in rows.iter_mut().enumerate() {
+            *r *= factor((0..k).map(|j| size(i, j) * *r * cols[j]).fold(0.0, f64::max));
+        }
+        for (j, c) in cols.iter_mut().enumerate() {
+            *c *= factor((0..k).map(|i| size(i, j) * rows[i] * *c).fold(0.0, f64::max));
+        }
+    }
+    let power = |x: &f64| x.log2().round().exp2();
+    (rows.iter().map(power).collect(), cols.iter().map(power).collect())
+}
+
+/// Left and right singular directions of the smallest singular value, roughly, by inverse iteration.
+fn singular_directions(t: &Mat<C64>) -> Option<(Vec<C64>, Vec<C64>)> {
+    let k = t.rows();
+    // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
+    let eps = 8.0 * f64::EPSILON * t.max_size();
+    let shifted = Mat::from_fn(k, k, |i, j| if i == j { t[(i, j)] + c(eps, 0.5 * eps) } else { t[(i, j)] });
+    let lu = Lu::new(&shifted).ok()?;
+    let adjoint = Lu::new(&Mat::from_fn(k, k, |i, j| shifted[(j, i)].conj())).ok()?;
+    let mut x: Vec<C64> = (0..k).map(|i| C64::cis(1.0 + 2.4 * i as f64).scale(1.0 + 0.3 * (i as f64).sin())).collect();
+    let mut y = x.clone();
+    for _ in 0..3 {
+        y = x.clone();
+        adjoint.solve(&mut y);
+        normalise(&mut y)?;
+        x = y.clone();
+        lu.solve(&mut x);
+        normalise(&mut x)?;
+    }
+    Some((y, x))
+}
+
+fn normalise(x: &mut [C64]) -> Option<()> {
+    let m = x.iter().fold(0.0, |m: f64, z| if z.size() > m || z.size().is_nan() { z.size() } else { m });
+    if !(m > 0.0 && m.is_finite()) {
+        return None;
+    }
+    x.iter_mut().for_each(|z| *z = z.scale(1.0 / m));
+    let n = x.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
+    x.iter_mut().for_each(|z| *z = z.scale(1.0 / n));
+    Some(())
+}

@@ -1,0 +1,360 @@
+//! A machine in time: its equations as one first-order system y' = f(t, y).
+//!
+//! ```text
+//! y = (q, v, z [, phase, speed] [, energy account])
+//! q' = v,   M a = -r(q, v, a = 0, z; spin, t),   v' = a,   z' as the parts say (may read a)
+//! ```
+//!
+//! With a prescribed spin (phase, speed, acceleration from a [`Programme`]) the spin row is not solved: it gives the drive torque. With a free
+//! spin the spin angle is one more coordinate with its row and column in M.
+//!
+//! The energy account appends four integrals from the start: heat, work of the parts' own sources, work of the drive, work of the weight. Stored energy
+//! changes by `-heat + sources + drive + weight`: what is missing is the error of the integration.
+//!
+//! A machine of constant mass at constant speed is compiled once: its linear parts become one dense matrix, and only nonlinear parts and
+//! memory states are evaluated at every call.
+
+mod compiled;
+mod direct;
+pub mod flight;
+mod stiff;
+
+use super::programme::{Programme, Spin};
+use crate::diagnostic::Diagnostic;
+use crate::model::erased::D1;
+use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
+use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
+use compiled::Compiled;
+use direct::Direct;
+use laval_num::ode::{Failure, Ode};
+use stiff::Elimination;
+
+/// Number of integrals in the energy account.
+pub const ACCOUNT: usize = 4;
+
+/// How the spin moves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpinLaw {
+    /// As prescribed.
+    Programme(Programme),
+    /// By the spin row.
+    Free,
+}
+
+/// The machine as an ODE, with its scratch; see the [module](self).
+pub struct Motion<'a> {
+    system: &'a System,
+    law: SpinLaw,
+    account: bool,
+    direct: Direct,
+    compiled: Option<Compiled>,
+    elimination: Elimination,
+    power: PowerScratch,
+}
+
+#[derive(Default)]
+struct PowerScratch {
+    force: Vec<f64>,
+    rate: Vec<f64>,
+    plain: Workspace<f64>,
+    dual: Workspace<D1>,
+    dual_params: Vec<D1>,
+    lifted: [Vec<D1>; 4],
+}
+
+/// Powers at one moment, W.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Powers {
+    /// Turned into heat.
+    pub dissipated: f64,
+    /// Brought in by the parts' own sources.
+    pub supplied: f64,
+    /// Brought in by the drive: torque times speed (0 with a free spin).
+    pub drive: f64,
+    /// Done by the weight.
+    pub weight: f64,
+}
+
+/// Accelerations at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Accelerations<'m> {
+    /// Of the coordinates.
+    pub coordinates: &'m [f64],
+    /// Of the spin, rad/s^2.
+    pub spin: f64,
+    /// Rates of the internal states.
+    pub rates: &'m [f64],
+}
+
+impl<'a> Motion<'a> {
+    /// The machine in time. A prescribed law serves any drive; a free one needs [`Drive::Free`] and inertia about the axis.
+    ///
+    /// # Errors
+    /// A part without a time form; a mass matrix that is singular at the undeflected state.
+    pub fn new(system: &'a System, law: SpinLaw) -> Result<Self, Diagnostic> {
+        for slot in system.slots() {
+            if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
+                return Err(Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
+                    .at(slot.span.clone())
+                    .help("use a study in the frequency domain, such as forced_response"));
+            }
+        }
+        let free = law == SpinLaw::Free;
+        let mut motion = Motion {
+            system,
+            direct: Direct::new(system, free),
+            compiled: None,
+            elimination: Elimination::new(system, free),
+            law,
+            account: false,
+            power: PowerScratch::default(),
+        };
+        let mut y = vec![0.0; motion.core()];
+        if let (true, Some(speed)) = (free, system.machine.speed) {
+            y[2 * system.n() + system.m() + 1] = speed;
+        }
+        let fail = |what: Failure| {
+            Diagnostic::error("motion.mass", format!("the machine has no equations of motion: {what}"))
+                .help("every coordinate needs inertia; give the part that owns it a mass")
+        };
+        motion.accelerate(0.0, &y).map_err(fail)?;
+        motion.direct.check_mass(system).map_err(fail)?;
+        if let SpinLaw::Programme(p) = &motion.law
+            && let Some(speed) = p.constant_speed()
+            && motion.direct.constant_mass()
+        {
+            motion.compiled = Some(Compiled::new(system, speed).map_err(fail)?);
+        }
+        Ok(motion)
+    }
+
+    /// The law of the machine's own drive: free from its speed, or constant at `speed`.
+    pub fn law_of(system: &System, speed: f64, phase: f64) -> SpinLaw {
+        match system.machine.drive {
+            Drive::Prescribed => SpinLaw::Programme(Programme::constant(speed, phase)),
+            Drive::Free => SpinLaw::Free,
+        }
+    }
+
+    /// Appends the energy account.
+    ///
+    /// # Errors
+    /// The name of a part that keeps no account of its energy.
+    pub fn with_account(mut self) -> Result<Self, (Self, String)> {
+        let y = vec![0.0; self.dim()];
+        match self.stored_energy(0.0, &y) {
+            Ok(_) => {
+                self.account = true;
+                Ok(self)
+            }
+            Err(part) => Err((self, part)),
+        }
+    }
+
+    /// The machine.
+    pub fn system(&self) -> &'a System {
+        self.system
+    }
+    /// How the spin moves.
+    pub fn law(&self) -> &SpinLaw {
+        &self.law
+    }
+    /// The spin angle is a coordinate.
+    pub fn is_free(&self) -> bool {
+        self.law == SpinLaw::Free
+    }
+    /// The energy account is kept.
+    pub fn has_account(&self) -> bool {
+        self.account
+    }
+    /// Number of states without the account.
+    fn core(&self) -> usize {
+        2 * self.system.n() + self.system.m() + 2 * usize::from(self.is_free())
+    }
+    /// Index of the first integral of the account: heat, sources, drive, weight.
+    pub fn account_start(&self) -> Option<usize> {
+        self.account.then(|| self.core())
+    }
+    /// Index of the spin angle; the speed follows. `None` when prescribed.
+    pub fn spin_start(&self) -> Option<usize> {
+        self.is_free().then(|| 2 * self.system.n() + self.system.m())
+    }
+    /// Memory states of all parts.
+    pub fn memory_states(&self) -> usize {
+        self.elimination.memory()
+    }
+    /// Why an explicit method cannot be used, naming the part.
+    pub fn refuses_explicit(&self) -> Option<Diagnostic> {
+        let slot = self.system.slots().iter().find(|s| s.memory > 0)?;
+        Some(
+            Diagnostic::error("motion.memory", format!("\"{}\" has memory states, which an explicit method cannot follow", slot.name))
+                .at(slot.span.clone())
+                .help("use method = \"stiff\""),
+        )
+    }
+    /// The integration uses the matrices compiled for a constant speed.
+    pub fn is_compiled(&self) -> bool {
+        self.compiled.is_some()
+    }
+
+    /// Phase and speed at a state; the acceleration is that of the programme (0 when free: ask [`Motion::accelerations`]).
+    pub fn spin(&self, t: f64, y: &[f64]) -> Spin {
+        match &self.law {
+            SpinLaw::Programme(p) => p.at(t),
+            SpinLaw::Free => {
+                let k = 2 * self.system.n() + self.system.m();
+                Spin { phase: y[k], speed: y[k + 1], accel: 0.0 }
+            }
+        }
+    }
+
+    fn accelerate(&mut self, t: f64, y: &[f64]) -> Result<Spin, Failure> {
+        let spin = self.spin(t, y);
+        match &mut self.compiled {
+            Some(c) => c.evaluate(self.system, t, spin, y, &mut self.direct),
+            None => self.direct.evaluate(self.system, t, spin, y)?,
+        }
+        Ok(Spin { accel: if self.is_free() { self.direct.accel[self.system.n()] } else { spin.accel }, ..spin })
+    }
+
+    /// Accelerations and rates at a state.
+    ///
+    /// # Errors
+    /// A singular mass matrix, naming the coordinate.
+    pub fn accelerations(&mut self, t: f64, y: &[f64]) -> Result<Accelerations<'_>, Failure> {
+        let spin = self.accelerate(t, y)?.accel;
+        let (n, m) = (self.system.n(), self.system.m());
+        Ok(Accelerations { coordinates: &self.direct.accel[..n], spin, rates: &self.direct.rate[..m] })
+    }
+
+    /// Calls `f` with the full point (accelerations included) at a state.
+    ///
+    /// # Errors
+    /// As [`Motion::accelerations`].
+    pub fn with_point<R>(&mut self, t: f64, y: &[f64], f: impl FnOnce(&System, &At<f64>) -> R) -> Result<R, Failure> {
+        let spin = self.accelerate(t, y)?;
+        Ok(f(self.system, &point(self.system, t, spin, y, &self.direct.accel)))
+    }
+
+    /// Residual of the spin row, N m: the torque the drive must bring when the spin is prescribed, 0 to rounding when it is free.
+    ///
+    /// # Errors
+    /// As [`Motion::accelerations`].
+    pub fn torque(&mut self, t: f64, y: &[f64]) -> Result<f64, Failure> {
+        let spin = self.accelerate(t, y)?;
+        let at = point(self.system, t, spin, y, &self.direct.accel);
+        Ok(self.power.torque(self.system, &at))
+    }
+
+    /// Stored energy, J.
+    ///
+    /// # Errors
+    /// The name of a part that keeps no account.
+    pub fn stored_energy(&mut self, t: f64, y: &[f64]) -> Result<f64, String> {
+        let spin = self.spin(t, y);
+        // no stored energy reads an acceleration
+        let zero = &self.direct.zero;
+        let at = point(self.system, t, spin, y, zero);
+        Ok(self.system.energy(self.system.params(), &at, &mut self.power.plain)?.stored)
+    }
+
+    /// Powers at a state.
+    ///
+    /// # Errors
+    /// As [`Motion::accelerations`], or a part that keeps no account.
+    pub fn powers(&mut self, t: f64, y: &[f64]) -> Result<Powers, Failure> {
+        let spin = self.accelerate(t, y)?;
+        self.powers_here(t, spin, y)
+    }
+
+    fn powers_here(&mut self, t: f64, spin: Spin, y: &[f64]) -> Result<Powers, Failure> {
+        let system = self.system;
+        let at = point(system, t, spin, y, &self.direct.accel);
+        let e = system
+            .energy(system.params(), &at, &mut self.power.plain)
+            .map_err(|part| Failure::from(format!("\"{part}\" keeps no account of its energy")))?;
+        let drive = if self.is_free() { 0.0 } else { self.power.torque(system, &at) * spin.speed };
+        let weight = if system.machine.axis == Axis::Horizontal { self.power.weight(system, &at) } else { 0.0 };
+        Ok(Powers { dissipated: e.dissipated, supplied: e.supplied, drive, weight })
+    }
+
+    /// Applies sudden changes of velocity; internal states that read accelerations follow.
+    ///
+    /// # Errors
+    /// As [`Motion::accelerations`].
+    pub fn kick(&mut self, t: f64, y: &mut [f64], change: &[f64]) -> Result<(), Failure> {
+        let (n, m) = (self.system.n(), self.system.m());
+        self.accelerate(t, y)?;
+        let mut jump = vec![0.0; m];
+        self.direct.state_jump(self.system, t, self.spin(t, y), y, change, &mut jump);
+        for (v, d) in y[n..2 * n].iter_mut().zip(change) {
+            *v += d;
+        }
+        for (z, d) in y[2 * n..2 * n + m].iter_mut().zip(jump) {
+            *z += d;
+        }
+        Ok(())
+    }
+}
+
+/// The global point of a state.
+fn point<'b>(system: &System, t: f64, spin: Spin, y: &'b [f64], a: &'b [f64]) -> At<'b, f64> {
+    let (n, m) = (system.n(), system.m());
+    At { q: &y[..n], v: &y[n..2 * n], a: &a[..n], z: &y[2 * n..2 * n + m], phase: spin.phase, speed: spin.speed, spin_accel: spin.accel, t }
+}
+
+impl PowerScratch {
+    fn torque(&mut self, system: &System, at: &At<f64>) -> f64 {
+        for (x, len) in [(&mut self.force, system.n()), (&mut self.rate, system.m())] {
+            x.clear();
+            x.resize(len, 0.0);
+        }
+        let mut spin = 0.0;
+        let mut rows = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut spin };
+        system.residual(system.params(), at, &mut rows, &mut self.plain, |_| true);
+        spin
+    }
+
+    /// Weight does the work `-g` times the derivative of the stored energy in the y velocities: the momentum.
+    fn weight(&mut self, system: &System, at: &At<f64>) -> f64 {
+        if self.dual_params.is_empty() {
+            self.dual_params.extend(system.params().iter().map(|&x| D1::lift(x)));
+        }
+        for (lifted, x) in self.lifted.iter_mut().zip([at.q, at.v, at.a, at.z]) {
+            lifted.clear();
+            lifted.extend(x.iter().map(|&x| D1::lift(x)));
+        }
+        for (v, c) in self.lifted[1].iter_mut().zip(system.coordinates()) {
+            if c.dof.kind == DofKind::VectorY {
+                v.eps[0] = GRAVITY;
+            }
+        }
+        let [q, v, a, z] = &self.lifted;
+        let lift = D1::lift;
+        let at = At { q, v, a, z, phase: lift(at.phase), speed: lift(at.speed), spin_accel: lift(at.spin_accel), t: lift(at.t) };
+        system.energy(&self.dual_params, &at, &mut self.dual).map_or(f64::NAN, |e| -e.stored.eps[0])
+    }
+}
+
+impl Ode for Motion<'_> {
+    fn dim(&self) -> usize {
+        self.core() + if self.account { ACCOUNT } else { 0 }
+    }
+
+    fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        let (n, m) = (self.system.n(), self.system.m());
+        let spin = self.accelerate(t, y)?;
+        dy[..n].copy_from_slice(&y[n..2 * n]);
+        dy[n..2 * n].copy_from_slice(&self.direct.accel[..n]);
+        dy[2 * n..2 * n + m].copy_from_slice(&self.direct.rate);
+        if let Some(k) = self.spin_start() {
+            dy[k] = spin.speed;
+            dy[k + 1] = spin.accel;
+        }
+        if let Some(k) = self.account_start() {
+            let p = self.powers_here(t, spin, y)?;
+            dy[k..k + ACCOUNT].copy_from_slice(&[p.dissipated, p.supplied, p.drive, p.weight]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,461 @@
+//! Linearisation about an equilibrium, its first-order pencil `E x' = A x` over (q, v, z), and its modes.
+//!
+//! ```text
+//! M q'' + C q' + K q + Z z = 0,    z' = Rq q + Rv q' + Ra q'' + Rz z
+//! ```
+//!
+//! in fixed axes at rest, in rotating axes about a turning state (`v -> R (v + W J q)`, coefficients constant for a machine without preferred
+//! direction). Such a machine is solved sector by sector, so that forward and backward whirls of one frequency never mix.
+
+use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, state_sectors};
+use super::sectors::{Sector, Sectors, block, circular};
+use crate::diagnostic::Diagnostic;
+use crate::model::part::{At, Physics, TimeForm};
+use crate::model::system::System;
+use crate::model::tangent::{Tangent, TangentScratch};
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat};
+use laval_num::eig::{self, EigError, Number};
+
+/// Matrices of the linearised machine.
+#[derive(Clone, Debug)]
+pub struct Linearised {
+    /// M, C, K: n x n.
+    pub mass: Mat,
+    /// C with gyroscopic terms.
+    pub damping: Mat,
+    /// K with circulatory terms.
+    pub stiffness: Mat,
+    /// Z: n x m.
+    pub state_force: Mat,
+    /// Rq, Rv, Ra: m x n; Rz: m x m.
+    pub rates: [Mat; 4],
+    coordinates: Sectors,
+    states: Sectors,
+    typical: Vec<f64>,
+    isotropic: bool,
+}
+
+/// Direction a mode whirls in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whirl {
+    /// With the spin.
+    Forward,
+    /// Against it.
+    Backward,
+    /// Both, at different places or in a straight line.
+    Mixed,
+    /// No oscillation, or none across the axis.
+    None,
+}
+
+impl Whirl {
+    /// The word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Whirl::Forward => "forward",
+            Whirl::Backward => "backward",
+            Whirl::Mixed => "mixed",
+            Whirl::None => "none",
+        }
+    }
+}
+
+/// A mode of the machine, with Im s >= 0; of a conjugate pair, this member stands for both.
+#[derive(Clone, Debug)]
+pub struct MachineMode {
+    /// s = growth + i frequency.
+    pub value: C64,
+    /// Coordinates, scaled so that the largest (over its typical size) is one and real.
+    pub q: Vec<C64>,
+    /// Internal states on the same scale.
+    pub z: Vec<C64>,
+    /// Sector, for a machine without preferred direction.
+    pub sector: Option<Sector>,
+    /// Direction of whirl.
+    pub whirl: Whirl,
+    /// Share of the forward part in the squared amplitudes.
+    pub forward_share: f64,
+    /// Backward error of the eigenvalue problem.
+    pub residual: f64,
+    /// Estimate of the error of the value, 1/s.
+    pub error: f64,
+    /// The value was solved for on the exact characteristic function.
+    pub polished: bool,
+    /// Where it stands among the families of its spectrum: family, mode.
+    pub place: (usize, usize),
+}
+
+impl MachineMode {
+    /// Growth rate, 1/s.
+    pub fn growth(&self) -> f64 {
+        self.value.re
+    }
+    /// Frequency, rad/s, not negative.
+    pub fn frequency(&self) -> f64 {
+        self.value.im
+    }
+    /// `-growth / |s|`.
+    pub fn damping_ratio(&self) -> f64 {
+        let size = self.value.abs();
+        if size > 0.0 { -self.value.re / size } else { 0.0 }
+    }
+}
+
+/// Modes of one block of the problem that is solved by itself, with vectors for following them.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// Sector; `None` when the machine is solved as a whole.
+    pub sector: Option<Sector>,
+    /// Eigenvalues and biorthogonal vectors; signed frequencies in the forward sector, Im >= 0 elsewhere.
+    pub modes: Vec<eig::Mode>,
+}
+
+/// All modes at one speed.
+#[derive(Clone, Debug)]
+pub struct Spectrum {
+    /// By frequency.
+    pub modes: Vec<MachineMode>,
+    /// As solved.
+    pub families: Vec<Family>,
+    /// Infinite eigenvalues (coordinates without mass).
+    pub infinite: usize,
+    /// Number of modes polished on the exact characteristic function.
+    pub polished: usize,
+}
+
+impl Spectrum {
+    /// Largest growth rate and its mode.
+    pub fn least_stable(&self) -> Option<&MachineMode> {
+        self.modes.iter().max_by(|a, b| a.value.re.total_cmp(&b.value.re))
+    }
+}
+
+/// Parts that have no time form, so that no eigenvalue problem of finite size holds them; `Err` names the first.
+pub fn time_forms(system: &System) -> Result<Vec<(String, f64)>, Diagnostic> {
+    let mut fits = Vec::new();
+    for slot in system.slots() {
+        match slot.physics {
+            Physics::Frequency(TimeForm::None(why)) => {
+                return Err(Diagnostic::error(
+                    "modes.frequency_only",
+                    format!("\"{}\" is given in the frequency domain only: {why}", slot.name),
+                )
+                .at(slot.span.clone())
+                .help("forced_response works with it; for modes give the part a time form"));
+            }
+            Physics::Frequency(TimeForm::Fit(error)) => fits.push((slot.name.clone(), error)),
+            _ => {}
+        }
+    }
+    Ok(fits)
+}
+
+/// Eigenvalues want polishing: the pencil holds a fit, or memory states whose rates spoil its scale.
+pub fn wants_polish(system: &System) -> bool {
+    system.slots().iter().any(|s| s.memory > 0 || matches!(s.physics, Physics::Frequency(_)))
+}
+
+/// Largest coupling of sectors, relative, that counts as rounding.
+const ISOTROPIC: f64 = 1e-11;
+
+impl Linearised {
+    /// About an equilibrium.
+    ///
+    /// # Errors
+    /// A part without time form.
+    pub fn new(system: &System, about: &Equilibrium) -> Result<Self, Diagnostic> {
+        time_forms(system)?;
+        let coordinates = coordinate_sectors(system);
+        let states = state_sectors(system, &(0..system.m()).collect::<Vec<_>>());
+        let (v, a) = (about.velocity(&coordinates), about.acceleration(&coordinates));
+        let w = about.speed;
+        let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: w, spin_accel: 0.0, t: 0.0 };
+        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        system.tangent(&at, false, &mut t, &mut ts, |_| true);
+        if about.frame == Frame::Turning {
+            for (m, d, k) in [(&t.a, &mut t.v, &mut t.q), (&t.rate_a, &mut t.rate_v, &mut t.rate_q)] {
+                let (mj, dj) = (coordinates.times_quarter_turn(m), coordinates.times_quarter_turn(d));
+                let mjj = coordinates.times_quarter_turn(&mj);
+                add(k, w, &dj);
+                add(k, w * w, &mjj);
+                add(d, 2.0 * w, &mj);
+            }
+            add(&mut t.rate_z, -w, &states.times_quarter_turn(&Mat::identity(system.m())));
+        }
+        let typical = system.coordinates().iter().map(|c| c.dof.typical).collect();
+        let rates = [t.rate_q, t.rate_v, t.rate_a, t.rate_z];
+        let mut out =
+            Linearised { mass: t.a, damping: t.v, stiffness: t.q, state_force: t.z, rates, coordinates, states, typical, isotropic: false };
+        out.isotropic = out.couplings().iter().all(|x| *x <= ISOTROPIC);
+        Ok(out)
+    }
+
+    fn couplings(&self) -> [f64; 8] {
+        let (q, z) = (&self.coordinates, &self.states);
+        let one = |cols: &Sectors, rows: &Sectors, m: &Mat| cols.coupling(rows, &cols.polarised(rows, m));
+        let [rq, rv, ra, rz] = &self.rates;
+        [one(q, q, &self.mass), one(q, q, &self.damping), one(q, q, &self.stiffness), one(z, q, &self.state_force)]
+            .into_iter()
+            .chain([one(q, z, rq), one(q, z, rv), one(q, z, ra), one(z, z, rz)])
+            .collect::<Vec<_>>()
+            .try_into()
+            .unwrap_or([f64::NAN; 8])
+    }
+
+    /// Turning the machine about its axis changes nothing.
+    pub fn is_isotropic(&self) -> bool {
+        self.isotropic
+    }
+
+    /// All modes, with Im s >= 0.
+    ///
+    /// # Errors
+    /// When the matrices hold numbers that are not finite or leave some coordinate undetermined.
+    pub fn spectrum(&self) -> Result<Spectrum, EigError> {
+        let mut out = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0 };
+        if self.isotropic {
+            for sector in [Sector::Forward, Sector::Axial] {
+                let (q, z) = (self.coordinates.members(sector), self.states.members(sector));
+                if q.len() + z.len() == 0 {
+                    continue;
+                }
+                let (co, st) = (&self.coordinates, &self.states);
+                let one = |cols: &Sectors, rows: &Sectors, m: &Mat, r: &[usize], k: &[usize]| block(&cols.polarised(rows, m), r, k);
+                let [rq, rv, ra, rz] = &self.rates;
+                let parts = [
+                    one(co, co, &self.mass, &q, &q),
+                    one(co, co, &self.damping, &q, &q),
+                    one(co, co, &self.stiffness, &q, &q),
+                    one(st, co, &self.state_force, &q, &z),
+                    one(co, st, rq, &z, &q),
+                    one(co, st, rv, &z, &q),
+                    one(co, st, ra, &z, &q),
+                    one(st, st, rz, &z, &z),
+                ];
+                let (modes, infinite) = if sector == Sector::Axial {
+                    let real = parts.map(|m| Mat::from_fn(m.rows(), m.cols(), |i, j| m[(i, j)].re));
+                    let (modes, infinite) = first_order(&real)?;
+                    (eig::upper_half(&modes), infinite)
+                } else {
+                    first_order(&parts)?
+                };
+                // the backward sector is the conjugate of the forward one
+                out.infinite += if sector == Sector::Forward { 2 * infinite } else { infinite };
+                for (k, m) in modes.iter().enumerate() {
+                    out.modes.push(MachineMode { place: (out.families.len(), k), ..self.mode(m, Some(sector), &q, &z) });
+                }
+                out.families.push(Family { sector: Some(sector), modes });
+            }
+        } else {
+            let [rq, rv, ra, rz] = self.rates.clone();
+            let parts = [self.mass.clone(), self.damping.clone(), self.stiffness.clone(), self.state_force.clone(), rq, rv, ra, rz];
+            let (modes, infinite) = first_order(&parts)?;
+            out.infinite = infinite;
+            let modes = eig::upper_half(&modes);
+            let (q, z): (Vec<usize>, Vec<usize>) = ((0..self.coordinates.len()).collect(), (0..self.states.len()).collect());
+            for (k, m) in modes.iter().enumerate() {
+                out.modes.push(MachineMode { place: (0, k), ..self.mode(m, None, &q, &z) });
+            }
+            out.families.push(Family { sector: None, modes });
+        }
+        out.modes.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+        Ok(out)
+    }
+
+    /// A mode in x and y with Im s >= 0 from the vector (q, v, z) of a block.
+    fn mode(&self, m: &eig::Mode, sector: Option<Sector>, q: &[usize], z: &[usize]) -> MachineMode {
+        let (mut qs, mut zs) = (vec![C64::zero(); self.coordinates.len()], vec![C64::zero(); self.states.len()]);
+        q.iter().zip(&m.right).for_each(|(&i, &x)| qs[i] = x);
+        z.iter().zip(&m.right[2 * q.len()..]).for_each(|(&i, &x)| zs[i] = x);
+        if sector.is_some() {
+            self.coordinates.restore(&mut qs);
+            self.states.restore(&mut zs);
+        }
+        let (mut value, mut sector) = (m.value, sector);
+        if value.im < 0.0 {
+            value = value.conj();
+            qs.iter_mut().chain(&mut zs).for_each(|x| *x = x.conj());
+            if sector == Some(Sector::Forward) {
+                sector = Some(Sector::Backward);
+            }
+        }
+        let size = |(x, t): (&C64, &f64)| x.abs() / t;
+        let lead = qs.iter().zip(&self.typical).map(size).fold(0.0, f64::max);
+        let lead = qs.iter().zip(&self.typical).find(|&p| size(p) >= lead * (1.0 - 1e-8)).map(|(x, t)| x.scale(1.0 / t));
+        if let Some(lead) = lead.filter(|l| l.abs() > 0.0) {
+            qs.iter_mut().chain(&mut zs).for_each(|x| *x = *x / lead);
+        }
+        let (whirl, forward_share) = self.whirl(value, &qs);
+        MachineMode {
+            value,
+            q: qs,
+            z: zs,
+            sector,
+            whirl,
+            forward_share,
+            residual: m.residual,
+            error: m.error(),
+            polished: false,
+            place: (0, 0),
+        }
+    }
+
+    fn whirl(&self, value: C64, q: &[C64]) -> (Whirl, f64) {
+        let circles: Vec<(f64, f64)> = self
+            .coordinates
+            .pairs()
+            .into_iter()
+            .map(|i| {
+                let (f, b) = circular(q[i], q[i + 1]);
+                (f.abs() / self.typical[i], b.abs() / self.typical[i])
+            })
+            .collect();
+        let (f2, b2) = circles.iter().fold((0.0, 0.0), |(f, b), c| (f + c.0 * c.0, b + c.1 * c.1));
+        let largest = circles.iter().map(|c| c.0 + c.1).fold(0.0, f64::max);
+        if value.im == 0.0 || largest < 1e-12 {
+            return (Whirl::None, 0.5);
+        }
+        // bodies that hardly move do not decide
+        let mut moving = circles.iter().filter(|c| c.0 + c.1 > 1e-3 * largest);
+        let all = |mut it: std::vec::IntoIter<bool>| it.all(|x| x);
+        let forward: Vec<bool> = moving.clone().map(|c| c.0 > c.1 * (1.0 + 1e-6)).collect();
+        let backward: Vec<bool> = moving.by_ref().map(|c| c.1 > c.0 * (1.0 + 1e-6)).collect();
+        let whirl = if all(forward.into_iter()) {
+            Whirl::Forward
+        } else if all(backward.into_iter()) {
+            Whirl::Backward
+        } else {
+            Whirl::Mixed
+        };
+        (whirl, f2 / (f2 + b2))
+    }
+}
+
+fn add(m: &mut Mat, k: f64, other: &Mat) {
+    for (x, y) in m.data_mut().iter_mut().zip(other.data()) {
+        *x += k * y;
+    }
+}
+
+/// Modes of `M q'' + C q' + K q + Z z = 0, z' = Rq q + Rv q' + Ra q'' + Rz z` over (q, q', z), and the number of infinite ones.
+fn first_order<T: Number>(parts: &[Mat<T>; 8]) -> Result<(Vec<eig::Mode>, usize), EigError> {
+    let [m, d, k, f, rq, rv, ra, rz] = parts;
+    let (n, states) = (m.rows(), rz.rows());
+    let size = 2 * n + states;
+    // scaled to a unit diagonal where there is one, so that kg and kg m^2 do not look singular
+    let scale: Vec<f64> = (0..n)
+        .map(|i| {
+            let x = m[(i, i)].size();
+            if x > 0.0 { x.sqrt().recip() } else { 1.0 }
+        })
+        .collect();
+    let lu = Lu::new(&Mat::from_fn(n, n, |i, j| m[(i, j)].times(scale[i] * scale[j]))).ok().filter(|lu| lu.pivot_ratio() > 1e-11);
+    if let Some(lu) = lu {
+        // M^-1 [K C Z]
+        let mut right = Mat::from_fn(n, size, |i, j| {
+            let x = if j < n {
+                k[(i, j)]
+            } else if j < 2 * n {
+                d[(i, j - n)]
+            } else {
+                f[(i, j - 2 * n)]
+            };
+            x.times(scale[i])
+        });
+        lu.solve_mat(&mut right);
+        let accel = Mat::from_fn(n, size, |i, j| -right[(i, j)].times(scale[i]));
+        let coupled = ra.matmul(&accel);
+        let a = Mat::from_fn(size, size, |i, j| {
+            if i < n {
+                if j == i + n { T::ONE } else { T::ZERO }
+            } else if i < 2 * n {
+                accel[(i - n, j)]
+            } else {
+                let i = i - 2 * n;
+                let own = if j < n {
+                    rq[(i, j)]
+                } else if j < 2 * n {
+                    rv[(i, j - n)]
+                } else {
+                    rz[(i, j - 2 * n)]
+                };
+                own + coupled[(i, j)]
+            }
+        });
+        return Ok((eig::modes(&a)?, 0));
+    }
+    let a = Mat::from_fn(size, size, |i, j| {
+        if i < n {
+            if j == i + n { T::ONE } else { T::ZERO }
+        } else if i < 2 * n {
+            let i = i - n;
+            -(if j < n {
+                k[(i, j)]
+            } else if j < 2 * n {
+                d[(i, j - n)]
+            } else {
+                f[(i, j - 2 * n)]
+            })
+        } else {
+            let i = i - 2 * n;
+            if j < n {
+                rq[(i, j)]
+            } else if j < 2 * n {
+                rv[(i, j - n)]
+            } else {
+                rz[(i, j - 2 * n)]
+            }
+        }
+    });
+    let e = Mat::from_fn(size, size, |i, j| {
+        let inside = (n..2 * n).contains(&j);
+        if (n..2 * n).contains(&i) && inside {
+            m[(i - n, j - n)]
+        } else if i >= 2 * n && inside {
+            -ra[(i - 2 * n, j - n)]
+        } else if i == j {
+            T::ONE
+        } else {
+            T::ZERO
+        }
+    });
+    let pencil = eig::Pencil::new(a, e);
+    let modes = pencil.modes()?;
+    Ok((modes.finite.iter().map(|m| pencil.biorthogonal(m)).collect(), modes.infinite))
+}
+
+/// Polishes the modes on the exact characteristic function. A mode that does not converge nearby keeps its value.
+pub fn polish(t: &mut Characteristic, spectrum: &mut Spectrum) {
+    let size = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+    let values: Vec<C64> = spectrum.modes.iter().map(|m| m.value).collect();
+    for (k, mode) in spectrum.modes.iter_mut().enumerate() {
+        let gap = values.iter().enumerate().filter(|&(j, _)| j != k).map(|(_, v)| (*v - mode.value).abs()).fold(size, f64::min);
+        let Some(p) = t.polish(mode.value, mode.sector) else { continue };
+        let moved = (p.value - mode.value).abs();
+        // a root that moved towards a neighbour may be that neighbour
+        if moved <= 0.3 * gap || (mode.sector.is_some() && moved <= 1e-6 * mode.value.abs()) {
+            let im = if mode.value.im == 0.0 { 0.0 } else { p.value.im };
+            mode.value = c(p.value.re, im);
+            (mode.error, mode.polished) = (p.step, true);
+            spectrum.polished += 1;
+        }
+    }
+}
+
+/// Modes about an equilibrium, polished where the pencil holds memory states or fits, or everywhere on demand.
+///
+/// # Errors
+/// As [`Linearised::new`]; a spectrum that cannot be computed.
+pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result<Spectrum, Diagnostic> {
+    let linear = Linearised::new(system, about)?;
+    let mut spectrum = linear.spectrum().map_err(|e| {
+        Diagnostic::error("modes.eigenvalues", format!("the modes at {} rad/s could not be computed: {e}", about.speed))
+            .help("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined")
+    })?;
+    if always || wants_polish(system) {
+        let mut t = Characteristic::new(system, about);
+        polish(&mut t, &mut spectrum);
+    }
+    Ok(spectrum)
+}

@@ -1,0 +1,160 @@
+//! Equilibria: static rest in fixed axes, and the Newton iteration shared with states that turn with the rotor.
+
+use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
+use super::sectors::{Sectors, real_part};
+use crate::diagnostic::Diagnostic;
+use crate::model::part::{At, Rows};
+use crate::model::system::{Slot, System, Workspace};
+use laval_num::complex::C64;
+use laval_num::dense::{Lu, Mat, max_abs};
+
+/// Static equilibrium at a spin speed (rad/s): all rates zero, constant loads only. Zero when there is no load.
+///
+/// # Errors
+/// A part that cannot be linearised at rest or whose force turns with the rotor; no equilibrium.
+pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
+    for slot in system.slots() {
+        if let Some(reason) = slot.part.refuses_rest(&system.params()[slot.params.clone()]) {
+            return Err(Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
+                .at(slot.span.clone())
+                .help("use about = \"turning\", a nonlinear study, or give the part a preload"));
+        }
+    }
+    let found = settle(system, Equilibrium::zero(system, Frame::Fixed, speed))?;
+    for slot in system.slots().iter().filter(|s| !s.is_linear() && s.uses.spin) {
+        let force = |phase: f64| part_force(system, slot, &found, phase);
+        let reference = force(0.0);
+        let size = 1e-12 + max_abs(&reference);
+        for phase in [1.1, 2.9] {
+            let change = force(phase).iter().zip(&reference).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            if change > 1e-9 * size {
+                return Err(Diagnostic::error(
+                    "rest.turning",
+                    format!("the machine has no rest: the force of \"{}\" turns with the rotor", slot.name),
+                )
+                .at(slot.span.clone())
+                .help("use about = \"turning\", or a study of the forced motion"));
+            }
+        }
+    }
+    Ok(found)
+}
+
+fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec<f64> {
+    let name = &slot.name;
+    let (mut force, mut rate, mut spin) = (vec![0.0; system.n()], vec![0.0; system.m()], 0.0);
+    let zero = vec![0.0; system.n()];
+    let point = At { q: &at.q, v: &zero, a: &zero, z: &at.z, phase, speed: at.speed, spin_accel: 0.0, t: 0.0 };
+    let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+    system.residual(system.params(), &point, &mut rows, &mut Workspace::default(), |s| &s.name == name);
+    force.extend(rate);
+    force
+}
+
+/// Residual over the unknowns of the characteristic matrix.
+fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinates: &Sectors, x: &[f64]) -> Vec<f64> {
+    let (mut k, mut d) = (Mat::default(), Mat::default());
+    t.linear_at(C64::zero(), &mut k, &mut d);
+    t.sectors().restore_matrix(t.sectors(), &mut k);
+    let mut r = real_part(&k).mul_vec(x);
+    let (constant, turning) = t.loads();
+    for (i, r) in r.iter_mut().enumerate() {
+        *r -= constant[i] + if at.frame == Frame::Turning { turning[i].re } else { 0.0 };
+    }
+    let n = system.n();
+    let (v, a) = (at.velocity(coordinates), at.acceleration(coordinates));
+    let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; system.m()], 0.0);
+    let point = At { q: &at.q, v: &v, a: &a, z: &at.z, phase: 0.0, speed: at.speed, spin_accel: 0.0, t: 0.0 };
+    let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+    system.residual(system.params(), &point, &mut rows, &mut Workspace::default(), |s| !s.is_linear());
+    for (r, f) in r.iter_mut().zip(&force) {
+        *r += f;
+    }
+    let own = nonlinear_states(system);
+    let turn = Sectors::new(system.states().iter().map(|s| s.dof.kind)).quarter_turn(&at.z);
+    for (k, &state) in t.states().iter().enumerate().filter(|(_, s)| own.contains(s)) {
+        r[n + k] -= rate[state];
+        if at.frame == Frame::Turning {
+            r[n + k] += at.speed * turn[state];
+        }
+    }
+    r
+}
+
+/// Newton's method on the equilibrium, from a start, with steps shortened until the residual falls.
+pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium, Diagnostic> {
+    let n = system.n();
+    let coordinates = coordinate_sectors(system);
+    let place = |states: &[usize], x: &[f64], at: &mut Equilibrium| {
+        at.q.copy_from_slice(&x[..n]);
+        for (&s, &x) in states.iter().zip(&x[n..]) {
+            at.z[s] = x;
+        }
+    };
+    let mut at = start;
+    let mut t = Characteristic::new(system, &at);
+    let states = t.states().to_vec();
+    let typical: Vec<f64> =
+        system.coordinates().iter().map(|c| c.dof.typical).chain(states.iter().map(|&s| system.states()[s].dof.typical)).collect();
+    let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
+    let mut r = residual(system, &at, &mut t, &coordinates, &x);
+    if r.iter().all(|&r| r == 0.0) {
+        return Ok(at);
+    }
+    let mut last = f64::INFINITY;
+    for iteration in 1..=60 {
+        let (mut k, mut d) = (Mat::default(), Mat::default());
+        t.at(C64::zero(), &mut k, &mut d);
+        t.sectors().restore_matrix(t.sectors(), &mut k);
+        let Ok(lu) = Lu::new(&real_part(&k)) else { return Err(not_held()) };
+        if lu.pivot_ratio().is_nan() {
+            return Err(not_held());
+        }
+        let mut step = r.clone();
+        lu.solve(&mut step);
+        let length = max_abs(&step.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
+        if !length.is_finite() {
+            return Err(not_held());
+        }
+        let size = max_abs(&x.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
+        // The natural measure of progress is the length of the simplified Newton step with this Jacobian.
+        let mut share = 1.0;
+        let (next, moved) = loop {
+            let trial: Vec<f64> = x.iter().zip(&step).map(|(x, s)| x - share * s).collect();
+            let mut moved = at.clone();
+            place(&states, &trial, &mut moved);
+            let mut again = residual(system, &moved, &mut t, &coordinates, &trial);
+            lu.solve(&mut again);
+            let rest = max_abs(&again.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
+            if rest <= (1.0 - 0.25 * share) * length || length <= 1e-12 * (size + 1e-12) {
+                break (trial, moved);
+            }
+            share *= 0.5;
+            if share < 1e-6 {
+                return Err(no_equilibrium(length));
+            }
+        };
+        (x, at) = (next, moved);
+        (at.iterations, at.last_step) = (iteration, length);
+        t = Characteristic::new(system, &at);
+        r = residual(system, &at, &mut t, &coordinates, &x);
+        if length <= 1e-13 * size || (length >= 0.5 * last && length <= 1e-9 * (size + 1e-9)) || length <= 1e-18 {
+            return Ok(at);
+        }
+        last = length;
+    }
+    Err(no_equilibrium(last))
+}
+
+fn not_held() -> Diagnostic {
+    Diagnostic::error("rest.not_held", "the machine has no equilibrium under its loads: some coordinate is not held by any stiffness")
+        .help("attach a bearing, shaft or foundation to every body that carries a load")
+}
+
+fn no_equilibrium(step: f64) -> Diagnostic {
+    Diagnostic::error(
+        "rest.not_found",
+        format!("no equilibrium was found (Newton's method stopped with a step of {step:.1e} typical sizes)"),
+    )
+    .help("check the load and the characteristics of nonlinear parts, or start from another state")
+}

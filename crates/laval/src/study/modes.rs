@@ -1,0 +1,171 @@
+//! Natural modes at one spin speed: growth, frequency, damping, direction of whirl and shape.
+//!
+//! Equations: `E x' = A x` over coordinates, rates and internal states, linearised about rest (fixed axes) or about a state that turns with the
+//! rotor (rotating axes); every root s is then solved for again on the exact characteristic function, `det T(s) = 0`.
+//!
+//! Symbols: s = growth + i frequency, 1/s and rad/s; damping ratio = -growth/|s|; growth above 0 is unstable.
+//!
+//! Validity: small motions about the state; constant speed.
+//!
+//! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
+
+use super::support::{ABOUT, About, SPEED, hertz, inconsistent, remarks, speed};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
+use crate::solve::pencil::{MachineMode, Whirl, modes_about, wants_polish};
+
+/// See the [module](self).
+pub struct Modes {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// State linearised about.
+    pub about: About,
+    /// Growth above which a mode counts as unstable, 1/s.
+    pub threshold: f64,
+}
+
+/// Field: growth above which a mode counts as unstable.
+pub(super) const THRESHOLD: Field = Field::optional(
+    "growth_threshold",
+    FieldKind::Quantity { unit: "1/s", bounds: Bounds::within(1e6) },
+    "0 1/s",
+    "growth rate above which a mode is called unstable",
+);
+
+/// Largest displacement of a body's reference point in a mode: semi-major axis of its orbit.
+pub(super) fn body_amplitude(mode: &MachineMode, x: usize) -> f64 {
+    let (f, b) = crate::solve::sectors::circular(mode.q[x], mode.q[x + 1]);
+    f.abs() + b.abs()
+}
+
+impl Study for Modes {
+    const KIND: &'static str = "modes";
+    const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body \
+        takes part. about = \"turning\" linearises about the state that turns with the rotor.";
+    const FIELDS: &'static [Field] = &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = speed(values, system, diagnostics)?;
+        Some(Modes { speed, about: About::read(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let about = self.about.find(system, self.speed, None)?;
+        let spectrum = modes_about(system, &about, true)?;
+        let modes = &spectrum.modes;
+        let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
+        // growth below the rounding of the eigenvalue is no growth
+        let unstable = |m: &MachineMode| m.growth() > self.threshold + m.error || m.growth().is_nan();
+        let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
+            .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
+            .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
+            .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))
+            .float("frequency_hz", "Hz", "whirl frequency", column(|m| hertz(m.frequency())))
+            .float("damping_ratio", "", "-growth over the modulus of the eigenvalue", column(MachineMode::damping_ratio))
+            .text("whirl", "direction of whirl with respect to the spin", modes.iter().map(|m| m.whirl.word().into()).collect())
+            .flag("stable", "growth not above the threshold", modes.iter().map(|m| !unstable(m)).collect())
+            .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
+            .float("error", "1/s", "estimated error of the eigenvalue", column(|m| m.error))
+            .float("backward_error", "", "relative change of the matrices that makes the mode exact", column(|m| m.residual))
+            .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
+        let bodies = system.bodies();
+        for body in &bodies {
+            let relative = |m: &MachineMode| {
+                let largest = bodies.iter().map(|b| body_amplitude(m, b.x)).fold(0.0, f64::max);
+                if largest > 0.0 { body_amplitude(m, body.x) / largest } else { 0.0 }
+            };
+            let doc = "orbit amplitude over that of the body that moves most";
+            table = table.float(format!("amplitude.{}", body.name), "", doc, modes.iter().map(relative).collect());
+        }
+        let mut outcome = Outcome::new(Self::KIND, context.name)
+            .table(table.build().map_err(inconsistent)?)
+            .work("eigenproblems", 1)
+            .work("polished modes", spectrum.polished as u64);
+        for (k, m) in modes.iter().enumerate().filter(|(_, m)| unstable(m)) {
+            let what = if m.frequency() > 0.0 {
+                format!("whirls {} at {}", direction(m), quantity(m.frequency(), "rad/s"))
+            } else {
+                "moves away without oscillation".into()
+            };
+            outcome = outcome.finding(
+                Finding::warning("unstable_mode", format!("Mode {} is unstable: it {what} and grows at {{}}.", k + 1))
+                    .value(m.growth(), "1/s")
+                    .evidence("error of the eigenvalue", m.error, "1/s")
+                    .evidence("backward error", m.residual, ""),
+            );
+        }
+        let any_unstable = modes.iter().any(unstable);
+        let least = modes
+            .iter()
+            .enumerate()
+            .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0)
+            .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()));
+        if let Some((k, m)) = least {
+            let text = format!(
+                "The least damped {}mode is mode {} at {} ({} whirl): damping ratio {{}}.",
+                if any_unstable { "stable " } else { "" },
+                k + 1,
+                quantity(m.frequency(), "rad/s"),
+                m.whirl.word()
+            );
+            outcome = outcome.finding(Finding::info("least_damped_mode", text).value(m.damping_ratio(), "").evidence(
+                "growth",
+                m.growth(),
+                "1/s",
+            ));
+        }
+        if !any_unstable {
+            let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
+            outcome = outcome.finding(
+                Finding::info(
+                    "stable",
+                    format!(
+                        "No mode grows faster than {} at {}; the largest growth rate is {{}}.",
+                        quantity(self.threshold, "1/s"),
+                        quantity(self.speed, "rad/s")
+                    ),
+                )
+                .value(largest, "1/s"),
+            );
+        }
+        if wants_polish(system) {
+            let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());
+            let finding =
+                if spectrum.polished == modes.len() { Finding::info("polished", text) } else { Finding::warning("polished", text) };
+            outcome = outcome.finding(finding.evidence("polished modes", spectrum.polished as f64, ""));
+        }
+        if spectrum.infinite > 0 {
+            outcome = outcome.finding(Finding::info(
+                "massless",
+                format!("{} eigenvalues are infinite: some coordinates have no mass.", spectrum.infinite),
+            ));
+        }
+        for f in remarks(system, &about) {
+            outcome = outcome.finding(f);
+        }
+        let alt = format!("{} modes at {}; {}.", modes.len(), quantity(self.speed, "rad/s"), worst_in_words(modes));
+        let mut panel = Panel::new(Axis::new("growth rate", "1/s"));
+        panel = panel.mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
+        panel = panel.mark(Points::new("modes", "frequency", "growth").group("whirl").filled_where("stable"));
+        let figure = Figure::new("spectrum", "Natural modes", alt).x(Axis::new("frequency", "rad/s")).panel(panel);
+        outcome.figure(figure).checked().map_err(inconsistent)
+    }
+}
+
+fn direction(m: &MachineMode) -> &'static str {
+    match m.whirl {
+        Whirl::Forward => "forward",
+        Whirl::Backward => "backward",
+        Whirl::Mixed | Whirl::None => "",
+    }
+}
+
+fn worst_in_words(modes: &[MachineMode]) -> String {
+    match modes.iter().max_by(|a, b| a.growth().total_cmp(&b.growth())) {
+        Some(m) => format!("the largest growth rate is {} 1/s at {} rad/s", significant(m.growth(), 4), significant(m.frequency(), 4)),
+        None => "there is none".into(),
+    }
+}

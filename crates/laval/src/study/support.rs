@@ -1,0 +1,129 @@
+//! What the linear studies share: where to linearise, how to say it, columns and sentences.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
+use crate::model::system::System;
+use crate::outcome::{Finding, OutcomeError};
+use crate::solve::characteristic::Equilibrium;
+use crate::solve::pencil::time_forms;
+use crate::solve::{rest, turning};
+
+/// Bounds of a spin speed, rad/s.
+pub const SPEED: FieldKind = FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e6) };
+/// A range of spin speeds.
+pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e6) };
+
+const ABOUT_WORDS: &[Word] = &[
+    ("rest", "the static equilibrium, seen in fixed axes"),
+    ("turning", "the state that turns with the rotor, seen in axes that turn with it (frequencies are counted from the spin)"),
+];
+/// Field: the state the machine is linearised about.
+pub const ABOUT: Field = Field::optional("about", FieldKind::Choice(ABOUT_WORDS), "rest", "state the machine is linearised about");
+
+/// The state the machine is linearised about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// Static equilibrium.
+    Rest,
+    /// State that turns with the rotor.
+    Turning,
+}
+
+impl About {
+    /// From the field [`ABOUT`].
+    pub fn read(values: &Values) -> Self {
+        if values.choice("about") == Some("turning") { About::Turning } else { About::Rest }
+    }
+    /// The word in the file.
+    pub fn word(self) -> &'static str {
+        match self {
+            About::Rest => "rest",
+            About::Turning => "turning",
+        }
+    }
+    /// Finds it at a speed; a turning state from the one before, when there is one.
+    ///
+    /// # Errors
+    /// As [`rest::rest`] and [`turning::turning`].
+    pub fn find(self, system: &System, speed: f64, before: Option<&Equilibrium>) -> Result<Equilibrium, Diagnostic> {
+        match self {
+            About::Rest => rest::rest(system, speed),
+            About::Turning => turning::turning(system, speed, before.cloned()),
+        }
+    }
+}
+
+/// The spin speed: the field `speed`, or the machine's own.
+pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<f64> {
+    let found = values.number("speed").or(system.machine.speed);
+    if found.is_none() {
+        diagnostics.push(
+            Diagnostic::error("study.speed", "this study needs a spin speed")
+                .at(values.span_of("speed"))
+                .help("give speed = \"3000 rpm\" here, or once for all studies in [machine]"),
+        );
+    }
+    found
+}
+
+/// A range whose ends differ and whose number of points is at least `least`.
+pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
+    let wrong = if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
+        Some((format!("{field} must go from a lower to a higher value"), "exchange from and to".to_string()))
+    } else if range.points.is_some_and(|p| p < least) {
+        Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
+    } else {
+        None
+    };
+    match wrong {
+        Some((message, help)) => {
+            diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of(field)).help(help));
+            None
+        }
+        None => Some(range),
+    }
+}
+
+/// The remarks every linear study owes: nonlinear parts enter by their tangent, fits by their error, weight by the equilibrium.
+pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
+    let mut out = Vec::new();
+    let names: Vec<&str> = system.slots().iter().filter(|s| !s.is_linear()).map(|s| s.name.as_str()).collect();
+    if !names.is_empty() {
+        let largest = system.coordinates().iter().zip(&about.q).map(|(c, q)| (q / c.dof.typical).abs()).fold(0.0, f64::max);
+        let place = if largest == 0.0 { "undeflected" } else { "deflected by its load" };
+        out.push(
+            Finding::info(
+                "linearised",
+                format!(
+                    "Nonlinear parts ({}) enter by their tangent at the {place} state: results hold for small motions about it.",
+                    names.join(", ")
+                ),
+            )
+            .evidence("Newton steps to the state", about.iterations as f64, "")
+            .evidence("last Newton step over typical size", about.last_step, ""),
+        );
+    }
+    for (name, error) in time_forms(system).unwrap_or_default() {
+        out.push(
+            Finding::info(
+                "fitted_part",
+                format!("\"{name}\" entered the eigenvalue problem by a fit; modes were then solved for on its exact impedance."),
+            )
+            .evidence("relative error of the fit", error, ""),
+        );
+    }
+    out
+}
+
+/// An outcome that contradicts itself, as a diagnostic.
+pub fn inconsistent(e: OutcomeError) -> Diagnostic {
+    Diagnostic::error("study.outcome", format!("the study's result is inconsistent: {e}"))
+}
+
+/// Frequency in rad/s and Hz for a sentence.
+pub fn hertz(w: f64) -> f64 {
+    w / std::f64::consts::TAU
+}
+
+/// From rad/s to rpm.
+pub const RPM: f64 = 30.0 / std::f64::consts::PI;
