@@ -182,8 +182,7 @@ impl<'a> Run<'a> {
 
     fn study(&mut self, named: &NamedStudy) {
         let bar = Bar::new(&named.name, self.args.quiet);
-        let context =
-            Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
+        let context = Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
         let result = guarded(|| named.study.run(&self.loaded.system, &context));
         bar.finish();
         let outcome = match result {

@@ -306,23 +306,21 @@ impl<'a> Shown<'a> {
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let axis = if most > 100.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
         let mut panel = Panel::new(axis.factor(factor));
-        for (b, _) in response.branches.iter().enumerate().take(1) {
-            for (name, _) in &self.bodies {
-                let mut line = Line::new("response", "speed", format!("{name} largest displacement")).group("branch").name(name.clone());
-                if response.unjudged.is_none() && response.branches[b].points.iter().any(|p| p.exponents.is_some()) {
-                    line = line.solid_where("stable");
-                }
-                panel = panel.mark(line);
-            }
+        let judged = response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some());
+        // one family of states needs no number in the legend
+        let grouped = |line: Line| if response.branches.len() > 1 { line.group("branch") } else { line };
+        for (name, _) in &self.bodies {
+            let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(name.clone()));
+            panel = panel.mark(if judged { line.solid_where("stable") } else { line });
         }
         for f in response.branches.iter().flat_map(|b| &b.folds) {
             panel = panel.mark(Rule::x(f.speed, if f.upper { "jump up-sweep" } else { "jump down-sweep" }));
         }
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s")).panel(panel);
-        if response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some()) {
+        if judged {
             let growth = Panel::new(Axis::new("growth rate", "1/s"))
-                .mark(Line::new("response", "speed", "growth rate").group("branch").solid_where("stable"))
+                .mark(grouped(Line::new("response", "speed", "growth rate").name("largest growth rate")).solid_where("stable"))
                 .mark(Rule::y(0.0, ""));
             figure = figure.panel(growth);
         }

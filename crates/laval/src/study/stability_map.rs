@@ -228,7 +228,7 @@ impl StabilityMap {
                     .map(|n| format!(" to {}", quantity(n.1.speed, "rad/s")))
                     .unwrap_or_else(|| " to the end of the range".into());
                 outcome = outcome.finding(
-                    Finding::warning("unstable_range", format!("Growth exceeds {limit} from {{}}{until}."))
+                    Finding::warning("unstable_range", format!("Unstable from {{}}{until}: growth above {limit}."))
                         .value(e.1.speed, "rad/s")
                         .evidence("uncertainty of the onset", e.1.step, "rad/s"),
                 );

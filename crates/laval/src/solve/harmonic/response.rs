@@ -203,7 +203,7 @@ fn attempt<'a>(
 ) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
-    let settings = Settings { max_points: request.max_points, ..Settings::new(lo, hi) };
+    let settings = Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
