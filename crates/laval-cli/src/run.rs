@@ -146,13 +146,13 @@ impl<'a> Run<'a> {
     }
 
     fn run(mut self) -> u8 {
+        listen();
         // before computing, not after
         if let Err(e) = fs::create_dir_all(&self.dir) {
             let d = Diagnostic::error("request.out", format!("cannot make the folder {}: {e}", self.dir.display()));
             input::complain(&d.help("name another one with --out"));
             return WRONG;
         }
-        listen();
         let mut written = Instant::now();
         let last = self.loaded.studies.len() - 1;
         for (i, study) in self.loaded.studies.iter().enumerate() {
