@@ -3,6 +3,7 @@
 //! A file is TOML: one `[machine]`, any number of `[[part]]` and `[[study]]` blocks. Which kinds of parts and studies exist, and
 //! what may be said of each, is a [`Catalog`]; nothing here knows a concrete part.
 
+pub mod assemble;
 pub mod docs;
 pub mod reader;
 pub mod render;
@@ -17,6 +18,7 @@ mod values;
 #[cfg(test)]
 mod tests;
 
+pub use assemble::{Loaded, NamedStudy, assemble, catalog, load, load_bytes};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{write, write_json};
