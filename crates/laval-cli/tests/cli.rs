@@ -237,8 +237,11 @@ fn only_some_studies() {
     let dir = Dir::new("only");
     let again = "[[study]]\nkind = \"nonlinear_response\"\nname = \"narrow\"\nspeed = { from = \"500 rad/s\", to = \"800 rad/s\" }\n";
     dir.file("pump.toml", format!("{SMALL}{again}"));
-    dir.laval(["run", "pump.toml", "--only", "respons"])
-        .refused(&["no study \"respons\"", "did you mean \"response\"?", "response, narrow"]);
+    dir.laval(["run", "pump.toml", "--only", "respons"]).refused(&[
+        "no study \"respons\"",
+        "did you mean \"response\"?",
+        "response, narrow",
+    ]);
     let names = |out: &str| -> Vec<String> {
         let results = json(&dir.0.join(out).join("results.json"));
         results["studies"].as_array().unwrap().iter().map(|s| s["name"].as_str().unwrap().to_string()).collect()
