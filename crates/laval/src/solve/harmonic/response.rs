@@ -2,11 +2,11 @@
 
 use super::floquet::{Exponents, Method, Stability, Unjudged};
 use super::orbit::Orbit;
-use super::problem::{Balance, Discretisation};
+use super::problem::{Balance, Discretisation, Nonlinear};
 use super::terms::Terms;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::solve::symmetry::{Broken, Symmetry, probe};
+use crate::solve::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
@@ -143,7 +143,9 @@ fn samples(h: usize, divisor: usize) -> usize {
 /// Computes the response of a machine.
 pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
-    let (found, broken) = probe(system, 0.5 * (lo + hi));
+    let (found, broken) = probe(system, &probed_speeds((lo, hi)));
+    // a machine whose nonlinear coordinates do not come in pairs is expanded coordinate by coordinate, which no turn maps onto itself
+    let found = if Nonlinear::of(system).paired { found } else { Symmetry::None };
     let symmetry = match request.symmetry {
         None => found,
         Some(s) if s <= found => s,
