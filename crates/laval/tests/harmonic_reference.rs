@@ -108,8 +108,9 @@ fn folds_converge_with_the_harmonics() {
     let mut seen: BTreeMap<String, Vec<[f64; 4]>> = BTreeMap::new();
     for r in table!("fold_convergence") {
         let terms: usize = r[3].parse().unwrap();
-        let found =
-            seen.entry(format!("{} {} {terms}", r[0], r[2])).or_insert_with(|| folds(table_base(r[0], "per_axis", r[2]), Some(2 * terms - 1)));
+        let found = seen
+            .entry(format!("{} {} {terms}", r[0], r[2]))
+            .or_insert_with(|| folds(table_base(r[0], "per_axis", r[2]), Some(2 * terms - 1)));
         let fold = fold_at(found, number(r[5]), 1e-10);
         assert!(close(fold[3], number(r[6]), 1e-7), "{r:?}: {}", fold[3]);
     }

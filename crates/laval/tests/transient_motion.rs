@@ -46,14 +46,21 @@ fn reference_transients() {
         let end = x("end_time_s");
         // the compiled form, the general one at the same speed, and the implicit method
         let slow = Programme::table(&[0.0, 1.0], &[x("speed_rad_per_s"); 2], 0.0).unwrap();
-        for (law, implicit) in [(constant(x("speed_rad_per_s")), false), (SpinLaw::Programme(slow), false), (constant(x("speed_rad_per_s")), true)] {
+        for (law, implicit) in
+            [(constant(x("speed_rad_per_s")), false), (SpinLaw::Programme(slow), false), (constant(x("speed_rad_per_s")), true)]
+        {
             let compiled = matches!(&law, SpinLaw::Programme(p) if p.constant_speed().is_some());
             let mut m = motion(&system, law);
             assert_eq!(m.is_compiled(), compiled);
             let mut y = vec![0.0; m.dim()];
             y[0] = 1e-4;
-            if implicit { stiff(&mut m, &mut y, 0.0, end, 1e-11, 1e-13) } else { explicit(&mut m, &mut y, 0.0, end, 1e-12, 1e-15) }
-            let mut pairs = vec![(y[0], "x1_m"), (y[1], "y1_m"), (y[4], "vx1_m_per_s"), (y[5], "vy1_m_per_s"), (y[2], "x2_m"), (y[3], "y2_m")];
+            if implicit {
+                stiff(&mut m, &mut y, 0.0, end, 1e-11, 1e-13)
+            } else {
+                explicit(&mut m, &mut y, 0.0, end, 1e-12, 1e-15)
+            }
+            let mut pairs =
+                vec![(y[0], "x1_m"), (y[1], "y1_m"), (y[4], "vx1_m_per_s"), (y[5], "vy1_m_per_s"), (y[2], "x2_m"), (y[3], "y2_m")];
             if fill.is_some() {
                 pairs.extend([(y[10], "surface_x_m"), (y[11], "surface_y_m")]);
             }
@@ -109,7 +116,11 @@ fn ball_machine(free: bool, damped: bool) -> System {
     let mut b = Builder::new("balls")
         .speed(120.0)
         .part("drum", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 2e-3, polar_inertia: 0.01, ..DiscFamily::defaults() })
-        .part("spring", BearingCubic::isotropic(joint.clone()), BearingCubicParams { stiffness: [4e4; 2], cubic_stiffness: [1e9; 2], valid_to: 0.0 })
+        .part(
+            "spring",
+            BearingCubic::isotropic(joint.clone()),
+            BearingCubicParams { stiffness: [4e4; 2], cubic_stiffness: [1e9; 2], valid_to: 0.0 },
+        )
         .part("ball", Ball { attach: Attach::on("drum") }, ());
     if damped {
         b = b.part("oil", Damper::fixed(joint.clone()), DamperParams { damping: [30.0; 2] });
@@ -173,7 +184,15 @@ fn all_machines() -> Vec<(System, SpinLaw)> {
     vec![
         (liquid().build(), constant(900.0)),
         (liquid().build(), ramp()),
-        (liquid().builder().part("flywheel", Disc::planar(), DiscParams { mass: 1.0, polar_inertia: 0.3, ..DiscFamily::defaults() }).free_spin().build().unwrap(), SpinLaw::Free),
+        (
+            liquid()
+                .builder()
+                .part("flywheel", Disc::planar(), DiscParams { mass: 1.0, polar_inertia: 0.3, ..DiscFamily::defaults() })
+                .free_spin()
+                .build()
+                .unwrap(),
+            SpinLaw::Free,
+        ),
         (ball_machine(false, true), constant(120.0)),
         (ball_machine(false, true), ramp()),
         (ball_machine(true, true), SpinLaw::Free),
@@ -414,8 +433,11 @@ fn liquid_keeps_its_momentum_while_the_speed_changes() {
     let disc = DiscParams { mass: 2.4, eccentricity: 0.0, ..DiscFamily::defaults() };
     let (radius, free) = (0.07f64, 0.05f64);
     let liquid = LiquidParams { cavity_radius: radius, cavity_height: 0.06, density: 1000.0, free_surface_radius: free, wave_damping: 0.0 };
-    let system =
-        Builder::new("free").part("drum", Disc::planar(), disc).part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), liquid).build().unwrap();
+    let system = Builder::new("free")
+        .part("drum", Disc::planar(), disc)
+        .part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), liquid)
+        .build()
+        .unwrap();
     let programme = Programme::ramp(200.0, 800.0, 0.2, Shape::Smooth, 0.0).unwrap();
     let mut m = motion(&system, SpinLaw::Programme(programme.clone()));
     let mut y = vec![1e-3, -2e-3, 0.3, 0.1, 0.05, 0.02, 5e-4, -3e-4];

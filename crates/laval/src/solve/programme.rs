@@ -92,7 +92,9 @@ impl Programme {
             Shape::Exponential => {
                 let ratio = to / from;
                 if ratio.is_nan() || ratio <= 0.0 || ratio.is_infinite() {
-                    return Err(Unusable("an exponential change never reaches or leaves standstill: both speeds need the same sign".into()));
+                    return Err(Unusable(
+                        "an exponential change never reaches or leaves standstill: both speeds need the same sign".into(),
+                    ));
                 }
                 Law::Exponential { speed: from, rate: ratio.ln() / duration }
             }
@@ -131,10 +133,7 @@ impl Programme {
         let mut programme = Self::constant(speeds[0], phase);
         programme.pieces[0].origin = times[0];
         for i in 0..h.len() {
-            let (c, d) = (
-                (3.0 * slope[i] - 2.0 * rate[i] - rate[i + 1]) / h[i],
-                (rate[i] + rate[i + 1] - 2.0 * slope[i]) / (h[i] * h[i]),
-            );
+            let (c, d) = ((3.0 * slope[i] - 2.0 * rate[i] - rate[i + 1]) / h[i], (rate[i] + rate[i + 1] - 2.0 * slope[i]) / (h[i] * h[i]));
             programme.push(times[i], Law::Cubic([speeds[i], rate[i], c, d]));
         }
         programme.hold(times[times.len() - 1], speeds[speeds.len() - 1]);

@@ -14,7 +14,18 @@ pub fn advance(system: &System, speed: f64, y: &[f64], t: (f64, f64)) -> Vec<f64
     let n = system.n();
     let size = |x: &[f64]| x.iter().fold(0.0f64, |m, x| m.max(x.abs())).max(1e-6);
     let (q, v, z) = (size(&y[..n]), size(&y[n..2 * n]), size(&y[2 * n..]));
-    let scale: Vec<f64> = (0..y.len()).map(|i| 1e-13 * if i < n { q } else if i < 2 * n { v } else { z }).collect();
+    let scale: Vec<f64> = (0..y.len())
+        .map(|i| {
+            1e-13
+                * if i < n {
+                    q
+                } else if i < 2 * n {
+                    v
+                } else {
+                    z
+                }
+        })
+        .collect();
     let control = Control::new(1e-13, scale);
     let run = integrate(&mut Dop853::new(), &mut motion, t.0, &mut y, t.1, &control, &mut ());
     assert_eq!(run.end, End::Reached);
@@ -96,33 +107,6 @@ pub fn check_tangents(problem: &mut laval::solve::harmonic::problem::Balance, x:
         let column: Vec<f64> = (0..n).map(|i| jac[(i, j)]).collect();
         assert!(relative(&column, &wanted) < 1e-6, "column {j}: {}", relative(&column, &wanted));
     }
-}
-
-/// Largest row of the assembled residual along a motion, over the largest force of a single part: forces, then rates of states.
-pub fn defect(system: &System, orbit: &laval::solve::harmonic::orbit::Orbit, divisor: usize) -> f64 {
-    use laval::model::part::{At, Rows};
-    use laval::model::system::Workspace;
-    let (n, m) = (system.n(), system.m());
-    let mut worst = 0.0f64;
-    for k in 0..7 {
-        let tau = 0.1 + 0.9 * f64::from(k);
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-        let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-        let force = |which: &dyn Fn(&str) -> bool| {
-            let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
-            let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
-            system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |s| which(&s.name));
-            force
-        };
-        let size = |x: Vec<f64>| x.iter().fold(0.0f64, |m, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
-        let largest = system.slots().iter().map(|s| size(force(&|name| name == s.name))).fold(0.0, f64::max);
-        let rest = size(force(&|_| true)) / largest;
-        if rest > worst || rest.is_nan() {
-            worst = rest;
-        }
-    }
-    worst
 }
 
 /// Response over a range with the usual request.

@@ -276,7 +276,8 @@ fn judge(
         if balance.cancelled() {
             break;
         }
-        points.push(evaluate(balance, stability, unjudged, &p.x, p.p, &mut r, &mut jac).with_residual(p.residual));
+        let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
+        points.push(evaluate(balance, stability, unjudged, &x, p.p, &mut r, &mut jac).with_residual(residual));
         if i % 16 == 0 {
             tick(points.len() as u64);
         }
@@ -296,6 +297,14 @@ fn judge(
     }
     let end = if points.len() < branch.points.len() { End::Cancelled } else { branch.end };
     Ok(Traced { points, folds, changes, branch_points, from_low, end })
+}
+
+/// A point of a branch solved to rounding at its speed (the corrector stops at its tolerance), unless a fold is so near that it would leave.
+fn polish(balance: &mut Balance, x: &[f64], speed: f64) -> Option<(Vec<f64>, f64)> {
+    let mut y = x.to_vec();
+    let done = newton(balance, &mut y, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
+    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
+    near.then_some((y, done.residual))
 }
 
 impl State {

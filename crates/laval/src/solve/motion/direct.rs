@@ -133,7 +133,14 @@ impl Direct {
         if self.free {
             self.mass.reset(rows, rows);
             for slot in system.slots() {
-                self.seeded.add(system, slot, &at, true, &self.params8, Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a));
+                self.seeded.add(
+                    system,
+                    slot,
+                    &at,
+                    true,
+                    &self.params8,
+                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
+                );
             }
             return;
         }
@@ -146,7 +153,14 @@ impl Direct {
         system.residual(system.params(), &at, &mut out, &mut self.plain, |s| !s.is_linear() && !reads_acceleration(s));
         if self.varying {
             for slot in system.slots().iter().filter(|s| reads_acceleration(s)) {
-                self.seeded.add(system, slot, &at, false, &self.params8, Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a));
+                self.seeded.add(
+                    system,
+                    slot,
+                    &at,
+                    false,
+                    &self.params8,
+                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
+                );
             }
         }
         debug_assert_eq!(self.force.len(), n);
