@@ -11,8 +11,8 @@
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
-use crate::model::part::At;
-use crate::model::system::{System, Workspace};
+use crate::model::part::{At, Physics, TimeForm};
+use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::orbit::Orbit;
@@ -392,13 +392,28 @@ impl<'a> Shown<'a> {
             None if !request.stability => {
                 out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."))
             }
-            None => out.extend(self.unstable(response)),
+            None => {
+                out.extend(self.unstable(response));
+                out.extend(self.fitted());
+            }
         }
         out.extend(self.invalid(response));
         if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
             out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
         }
         out
+    }
+
+    /// Parts whose fitted time form stood for them in the judgement of stability.
+    fn fitted(&self) -> Vec<Finding> {
+        let fit = |slot: &Slot| match slot.physics {
+            Physics::Frequency(TimeForm::Fit(error)) => {
+                let text = format!("Stability was judged with the fitted time form of \"{}\"; the states themselves are exact.", slot.name);
+                Some(Finding::info("stability_fit", text).evidence("relative error of the fit", error, ""))
+            }
+            _ => None,
+        };
+        self.system.slots().iter().filter_map(fit).collect()
     }
 
     /// Intervals of speed in which a branch is unstable between its folds.
