@@ -27,6 +27,13 @@ pub struct NonlinearResponse {
     request: Request,
 }
 
+impl NonlinearResponse {
+    /// The study that answers this request.
+    pub fn new(request: Request) -> Self {
+        NonlinearResponse { request }
+    }
+}
+
 const SPEED: Bounds = Bounds::closed(1e-3, 1e7);
 
 impl Study for NonlinearResponse {

@@ -35,6 +35,13 @@ pub struct Request {
     pub max_points: usize,
 }
 
+impl Request {
+    /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
+    pub fn over(lo: f64, hi: f64) -> Self {
+        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 20_000 }
+    }
+}
+
 /// One point of the response.
 #[derive(Clone, Debug)]
 pub struct State {
