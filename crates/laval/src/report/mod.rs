@@ -30,6 +30,7 @@ mod json;
 mod layout;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod page;
 mod payload;
 mod scene;
 mod svg;
@@ -44,6 +45,7 @@ pub use html::html;
 pub use json::{SCHEMA, json};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
+pub use page::{figure, page};
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
