@@ -78,6 +78,12 @@ impl Diagnostics {
     pub fn push(&mut self, d: Diagnostic) {
         self.0.push(d);
     }
+    /// Orders them by place, those without one first, and drops repetitions.
+    pub fn sort_by_place(&mut self) {
+        let key = |d: &Diagnostic| d.span.as_ref().map(|s| (s.start, s.end));
+        self.0.sort_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.cmp(&b.message)));
+        self.0.dedup();
+    }
     /// At least one error.
     pub fn has_errors(&self) -> bool {
         self.0.iter().any(|d| d.severity == Severity::Error)

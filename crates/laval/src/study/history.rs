@@ -285,8 +285,9 @@ pub(super) fn observed_table(motion: &mut Motion, flight: &Flight) -> Result<Opt
 /// The energy balance at the outputs.
 pub(super) struct Balance {
     pub table: Table,
-    /// Largest missing energy, J, and the energy exchanged by the end, J.
+    /// Largest missing energy, J.
     pub missing: f64,
+    /// Largest flows and changes, and the largest stored energy beside that of the spin alone, J.
     pub exchanged: f64,
 }
 
@@ -297,15 +298,21 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     let rows: Vec<&[f64]> = flight.states.chunks_exact(dim).collect();
     let stored: Vec<f64> = flight.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
     let first = stored.first().copied().unwrap_or(f64::NAN);
-    let (mut missing, mut swing) = (0.0f64, 0.0f64);
+    let (mut missing, mut swing, mut vibration) = (0.0f64, 0.0f64, 0.0f64);
     let grow = |m: &mut f64, x: f64| {
         if x > *m || x.is_nan() {
             *m = x;
         }
     };
+    let mut motionless = vec![0.0; dim];
     let mut lack = Vec::with_capacity(rows.len());
     let mut flows = [0.0f64; 4];
-    for (y, e) in rows.iter().zip(&stored) {
+    for ((y, e), &t) in rows.iter().zip(&stored).zip(&flight.times) {
+        if let Some(s) = motion.spin_start() {
+            motionless[s..s + 2].copy_from_slice(&y[s..s + 2]);
+        }
+        let spin = motion.stored_energy(t, &motionless).unwrap_or(f64::NAN);
+        grow(&mut vibration, (e - spin).abs());
         let change = e - first;
         let x = change - (-y[k] + y[k + 1] + y[k + 2] + y[k + 3]);
         lack.push(x);
@@ -324,7 +331,11 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     c.add("drive", "J", "work of the drive since the start", column(2));
     c.add("weight", "J", "work of the weight since the start", column(3));
     c.add("missing", "J", "change of the stored energy not explained by the others: the error of the integration", lack);
-    Ok(Some(Balance { table: c.table("energy", "Energy balance against time")?, missing, exchanged: flows.iter().sum::<f64>() + swing }))
+    Ok(Some(Balance {
+        table: c.table("energy", "Energy balance against time")?,
+        missing,
+        exchanged: flows.iter().sum::<f64>() + swing + vibration,
+    }))
 }
 
 /// The balance in a sentence.
@@ -413,14 +424,10 @@ pub(super) fn energy_figure() -> Figure {
 }
 
 /// Adds the energy account, or says which part keeps none.
-pub(super) fn with_account(motion: Motion<'_>) -> (Motion<'_>, Option<Finding>) {
-    match motion.with_account() {
-        Ok(m) => (m, None),
-        Err((m, part)) => {
-            let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
-            (m, Some(Finding::info("no_energy_account", text)))
-        }
-    }
+pub(super) fn keep_account(motion: &mut Motion) -> Option<Finding> {
+    let part = motion.keep_account().err()?;
+    let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
+    Some(Finding::info("no_energy_account", text))
 }
 
 /// Reports time reached in thousandths.

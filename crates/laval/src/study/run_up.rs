@@ -117,7 +117,8 @@ impl Study for RunUp {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
-        let (mut motion, no_account) = history::with_account(Motion::new(system, SpinLaw::Programme(self.programme.clone()))?);
+        let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         history::apply(&self.initial, system, &mut y);
         let outputs = history::spaced(self.t_end, s.points);
@@ -227,7 +228,7 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 fn prominent(amplitudes: &[f64]) -> Vec<usize> {
     let mut out = Vec::new();
     let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| {
-        side.find_map(|&a| if a > top { Some(false) } else { (a < PROMINENT * top).then_some(true) })
+        side.find_map(|&a| if a > top || a.is_nan() { Some(false) } else { (a < PROMINENT * top).then_some(true) })
     };
     for (i, &top) in amplitudes.iter().enumerate() {
         let left = falls(Box::new(amplitudes[..i].iter().rev()), top);

@@ -87,7 +87,7 @@ impl Study for Transient {
             }
         }
         let at = values.number("kick_time").unwrap_or(0.0);
-        if !kicks.is_empty() && !(at < duration) {
+        if !kicks.is_empty() && (at.is_nan() || at >= duration) {
             diagnostics.push(
                 Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s"))
                     .at(values.span_of("kick_time")),
@@ -95,7 +95,7 @@ impl Study for Transient {
         }
         let step = values.number("output_step");
         if let Some(step) = step
-            && !(duration / step <= 1e6)
+            && !(0.0..=1e6).contains(&(duration / step))
         {
             diagnostics.push(
                 Diagnostic::error("transient.output_step", format!("{:.0} outputs are too many", duration / step))
@@ -123,7 +123,8 @@ impl Study for Transient {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
-        let (mut motion, no_account) = history::with_account(Motion::new(system, Motion::law_of(system, self.speed, s.phase))?);
+        let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
+        let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         history::apply(&self.initial, system, &mut y);
         if let Some(k) = motion.spin_start() {

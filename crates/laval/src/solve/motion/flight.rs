@@ -134,7 +134,7 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
         legs(&mut Dop853::new(), motion, &mut state, plan, (relative, absolute), &mut watch)
     };
     match run.end {
-        End::Failed { t, what } if t == 0.0 => Err(cannot(what.to_string())),
+        End::Failed { t: 0.0, what } => Err(cannot(what.to_string())),
         _ => Ok(Flight {
             times: watch.times,
             states: watch.states,
@@ -227,6 +227,7 @@ fn legs<'a, M: Method<Motion<'a>>>(
     cuts.push(plan.t_end);
     cuts.sort_by(f64::total_cmp);
     let surfaces = &Surfaces::new(motion, y);
+    watch.switching = !surfaces.list.is_empty();
     let functions: Vec<_> = (0..surfaces.list.len()).map(|i| move |t: f64, y: &[f64]| surfaces_value(surfaces, i, t, y)).collect();
     let events: Vec<Event> = functions.iter().map(|g| Event::new(g).terminal()).collect();
     let mut total = Run { t: 0.0, end: End::Reached, next_step: 0.0, work: Work::default() };
@@ -274,6 +275,16 @@ fn legs<'a, M: Method<Motion<'a>>>(
             End::Event { index, t } => {
                 let (slot, surface) = surfaces.list[index];
                 watch.contacts.push((slot, surface, t));
+                // the step that ends here, integrated again: its interpolant is less accurate than the method
+                let (from, start) = &watch.step_start;
+                let control = Control { first_step: (t > *from).then_some(t - from), ..Control::new(relative.clone(), absolute.clone()) };
+                y.copy_from_slice(start);
+                let again = integrate(method, motion, *from, y, t, &control, &mut ());
+                total.work.rhs += again.work.rhs;
+                if again.end != End::Reached {
+                    (total.t, total.end) = (again.t, again.end);
+                    return total;
+                }
                 first_step = (run.next_step > 0.0).then_some(run.next_step);
             }
             end => {
@@ -365,6 +376,9 @@ struct Watch<'a> {
     dy: Vec<f64>,
     workspace: Workspace<f64>,
     steps: u64,
+    /// Time and state where the last step began; kept only for machines with switching laws.
+    step_start: (f64, Vec<f64>),
+    switching: bool,
 }
 
 /// Probes of the displacements inside a step.
@@ -395,6 +409,8 @@ impl<'a> Watch<'a> {
             dy: vec![0.0; dim],
             workspace: Workspace::default(),
             steps: 0,
+            step_start: (0.0, vec![0.0; dim]),
+            switching: false,
         }
     }
 
@@ -421,7 +437,7 @@ impl<'a> Watch<'a> {
             if v.ratio > entry.ratio || v.ratio.is_nan() {
                 (entry.ratio, entry.t) = (v.ratio, t);
             }
-            if !(v.ratio <= 1.0) && entry.exceeded.is_none() {
+            if (v.ratio.is_nan() || v.ratio > 1.0) && entry.exceeded.is_none() {
                 entry.exceeded = Some(t);
             }
         }
@@ -478,6 +494,10 @@ impl Observer for Watch<'_> {
         step.eval_derivative(step.t1, &mut self.dy);
         self.judge(step.t1, &y);
         self.y = y;
+        if self.switching {
+            self.step_start.0 = step.t0;
+            self.step_start.1.copy_from_slice(step.y0);
+        }
         self.steps += 1;
         if self.steps.is_multiple_of(256) {
             (self.progress)(step.t1);
