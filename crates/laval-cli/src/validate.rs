@@ -69,8 +69,8 @@ fn find(args: &Args) -> Result<Vec<Document>, Diagnostic> {
     let folders = if args.folders.is_empty() { vec![nearest_folder()?] } else { args.folders.clone() };
     let mut all = Vec::new();
     for folder in &folders {
-        let found = documents(folder)
-            .map_err(|(path, e)| Diagnostic::error("validation.read", format!("cannot read {}: {e}", path.display())))?;
+        let found =
+            documents(folder).map_err(|(path, e)| Diagnostic::error("validation.read", format!("cannot read {}: {e}", path.display())))?;
         if found.is_empty() {
             let d = Diagnostic::error("validation.none", format!("there is no case in {}", folder.display()));
             return Err(d.help("a case is a page TOPIC/CASE.md; docs/validation.md says how to write one"));

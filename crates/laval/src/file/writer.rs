@@ -61,7 +61,12 @@ impl Writer<'_> {
 
     fn value(&self, f: Option<&Field>, name: &str, value: &Value, values: &Values) -> String {
         let unit = match f.map(|f| f.kind) {
-            Some(FieldKind::Quantity { unit, .. } | FieldKind::Lateral { unit, .. } | FieldKind::Range { unit, .. } | FieldKind::List { unit, .. }) => unit,
+            Some(
+                FieldKind::Quantity { unit, .. }
+                | FieldKind::Lateral { unit, .. }
+                | FieldKind::Range { unit, .. }
+                | FieldKind::List { unit, .. },
+            ) => unit,
             _ => "",
         };
         match value {

@@ -28,9 +28,9 @@ mod heat;
 mod html;
 mod json;
 mod layout;
+mod page;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod page;
 mod payload;
 mod scene;
 mod svg;
@@ -43,9 +43,9 @@ mod write;
 pub use csv::csv;
 pub use html::html;
 pub use json::{SCHEMA, json};
+pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
-pub use page::{figure, page};
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};

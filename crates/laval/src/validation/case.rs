@@ -227,7 +227,10 @@ fn facts(blocks: &[Block], out: &mut Diagnostics) -> Option<Facts> {
     let mut get = |name: &str| {
         let cell = rows.iter().find(|r| r.first().is_some_and(|c| c.text == name)).and_then(|r| r.get(1)).filter(|c| !c.text.is_empty());
         if cell.is_none() {
-            out.push(wrong(format!("the page does not say its {}", name.to_lowercase())).help(format!("add a row | {name} | ... | to its first table")));
+            out.push(
+                wrong(format!("the page does not say its {}", name.to_lowercase()))
+                    .help(format!("add a row | {name} | ... | to its first table")),
+            );
         }
         cell
     };

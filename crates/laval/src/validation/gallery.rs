@@ -96,21 +96,26 @@ fn topic_words(topic: &str) -> String {
 
 fn index(pages: &[Page]) -> String {
     let count = |words: &str| pages.iter().filter(|p| p.verdict() == words).count();
-    let mut parts: Vec<String> = Verdict::ALL.iter().map(|v| v.words()).chain(["cannot run", "cannot be read"]).filter_map(|w| {
-        let n = count(w);
-        (n > 0).then(|| format!("{n} {w}"))
-    }).collect();
+    let mut parts: Vec<String> = Verdict::ALL
+        .iter()
+        .map(|v| v.words())
+        .chain(["cannot run", "cannot be read"])
+        .filter_map(|w| {
+            let n = count(w);
+            (n > 0).then(|| format!("{w} {n}"))
+        })
+        .collect();
     let changed = pages.iter().filter(|p| !p.holds()).count();
     if changed > 0 {
         parts.push(format!("<strong class=\"alarm\">{changed} not as the page states</strong>"));
     }
     let mut s = format!(
-        "<header>\n<h1>Validation gallery</h1>\n<p class=\"from\">laval {} · {} cases: {}</p>\n</header>\n<main>\n\
+        "<header>\n<h1>Validation gallery</h1>\n<p class=\"from\">laval {} · {} cases · {}</p>\n</header>\n<main>\n\
          <p>Each case states what is required, where its numbers come from and how far they may be off, then runs a machine the ordinary way and \
          compares. A case that differs stays, with the reason.</p>\n",
         env!("CARGO_PKG_VERSION"),
         pages.len(),
-        parts.join(", ")
+        parts.join(" · ")
     );
     let topic = |p: &Page| p.id().split_once('/').map_or(String::new(), |t| t.0.to_string());
     for group in pages.chunk_by(|a, b| topic(a) == topic(b)) {
@@ -199,8 +204,9 @@ fn checked(s: &mut String, p: &Page, c: &Checked) -> Result<(), OutcomeError> {
                 figures(s, c)?;
                 drawn = true;
             }
-            Kind::Code { info, .. } if info == "toml machine" => {
-                let _ = write!(s, "<details><summary>Machine file</summary>{}</details>", html(block, &case.text));
+            Kind::Code { info, code } if info == "toml machine" => {
+                let name = machine_name(&case.text[code.clone()]);
+                let _ = write!(s, "<details><summary>Machine file{name}</summary>{}</details>", html(block, &case.text));
             }
             _ => s.push_str(&html(block, &case.text)),
         }
@@ -210,6 +216,12 @@ fn checked(s: &mut String, p: &Page, c: &Checked) -> Result<(), OutcomeError> {
     }
     s.push_str("</main>\n<footer></footer>\n");
     Ok(())
+}
+
+/// The first name of a machine file, which is that of the machine, to stand behind other words.
+fn machine_name(text: &str) -> String {
+    let name = text.lines().find_map(|l| l.trim().strip_prefix("name")?.trim_start().strip_prefix('='));
+    name.map_or(String::new(), |n| format!(": {}", escape(n.trim().trim_matches('"'))))
 }
 
 fn figures(s: &mut String, c: &Checked) -> Result<(), OutcomeError> {
@@ -227,37 +239,29 @@ fn figures(s: &mut String, c: &Checked) -> Result<(), OutcomeError> {
 fn expected(s: &mut String, case: &Case, compared: &[Compared]) {
     let many = case.expected.iter().any(|e| e.study != case.expected[0].study);
     let notes = case.expected.iter().any(|e| !e.note.is_empty());
-    let _ = write!(
+    let _ = writeln!(
         s,
-        "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr>{}<th class=\"w\">value</th><th>expected</th><th>measured</th><th>error</th>\
-         <th>tolerance</th><th>error<small>over tolerance</small></th><th class=\"w\">verdict</th>{}</tr></thead><tbody>\n",
-        if many { "<th class=\"w\">study</th>" } else { "" },
+        "<div class=\"scroll\" tabindex=\"0\"><table class=\"values\"><thead><tr><th class=\"w\">value</th><th>expected</th><th>measured</th>\
+         <th>error<small>tolerance</small></th><th>error over<small>tolerance</small></th><th class=\"w\">verdict</th>{}</tr></thead><tbody>",
         if notes { "<th class=\"w\">note</th>" } else { "" }
     );
     for (i, e) in case.expected.iter().enumerate() {
         let found = compared.get(i).filter(|_| compared.len() == case.expected.len());
-        let _ = write!(s, "<tr>");
-        if many {
-            let _ = write!(s, "<td class=\"w\">{}</td>", escape(&e.study));
-        }
-        let at = if e.at.is_empty() { String::new() } else { format!("<br><small>{}</small>", escape(&e.at)) };
-        let _ = write!(s, "<td class=\"w\">{}{at}</td><td>{}</td>", escape(&e.value), escape(&with_unit(&e.expected_text, e)));
-        match found {
-            Some(c) => {
-                let _ = write!(
-                    s,
-                    "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"w\">{}</td>",
-                    format_number(c.measured, 13),
-                    format_number(c.error, 2),
-                    tolerance(e),
-                    times(c.ratio),
-                    badge(c.row.word(), c.row == e.stated)
-                );
-            }
-            None => {
-                let _ = write!(s, "<td></td><td></td><td>{}</td><td></td><td class=\"w\">{}</td>", tolerance(e), badge("not run", true));
-            }
-        }
+        let study = if many { e.study.as_str() } else { "" };
+        let place: Vec<&str> = [study, &e.at].into_iter().filter(|t| !t.is_empty()).collect();
+        let _ = write!(
+            s,
+            "<tr><td class=\"w\">{}<small>{}</small></td><td>{}</td>",
+            escape(&e.value),
+            escape(&place.join(": ")),
+            with_unit(&e.expected_text, e)
+        );
+        let (measured, error, ratio, verdict) = match found {
+            Some(c) => (format_number(c.measured, 13), format_number(c.error, 2), times(c.ratio), badge(c.row.word(), c.row == e.stated)),
+            None => (String::new(), String::new(), String::new(), badge("not run", true)),
+        };
+        let _ =
+            write!(s, "<td>{measured}</td><td>{error}<small>{}</small></td><td>{ratio}</td><td class=\"w\">{verdict}</td>", tolerance(e));
         if notes {
             let _ = write!(s, "<td class=\"w\">{}</td>", inline(&e.note));
         }
@@ -269,13 +273,15 @@ fn expected(s: &mut String, case: &Case, compared: &[Compared]) {
 fn with_unit(number: &str, e: &Expectation) -> String {
     let unit = unit_text(&e.unit);
     match unit.as_str() {
-        "" => number.to_string(),
-        u if u.starts_with(|c: char| c.is_ascii_digit()) && !u.starts_with("1/") => format!("{number} × {u}"),
-        u => format!("{number} {u}"),
+        "" => escape(number),
+        u if u.starts_with(|c: char| c.is_ascii_digit()) && !u.starts_with("1/") => {
+            format!("{}<small>times {}</small>", escape(number), escape(u))
+        }
+        u => format!("{} {}", escape(number), escape(u)),
     }
 }
 
 fn tolerance(e: &Expectation) -> String {
-    let scatter = e.scatter.map_or(String::new(), |t| format!("<br><small>scatter {}</small>", t.words()));
+    let scatter = e.scatter.map_or(String::new(), |t| format!(", scatter {}", t.words()));
     e.tolerance.map_or(String::new(), |t| t.words()) + &scatter
 }

@@ -239,7 +239,8 @@ mod tests {
 
     #[test]
     fn blocks_and_their_places() {
-        let text = "# T\n\nOne\ntwo.\n\n- a\n  b\n- c\n\n```toml machine\nx = 1\n\n# no heading\n```\n| a | b |\n|---|---|\n| 1 \\| 2 | 3 |\n";
+        let text =
+            "# T\n\nOne\ntwo.\n\n- a\n  b\n- c\n\n```toml machine\nx = 1\n\n# no heading\n```\n| a | b |\n|---|---|\n| 1 \\| 2 | 3 |\n";
         let b = blocks(text);
         assert_eq!(b.len(), 5);
         assert_eq!(b[0].kind, Kind::Heading(1, "T".into()));

@@ -61,8 +61,8 @@ mod table;
 mod value;
 
 pub use case::{Case, EvidenceKind, MachineText, Verdict};
-pub use collect::{Document, documents, run};
 pub use check::{Checked, Compared, check};
+pub use collect::{Document, documents, run};
 pub use gallery::{Page, gallery};
 pub use table::{Expectation, Expected, Row, Tolerance};
 pub use value::{Measured, What};

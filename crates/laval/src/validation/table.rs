@@ -114,7 +114,8 @@ impl Expectation {
         let wrong = |cell: &Cell, message: String| Diagnostic::error("validation.expected", message).at(cell.span.clone());
         for h in &grid.head {
             if !COLUMNS.contains(&h.text.as_str()) {
-                let help = nearest(&h.text, COLUMNS).map_or_else(|| format!("columns: {}", COLUMNS.join(", ")), |n| format!("did you mean \"{n}\"?"));
+                let help = nearest(&h.text, COLUMNS)
+                    .map_or_else(|| format!("columns: {}", COLUMNS.join(", ")), |n| format!("did you mean \"{n}\"?"));
                 out.push(wrong(h, format!("\"{}\" is no column of expected values", h.text)).help(help));
             }
         }
@@ -139,7 +140,11 @@ impl Expectation {
         let place = row.first().map_or(0..0, |c| c.span.start..row.last().map_or(c.span.end, |l| l.span.end));
         if row.len() != head.len() {
             let all = Cell { text: String::new(), span: place };
-            wrong(&all, format!("this row has {} cells, the head of the table has {}", row.len(), head.len()), "write a bar inside a cell as \\|");
+            wrong(
+                &all,
+                format!("this row has {} cells, the head of the table has {}", row.len(), head.len()),
+                "write a bar inside a cell as \\|",
+            );
             return None;
         }
         let missing = Cell::default();
@@ -156,7 +161,11 @@ impl Expectation {
         let (cell, at) = get("at");
         let choices = Choice::read(at);
         if choices.is_none() {
-            wrong(cell, format!("\"{at}\" chooses no row"), "write COLUMN = VALUE, COLUMN near VALUE, near VALUE, nr N, first, last, largest or smallest, with commas between");
+            wrong(
+                cell,
+                format!("\"{at}\" chooses no row"),
+                "write COLUMN = VALUE, COLUMN near VALUE, near VALUE, nr N, first, last, largest or smallest, with commas between",
+            );
         }
         let (cell, expected_text) = get("expected");
         let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite());
@@ -168,7 +177,11 @@ impl Expectation {
             number(expected_text).map(Expected::Value)
         };
         if expected.is_none() {
-            wrong(cell, format!("\"{expected_text}\" is no number"), "write a number, below NUMBER or above NUMBER; the unit has a column of its own");
+            wrong(
+                cell,
+                format!("\"{expected_text}\" is no number"),
+                "write a number, below NUMBER or above NUMBER; the unit has a column of its own",
+            );
         }
         let (cell, unit) = get("unit");
         if let Err(e) = factor(unit, split_factor(unit).1) {
@@ -181,7 +194,11 @@ impl Expectation {
                 wrong(cell, "nothing is near zero relatively".into(), "give an absolute tolerance");
             }
             (Some(Expected::Value(_)), None) => {
-                wrong(cell, format!("\"{text}\" is no tolerance"), "write NUMBER relative or NUMBER absolute (in the unit of the row), above zero");
+                wrong(
+                    cell,
+                    format!("\"{text}\" is no tolerance"),
+                    "write NUMBER relative or NUMBER absolute (in the unit of the row), above zero",
+                );
             }
             (Some(Expected::Below(_) | Expected::Above(_)), _) if !matches!(text, "" | "-" | "–") => {
                 wrong(cell, "a bound has no tolerance".into(), "leave the cell empty");

@@ -101,7 +101,10 @@ impl What {
             What::Finding { id, evidence } => {
                 let all: Vec<_> = outcome.findings.iter().filter(|f| &f.id == id).collect();
                 if all.is_empty() {
-                    return Err(format!("there is no finding \"{id}\"; {}", list("findings", outcome.findings.iter().map(|f| f.id.as_str()))));
+                    return Err(format!(
+                        "there is no finding \"{id}\"; {}",
+                        list("findings", outcome.findings.iter().map(|f| f.id.as_str()))
+                    ));
                 }
                 let numbers = all
                     .iter()
@@ -178,9 +181,9 @@ fn supporting(evidence: &[Evidence], what: &str) -> Result<(f64, String), String
 }
 
 fn cell(outcome: &Outcome, table: &str, column: &str, at: &[Choice]) -> Result<Measured, String> {
-    let t = outcome.find_table(table).ok_or_else(|| {
-        format!("there is no table \"{table}\"; {}", list("tables", outcome.tables.iter().map(|t| t.name())))
-    })?;
+    let t = outcome
+        .find_table(table)
+        .ok_or_else(|| format!("there is no table \"{table}\"; {}", list("tables", outcome.tables.iter().map(|t| t.name()))))?;
     let named = |name: &str| {
         t.column(name).ok_or_else(|| {
             format!("table \"{table}\" has no column \"{name}\"; {}", list("columns", t.columns().iter().map(|c| c.name.as_str())))
