@@ -15,6 +15,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("study", &["model", "solve", "separation", "outcome"]),
     ("report", &["outcome"]),
     ("file", &["model", "parts", "study"]),
+    ("validation", &["file", "study", "outcome", "report"]),
 ];
 const OPEN: &[&str] = &["units", "diagnostic"];
 
