@@ -110,7 +110,7 @@ impl Study for CriticalSpeeds {
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
                 let text = format!(
-                    "The operating speed, {}, lies {{}} (of its value) away from the nearest lightly damped critical speed, {}.",
+                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}.",
                     quantity(w, "rad/s"),
                     quantity(c.speed, "rad/s")
                 );

@@ -432,16 +432,13 @@ impl<'a> Shown<'a> {
             if between_folds {
                 continue; // the dashed middle of the curve: said by the jumps
             }
-            let speeds = branch.points.iter().filter(|p| !p.stable()).map(|p| p.speed);
-            let (from, to) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
             out.push(
                 Finding::warning(
                     "unstable_states",
                     format!(
-                        "States from {} speed are unstable somewhere between {} and {} rad/s; the fastest growth is {{}} at {} rad/s.",
+                        "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
                         if branch.from_low { "low" } else { "high" },
-                        significant(from, 5),
-                        significant(to, 5),
+                        unstable_ranges(branch),
                         significant(worst.speed, 5)
                     ),
                 )
@@ -487,6 +484,28 @@ impl<'a> Shown<'a> {
     }
 }
 
+/// Ranges of speed over which consecutive points of a branch are unstable, in words.
+fn unstable_ranges(branch: &Traced) -> String {
+    const MOST: usize = 4;
+    let mut ranges = Vec::new();
+    let mut start = 0;
+    for run in branch.points.chunk_by(|a, b| a.stable() == b.stable()) {
+        let (first, last) = (start, start + run.len() - 1);
+        start += run.len();
+        // the middle of a curve that turns back is said by the jumps
+        let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
+        if run[0].stable() || turned_back {
+            continue;
+        }
+        let (from, to) = run.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.speed), b.max(p.speed)));
+        let (from, to) = (significant(from, 4), significant(to, 4));
+        ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
+    }
+    let more = ranges.len().saturating_sub(MOST);
+    let shown = ranges[..ranges.len() - more].join(", ");
+    if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
+}
+
 /// Like `f64::max`, but NaN stays.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
@@ -510,9 +529,9 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
     match first {
         Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
             .value(f.speed, "rad/s")
-            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
-            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
+            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
+            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
             .evidence("scaled residual", f.residual, ""),
         None if reaches => Finding::info(
             format!("no_jump_{way}"),
