@@ -88,7 +88,7 @@ fn all_mistakes_come_together_in_order() {
     let text = changed("2.4 kg", "2.4 m").replace("\"per_axis\"", "7").replace("42 N s/m", "42 N").replace("3000 rpm", "fast");
     let (_, d) = read(&text, &catalog());
     let lines = render(&d, &text, "machine.toml", Form::Lines);
-    insta::assert_snapshot!(lines, @r#""#);
+    insta::assert_snapshot!(lines);
     let starts: Vec<usize> = d.0.iter().map(|d| d.span.clone().unwrap().start).collect();
     assert!(starts.is_sorted());
 }
