@@ -39,7 +39,7 @@ fn every_case_has_the_verdict_it_states() {
     }
     for (name, content) in &files {
         assert!(content.contains("default-src 'none'") && !content.contains("<script"), "{name}");
-        for outside in ["src=\"http", "<link", "@import", "url("] {
+        for outside in ["src=", "<link", "@import", "url(h"] {
             assert!(!content.contains(outside), "{name} contains {outside}");
         }
     }

@@ -246,8 +246,7 @@ mod tests {
         let text = page("agrees", RIGHT, "").replace("stiffness", "stifness");
         let c = check(Case::parse("t/c", &text).unwrap());
         assert!(!c.holds());
-        let place = c.problems.0.iter().find_map(|d| d.span.clone()).unwrap();
-        assert!(text[place].contains("stifness"));
+        assert!(c.problems.0.iter().any(|d| d.span.clone().is_some_and(|place| text[place].contains("stifness"))));
     }
 
     #[test]

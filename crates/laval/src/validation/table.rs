@@ -190,7 +190,7 @@ impl Expectation {
         let (cell, text) = get("tolerance");
         let tolerance = Tolerance::read(text);
         match (expected, tolerance) {
-            (Some(Expected::Value(x)), Some(Tolerance::Relative(_))) if x == 0.0 => {
+            (Some(Expected::Value(0.0)), Some(Tolerance::Relative(_))) => {
                 wrong(cell, "nothing is near zero relatively".into(), "give an absolute tolerance");
             }
             (Some(Expected::Value(_)), None) => {
