@@ -67,7 +67,7 @@ fn found(text: &str) -> Diagnostics {
     }
 }
 
-const HERTZ: &str = "kind = \"bearing_hertz\"\nname = \"bearing\"\nbetween = [\"drum\", \"housing\"]\nlaw = \"isotropic\"\ncoefficient = \"1e9 N/m^1.5\"\nclearance = \"10 um\"\n";
+const HERTZ: &str = "kind = \"bearing_hertz\"\nname = \"bearing\"\nbetween = [\"drum\", \"housing\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\nclearance = \"10 um\"\n";
 
 fn mistakes() -> Vec<(&'static str, String)> {
     let one = |from: &str, to: &str| changed(&[(from, to)]);

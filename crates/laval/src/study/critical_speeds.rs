@@ -15,7 +15,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
+use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{criticals, curve, seeds};
 use crate::solve::rest::rest;

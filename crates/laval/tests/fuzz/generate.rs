@@ -160,7 +160,7 @@ impl Sources {
     /// A file from the declarations of the registries.
     fn composed(&self, r: &mut Random) -> String {
         // how far values go: usual ones, all the bounds admit, anything
-        let hostility = [0, 0, 1, 1, 2][r.below(5)];
+        let hostility = [0, 0, 0, 1, 1, 2][r.below(6)];
         let mut out = String::from("[machine]\n");
         if r.chance(70) {
             out += &format!("speed = {}\n", quantity(r, hostility, "rad/s", &Bounds::within(1e6)));
