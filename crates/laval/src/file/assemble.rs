@@ -135,10 +135,16 @@ fn build_parts(spec: &Spec, diagnostics: &mut Diagnostics) -> Vec<Option<PartInp
     spec.parts.iter().map(&mut one).collect()
 }
 
-/// A diagnostic without a place belongs to the block it came from.
+/// A diagnostic of a block says whose it is; without a place of its own it stands at the block.
 fn place(diagnostics: &mut Diagnostics, block: &Block) {
-    for d in diagnostics.0.iter_mut().filter(|d| d.span.is_none()) {
-        d.span.clone_from(&block.span);
+    for d in &mut diagnostics.0 {
+        if d.span.is_none() {
+            d.span.clone_from(&block.span);
+        }
+        if !d.message.starts_with(block.kind) {
+            let name = if block.name == block.kind { String::new() } else { format!(" {:?}", block.name) };
+            d.message = format!("{}{name}: {}", block.kind, d.message);
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, suggestion};
 use super::{Axis, Block, Catalog, MACHINE_FIELDS, MachineBlock, Spec};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
-use crate::model::field::{Field, KindInfo, Values};
+use crate::model::field::{Field, FieldKind, KindInfo, Values};
 use std::collections::BTreeMap;
 
 /// Longest name of a block.
@@ -264,7 +264,13 @@ fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[E
         }
         if f.required {
             let message = format!("{} needs {:?}: {}", cx.who, f.name, f.doc);
-            let help = format!("add {}", super::docs::example_line(f));
+            let help = match f.kind {
+                FieldKind::Choice(words) => {
+                    words.iter().map(|w| format!("{} = {:?} ({})", f.name, w.0, w.1)).collect::<Vec<_>>().join(" or ")
+                }
+                _ => super::docs::example_line(f),
+            };
+            let help = format!("add {help}");
             cx.error("key.missing", span.clone(), message, &format!("{} = .. is missing", f.name), help);
         } else {
             cx.default(f, values);

@@ -17,7 +17,23 @@ fn line_at(text: &str, at: usize) -> Span {
 pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
     let mut lines: Vec<Span> = Vec::new();
     let mut found = Vec::new();
+    let open = errors.iter().filter_map(Error::span).map(|s| s.start).min().and_then(|first| open_list(text, first));
+    if let Some(line) = &open {
+        // all that follows was read as part of the list
+        out.0.retain(|d| d.span.as_ref().is_none_or(|s| s.start < line.start));
+        let source = text.get(line.clone()).unwrap_or("").trim_end();
+        let key = source.split('=').next().unwrap_or("").trim();
+        let span = line.start..line.start + source.len();
+        let d = Diagnostic::error("toml.syntax", format!("the list of {key} is not closed")).at(span).label("] is missing");
+        found.push(d.help(format!("write {}]", source.trim_start().trim_end_matches(','))));
+        lines.push(line.clone());
+    }
     for e in errors {
+        if let (Some(line), Some(at)) = (&open, e.span())
+            && at.start >= line.start
+        {
+            continue;
+        }
         let mut at = e.span().unwrap_or(text.len()..text.len());
         at.start = at.start.min(text.len());
         let mut line = line_at(text, at.start);
@@ -46,13 +62,49 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
     out.0.extend(found);
 }
 
+/// The line of a list that is still open where the next key or block begins, not after the line of `until`.
+fn open_list(text: &str, until: usize) -> Option<Span> {
+    let (mut start, mut depth, mut opened) = (0, 0usize, 0..0);
+    for source in text.split_inclusive('\n') {
+        let line = start..start + source.trim_end_matches('\n').len();
+        start += source.len();
+        let body = source.trim_start();
+        let key = body.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
+        if depth > 0 && (key || body.starts_with("[[") || body.starts_with("[machine]")) {
+            return Some(opened);
+        }
+        if line.start > until {
+            return None;
+        }
+        if depth == 0 && !key {
+            continue;
+        }
+        let mut quote = None;
+        for c in body.chars() {
+            match (quote, c) {
+                (None, '"' | '\'') => quote = Some(c),
+                (Some(q), _) if q == c => quote = None,
+                (None, '#') => break,
+                (None, '[') => {
+                    if depth == 0 {
+                        opened = line.clone();
+                    }
+                    depth += 1;
+                }
+                (None, ']') => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+    }
+    None
+}
+
 fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
     let source = text.get(line.clone()).unwrap_or("");
     let body = source.trim();
-    let span = if body.is_empty() {
-        line.clone()
-    } else if at.is_empty() || at.end > line.end || at.start < line.start {
-        line.start + (source.len() - source.trim_start().len())..line.start + source.trim_end().len()
+    let span = if at.is_empty() || at.end > line.end || at.start < line.start {
+        let start = line.start + (source.len() - source.trim_start().len());
+        start..start + body.len()
     } else {
         at
     };

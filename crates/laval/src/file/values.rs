@@ -461,9 +461,9 @@ impl Context<'_> {
                 }
                 let message = format!("{} cannot be {:?}", subject(self.who, name), clip(t));
                 let mut help = nearest(t, words.iter().map(|w| w.0)).map(|w| format!("did you mean {w:?}? ")).unwrap_or_default();
-                help += "Choose ";
+                help += if help.is_empty() { "choose " } else { "Choose " };
                 help += &words.iter().map(|w| format!("{:?} ({})", w.0, w.1)).collect::<Vec<_>>().join(", ");
-                self.error("value.choice", node.span.clone(), message, "not one of its words", capital(help));
+                self.error("value.choice", node.span.clone(), message, "not one of its words", help);
                 None
             }
             FieldKind::Integer { min, max } => self.integer(name, node, min, max, false),

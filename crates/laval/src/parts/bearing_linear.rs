@@ -24,6 +24,7 @@ use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
 use crate::params;
+use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
 use laval_num::scalar::Scalar;
 
@@ -57,7 +58,8 @@ impl Table {
         } else if let Err(error) = Interpolant::new(speed, &vec![0.0; speed.len()]) {
             wrong.push(match error {
                 TableError::NotIncreasing(row) => {
-                    format!("speeds must increase from row to row: row {} has {} rad/s after {} rad/s", row + 1, speed[row], speed[row - 1])
+                    let shown = |w: f64| format_si(w, "rad/s");
+                    format!("speeds must increase from row to row: row {} has {} after {}", row + 1, shown(speed[row]), shown(speed[row - 1]))
                 }
                 other => format!("column speed: {other}"),
             });
@@ -317,7 +319,7 @@ mod tests {
     fn mistakes_are_told() {
         let (part, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0, 200.0], &[1e6; 3]), None));
         assert!(part.is_none());
-        assert_eq!(text, ["speeds must increase from row to row: row 3 has 200 rad/s after 300 rad/s"]);
+        assert_eq!(text, ["speeds must increase from row to row: row 3 has 200 rad/s (1910 rpm) after 300 rad/s (2865 rpm)"]);
         let (_, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0], &[1e6; 3]), None));
         assert_eq!(text, ["column kxx has 3 rows and column speed has 2"]);
         let (_, text) = build(|v, _| v.set("table", columns(&[100.0], &[1e6]), None));

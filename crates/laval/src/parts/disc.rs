@@ -182,7 +182,10 @@ impl Part for Disc {
         if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {
             wrong.push((
                 "polar_inertia",
-                format!("no body has a polar inertia ({} kg m^2) above twice its diametral inertia", p.polar_inertia),
+                format!(
+                    "no body has a polar inertia ({} kg m^2) above twice its diametral inertia ({} kg m^2); a thin disc has just twice",
+                    p.polar_inertia, p.diametral_inertia
+                ),
             ));
         }
         if !self.tilts && (p.skew != 0.0 || p.centre_of_mass != 0.0) {

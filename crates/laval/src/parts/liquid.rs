@@ -23,6 +23,7 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
 use crate::params;
+use crate::units::{format_number, format_si};
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
@@ -110,13 +111,17 @@ impl Part for Liquid {
         if !(0.0..=1.0 + 1e-12).contains(&fraction) {
             let (message, help) = if kind == "free_surface_radius" {
                 (
-                    format!("the free surface (radius {value} m) lies outside the cavity (radius {radius} m)"),
+                    format!("the free surface (radius {}) lies outside the cavity (radius {})", format_si(value, "m"), format_si(radius, "m")),
                     "the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty".to_string(),
                 )
             } else {
                 (
-                    format!("the cavity holds less than this: {:.4} times its volume", fraction),
-                    format!("the cavity's volume is {cavity:.6} m^3, {:.6} kg of this liquid", cavity * density),
+                    format!("this is {} times what the cavity holds", format_number(fraction, 4)),
+                    format!(
+                        "the cavity holds {} l, {} of this liquid",
+                        format_number(1e3 * cavity, 4),
+                        format_si(cavity * density, "kg")
+                    ),
                 )
             };
             diagnostics.push(Diagnostic::error("liquid.fill", message).at(values.span_of("fill")).help(help));
@@ -227,7 +232,11 @@ impl Part for Liquid {
         };
         if p.free_surface_radius > p.cavity_radius {
             let text =
-                format!("the free surface (radius {} m) lies outside the cavity (radius {} m)", p.free_surface_radius, p.cavity_radius);
+                format!(
+                    "the free surface (radius {}) lies outside the cavity (radius {})",
+                    format_si(p.free_surface_radius, "m"),
+                    format_si(p.cavity_radius, "m")
+                );
             return vec![("fill", text)];
         }
         if fill != self.fill {
@@ -306,11 +315,11 @@ mod tests {
     fn impossible_fills_are_told() {
         let (part, _, text) = build("free_surface_radius", 0.08);
         assert!(
-            part.is_none() && text[0].starts_with("the free surface (radius 0.08 m) lies outside the cavity (radius 0.07 m)"),
+            part.is_none() && text[0].starts_with("the free surface (radius 80 mm) lies outside the cavity (radius 70 mm)"),
             "{text:?}"
         );
         let (part, _, text) = build("volume_fraction", 1.2);
-        assert!(part.is_none() && text[0].starts_with("the cavity holds less than this: 1.2000 times its volume"), "{text:?}");
+        assert!(part.is_none() && text[0].starts_with("this is 1.2 times what the cavity holds"), "{text:?}");
         let (part, _, text) = build("mass", 2.0);
         assert!(part.is_none() && text[0].contains("0.923628 kg of this liquid"), "{text:?}");
         assert!(build("volume", f64::NAN).0.is_none());

@@ -95,13 +95,14 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
     out
 }
 
-/// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance.
+/// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` is told the spectra computed
+/// so far and stops the search by saying false.
 ///
 /// # Errors
 /// As the spectrum.
-pub fn seeds(system: &System, state: State, from: f64, to: f64) -> Result<Vec<f64>, Diagnostic> {
+pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn FnMut(u64) -> bool) -> Result<Vec<f64>, Diagnostic> {
     let speeds = crate::model::field::RangeValue { from, to, points: None }.linspace(60);
-    let found = sweep(system, state, &speeds, |_| true)?;
+    let found = sweep(system, state, &speeds, |_, solved| each(solved))?;
     let mut out = Vec::new();
     for c in criticals(system, state, &found, &[1.0]) {
         let width = c.growth.abs().max(1e-9 * c.speed.abs());

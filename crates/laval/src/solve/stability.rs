@@ -108,27 +108,34 @@ fn symmetric(s: &Spectrum) -> bool {
     })
 }
 
-/// Stability of a machine over ascending speeds; `each` is called before every speed and stops the work by saying false.
+/// Stability of a machine over ascending speeds; `each` is told the spectra computed so far before every
+/// one and stops the work by saying false.
 ///
 /// # Errors
 /// As the spectrum at any speed.
-pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, each: impl FnMut(usize) -> bool) -> Result<Row, Diagnostic> {
-    let found = sweep(system, state, speeds, each)?;
+pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut each: impl FnMut(u64) -> bool) -> Result<Row, Diagnostic> {
+    let found = sweep(system, state, speeds, |_, solved| each(solved))?;
     let mut out = Row { stopped: found.points.last().is_none_or(|p| Some(&p.0) != speeds.last()), ..Row::default() };
     let mut all: Vec<(f64, Spectrum)> = found.points;
     // between two speeds where two modes pass each other lies an interaction that the grid may miss
+    let mut solved = found.solved;
     for p in &found.passings {
+        if !each(solved) {
+            out.stopped = true;
+            break;
+        }
         let (a, b) = p.between;
         for w in [0.5 * (a + p.at), p.at, 0.5 * (b + p.at)] {
             all.push((w, spectrum(system, state, w)?.1));
         }
-        if let Some(narrow) = narrow(system, state, a, p.at, b)? {
-            all.extend(narrow);
-        }
+        solved += 3;
+        let (closer, more) = narrow(system, state, (a, p.at, b), |inner| each(solved + inner))?;
+        solved += more;
+        all.extend(closer);
     }
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all.dedup_by(|a, b| a.0 == b.0);
-    out.solved = all.len() as u64;
+    out.solved = solved;
     let asymmetric = all.iter().filter(|p| !symmetric(&p.1)).count();
     out.undamped = asymmetric * 20 <= all.len();
     out.samples = all.iter().filter_map(|p| sample(p.0, &p.1, speeds.binary_search_by(|x| x.total_cmp(&p.0)).is_ok())).collect();
@@ -162,11 +169,16 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, each: 
 }
 
 /// Halves towards the passing until the modes interact; a band much narrower than the grid shows there.
-fn narrow(system: &System, state: State, a: f64, at: f64, b: f64) -> Result<Option<Vec<(f64, Spectrum)>>, Diagnostic> {
-    let (mut lo, mut hi, mut at) = (a, b, at);
-    let mut out = Vec::new();
+fn narrow(
+    system: &System,
+    state: State,
+    (mut lo, mut at, mut hi): (f64, f64, f64),
+    mut each: impl FnMut(u64) -> bool,
+) -> Result<(Vec<(f64, Spectrum)>, u64), Diagnostic> {
+    let (mut out, mut solved) = (Vec::new(), 0);
     for _ in 0..8 {
-        let inner = sweep(system, state, &[lo, at, hi], |_| true)?;
+        let inner = sweep(system, state, &[lo, at, hi], |_, more| each(solved + more))?;
+        solved += inner.solved;
         let next = inner.passings.first().copied();
         out.extend(inner.points);
         match next {
@@ -178,7 +190,7 @@ fn narrow(system: &System, state: State, a: f64, at: f64, b: f64) -> Result<Opti
             break;
         }
     }
-    Ok((!out.is_empty()).then_some(out))
+    Ok((out, solved))
 }
 
 fn band_edge(system: &System, state: State, a: Sample, b: Sample) -> Option<Edge> {

@@ -37,6 +37,8 @@ pub struct Sweep {
     pub ambiguous: Vec<(f64, f64)>,
     /// Passings.
     pub passings: Vec<Passing>,
+    /// Spectra computed.
+    pub solved: u64,
 }
 
 /// Spectrum at a speed.
@@ -55,6 +57,10 @@ const DEPTH: usize = 7;
 struct Follower<'a> {
     system: &'a System,
     state: State<'a>,
+    /// Told of the speed of the grid and of the spectra computed so far; says whether to go on.
+    each: &'a mut dyn FnMut(usize, u64) -> bool,
+    /// Speed of the grid under way.
+    place: usize,
     tracks: Vec<Track>,
     /// Branch of each mode of each family, in the order of its track.
     ids: Vec<Vec<usize>>,
@@ -96,9 +102,10 @@ impl Follower<'_> {
         }
         let trial: Vec<_> = self.tracks.iter().zip(&spectrum.families).map(|(t, f)| t.clone().force(&f.modes)).collect();
         let ambiguous = trial.iter().any(|m| m.ambiguous);
-        if ambiguous && depth < DEPTH {
-            let middle = 0.5 * (from + to);
+        let middle = 0.5 * (from + to);
+        if ambiguous && depth < DEPTH && from < middle && middle < to && (self.each)(self.place, self.out.solved) {
             let between = self::spectrum(self.system, self.state, middle)?.1;
+            self.out.solved += 1;
             self.advance(from, middle, between, depth + 1)?;
             return self.advance(middle, to, spectrum, depth + 1);
         }
@@ -141,17 +148,21 @@ impl Follower<'_> {
     }
 }
 
-/// Follows all modes over the speeds (ascending); calls `each` before every speed and stops early when it says so.
+/// Follows all modes over the speeds (ascending). Before every spectrum `each` is told the number of the speed and of the spectra computed so
+/// far, and stops the work by saying false.
 ///
 /// # Errors
 /// As [`modes_about`] at any speed.
-pub fn sweep(system: &System, state: State, speeds: &[f64], mut each: impl FnMut(usize) -> bool) -> Result<Sweep, Diagnostic> {
-    let mut f = Follower { system, state, tracks: vec![], ids: vec![], out: Sweep { worst_assurance: 1.0, ..Sweep::default() } };
+pub fn sweep(system: &System, state: State, speeds: &[f64], mut each: impl FnMut(usize, u64) -> bool) -> Result<Sweep, Diagnostic> {
+    let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
+    let mut f = Follower { system, state, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
     for (k, &speed) in speeds.iter().enumerate() {
-        if !each(k) {
+        f.place = k;
+        if !(f.each)(k, f.out.solved) {
             break;
         }
         let s = spectrum(system, state, speed)?.1;
+        f.out.solved += 1;
         if k == 0 {
             f.start(speed, s);
         } else {

@@ -86,9 +86,9 @@ pub struct Campbell {
 /// Modes followed over the speeds of a range, and how the work ended.
 pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
-    let found = sweep(system, &|w| rest(system, w), speeds, |k| {
+    let found = sweep(system, &|w| rest(system, w), speeds, |k, solved| {
         context.progress.report(k as u64, total);
-        !context.cancelled() && (k as u64) < context.work_limit
+        !context.cancelled() && solved < context.work_limit
     })?;
     let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
     let end = if whole {

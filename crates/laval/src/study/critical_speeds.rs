@@ -15,7 +15,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
+use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{criticals, curve, seeds};
 use crate::solve::rest::rest;
@@ -52,7 +52,7 @@ impl Study for CriticalSpeeds {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let state = |w: f64| rest(system, w);
-        let (found, end) = follow(system, context, &self.speed.linspace(120))?;
+        let (found, mut end) = follow(system, context, &self.speed.linspace(120))?;
         let crossings = criticals(system, &state, &found, &self.orders);
         let bodies = system.bodies();
         let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
@@ -60,9 +60,13 @@ impl Study for CriticalSpeeds {
         let forced = load.iter().any(|f| f.abs() > 0.0) && !bodies.is_empty() && end.is_complete();
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
-            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to)?);
-            let mut each = |_| !context.cancelled();
-            curve(system, &state, speeds, &at, &mut each)?.extrema.into_iter().filter(|e| e.maximum).collect()
+            let mut each = |done| !context.cancelled() && done < context.work_limit;
+            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
+            let response = curve(system, &state, speeds, &at, &mut each)?;
+            if !response.complete {
+                end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+            }
+            response.extrema.into_iter().filter(|e| e.maximum).collect()
         } else {
             Vec::new()
         };

@@ -56,15 +56,15 @@ impl Study for ForcedResponse {
                 .help("give a disc an eccentricity, an unbalance or a skew"));
         }
         let mut speeds = self.speed.linspace(400);
-        // eigenvalues tell where a narrow resonance hides; a machine without time form has none to tell
-        let known = time_forms(system).is_ok();
-        if known {
-            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to)?);
-        }
         let mut each = |done: u64| {
             context.progress.report(done, 0);
             !context.cancelled() && done < context.work_limit
         };
+        // eigenvalues tell where a narrow resonance hides; a machine without time form has none to tell
+        let known = time_forms(system).is_ok();
+        if known {
+            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
+        }
         let found: Curve = curve(system, &state, speeds, &at, &mut each)?;
         let end = if found.complete {
             End::Reached

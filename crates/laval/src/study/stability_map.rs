@@ -20,6 +20,9 @@ use crate::solve::stability::{Row, row};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+/// Most points of a map.
+const MOST_CELLS: usize = 1_000_000;
+
 /// See the [module](self).
 pub struct StabilityMap {
     /// Speeds, rad/s.
@@ -53,6 +56,15 @@ impl Study for StabilityMap {
             }
             parameter = Some((path.to_string(), range("parameter", given, 2, values, diagnostics)?));
         }
+        let count = |r: &RangeValue, default| r.points.unwrap_or(default);
+        if let (Some(s), Some((_, p))) = (&speed, &parameter)
+            && count(s, 200).saturating_mul(count(p, 40)) > MOST_CELLS
+        {
+            let message = format!("a map of {} by {} points is too large", count(s, 200), count(p, 40));
+            let help = format!("at most {MOST_CELLS} points in all");
+            diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("parameter")).help(help));
+            return None;
+        }
         Some(StabilityMap {
             speed: speed?,
             parameter,
@@ -69,17 +81,22 @@ impl Study for StabilityMap {
         };
         let total = (values.len() * speeds.len()) as u64;
         let done = AtomicU64::new(0);
-        let rows: Vec<Row> = values
+        // rows that the limit cannot reach are not begun
+        let within = usize::try_from(context.work_limit.div_ceil(speeds.len() as u64)).unwrap_or(usize::MAX).clamp(1, values.len());
+        let rows: Vec<Row> = values[..within]
             .par_iter()
             .enumerate()
             .map(|(k, value)| {
                 // the limit counts rows before this one as done, so that the result does not depend on the number of threads
                 let first = (k * speeds.len()) as u64;
-                let mut each = |i: usize| {
-                    context.progress.report(done.fetch_add(1, Ordering::Relaxed), total);
-                    !context.cancelled() && first + (i as u64) < context.work_limit
+                let mut each = |solved: u64| {
+                    context.progress.report(done.fetch_add(1, Ordering::Relaxed).min(total), total);
+                    !context.cancelled() && first + solved < context.work_limit
                 };
-                let run = |s: &System, each: &mut dyn FnMut(usize) -> bool| {
+                if context.cancelled() {
+                    return Ok(Row { stopped: true, ..Row::default() });
+                }
+                let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
                     row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each)
                 };
                 match (value, &self.parameter) {
@@ -92,7 +109,7 @@ impl Study for StabilityMap {
             })
             .collect::<Result<_, Diagnostic>>()?;
         context.progress.report(total, total);
-        let stopped = rows.iter().any(|r| r.stopped);
+        let stopped = rows.len() < values.len() || rows.iter().any(|r| r.stopped);
         let end = if !stopped {
             End::Reached
         } else if context.cancelled() {

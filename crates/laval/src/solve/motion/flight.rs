@@ -277,10 +277,17 @@ fn legs<'a, M: Method<Motion<'a>>>(
                 watch.contacts.push((slot, surface, t));
                 // the step that ends here, integrated again: its interpolant is less accurate than the method
                 let (from, start) = &watch.step_start;
-                let control = Control { first_step: (t > *from).then_some(t - from), ..Control::new(relative.clone(), absolute.clone()) };
+                let control = Control {
+                    first_step: (t > *from).then_some(t - from),
+                    cancel: Some(plan.cancel),
+                    max_steps: plan.max_steps.saturating_sub(total.work.steps + total.work.rejected).max(1),
+                    ..Control::new(relative.clone(), absolute.clone())
+                };
                 y.copy_from_slice(start);
                 let again = integrate(method, motion, *from, y, t, &control, &mut ());
                 total.work.rhs += again.work.rhs;
+                // an accepted step that is repeated counts once
+                total.work.rejected += again.work.rejected;
                 if again.end != End::Reached {
                     (total.t, total.end) = (again.t, again.end);
                     return total;
