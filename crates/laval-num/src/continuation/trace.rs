@@ -114,6 +114,10 @@ fn follow<P: Zero + ?Sized>(
         if branch.points.len() >= set.max_points {
             return End::MaxPoints;
         }
+        if a.y.iter().any(|y| y.abs() > HOPELESS) {
+            // towards an infinite state, as at an undamped resonance: the parameter has stopped moving
+            return End::StepTooSmall { at: a.p, why: Refusal::Parameter };
+        }
         let cap = tracer.cap(&a);
         if cap < ds || cap.is_nan() {
             ds = cap;
@@ -142,6 +146,9 @@ fn follow<P: Zero + ?Sized>(
         }
     }
 }
+
+/// Unknowns of this many scales lead nowhere.
+const HOPELESS: f64 = 1e12;
 
 /// Point at the distance `ds` along the tangent, bent as it bent since the node before (not after a refusal, nor at the start).
 fn predict(a: &Node, before: &Node, ds: f64, bend: bool, y: &mut Vec<f64>) {
