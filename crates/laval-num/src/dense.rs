@@ -294,6 +294,9 @@ impl<T: Field> Lu<T> {
     pub fn solve_mat(&self, b: &mut Mat<T>) {
         let (n, m) = (self.lu.rows, b.cols);
         assert_eq!(b.rows, n, "rows of the right side differ from the matrix");
+        if m == 0 {
+            return;
+        }
         for (k, &p) in self.pivots.iter().enumerate() {
             if k != p {
                 for j in 0..m {
@@ -303,20 +306,22 @@ impl<T: Field> Lu<T> {
         }
         for i in 0..n {
             let (top, bottom) = b.data.split_at_mut(i * m);
-            for k in 0..i {
-                let l = self.lu.data[i * n + k];
-                for (r, &x) in bottom[..m].iter_mut().zip(&top[k * m..(k + 1) * m]) {
-                    *r -= l * x;
+            for (&l, known) in self.lu.row(i)[..i].iter().zip(top.chunks_exact(m)) {
+                if l != T::ZERO {
+                    for (r, &x) in bottom[..m].iter_mut().zip(known) {
+                        *r -= l * x;
+                    }
                 }
             }
         }
         for i in (0..n).rev() {
             let (top, bottom) = b.data.split_at_mut((i + 1) * m);
             let row = &mut top[i * m..];
-            for k in i + 1..n {
-                let u = self.lu.data[i * n + k];
-                for (r, &x) in row.iter_mut().zip(&bottom[(k - i - 1) * m..(k - i) * m]) {
-                    *r -= u * x;
+            for (&u, known) in self.lu.row(i)[i + 1..].iter().zip(bottom.chunks_exact(m)) {
+                if u != T::ZERO {
+                    for (r, &x) in row.iter_mut().zip(known) {
+                        *r -= u * x;
+                    }
                 }
             }
             let inv = T::ONE / self.lu.data[i * n + i];

@@ -8,6 +8,7 @@ pub mod dense;
 pub mod dual;
 pub mod eig;
 pub mod fourier;
+pub mod interpolate;
 pub mod lanes;
 pub mod newton;
 pub mod ode;

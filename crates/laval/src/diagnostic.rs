@@ -78,8 +78,54 @@ impl Diagnostics {
     pub fn push(&mut self, d: Diagnostic) {
         self.0.push(d);
     }
+    /// Orders them by place, those without one first, and drops repetitions.
+    pub fn sort_by_place(&mut self) {
+        let key = |d: &Diagnostic| d.span.as_ref().map(|s| (s.start, s.end));
+        self.0.sort_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.code.cmp(b.code)).then_with(|| a.message.cmp(&b.message)));
+        self.0.dedup();
+    }
     /// At least one error.
     pub fn has_errors(&self) -> bool {
         self.0.iter().any(|d| d.severity == Severity::Error)
     }
+}
+
+/// The candidate a mistyped word probably means: smallest number of single letters changed, left out, added or swapped with a
+/// neighbour, at most a third of the word; capitals do not count.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    const LONGEST: usize = 64;
+    let a: Vec<char> = word.chars().take(LONGEST + 1).flat_map(char::to_lowercase).collect();
+    if a.is_empty() || a.len() > LONGEST {
+        return None;
+    }
+    let limit = |other: usize| (a.len().max(other) + 2) / 3;
+    candidates
+        .into_iter()
+        .filter_map(|c| {
+            let b: Vec<char> = c.chars().take(LONGEST + 1).flat_map(char::to_lowercase).collect();
+            let allowed = limit(b.len());
+            (a.len().abs_diff(b.len()) <= allowed).then(|| (edit_distance(&a, &b), allowed, c))
+        })
+        .filter(|(d, allowed, _)| d <= allowed)
+        .min_by_key(|(d, _, _)| *d)
+        .map(|(_, _, c)| c)
+}
+
+/// Optimal string alignment distance.
+fn edit_distance(a: &[char], b: &[char]) -> usize {
+    let width = b.len() + 1;
+    let mut rows = [vec![0; width], (0..width).collect::<Vec<_>>(), vec![0; width]];
+    for i in 1..=a.len() {
+        rows[2][0] = i;
+        for j in 1..width {
+            let substitute = rows[1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut d = substitute.min(rows[1][j] + 1).min(rows[2][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                d = d.min(rows[0][j - 2] + 1);
+            }
+            rows[2][j] = d;
+        }
+        rows.rotate_left(1);
+    }
+    rows[1][b.len()]
 }

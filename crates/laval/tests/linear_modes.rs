@@ -237,3 +237,46 @@ fn the_study_says_what_is_unstable() {
     assert!((worst - 192.0108286).abs() < 1e-6);
     assert_eq!(out.find_table("modes").unwrap().rows(), 6);
 }
+
+#[test]
+fn turning_state_of_an_isotropic_cubic_bearing() {
+    let (m, e, k, k3, d, w): (f64, f64, f64, f64, f64, f64) = (3.0, 1e-3, 4e6, 5e11, 400.0, 900.0);
+    let system = Builder::new("cubic")
+        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part(
+            "bearing",
+            BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+            BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 },
+        )
+        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [d; 2] })
+        .build()
+        .unwrap();
+    let s = turning(&system, w, None).unwrap();
+    let a = s.q[0].hypot(s.q[1]);
+    let force = (k - m * w * w + k3 * a * a).hypot(d * w) * a;
+    assert!((force / (m * e * w * w) - 1.0).abs() < 1e-12);
+    // constant coefficients: det of [K + c0 + 2 c1 a^2, c1 D^2; conj] in sectors, K = m (s + i W)^2 + d (s + i W)
+    let modes = modes_about(&system, &s, true).unwrap();
+    assert_eq!(modes.modes.iter().map(|m| if m.frequency() > 0.0 { 2 } else { 1 }).sum::<usize>(), 4);
+    let big = c(s.q[0], s.q[1]);
+    for mode in &modes.modes {
+        let block = |z: C64| (z * z).scale(m) + z.scale(d) + c(k + 2.0 * k3 * a * a, 0.0);
+        let (p, q) = (block(mode.value + c(0.0, w)), block(mode.value - c(0.0, w)));
+        let off = (big * big).scale(k3);
+        assert!((p * q - off * off.conj()).abs() < 1e-11 * (p.abs() * q.abs() + off.abs() * off.abs()), "{:?}", mode.value);
+    }
+}
+
+#[test]
+fn growth_agrees_with_time_integration() {
+    for r in rows(include_str!("reference/planar/growth_from_time.csv")) {
+        let chi = number(r[0]);
+        let system = Planar { chi, chi0: if chi == 0.0 { 0.0 } else { 6.59 }, fill: number(r[1]), ..Planar::default() }.build();
+        let s = at_rest(&system, number(r[2]));
+        let worst = s.least_stable().unwrap().value;
+        // ten digits are printed
+        assert!((worst.re / number(r[3]) - 1.0).abs() < 1e-9 && (worst.im / number(r[4]) - 1.0).abs() < 1e-9, "{r:?}: {worst:?}");
+        // the integrations were fitted over a finite time
+        assert!((worst.re / number(r[5]) - 1.0).abs() < 5e-5 && (worst.im / number(r[6]) - 1.0).abs() < 5e-5, "{r:?}: {worst:?}");
+    }
+}

@@ -192,6 +192,7 @@ pub enum Value {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values {
     map: BTreeMap<String, (Value, Option<Span>)>,
+    units: BTreeMap<String, Vec<Option<String>>>,
     /// The whole block in the file.
     pub span: Option<Span>,
 }
@@ -208,6 +209,25 @@ impl Values {
     /// Place of a field, or of the block.
     pub fn span_of(&self, name: &str) -> Option<Span> {
         self.map.get(name).and_then(|(_, s)| s.clone()).or_else(|| self.span.clone())
+    }
+    /// Sets the units in which the entries of a [`FieldKind::StateMap`] were given.
+    pub fn set_units(&mut self, name: &str, units: Vec<Option<String>>) {
+        self.units.insert(name.to_string(), units);
+    }
+    /// For each entry of a [`FieldKind::StateMap`] the SI unit of what was written (`None` for a bare number), so that whoever knows
+    /// the coordinate can check its dimension.
+    pub fn units_of(&self, name: &str) -> &[Option<String>] {
+        self.units.get(name).map_or(&[], Vec::as_slice)
+    }
+    /// Removes all places in the file, for comparisons.
+    pub fn forget_spans(&mut self) {
+        self.span = None;
+        for (value, span) in self.map.values_mut() {
+            *span = None;
+            if let Value::StateMap(entries) = value {
+                entries.iter_mut().for_each(|e| e.2 = 0..0);
+            }
+        }
     }
     /// All names present.
     pub fn names(&self) -> impl Iterator<Item = &str> {

@@ -165,6 +165,7 @@ impl Outcome {
                 format!("The study stopped early: no solution was found at {} (residual {}).", place(at), significant(residual, 2))
             }
             End::Cancelled => "The study was cancelled; what was done is shown.".into(),
+            End::Refused => "The study was refused: this machine cannot answer it.".into(),
             End::MaxPoints => "The study stopped early: it reached the largest number of points allowed.".into(),
         }
     }
@@ -199,18 +200,21 @@ pub enum End {
     },
     /// Stopped by the user.
     Cancelled,
+    /// The machine cannot answer what was asked; a finding says why.
+    Refused,
     /// The largest number of points was computed before the end was reached.
     MaxPoints,
 }
 
 impl End {
-    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `cancelled`, `max_points`.
+    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `cancelled`, `refused`, `max_points`.
     pub fn word(&self) -> &'static str {
         match self {
             End::Reached => "reached",
             End::StepTooSmall { .. } => "step_too_small",
             End::NewtonFailed { .. } => "newton_failed",
             End::Cancelled => "cancelled",
+            End::Refused => "refused",
             End::MaxPoints => "max_points",
         }
     }

@@ -117,4 +117,56 @@ impl Part for BearingCubic {
             out.push(Validity { what: "bearing deflection over the range of its law", ratio: at.q[0].hypot(at.q[1]) / p.valid_to });
         }
     }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let unequal = |x: [f64; 2]| self.isotropic && x[0] != x[1];
+        let fields = [("stiffness", p.stiffness), ("cubic_stiffness", p.cubic_stiffness)];
+        let wrong = fields.into_iter().filter(|f| unequal(f.1));
+        wrong.map(|(field, _)| (field, format!("an isotropic law has the same {field} in x and y"))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::field::Attach;
+
+    pub(super) fn joint() -> Link {
+        Link::Between(Attach::on("drum"), Attach::on("base"))
+    }
+
+    /// c1 (dx^3 + i dy^3) = c1 (3/4 |d|^2 d + 1/4 conj(d)^3): on the axes as the isotropic law, at 45 degrees half its cubic force.
+    #[test]
+    fn the_two_laws_agree_on_the_axes_only() {
+        let p = BearingCubicParams { stiffness: [0.0; 2], cubic_stiffness: [8e10; 2], valid_to: 0.0 };
+        let (axis, diagonal) = ([2e-3, 0.0], [2e-3 * 0.5f64.sqrt(); 2]);
+        let force = |law: &BearingCubic, d: &[f64]| law.force(&p, d).iter().map(|f| f * f).sum::<f64>().sqrt();
+        let (per_axis, isotropic) = (BearingCubic::per_axis(joint()), BearingCubic::isotropic(joint()));
+        let full = 8e10 * 8e-9;
+        assert!((force(&isotropic, &axis) - full).abs() < 1e-12 * full && (force(&isotropic, &diagonal) - full).abs() < 1e-12 * full);
+        assert!((force(&per_axis, &axis) - full).abs() < 1e-12 * full && (force(&per_axis, &diagonal) - 0.5 * full).abs() < 1e-12 * full);
+    }
+
+    #[test]
+    fn an_isotropic_law_with_unequal_axes_is_refused() {
+        let p = BearingCubicParams { stiffness: [1.0, 2.0], cubic_stiffness: [3.0, 3.0], valid_to: 0.0 };
+        assert_eq!(
+            BearingCubic::isotropic(joint()).check(&p),
+            [("stiffness", "an isotropic law has the same stiffness in x and y".to_string())]
+        );
+        assert!(BearingCubic::per_axis(joint()).check(&p).is_empty());
+    }
+}
+
+crate::conformance! {
+    BearingCubic {
+        per_axis: BearingCubic::per_axis(tests::joint()),
+            BearingCubicParams { stiffness: [1.1e7, 0.9e7], cubic_stiffness: [8.7e10, 5e10], valid_to: 1e-2 },
+            Options { length: 0.01, ..Options::anisotropic() };
+        per_axis_equal: BearingCubic::per_axis(tests::joint()),
+            BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 0.0 },
+            Options { length: 0.01, ..Options::anisotropic() };
+        isotropic: BearingCubic::isotropic(tests::joint()),
+            BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 1e-2 },
+            Options { length: 0.01, ..Options::default() };
+    }
 }

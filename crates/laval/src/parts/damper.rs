@@ -7,7 +7,7 @@
 //!
 //! Validity: linear.
 //!
-//! Sources: `000_a291f7ede1484e56` equation (8) (fixed axes); rotating damping: H. Kimball (1924) as in every rotor-dynamics text.
+//! Sources: `000_a291f7ede1484e56` equation (8) (fixed axes); A. L. Kimball, Gen. Electr. Rev. 27 (1924) (rotating axes).
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
@@ -97,5 +97,43 @@ impl Part for Damper {
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let slip = self.slip(at);
         out.push(Observed { name: "force", unit: "N", value: (p.damping[0] * slip.re).hypot(p.damping[1] * slip.im) });
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        if self.rotating && p.damping[0] != p.damping[1] {
+            return vec![("damping", "rotating damping must be the same in x and y".into())];
+        }
+        Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::field::{Attach, Value};
+
+    pub(super) fn to_ground() -> Link {
+        Link::Between(Attach::on("drum"), Attach::ground())
+    }
+
+    #[test]
+    fn rotating_damping_is_the_same_in_all_directions() {
+        let (mut values, mut params, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
+        values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
+        values.set("axes", Value::Choice("rotating"), None);
+        params.set("damping.x", 10.0);
+        params.set("damping.y", 20.0);
+        Damper::build(&values, &mut params, &mut d);
+        assert!(d.0[0].to_string().contains("same in x and y"));
+        // and through an override of one parameter
+        assert_eq!(Damper::rotating(to_ground()).check(&DamperParams { damping: [10.0, 20.0] }).len(), 1);
+        assert!(Damper::fixed(to_ground()).check(&DamperParams { damping: [10.0, 20.0] }).is_empty());
+    }
+}
+
+crate::conformance! {
+    Damper {
+        fixed: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
+        fixed_anisotropic: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0, 10.0] }, Options::anisotropic();
+        rotating: Damper::rotating(tests::to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
     }
 }

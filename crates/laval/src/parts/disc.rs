@@ -200,3 +200,51 @@ impl Disc {
         p.polar_inertia + u * u / p.mass + skew
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::params::Family;
+
+    #[test]
+    fn mistakes_are_told() {
+        let p = DiscParams { mass: 1.0, diametral_inertia: 0.01, polar_inertia: 0.03, ..DiscFamily::defaults() };
+        let wrong = Disc::tilting().check(&p);
+        assert_eq!(wrong[0].0, "polar_inertia");
+        assert!(wrong[0].1.contains("above twice its diametral inertia"));
+        // a thin disc is at the limit
+        assert!(Disc::tilting().check(&DiscParams { polar_inertia: 0.02, ..p }).is_empty());
+        let skewed = DiscParams { mass: 1.0, skew: 0.01, ..DiscFamily::defaults() };
+        assert!(Disc::planar().check(&skewed)[0].1.contains("give diametral_inertia"));
+        assert_eq!(Disc::planar().check(&DiscParams { skew: 0.0, centre_of_mass: 0.1, ..skewed })[0].0, "centre_of_mass");
+    }
+
+    /// Unbalance in two languages: m e and an unbalance are the same force.
+    #[test]
+    fn eccentricity_and_unbalance_are_one() {
+        let base = DiscParams { mass: 2.0, eccentricity_phase: 0.3, ..DiscFamily::defaults() };
+        let blocks = |p: &DiscParams| {
+            let mut b = Blocks::default();
+            b.reset(2, 0, 50.0);
+            Disc::planar().linear(p, 50.0, &mut b);
+            (b.force_cos, b.force_sin)
+        };
+        let (x, y) = blocks(&DiscParams { eccentricity: 1e-3, ..base });
+        assert_eq!((x.clone(), y), blocks(&DiscParams { unbalance: 2e-3, ..base }));
+        assert!((x[0] - 2e-3 * 2500.0 * 0.3f64.cos()).abs() < 1e-15 && (x[1] - 2e-3 * 2500.0 * 0.3f64.sin()).abs() < 1e-15);
+    }
+}
+
+crate::conformance! {
+    Disc {
+        planar: Disc::planar(),
+            DiscParams { mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscFamily::defaults() },
+            Options::default();
+        tilting: Disc::tilting(),
+            DiscParams {
+                mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
+                skew: 0.02, skew_phase: -0.4, centre_of_mass: 0.06,
+            },
+            Options::default();
+    }
+}

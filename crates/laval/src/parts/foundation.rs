@@ -66,3 +66,10 @@ impl Part for Foundation {
         out.push(Observed { name: "ground force", unit: "N", value: force(0).hypot(force(1)) });
     }
 }
+
+crate::conformance! {
+    Foundation {
+        isotropic: Foundation, FoundationParams { mass: 25.0, stiffness: [3.26e5; 2], damping: [6.59; 2] }, Options::default();
+        anisotropic: Foundation, FoundationParams { mass: 25.0, stiffness: [3.26e5, 8e5], damping: [6.59, 50.0] }, Options::anisotropic();
+    }
+}

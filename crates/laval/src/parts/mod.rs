@@ -1,10 +1,14 @@
 //! The kinds of parts. This file is the registry: the only place that names them all.
 
 pub mod bearing_cubic;
+pub mod bearing_hertz;
+pub mod bearing_linear;
 pub mod damper;
 pub mod disc;
 pub mod foundation;
 pub mod liquid;
+pub mod shaft_lumped;
+pub mod stop;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::erased::Erased;
@@ -31,7 +35,11 @@ pub fn registry() -> Vec<PartKind> {
         kind::<disc::Disc>(),
         kind::<foundation::Foundation>(),
         kind::<damper::Damper>(),
+        kind::<bearing_linear::BearingLinear>(),
         kind::<bearing_cubic::BearingCubic>(),
+        kind::<bearing_hertz::BearingHertz>(),
+        kind::<shaft_lumped::ShaftLumped>(),
+        kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),
     ]
 }

@@ -1,1 +1,82 @@
-//! (empty)
+//! Output: figures as SVG, tables as CSV and Parquet, `results.json`, a one-file report, words for the terminal.
+//!
+//! Everything is a function of a [`Report`] and gives the same bytes for the same input.
+//!
+//! ```
+//! use laval::outcome::{Finding, Outcome, Table};
+//! use laval::report::{Format, Provenance, Report, write};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let table = Table::new("modes", "Natural modes").float("frequency", "rad/s", "whirl frequency", vec![210.0]).build()?;
+//! let outcome = Outcome::new("modes", "at rest").finding(Finding::info("count", "There is one mode.")).table(table);
+//! let report = Report {
+//!     machine: "pump".into(),
+//!     provenance: Provenance { version: "0.1.0".into(), input_name: "pump.toml".into(), ..Provenance::default() },
+//!     input: None,
+//!     outcomes: vec![outcome],
+//! };
+//! let dir = std::env::temp_dir().join(format!("laval-doc-{}", std::process::id()));
+//! let files = write(&dir, &report, &[Format::Json, Format::Csv])?;
+//! assert_eq!(files, [dir.join("at-rest/modes.csv"), dir.join("results.json")]);
+//! # std::fs::remove_dir_all(&dir)?;
+//! # Ok(()) }
+//! ```
+
+mod colour;
+mod csv;
+mod embed;
+mod heat;
+mod html;
+mod json;
+mod layout;
+mod page;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod payload;
+mod scene;
+mod svg;
+mod terminal;
+mod text;
+mod thin;
+mod ticks;
+mod write;
+
+pub use csv::csv;
+pub use html::html;
+pub use json::{SCHEMA, json};
+pub use page::{figure, page};
+#[cfg(feature = "parquet")]
+pub use parquet::parquet;
+pub use svg::draw;
+pub use terminal::{Terminal, terminal};
+pub use text::{escape, file_name};
+pub use write::{Format, WriteError, write};
+
+use crate::outcome::Outcome;
+
+/// Everything one run found out, ready to be written.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Name of the machine.
+    pub machine: String,
+    /// Where the results come from.
+    pub provenance: Provenance,
+    /// Text of the input file, shown at the end of the page.
+    pub input: Option<String>,
+    /// One outcome per study, in the order of the file.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// What is needed to compute the results again.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Provenance {
+    /// Version of the program.
+    pub version: String,
+    /// Name of the input file.
+    pub input_name: String,
+    /// Hash of the input file.
+    pub input_hash: String,
+    /// Settings that change results, name and value.
+    pub settings: Vec<(String, String)>,
+    /// Seed of random numbers, where any were used.
+    pub seed: Option<u64>,
+}

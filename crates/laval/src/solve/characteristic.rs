@@ -216,7 +216,7 @@ impl<'a> Characteristic<'a> {
     pub fn border(&mut self, s: C64, members: &[usize]) -> Option<Border> {
         let (mut t, mut d) = (Mat::default(), Mat::default());
         self.at(s, &mut t, &mut d);
-        let (rows, cols) = equilibrate(&t, members);
+        let (rows, cols) = equilibrate(&t, &d, s.abs(), members);
         let k = members.len();
         let scaled = Mat::from_fn(k, k, |i, j| t[(members[i], members[j])].scale(rows[i] * cols[j]));
         let (b, a) = singular_directions(&scaled)?;
@@ -339,18 +339,19 @@ impl Border {
     }
 }
 
-/// Row and column factors that bring the largest entries of rows and columns near one.
-fn equilibrate(t: &Mat<C64>, members: &[usize]) -> (Vec<f64>, Vec<f64>) {
+/// Row and column factors that bring the largest entries of rows and columns near one. Sizes come from T and s dT/ds together: T alone may be
+/// small only because its terms cancel, which is what the test function is to see.
+fn equilibrate(t: &Mat<C64>, slope: &Mat<C64>, s: f64, members: &[usize]) -> (Vec<f64>, Vec<f64>) {
     let k = members.len();
     let (mut rows, mut cols) = (vec![1.0; k], vec![1.0; k]);
-    let size = |i: usize, j: usize| t[(members[i], members[j])].size();
+    let size = |i: usize, j: usize| t[(members[i], members[j])].size() + s * slope[(members[i], members[j])].size();
     let factor = |x: f64| if x > 0.0 && x.is_finite() { x.sqrt().recip() } else { 1.0 };
     for _ in 0..6 {
-        for i in 0..k {
-            rows[i] *= factor((0..k).map(|j| size(i, j) * rows[i] * cols[j]).fold(0.0, f64::max));
+        for (i, r) in rows.iter_mut().enumerate() {
+            *r *= factor((0..k).map(|j| size(i, j) * *r * cols[j]).fold(0.0, f64::max));
         }
-        for j in 0..k {
-            cols[j] *= factor((0..k).map(|i| size(i, j) * rows[i] * cols[j]).fold(0.0, f64::max));
+        for (j, c) in cols.iter_mut().enumerate() {
+            *c *= factor((0..k).map(|i| size(i, j) * rows[i] * *c).fold(0.0, f64::max));
         }
     }
     let power = |x: &f64| x.log2().round().exp2();

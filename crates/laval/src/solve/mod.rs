@@ -1,11 +1,17 @@
 //! Solving: equilibria, spectra, responses, motions. An analysis knows the system and no concrete part.
 
 pub mod characteristic;
+pub mod extrema;
 pub mod harmonic;
+pub mod locate;
 pub mod motion;
 pub mod pencil;
 pub mod programme;
+pub mod response;
 pub mod rest;
+pub mod scalar;
 pub mod sectors;
+pub mod stability;
+pub mod sweep;
 pub mod symmetry;
 pub mod turning;

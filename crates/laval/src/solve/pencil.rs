@@ -82,6 +82,8 @@ pub struct MachineMode {
     pub error: f64,
     /// The value was solved for on the exact characteristic function.
     pub polished: bool,
+    /// Where it stands among the families of its spectrum: family, mode.
+    pub place: (usize, usize),
 }
 
 impl MachineMode {
@@ -240,8 +242,8 @@ impl Linearised {
                 };
                 // the backward sector is the conjugate of the forward one
                 out.infinite += if sector == Sector::Forward { 2 * infinite } else { infinite };
-                for m in &modes {
-                    out.modes.push(self.mode(m, Some(sector), &q, &z));
+                for (k, m) in modes.iter().enumerate() {
+                    out.modes.push(MachineMode { place: (out.families.len(), k), ..self.mode(m, Some(sector), &q, &z) });
                 }
                 out.families.push(Family { sector: Some(sector), modes });
             }
@@ -252,8 +254,8 @@ impl Linearised {
             out.infinite = infinite;
             let modes = eig::upper_half(&modes);
             let (q, z): (Vec<usize>, Vec<usize>) = ((0..self.coordinates.len()).collect(), (0..self.states.len()).collect());
-            for m in &modes {
-                out.modes.push(self.mode(m, None, &q, &z));
+            for (k, m) in modes.iter().enumerate() {
+                out.modes.push(MachineMode { place: (0, k), ..self.mode(m, None, &q, &z) });
             }
             out.families.push(Family { sector: None, modes });
         }
@@ -285,7 +287,18 @@ impl Linearised {
             qs.iter_mut().chain(&mut zs).for_each(|x| *x = *x / lead);
         }
         let (whirl, forward_share) = self.whirl(value, &qs);
-        MachineMode { value, q: qs, z: zs, sector, whirl, forward_share, residual: m.residual, error: m.error(), polished: false }
+        MachineMode {
+            value,
+            q: qs,
+            z: zs,
+            sector,
+            whirl,
+            forward_share,
+            residual: m.residual,
+            error: m.error(),
+            polished: false,
+            place: (0, 0),
+        }
     }
 
     fn whirl(&self, value: C64, q: &[C64]) -> (Whirl, f64) {

@@ -72,7 +72,8 @@ fn changes(system: &System, slot: &Slot, speed: f64, weight: bool) -> bool {
                     *x -= crate::model::system::GRAVITY;
                 }
             }
-            (force.fill(0.0), rate.fill(0.0));
+            force.fill(0.0);
+            rate.fill(0.0);
             let at = At { q: &q, v: &v, a: &fall, z: &z, phase: 0.3 + angle, speed, spin_accel: 0.0, t: 0.0 };
             let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
             system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |s| &s.name == name);

@@ -1,8 +1,15 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod campbell;
+pub mod critical_speeds;
+pub mod forced_response;
+mod history;
 pub mod modes;
 pub mod nonlinear_response;
+pub mod run_up;
+pub mod stability_map;
 pub mod support;
+pub mod transient;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
@@ -94,7 +101,16 @@ pub struct StudyKind {
 
 /// All kinds of studies.
 pub fn registry() -> Vec<StudyKind> {
-    vec![kind::<modes::Modes>(), kind::<nonlinear_response::NonlinearResponse>()]
+    vec![
+        kind::<modes::Modes>(),
+        kind::<campbell::Campbell>(),
+        kind::<critical_speeds::CriticalSpeeds>(),
+        kind::<stability_map::StabilityMap>(),
+        kind::<forced_response::ForcedResponse>(),
+        kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<transient::Transient>(),
+        kind::<run_up::RunUp>(),
+    ]
 }
 
 /// The registry entry of a study.

@@ -58,7 +58,7 @@ impl Study for Modes {
         let modes = &spectrum.modes;
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + m.error);
+        let unstable = |m: &MachineMode| m.growth() > self.threshold + m.error || m.growth().is_nan();
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -123,9 +123,9 @@ impl Study for Modes {
                 Finding::info(
                     "stable",
                     format!(
-                        "No mode grows faster than {} at {}; the largest growth rate is {{}}.",
-                        quantity(self.threshold, "1/s"),
-                        quantity(self.speed, "rad/s")
+                        "Stable at {}: no mode grows faster than {}; the largest growth rate is {{}}.",
+                        quantity(self.speed, "rad/s"),
+                        quantity(self.threshold, "1/s")
                     ),
                 )
                 .value(largest, "1/s"),

@@ -68,7 +68,7 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
 
 /// A range whose ends differ and whose number of points is at least `least`.
 pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
-    let wrong = if !(range.to > range.from) {
+    let wrong = if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
         Some((format!("{field} must go from a lower to a higher value"), "exchange from and to".to_string()))
     } else if range.points.is_some_and(|p| p < least) {
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))

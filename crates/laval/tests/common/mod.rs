@@ -2,6 +2,8 @@
 #![allow(dead_code)]
 
 pub mod base;
+#[allow(unused_imports)]
+pub use base::Base;
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;

@@ -64,7 +64,8 @@ fn momentum(y: &[f64]) -> f64 {
 #[test]
 fn free_spin_keeps_energy_and_angular_momentum() {
     let system = machine(Case { damping: 0.0, free: true, ..CASE });
-    let mut motion = Motion::new(&system, SpinLaw::Free).unwrap().with_account().map_err(|e| e.1).unwrap();
+    let mut motion = Motion::new(&system, SpinLaw::Free).unwrap();
+    motion.keep_account().unwrap();
     let mut y = vec![1e-3, -5e-4, 0.9, 0.05, 0.1, 20.0, 0.3, 150.0, 0.0, 0.0, 0.0, 0.0];
     let (before, turning) = (motion.stored_energy(0.0, &y).unwrap(), momentum(&y));
     let control = Control::new(1e-13, 1e-14);
@@ -84,7 +85,8 @@ fn free_spin_keeps_energy_and_angular_momentum() {
 fn prescribed_spin_balances_drive_and_heat() {
     let system = machine(Case { isotropic: false, ..CASE });
     let law = SpinLaw::Programme(Programme::ramp(150.0, 220.0, 0.3, Shape::Smooth, 0.4).unwrap());
-    let mut motion = Motion::new(&system, law).unwrap().with_account().map_err(|e| e.1).unwrap();
+    let mut motion = Motion::new(&system, law).unwrap();
+    motion.keep_account().unwrap();
     let mut y = vec![1e-3, -5e-4, 0.9, 0.05, 0.1, 20.0, 0.0, 0.0, 0.0, 0.0];
     let before = motion.stored_energy(0.0, &y).unwrap();
     let control = Control::new(1e-12, 1e-13);

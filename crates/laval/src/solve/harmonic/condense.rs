@@ -104,6 +104,8 @@ pub struct Condenser {
     lu: Lu<C64>,
     rhs: Mat<C64>,
     work: Mat<C64>,
+    projected: [Mat<C64>; 2],
+    small: Lu<C64>,
 }
 
 impl Condenser {
@@ -122,6 +124,8 @@ impl Condenser {
             lu: Lu::default(),
             rhs: Mat::default(),
             work: Mat::default(),
+            projected: Default::default(),
+            small: Lu::default(),
         }
     }
 
@@ -198,20 +202,26 @@ impl Condenser {
         // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
         self.dz.matmul_into(&self.rhs, &mut self.work);
         self.lu.solve_mat(&mut self.work);
-        let project = |w: &Mat<C64>, j: usize| -> Vec<C64> {
-            self.basis.iter().map(|row| row.iter().fold(C64::zero(), |s, &(g, x)| s + w[(g, j)].scale(x))).collect()
-        };
-        let columns = |w: &Mat<C64>| -> Mat<C64> {
-            let cols: Vec<Vec<C64>> = (0..m).map(|j| project(w, j)).collect();
-            Mat::from_fn(m, m, |i, j| cols[j][i])
-        };
-        let flexibility = Lu::new(&columns(&self.rhs))?;
+        // rows of B applied to both: flexibility and its derivative, and the free motion
+        for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
+            projected.reset(m, m + 2);
+            for (i, row) in self.basis.iter().enumerate() {
+                for &(g, x) in row {
+                    for (p, w) in projected.row_mut(i).iter_mut().zip(w.row(g)) {
+                        *p += w.scale(x);
+                    }
+                }
+            }
+        }
+        let [flexibility, change] = &self.projected;
+        let square = |a: &Mat<C64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
+        self.small.factor(&square(flexibility))?;
         let mut k_ref = Mat::identity(m);
-        flexibility.solve_mat(&mut k_ref);
+        self.small.solve_mat(&mut k_ref);
         // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
-        let dk = k_ref.matmul(&columns(&self.work)).matmul(&k_ref);
-        let u0 = project(&self.rhs, m);
-        let du0: Vec<C64> = project(&self.rhs, m + 1).iter().zip(project(&self.work, m)).map(|(&a, b)| a - b).collect();
+        let dk = k_ref.matmul(&square(change)).matmul(&k_ref);
+        let u0: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
+        let du0: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
         out.load = k_ref.mul_vec(&u0);
         out.load_speed = k_ref.mul_vec(&du0);
         dk.mul_vec_add(&u0, &mut out.load_speed);

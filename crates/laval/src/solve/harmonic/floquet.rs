@@ -84,6 +84,24 @@ pub const MOST_STATES: usize = 64;
 /// Growth rates are wanted to this part of the largest exponent.
 const TOLERANCE: f64 = 1e-9;
 
+/// `A[row, col] += factor * tangent[derivative][j, k]`: how tangents of nonlinear coordinates enter the scaled A.
+#[derive(Clone, Copy)]
+struct Entry {
+    row: usize,
+    col: usize,
+    derivative: usize,
+    j: usize,
+    k: usize,
+    factor: f64,
+}
+
+/// States that do not couple with others: their constant matrix and entries, in their own numbering.
+struct Block {
+    states: Vec<usize>,
+    constant: Vec<f64>,
+    entries: Vec<Entry>,
+}
+
 /// Judges motions of one machine; keeps its scratch.
 pub struct Stability {
     n: usize,
@@ -93,6 +111,7 @@ pub struct Stability {
     speed: f64,
     constant: Mat,
     input: Mat,
+    entries: Vec<Entry>,
     tangent: Tangent,
     scratch: TangentScratch,
     sampled: Sampled,
@@ -125,6 +144,7 @@ impl Stability {
             speed: f64::NAN,
             constant: Mat::default(),
             input: Mat::default(),
+            entries: Vec::new(),
             tangent: Tangent::default(),
             scratch: TangentScratch::default(),
             sampled: Sampled::default(),
@@ -134,7 +154,7 @@ impl Stability {
         })
     }
 
-    /// Exponents of the motion `x` of a balance at a speed. The balance must have been evaluated there with tangents last.
+    /// Exponents of the motion `x` of a balance at a speed. The balance must have been sampled there last ([`Balance::sample`]).
     pub fn exponents(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
         if !self.constant_mass {
             return self.general(balance, x, speed);
@@ -155,7 +175,7 @@ impl Stability {
         }
         if terms.symmetry == Symmetry::Circular {
             let mut a = self.constant.clone();
-            self.add_tangent(balance, &mean, 0, &mut a);
+            self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
             for (i, _) in self.pairs.iter().enumerate().filter(|(_, p)| **p) {
                 a[(i, i + 1)] += speed;
                 a[(i + 1, i)] -= speed;
@@ -171,14 +191,17 @@ impl Stability {
             }
         }
         let mut a = self.constant.clone();
-        self.add_tangent(balance, &mean, 0, &mut a);
+        self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
         let values = self.eigenvalues(&a)?;
         let size = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
         let mut variation = 0.0f64;
+        let mut delta = Mat::<f64>::zeros(a.rows(), a.rows());
         for j in 0..terms.samples {
-            let differences = [0, 1].map(|d| Mat::from_fn(mu, mu, |i, k| sampled.tangent(d)[(j * mu + i, k)] - mean[d][(i, k)]));
-            let mut delta = Mat::zeros(a.rows(), a.rows());
-            self.add_tangent(balance, &differences, 0, &mut delta);
+            delta.reset(a.rows(), a.rows());
+            for e in &self.entries {
+                let change = sampled.tangent(e.derivative)[(j * mu + e.j, e.k)] - mean[e.derivative][(e.j, e.k)];
+                delta[(e.row, e.col)] += e.factor * change;
+            }
             let worst = (0..delta.rows()).map(|i| delta.row(i).iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
             variation = variation.max(worst);
         }
@@ -220,12 +243,11 @@ impl Stability {
             i => memory[(i - 2 * n, j)],
         });
         if self.scale.is_empty() {
-            // balanced with the nonlinear parts at their mean, so that rates and displacements are of one size
+            // balanced with the nonlinear parts as at the first sample, so that rates and displacements are of one size
             let mut a = self.constant.clone();
             self.scale = vec![1.0; a.rows()];
-            let mu = balance.terms.coordinates;
-            let tangents = [0, 1].map(|d| Mat::from_fn(mu, mu, |i, k| balance.sampled.tangent(d)[(i, k)]));
-            self.add_tangent(balance, &tangents, 0, &mut a);
+            self.list_entries(balance);
+            self.add_tangent([balance.sampled.tangent(0), balance.sampled.tangent(1)], 0, &mut a);
             self.scale = balance_scale(&a, &self.pairs);
         }
         for i in 0..self.constant.rows() {
@@ -235,26 +257,27 @@ impl Stability {
             }
             self.input.row_mut(i).iter_mut().for_each(|x| *x /= si);
         }
+        self.list_entries(balance);
         self.speed = speed;
         Ok(())
     }
 
-    /// Adds the nonlinear parts' tangents (rows from `from`) to a scaled A.
-    fn add_tangent(&self, balance: &Balance, tangents: &[Mat], from: usize, a: &mut Mat) {
+    /// Lists how tangents of the nonlinear coordinates enter A.
+    fn list_entries(&mut self, balance: &Balance) {
         let (n, rows) = (self.n, &balance.nonlinear.basis.rows);
-        for i in n..a.rows() {
-            for (j, _) in rows.iter().enumerate() {
-                let g = self.input[(i, j)];
+        let derivatives = if balance.nonlinear.members.iter().any(|m| m.uses.velocity) { 2 } else { 1 };
+        self.entries.clear();
+        for row in n..self.input.rows() {
+            for j in 0..rows.len() {
+                let g = self.input[(row, j)];
                 if g == 0.0 {
                     continue;
                 }
-                for (k, row) in rows.iter().enumerate() {
-                    for (d, tangent) in tangents.iter().enumerate().take(2) {
-                        let t = g * tangent[(from + j, k)];
-                        if t != 0.0 {
-                            for &(col, x) in row {
-                                a[(i, d * n + col)] += t * x * self.scale[d * n + col];
-                            }
+                for (k, combination) in rows.iter().enumerate() {
+                    for derivative in 0..derivatives {
+                        for &(c, x) in combination {
+                            let col = derivative * n + c;
+                            self.entries.push(Entry { row, col, derivative, j, k, factor: g * x * self.scale[col] });
                         }
                     }
                 }
@@ -262,54 +285,73 @@ impl Stability {
         }
     }
 
-    /// The map over the repeated part of the period, block by block.
-    fn map(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
-        let states = self.constant.rows();
-        let terms = &balance.terms;
-        // blocks: what the matrix couples at a dense, irregular choice of instants
-        let mut pattern = self.constant.clone();
-        for j in 0..terms.samples {
-            let mu = terms.coordinates;
-            let size = [0, 1].map(|d| Mat::from_fn(mu, mu, |i, k| balance.sampled.tangent(d)[(j * mu + i, k)].abs()));
-            let mut a = Mat::zeros(states, states);
-            self.add_tangent(balance, &size, 0, &mut a);
-            for (p, a) in pattern.data_mut().iter_mut().zip(a.data()) {
-                *p = p.abs() + a.abs();
-            }
+    /// Adds the nonlinear parts' tangents to a scaled A.
+    fn add_tangent(&self, tangents: [&Mat; 2], from: usize, a: &mut Mat) {
+        for e in &self.entries {
+            a[(e.row, e.col)] += e.factor * tangents[e.derivative][(from + e.j, e.k)];
+        }
+    }
+
+    /// States in blocks that neither the constant part nor a tangent seen at a sample couples.
+    fn blocks(&self, balance: &Balance) -> Vec<Block> {
+        let mut pattern = Mat::from_fn(self.constant.rows(), self.constant.rows(), |i, j| self.constant[(i, j)].abs());
+        let mu = balance.terms.coordinates;
+        for e in &self.entries {
+            let tangent = balance.sampled.tangent(e.derivative);
+            let most = (0..balance.terms.samples).map(|s| tangent[(s * mu + e.j, e.k)].abs()).fold(0.0, f64::max);
+            pattern[(e.row, e.col)] += most;
         }
         let blocks = components(&pattern);
+        let place = |states: &[usize], i: usize| states.iter().position(|&s| s == i);
+        blocks
+            .into_iter()
+            .map(|states| {
+                let constant = states.iter().flat_map(|&i| states.iter().map(move |&j| (i, j))).map(|ij| self.constant[ij]).collect();
+                let entries = self.entries.iter().filter(|e| pattern[(e.row, e.col)] != 0.0);
+                let entries =
+                    entries.filter_map(|e| Some(Entry { row: place(&states, e.row)?, col: place(&states, e.col)?, ..*e })).collect();
+                Block { constant, entries, states }
+            })
+            .collect()
+    }
+
+    /// The map over the repeated part of the period, block by block.
+    fn map(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+        let terms = &balance.terms;
+        let blocks = self.blocks(balance);
         // a turn by a quarter mixes x and y: with blocks apart the half turn keeps them apart
         let parts = if blocks.len() > 1 { terms.symmetry.order().min(2) } else { terms.symmetry.order() };
         let base = speed.abs() / terms.divisor as f64;
         let period = TAU / base / parts as f64;
         let direction = speed.signum();
         let mut motion = [0; 3].map(|_| vec![0.0; terms.coordinates]);
-        let mut a = Mat::zeros(states, states);
         let mut y: Vec<f64> = Vec::new();
         for block in &blocks {
-            y.extend(Mat::<f64>::identity(block.len()).data());
+            y.extend(Mat::<f64>::identity(block.states.len()).data());
         }
+        let mut a = Vec::new();
         let mut sampled = std::mem::take(&mut self.sampled);
         let mut dop = std::mem::replace(&mut self.dop, Dop853::new());
-        let this = &*self;
-        let (system, nonlinear) = (balance.system, &balance.nonlinear);
-        let view = &*balance;
+        let (system, members) = (balance.system, &balance.nonlinear.members);
         let mut problem = ode(y.len(), |t, y, dy| {
-            motion_at(terms, x, speed / terms.divisor as f64, base * t * direction, &mut motion);
+            let tau = base * t * direction;
+            motion_at(terms, x, speed / terms.divisor as f64, tau, &mut motion);
             let [u, v, w] = &motion;
-            sampled.eval_at(system, &nonlinear.members, terms, base * t * direction, [u, v, w], speed);
-            a.copy_from(&this.constant);
-            this.add_tangent(view, &[sampled.tangent(0), sampled.tangent(1)].map(Clone::clone), 0, &mut a);
+            sampled.eval_at(system, members, terms, tau, [u, v, w], speed);
             let mut offset = 0;
             for block in &blocks {
-                let d = block.len();
-                for (i, &row) in block.iter().enumerate() {
-                    let out = &mut dy[offset + i * d..offset + (i + 1) * d];
+                let d = block.states.len();
+                a.clear();
+                a.extend_from_slice(&block.constant);
+                for e in &block.entries {
+                    a[e.row * d + e.col] += e.factor * sampled.tangent(e.derivative)[(e.j, e.k)];
+                }
+                let y = &y[offset..offset + d * d];
+                for (row, out) in a.chunks_exact(d).zip(dy[offset..offset + d * d].chunks_exact_mut(d)) {
                     out.fill(0.0);
-                    for (k, &col) in block.iter().enumerate() {
-                        let factor = a[(row, col)];
+                    for (&factor, y) in row.iter().zip(y.chunks_exact(d)) {
                         if factor != 0.0 {
-                            for (o, &y) in out.iter_mut().zip(&y[offset + k * d..offset + (k + 1) * d]) {
+                            for (o, &y) in out.iter_mut().zip(y) {
                                 *o += factor * y;
                             }
                         }
@@ -334,9 +376,9 @@ impl Stability {
         let mut values = Vec::new();
         let mut offset = 0;
         for block in &blocks {
-            let d = block.len();
+            let d = block.states.len();
             let map = Mat::from_fn(d, d, |i, j| y[offset + i * d + j]);
-            let map = self.turned_back(block, &map, angle);
+            let map = self.turned_back(&block.states, &map, angle);
             for z in self.eigenvalues(&map)? {
                 values.push(z.ln().scale(1.0 / period));
             }

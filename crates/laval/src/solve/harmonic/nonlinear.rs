@@ -29,6 +29,14 @@ struct Instants<'a> {
     speed: f64,
 }
 
+impl Instants<'_> {
+    /// Spin phase and time of instant `j`.
+    fn time(&self, j: usize) -> (f64, f64) {
+        let w = self.speed / self.divisor as f64;
+        (self.divisor as f64 * self.angles[j], if w == 0.0 { 0.0 } else { self.angles[j] / w })
+    }
+}
+
 /// Samples of forces and their tangents over nonlinear coordinates `u` (states included: their row is `z' - rate`).
 #[derive(Default)]
 pub struct Sampled {
@@ -40,6 +48,9 @@ pub struct Sampled {
     tangent: [Mat; 3],
     uses: [bool; 3],
     local: [Vec<f64>; 3],
+    force: Vec<f64>,
+    rate: Vec<f64>,
+    blocks: Blocks<f64>,
     seeded: [Vec<D8>; 4],
     force8: Vec<D8>,
     rate8: Vec<D8>,
@@ -93,43 +104,73 @@ impl Sampled {
         self.rows_speed.clear();
         self.rows_speed.resize(samples * m, 0.0);
         for member in members {
+            if tangents {
+                let slot = &system.slots()[member.slot];
+                self.params8.clear();
+                self.params8.extend(system.params()[slot.params.clone()].iter().map(|&p| D8::lift(p)));
+                self.seeds.clear();
+                let n = member.map.len();
+                self.seeds.extend((0..n).map(|i| (0, i)));
+                if member.uses.velocity {
+                    self.seeds.extend((0..n).map(|i| (1, i)));
+                }
+                if member.uses.acceleration {
+                    self.seeds.extend((0..n).map(|i| (2, i)));
+                }
+                self.seeds.extend((0..member.states.len()).map(|i| (3, i)));
+            }
             for j in 0..samples {
-                self.member(system, member, instants, j, tangents);
+                if tangents {
+                    self.member(system, member, instants, j);
+                } else {
+                    self.member_value(system, member, instants, j);
+                }
             }
         }
     }
 
-    fn member(&mut self, system: &System, member: &Member, instants: &Instants, j: usize, tangents: bool) {
-        let slot = &system.slots()[member.slot];
-        let &Instants { m, angles, divisor, speed } = instants;
-        let range = j * m..(j + 1) * m;
-        let w = speed / divisor as f64;
-        let (phase, t) = (divisor as f64 * angles[j], if w == 0.0 { 0.0 } else { angles[j] / w });
+    /// Local coordinates and their derivatives of a member at sample `j`.
+    fn gather(&mut self, member: &Member, weight: &[f64], range: Range<usize>) {
         for (u, local) in self.u.iter().zip(&mut self.local) {
             gather(&member.map, &u[range.clone()], local);
         }
-        for (a, &g) in self.local[2].iter_mut().zip(&slot.weight) {
+        for (a, &g) in self.local[2].iter_mut().zip(weight) {
             *a += g;
         }
+    }
+
+    fn member_value(&mut self, system: &System, member: &Member, instants: &Instants, j: usize) {
+        let slot = &system.slots()[member.slot];
+        let range = j * instants.m..(j + 1) * instants.m;
+        let (phase, t) = instants.time(j);
+        self.gather(member, &slot.weight, range.clone());
+        let states = range.start + member.states.start..range.start + member.states.end;
+        let (mut force, mut rate) = (std::mem::take(&mut self.force), std::mem::take(&mut self.rate));
+        force.clear();
+        force.resize(member.map.len(), 0.0);
+        rate.clear();
+        rate.resize(states.len(), 0.0);
+        let mut spin = 0.0;
+        let [q, v, a] = &self.local;
+        let at = At { q, v, a, z: &self.u[0][states.clone()], phase, speed: instants.speed, spin_accel: 0.0, t };
+        let mut out = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        f64::residual(&*slot.part, &system.params()[slot.params.clone()], &at, &mut out, &mut self.blocks);
+        scatter(&member.map, &force, &mut self.rows[range]);
+        for ((row, d), r) in states.clone().zip(&self.u[1][states]).zip(&rate) {
+            self.rows[row] += d - r;
+        }
+        (self.force, self.rate) = (force, rate);
+    }
+
+    fn member(&mut self, system: &System, member: &Member, instants: &Instants, j: usize) {
+        let slot = &system.slots()[member.slot];
+        let &Instants { m, speed, .. } = instants;
+        let range = j * m..(j + 1) * m;
+        let (phase, t) = instants.time(j);
+        self.gather(member, &slot.weight, range.clone());
         let (n, states) = (member.map.len(), member.states.clone());
         let z = &self.u[0][range.start + states.start..range.start + states.end];
         let zdot = &self.u[1][range.start + states.start..range.start + states.end];
-        // directions: (group, index); groups q, v, a, z
-        self.seeds.clear();
-        self.seeds.extend((0..n).map(|i| (0, i)));
-        if tangents {
-            if member.uses.velocity {
-                self.seeds.extend((0..n).map(|i| (1, i)));
-            }
-            if member.uses.acceleration {
-                self.seeds.extend((0..n).map(|i| (2, i)));
-            }
-            self.seeds.extend((0..z.len()).map(|i| (3, i)));
-        } else {
-            self.seeds.truncate(1);
-        }
-        self.params8.clear();
-        self.params8.extend(system.params()[slot.params.clone()].iter().map(|&p| D8::lift(p)));
         let seeds = std::mem::take(&mut self.seeds);
         for (pass, chunk) in seeds.chunks(8).enumerate() {
             for (x, s) in self.local.iter().map(Vec::as_slice).chain([z]).zip(&mut self.seeded) {
@@ -161,9 +202,6 @@ impl Sampled {
                     self.rows[range.start + states.start + i] += d - r.re;
                 }
             }
-            if !tangents {
-                continue;
-            }
             for (k, &(group, index)) in chunk.iter().enumerate() {
                 let own = [(states.start + index, 1.0)];
                 let (columns, derivative) = if group == 3 { (&own[..], 0) } else { (&member.map[index][..], group) };
@@ -181,13 +219,11 @@ impl Sampled {
             }
         }
         self.seeds = seeds;
-        if tangents {
-            for i in states.clone() {
-                self.tangent[1][(range.start + i, i)] += 1.0;
-            }
-            if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
-                self.speed_derivative(system, member, range, speed, phase, t);
-            }
+        for i in states.clone() {
+            self.tangent[1][(range.start + i, i)] += 1.0;
+        }
+        if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
+            self.speed_derivative(system, member, range, speed, phase, t);
         }
     }
 

@@ -181,7 +181,7 @@ impl<'a> Balance<'a> {
         let mu = self.nonlinear.basis.rows.len();
         let m = self.nonlinear.kinds.len();
         let mut size = vec![0.0f64; m];
-        let points = 24;
+        let points = 8;
         for i in 0..points {
             let speed = lo + (hi - lo) * (i as f64 + 0.5) / points as f64;
             self.set_speed(speed).map_err(|e| self.drifts(e))?;
@@ -302,6 +302,11 @@ impl<'a> Balance<'a> {
     /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
     pub fn linear_states(&self) -> &[usize] {
         self.condenser.linear_states()
+    }
+
+    /// Samples the nonlinear parts, with tangents, at a motion `x`; the linear parts are left alone.
+    pub fn sample(&mut self, x: &[f64], speed: f64) {
+        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, speed, true);
     }
 
     /// Memory states at `s` (1/s) that belong to amplitudes of the coordinates: eliminated in the balance, found again here.

@@ -35,6 +35,13 @@ pub struct Request {
     pub max_points: usize,
 }
 
+impl Request {
+    /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
+    pub fn over(lo: f64, hi: f64) -> Self {
+        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 20_000 }
+    }
+}
+
 /// One point of the response.
 #[derive(Clone, Debug)]
 pub struct State {
@@ -198,7 +205,7 @@ fn attempt<'a>(
 ) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
-    let settings = Settings { max_points: request.max_points, ..Settings::new(lo, hi) };
+    let settings = Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
@@ -269,15 +276,13 @@ fn judge(
     request: &Request,
     tick: Tick,
 ) -> Result<Traced, Diagnostic> {
-    let n = balance.dim();
-    let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
     let mut points = Vec::with_capacity(branch.points.len());
     for (i, p) in branch.points.iter().enumerate() {
         if balance.cancelled() {
             break;
         }
         let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-        points.push(evaluate(balance, stability, unjudged, &x, p.p, &mut r, &mut jac).with_residual(residual));
+        points.push(evaluate(balance, stability, unjudged, &x, p.p).with_residual(residual));
         if i % 16 == 0 {
             tick(points.len() as u64);
         }
@@ -288,10 +293,9 @@ fn judge(
     if stability.is_some() && request.stability {
         for i in 1..points.len() {
             let (a, b) = (&points[i - 1], &points[i]);
-            if a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i) {
-                if let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1, &mut r, &mut jac) {
-                    changes.push(c);
-                }
+            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i);
+            if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
+                changes.push(c);
             }
         }
     }
@@ -313,20 +317,9 @@ impl State {
     }
 }
 
-fn evaluate(
-    balance: &mut Balance,
-    stability: &mut Option<Stability>,
-    unjudged: &mut Option<Unjudged>,
-    x: &[f64],
-    speed: f64,
-    r: &mut [f64],
-    jac: &mut Mat,
-) -> State {
+fn evaluate(balance: &mut Balance, stability: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64) -> State {
     let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, residual: f64::NAN };
-    r.fill(0.0);
-    if balance.eval(x, speed, r, Some(jac), None).is_err() {
-        return state;
-    }
+    balance.sample(x, speed);
     state.truncation = balance.truncation();
     if let Some(s) = stability {
         match s.exponents(balance, x, speed) {
@@ -355,7 +348,6 @@ fn fold_of(s: &Special, branch: &Branch) -> Fold {
 }
 
 /// Bisection with corrected points on the sign of the largest growth rate.
-#[allow(clippy::too_many_arguments)]
 fn locate_change(
     balance: &mut Balance,
     stability: &mut Option<Stability>,
@@ -363,8 +355,6 @@ fn locate_change(
     a: &State,
     b: &State,
     after: usize,
-    r: &mut [f64],
-    jac: &mut Mat,
 ) -> Option<Change> {
     let (mut a, mut b) = (a.clone(), b.clone());
     let mut best = None;
@@ -381,7 +371,7 @@ fn locate_change(
         if newton(balance, &mut x, speed, &Options::default()).is_err() {
             break;
         }
-        let mid = evaluate(balance, stability, unjudged, &x, speed, r, jac);
+        let mid = evaluate(balance, stability, unjudged, &x, speed);
         let growth = mid.growth();
         let leading = mid.exponents.as_ref()?.values.iter().copied().max_by(|x, y| x.re.total_cmp(&y.re))?;
         best = Some(Change { speed, bracket: (a.speed, b.speed), exponent: leading, growth, after });

@@ -86,7 +86,7 @@ impl Terms {
     /// Harmonics up to `harmonics` (multiples of speed / divisor) of coordinates of these kinds, with at least `samples` samples a whole period.
     pub fn new(kinds: &[DofKind], symmetry: Symmetry, harmonics: usize, divisor: usize, samples: usize) -> Terms {
         // an even divisor leaves no time shift that goes with a turn
-        let symmetry = if divisor % 2 == 0 { Symmetry::None } else { symmetry };
+        let symmetry = if divisor.is_multiple_of(2) { Symmetry::None } else { symmetry };
         let (vector, scalar) = admitted(symmetry, harmonics, divisor);
         let mut list = Vec::new();
         let mut unknowns = 0;

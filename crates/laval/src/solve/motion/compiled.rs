@@ -8,17 +8,19 @@ use crate::model::system::{System, Workspace};
 use crate::solve::programme::Spin;
 use laval_num::dense::{Lu, Mat};
 use laval_num::ode::Failure;
+use laval_num::scalar::Scalar;
 
 /// The machine at one speed. Rows are the accelerations, then the rates of the linear parts' states without memory.
 pub(super) struct Compiled {
     model: LinearModel<f64>,
-    /// Rows over (q, v, linear states).
-    matrix: Mat,
-    /// Constant, cosine and sine of the phase, row by row.
-    forcing: Vec<[f64; 3]>,
+    /// Columns of the rows' dependence on (q, v, linear states): summing column by column lets the rows go in parallel.
+    columns: Mat,
+    /// Constant, cosine and sine of the phase.
+    forcing: [Vec<f64>; 3],
     /// Coordinates that nonlinear parts and memory act on, and the rows' answer to a force on each.
     touched: Vec<usize>,
-    answer: Mat,
+    answers: Mat,
+    sum: Vec<f64>,
     nonlinear: bool,
     force: Vec<f64>,
     x: Vec<f64>,
@@ -64,9 +66,10 @@ impl Compiled {
         lu.solve_mat(&mut unit);
         let below = state_a.matmul(&unit);
         Ok(Compiled {
-            matrix: Mat::from_fn(n + m, cols, full),
-            forcing: (0..n + m).map(|i| [full(i, cols), full(i, cols + 1), full(i, cols + 2)]).collect(),
-            answer: Mat::from_fn(n + m, touched.len(), |i, j| if i < n { unit[(i, j)] } else { below[(i - n, j)] }),
+            columns: Mat::from_fn(cols, n + m, |j, i| full(i, j)),
+            sum: vec![0.0; n + m],
+            forcing: [0, 1, 2].map(|k| (0..n + m).map(|i| full(i, cols + k)).collect()),
+            answers: Mat::from_fn(touched.len(), n + m, |j, i| if i < n { unit[(i, j)] } else { below[(i - n, j)] }),
             touched,
             nonlinear: system.slots().iter().any(|s| !s.is_linear()),
             force: vec![0.0; n],
@@ -92,20 +95,26 @@ impl Compiled {
         for (x, &i) in self.x[2 * n..].iter_mut().zip(&self.model.states) {
             *x = y[2 * n + i];
         }
-        let (sin, cos) = spin.phase.sin_cos();
-        for (i, [f0, fc, fs]) in self.forcing.iter().enumerate() {
-            let mut sum = f0 + fc * cos + fs * sin;
-            for (a, x) in self.matrix.row(i).iter().zip(&self.x) {
-                sum += a * x;
+        // the same sine as the parts use, on every machine
+        let (sin, cos) = Scalar::sin_cos(spin.phase);
+        let [constant, fc, fs] = &self.forcing;
+        for (i, sum) in self.sum.iter_mut().enumerate() {
+            *sum = constant[i] + fc[i] * cos + fs[i] * sin;
+        }
+        for (j, &x) in self.x.iter().enumerate() {
+            for (sum, a) in self.sum.iter_mut().zip(self.columns.row(j)) {
+                *sum += a * x;
             }
-            for (a, &g) in self.answer.row(i).iter().zip(&self.touched) {
-                sum += a * self.force[g];
+        }
+        for (j, &g) in self.touched.iter().enumerate() {
+            let f = self.force[g];
+            for (sum, a) in self.sum.iter_mut().zip(self.answers.row(j)) {
+                *sum += a * f;
             }
-            if i < n {
-                out.accel[i] = sum;
-            } else {
-                out.rate[self.model.states[i - n]] += sum;
-            }
+        }
+        out.accel[..n].copy_from_slice(&self.sum[..n]);
+        for (&i, &r) in self.model.states.iter().zip(&self.sum[n..]) {
+            out.rate[i] += r;
         }
     }
 }

@@ -84,6 +84,15 @@ impl Direct {
         !self.varying
     }
 
+    /// Refuses a mass matrix that is singular to rounding, whatever the units of its coordinates.
+    pub fn check_mass(&self, system: &System) -> Result<(), Failure> {
+        let size: Vec<f64> = (0..self.mass.rows()).map(|i| self.mass[(i, i)].abs().sqrt()).collect();
+        let scaled = Mat::from_fn(size.len(), size.len(), |i, j| self.mass[(i, j)] / (size[i] * size[j]));
+        let lu = Lu::new(&scaled).map_err(|s| singular(system, s.column, self.mass.data()))?;
+        // NaN fails
+        if lu.pivot_ratio() > 1e-13 { Ok(()) } else { Err(singular(system, size.len() - 1, self.mass.data())) }
+    }
+
     fn assemble(&mut self, system: &System, speed: f64) {
         // also when both are NaN
         if self.model_speed.is_some_and(|s| s.to_bits() == speed.to_bits()) {
@@ -185,7 +194,7 @@ pub(super) fn singular(system: &System, column: usize, mass: &[f64]) -> Failure 
     if mass.iter().any(|x| !x.is_finite()) {
         return format!("the mass matrix has an entry that is not finite (at {})", name(column)).into();
     }
-    format!("the mass matrix is singular: no inertia is left for {}", name(column)).into()
+    format!("the mass matrix is singular: no inertia of its own is left for {}", name(column)).into()
 }
 
 /// Adds force rows and rates of the linear parts from their assembled blocks; `at` may hold any accelerations.

@@ -118,6 +118,7 @@ impl<'a> Motion<'a> {
                 .help("every coordinate needs inertia; give the part that owns it a mass")
         };
         motion.accelerate(0.0, &y).map_err(fail)?;
+        motion.direct.check_mass(system).map_err(fail)?;
         if let SpinLaw::Programme(p) = &motion.law
             && let Some(speed) = p.constant_speed()
             && motion.direct.constant_mass()
@@ -135,19 +136,15 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Appends the energy account.
+    /// Appends the energy account to the states.
     ///
     /// # Errors
-    /// The name of a part that keeps no account of its energy.
-    pub fn with_account(mut self) -> Result<Self, (Self, String)> {
+    /// The name of a part that keeps no account of its energy; the motion stays as it was.
+    pub fn keep_account(&mut self) -> Result<(), String> {
         let y = vec![0.0; self.dim()];
-        match self.stored_energy(0.0, &y) {
-            Ok(_) => {
-                self.account = true;
-                Ok(self)
-            }
-            Err(part) => Err((self, part)),
-        }
+        self.stored_energy(0.0, &y)?;
+        self.account = true;
+        Ok(())
     }
 
     /// The machine.

@@ -1,0 +1,87 @@
+//! Reading a machine file, and saying what is wrong with it.
+
+use crate::terminal;
+use laval::diagnostic::{Diagnostic, Diagnostics};
+use laval::file::{self, Loaded};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// Largest machine file, bytes.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// A machine file on disk.
+pub struct Input {
+    /// Where.
+    pub path: PathBuf,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+impl Input {
+    /// Reads the bytes of a file.
+    pub fn read(path: &Path) -> Result<Input, Diagnostic> {
+        let wrong = |message: String| Diagnostic::error("file.read", message);
+        if path.is_dir() {
+            let inside = path.join("machine.toml");
+            let d = wrong(format!("{} is a folder, not a machine file", path.display()));
+            return Err(if inside.is_file() { d.help(format!("give the file: {}", inside.display())) } else { d });
+        }
+        let mut bytes = Vec::new();
+        match File::open(path).and_then(|f| f.take(MAX_BYTES + 1).read_to_end(&mut bytes)) {
+            Ok(_) if bytes.len() as u64 > MAX_BYTES => Err(wrong(format!("{} is larger than 64 MB", path.display()))),
+            Ok(_) => Ok(Input { path: path.to_path_buf(), bytes }),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                Err(wrong(format!("there is no file {}", path.display())).help("laval new writes a machine file to start from"))
+            }
+            Err(e) => Err(wrong(format!("cannot read {}: {e}", path.display()))),
+        }
+    }
+
+    /// The text, with a mark in place of bytes that are no text.
+    pub fn text(&self) -> String {
+        String::from_utf8_lossy(&self.bytes).into_owned()
+    }
+
+    /// Reads the text and assembles the machine.
+    pub fn load(&self) -> Result<Loaded, Diagnostics> {
+        file::load_bytes(&self.bytes)
+    }
+
+    /// The name by which results refer to the file: its folder and name, which do not depend on where the folder lies.
+    pub fn name(&self) -> String {
+        let mut parts: Vec<String> = self.path.components().rev().take(2).filter_map(named).collect();
+        parts.reverse();
+        parts.join("/")
+    }
+
+    /// The name of the machine's folder of results: that of the file, or of its folder when the file is called `machine.toml`.
+    pub fn stem(&self) -> String {
+        let stem = self.path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
+        let folder = || {
+            let full = self.path.canonicalize().ok()?;
+            Some(full.parent()?.file_name()?.to_string_lossy().into_owned())
+        };
+        if stem == "machine" { folder().unwrap_or(stem) } else { stem }
+    }
+
+    /// Says on standard error what was found.
+    pub fn complain(&self, found: &Diagnostics) {
+        if !found.0.is_empty() {
+            terminal::complain(&file::render(found, &self.text(), &self.path.display().to_string(), terminal::diagnostics()));
+        }
+    }
+}
+
+fn named(c: std::path::Component) -> Option<String> {
+    match c {
+        std::path::Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
+        _ => None,
+    }
+}
+
+/// Says one thing that is wrong with the request itself.
+pub fn complain(d: &Diagnostic) {
+    let help = d.help.as_ref().map_or_else(String::new, |h| format!("  help: {h}\n"));
+    terminal::complain(&format!("error[{}]: {}\n{help}", d.code, d.message));
+}

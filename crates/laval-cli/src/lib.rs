@@ -1,0 +1,121 @@
+//! The `laval` program: from a machine file to results.
+//!
+//! Exit codes: 0 done; 1 the file or the request is wrong; 2 the program failed; 130 stopped by Ctrl-C.
+
+#![warn(missing_docs)]
+
+mod check;
+mod hash;
+mod input;
+mod new;
+mod progress;
+mod run;
+mod show;
+mod terminal;
+mod validate;
+
+use clap::error::ErrorKind;
+use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Done.
+pub const DONE: u8 = 0;
+/// The file or the request is wrong.
+pub const WRONG: u8 = 1;
+/// The program failed.
+pub const FAILED: u8 = 2;
+/// Stopped by Ctrl-C.
+pub const STOPPED: u8 = 130;
+
+/// Dynamics of rotating machines, from a text file to a report.
+#[derive(Parser)]
+#[command(name = "laval", version, disable_help_subcommand = true, arg_required_else_help = true, after_help = AFTER)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER: &str = "\
+To begin:
+  laval new rigid-rotor            write a first machine file
+  laval run rigid-rotor.toml       compute, write out/rigid-rotor/report.html
+
+Exit codes: 0 done, 1 the file or the request is wrong, 2 the program failed, 130 stopped by Ctrl-C.";
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run the studies of a machine file and write results and a report
+    Run(run::Args),
+    /// Read and assemble a machine file and say all that is wrong with it
+    Check(check::Args),
+    /// Write a machine file to start from; without a template, list them
+    New(new::Args),
+    /// List the kinds of parts, or document one
+    Parts(show::Args),
+    /// List the kinds of studies, or document one
+    Studies(show::Args),
+    /// Print the JSON Schema of machine files, for editors that complete and check
+    Schema,
+    /// Run the validation cases, write their gallery, fail when a verdict has changed
+    Validate(validate::Args),
+}
+
+/// Runs the program with these arguments (the first is its name) and returns its exit code.
+pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
+    let command = match Cli::try_parse_from(args) {
+        Ok(cli) => cli.command,
+        Err(e) => return usage(&e),
+    };
+    guarded(|| match &command {
+        Command::Run(args) => run::run(args),
+        Command::Check(args) => check::check(args),
+        Command::New(args) => new::new(args),
+        Command::Parts(args) => show::parts(args),
+        Command::Studies(args) => show::studies(args),
+        Command::Schema => show::schema(),
+        Command::Validate(args) => validate::validate(args),
+    })
+    .unwrap_or(FAILED)
+}
+
+/// Help and version are answers; anything else is a wrong request.
+fn usage(e: &clap::Error) -> u8 {
+    // a closed pipe is the reader's wish
+    let _ = e.print();
+    match e.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => DONE,
+        _ => WRONG,
+    }
+}
+
+/// Calls `f`; a panic inside becomes a message that it is a defect of the program, and `None`.
+fn guarded<T>(f: impl FnOnce() -> T) -> Option<T> {
+    let result = catch_unwind(AssertUnwindSafe(f)).ok();
+    if result.is_none() {
+        terminal::complain(concat!(
+            "laval: this is a defect of the program, not of your file. Please report it with the machine file and the message above\n",
+            "  ",
+            env!("CARGO_PKG_REPOSITORY"),
+            "/issues\n"
+        ));
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_declared_consistently() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_panic_is_caught() {
+        assert_eq!(guarded(|| -> u8 { panic!("on purpose") }), None);
+        assert_eq!(guarded(|| 3), Some(3));
+    }
+}

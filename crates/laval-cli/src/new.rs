@@ -1,0 +1,85 @@
+//! `laval new`: machine files to start from. They are the examples.
+
+use crate::{DONE, FAILED, WRONG, input, terminal};
+use laval::diagnostic::{Diagnostic, nearest};
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// A machine file to start from.
+pub struct Template {
+    /// Its word on the command line.
+    pub name: &'static str,
+    /// What it is, as a phrase.
+    pub about: &'static str,
+    /// The file.
+    pub text: &'static str,
+}
+
+/// All of them, the simplest first.
+pub const TEMPLATES: &[Template] = &[
+    Template {
+        name: "rigid-rotor",
+        about: "a rotor on a hardening bearing and a movable foundation",
+        text: include_str!("../../../examples/02-rigid-rotor/machine.toml"),
+    },
+    Template {
+        name: "oil-separator",
+        about: "the same rotor with a cavity partly filled with liquid",
+        text: include_str!("../../../examples/01-oil-separator/machine.toml"),
+    },
+    Template {
+        name: "overhung-disc",
+        about: "a disc that tilts, with gyroscopic coupling, outboard of its bearings",
+        text: include_str!("../../../examples/03-overhung-disc/machine.toml"),
+    },
+];
+
+/// What may be said to `new`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The template; without one, list them
+    template: Option<String>,
+    /// The file to write; "-" is standard output [default: TEMPLATE.toml]
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// Writes a template; never over an existing file.
+pub fn new(args: &Args) -> u8 {
+    let Some(word) = &args.template else {
+        let column = TEMPLATES.iter().map(|t| t.name.len()).max().unwrap_or(0);
+        let lines: String = TEMPLATES.iter().map(|t| format!("{:column$}  {}\n", t.name, t.about)).collect();
+        terminal::print(&format!("{lines}\nlaval new TEMPLATE writes TEMPLATE.toml.\n"));
+        return DONE;
+    };
+    let Some(template) = TEMPLATES.iter().find(|t| t.name == word) else {
+        let names = || TEMPLATES.iter().map(|t| t.name);
+        let all = names().collect::<Vec<_>>().join(", ");
+        let help =
+            nearest(word, names()).map_or_else(|| format!("templates: {all}"), |n| format!("did you mean \"{n}\"? Templates: {all}"));
+        input::complain(&Diagnostic::error("request.template", format!("there is no template {word:?}")).help(help));
+        return WRONG;
+    };
+    let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.toml", template.name)));
+    if path == Path::new("-") {
+        terminal::print(template.text);
+        return DONE;
+    }
+    // create_new: a file that appears in between is not overwritten either
+    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(|mut f| f.write_all(template.text.as_bytes())) {
+        Ok(()) => {
+            terminal::print(&format!("{}\n", path.display()));
+            DONE
+        }
+        Err(e) if e.kind() == ErrorKind::AlreadyExists => {
+            let d = Diagnostic::error("request.exists", format!("{} exists and is not overwritten", path.display()));
+            input::complain(&d.help("name another file with --out"));
+            WRONG
+        }
+        Err(e) => {
+            input::complain(&Diagnostic::error("file.write", format!("cannot write {}: {e}", path.display())));
+            if e.kind() == ErrorKind::StorageFull { FAILED } else { WRONG }
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! `laval run`.
+
+use crate::hash::sha256;
+use crate::input::{self, Input};
+use crate::progress::Bar;
+use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
+use laval::diagnostic::{Diagnostic, Diagnostics, nearest};
+use laval::file::{Loaded, NamedStudy};
+use laval::outcome::{End, Finding, Outcome};
+use laval::report::{self, Format, Provenance, Report, WriteError};
+use laval::study::Context;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// What may be said to `run`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The machine file
+    file: PathBuf,
+    /// The folder for results [default: out/NAME, NAME being that of the file, or of its folder for a machine.toml]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Run only this study (its name or its kind); may be given several times
+    #[arg(long, value_name = "STUDY", value_delimiter = ',')]
+    only: Vec<String>,
+    /// What to write [default: all of csv, parquet, json, svg, html]
+    #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = str::parse::<Format>)]
+    format: Vec<Format>,
+    /// End each study after this many steps
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    work_limit: Option<u64>,
+    /// Print nothing but what is wrong
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+static CANCEL: AtomicBool = AtomicBool::new(false);
+
+/// Results of finished studies are on disk at least this often.
+const KEEP_EVERY: Duration = Duration::from_secs(2);
+
+/// Runs the studies of a file.
+pub fn run(args: &Args) -> u8 {
+    match prepare(args) {
+        Ok((input, loaded)) => Run::new(args, &input, &loaded).run(),
+        Err(code) => code,
+    }
+}
+
+fn prepare(args: &Args) -> Result<(Input, Loaded), u8> {
+    let wrong = |d: Diagnostic| {
+        input::complain(&d);
+        WRONG
+    };
+    let input = Input::read(&args.file).map_err(wrong)?;
+    let mut loaded = input.load().map_err(|found| {
+        input.complain(&found);
+        WRONG
+    })?;
+    if !args.quiet {
+        input.complain(&loaded.warnings);
+    }
+    if loaded.studies.is_empty() {
+        let d = Diagnostic::error("request.studies", format!("{} asks for no study", args.file.display()));
+        return Err(wrong(d.help("add a [[study]] block; laval studies lists the kinds")));
+    }
+    if !args.only.is_empty() {
+        loaded.studies = chosen(loaded.studies, &args.only).map_err(wrong)?;
+    }
+    Ok((input, loaded))
+}
+
+/// The studies with these names, or of these kinds where no name fits.
+fn chosen(mut studies: Vec<NamedStudy>, only: &[String]) -> Result<Vec<NamedStudy>, Diagnostic> {
+    let mut wanted = vec![false; studies.len()];
+    for word in only {
+        let named = studies.iter().any(|s| &s.name == word);
+        let fits = |s: &NamedStudy| if named { &s.name == word } else { s.study.kind() == word };
+        if !studies.iter().any(fits) {
+            let all = studies.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", ");
+            let near = nearest(word, studies.iter().flat_map(|s| [s.name.as_str(), s.study.kind()]));
+            let help = near.map_or_else(|| format!("its studies: {all}"), |n| format!("did you mean \"{n}\"? Its studies: {all}"));
+            return Err(Diagnostic::error("request.study", format!("the file has no study \"{word}\"")).help(help));
+        }
+        for (w, s) in wanted.iter_mut().zip(&studies) {
+            *w |= fits(s);
+        }
+    }
+    let mut wanted = wanted.into_iter();
+    studies.retain(|_| wanted.next().unwrap_or(false));
+    Ok(studies)
+}
+
+/// First Ctrl-C: stop at the next step. Second: at once.
+fn listen() {
+    let stop = || {
+        if CANCEL.swap(true, Ordering::Relaxed) {
+            std::process::exit(i32::from(STOPPED));
+        }
+        terminal::complain("\nstopping; Ctrl-C again stops at once\n");
+    };
+    if let Err(e) = ctrlc::set_handler(stop) {
+        terminal::complain(&format!("warning: Ctrl-C will stop at once and lose what is not yet written ({e})\n"));
+    }
+}
+
+struct Run<'a> {
+    args: &'a Args,
+    input: &'a Input,
+    loaded: &'a Loaded,
+    dir: PathBuf,
+    formats: Vec<Format>,
+    report: Report,
+    /// Something stands on standard output: the next paragraph needs an empty line.
+    printed: bool,
+    code: u8,
+}
+
+impl<'a> Run<'a> {
+    fn new(args: &'a Args, input: &'a Input, loaded: &'a Loaded) -> Self {
+        let mut settings = Vec::new();
+        if let Some(n) = args.work_limit {
+            settings.push(("work limit".to_string(), n.to_string()));
+        }
+        let report = Report {
+            machine: loaded.system.machine.name.clone(),
+            provenance: Provenance {
+                version: env!("CARGO_PKG_VERSION").into(),
+                input_name: input.name(),
+                input_hash: format!("sha256:{}", sha256(&input.bytes)),
+                settings,
+                seed: None,
+            },
+            input: Some(input.text()),
+            outcomes: Vec::new(),
+        };
+        Run {
+            args,
+            input,
+            loaded,
+            dir: args.out.clone().unwrap_or_else(|| Path::new("out").join(input.stem())),
+            formats: if args.format.is_empty() { Format::ALL.to_vec() } else { args.format.clone() },
+            report,
+            printed: false,
+            code: DONE,
+        }
+    }
+
+    fn run(mut self) -> u8 {
+        listen();
+        // before computing, not after
+        if let Err(e) = fs::create_dir_all(&self.dir) {
+            let d = Diagnostic::error("request.out", format!("cannot make the folder {}: {e}", self.dir.display()));
+            input::complain(&d.help("name another one with --out"));
+            return WRONG;
+        }
+        let mut written = Instant::now();
+        let last = self.loaded.studies.len() - 1;
+        for (i, study) in self.loaded.studies.iter().enumerate() {
+            if CANCEL.load(Ordering::Relaxed) {
+                let left: Vec<&str> = self.loaded.studies[i..].iter().map(|s| s.name.as_str()).collect();
+                terminal::complain(&format!("not run: {}\n", left.join(", ")));
+                break;
+            }
+            self.study(study);
+            if i < last && written.elapsed() > KEEP_EVERY {
+                if let Err(code) = self.write() {
+                    return code;
+                }
+                written = Instant::now();
+            }
+        }
+        let files = match self.write() {
+            Ok(files) => files,
+            Err(code) => return code,
+        };
+        let page = files.into_iter().find(|f| f.ends_with("report.html"));
+        self.paragraph(&format!("{}\n", page.unwrap_or_else(|| self.dir.clone()).display()));
+        if self.code == DONE && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }
+    }
+
+    fn study(&mut self, named: &NamedStudy) {
+        let bar = Bar::new(&named.name, self.args.quiet);
+        let context = Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
+        let result = guarded(|| named.study.run(&self.loaded.system, &context));
+        bar.finish();
+        let outcome = match result {
+            Some(Ok(outcome)) => outcome,
+            Some(Err(d)) => {
+                let outcome = refused(named, &d);
+                self.refuse(named, d);
+                self.code = self.code.max(WRONG);
+                self.report.outcomes.push(outcome);
+                return;
+            }
+            None => {
+                terminal::complain(&format!("laval: study \"{}\" has no result\n", named.name));
+                self.code = FAILED;
+                return;
+            }
+        };
+        // shown as soon as known: the next study may take long
+        let mut one = Report { outcomes: vec![outcome], ..Report::default() };
+        self.paragraph(&report::terminal(&one, terminal::findings()));
+        self.report.outcomes.append(&mut one.outcomes);
+    }
+
+    fn paragraph(&mut self, text: &str) {
+        if !self.args.quiet {
+            terminal::print(&format!("{}{text}", if self.printed { "\n" } else { "" }));
+            self.printed = true;
+        }
+    }
+
+    /// Says why a study was refused, at its place in the file.
+    fn refuse(&self, named: &NamedStudy, mut d: Diagnostic) {
+        if d.span.is_none() {
+            d.span = self.loaded.spec.study(&named.name).and_then(|b| b.span.clone());
+        }
+        d.message = format!("study \"{}\": {}", named.name, d.message);
+        self.input.complain(&Diagnostics(vec![d]));
+    }
+
+    fn write(&self) -> Result<Vec<PathBuf>, u8> {
+        report::write(&self.dir, &self.report, &self.formats).map_err(|e| {
+            terminal::complain(&format!("laval: {e}\n"));
+            match e {
+                WriteError::Io { .. } => WRONG,
+                WriteError::Outcome { .. } => FAILED,
+            }
+        })
+    }
+}
+
+/// A refusal as it stands in the report.
+fn refused(named: &NamedStudy, d: &Diagnostic) -> Outcome {
+    Outcome::new(named.study.kind(), &named.name).end(End::Refused).finding(Finding::warning("refused", d.to_string()))
+}

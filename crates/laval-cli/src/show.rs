@@ -1,0 +1,62 @@
+//! `laval parts`, `laval studies` and `laval schema`: what the registries declare.
+
+use crate::{DONE, WRONG, input, terminal};
+use laval::diagnostic::{Diagnostic, nearest};
+use laval::file::{catalog, docs, schema};
+use laval::model::field::KindInfo;
+
+/// What may be said to `parts` and `studies`.
+#[derive(clap::Args)]
+pub struct Args {
+    /// The kind to document
+    kind: Option<String>,
+}
+
+/// `laval parts`.
+pub fn parts(args: &Args) -> u8 {
+    show("part", "parts", &catalog().parts, args)
+}
+
+/// `laval studies`.
+pub fn studies(args: &Args) -> u8 {
+    show("study", "studies", &catalog().studies, args)
+}
+
+/// `laval schema`.
+pub fn schema() -> u8 {
+    terminal::print(&format!("{:#}\n", schema::schema(&catalog())));
+    DONE
+}
+
+fn show(what: &str, many: &str, kinds: &[KindInfo], args: &Args) -> u8 {
+    let Some(word) = &args.kind else {
+        terminal::print(&list(kinds));
+        terminal::print(&format!("\nlaval {many} KIND documents one.\n"));
+        return DONE;
+    };
+    match kinds.iter().find(|k| k.kind == word) {
+        Some(kind) => {
+            terminal::print(&docs::text(what, kind, terminal::width()));
+            DONE
+        }
+        None => {
+            let all = kinds.iter().map(|k| k.kind).collect::<Vec<_>>().join(", ");
+            let help = match nearest(word, kinds.iter().map(|k| k.kind)) {
+                Some(near) => format!("did you mean \"{near}\"? Kinds of {many}: {all}"),
+                None => format!("kinds of {many}: {all}"),
+            };
+            input::complain(&Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {word:?}")).help(help));
+            WRONG
+        }
+    }
+}
+
+/// One line a kind: its word and the first sentence of its documentation.
+fn list(kinds: &[KindInfo]) -> String {
+    let column = kinds.iter().map(|k| k.kind.len()).max().unwrap_or(0);
+    kinds.iter().map(|k| format!("{:column$}  {}\n", k.kind, first_sentence(k.doc))).collect()
+}
+
+fn first_sentence(doc: &str) -> &str {
+    doc.split_once(". ").map_or(doc, |(first, _)| first).trim_end_matches('.')
+}

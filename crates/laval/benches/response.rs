@@ -1,0 +1,56 @@
+//! The benchmark response of the planar machine (empty, per-axis law, chi = 42 N s/m, e = 50 um, 25 to 8000 rad/s, orders to 7, stability at every
+//! point), on one core. Prints the least and median time of many runs, the work done, and the processor.
+//!
+//! `cargo bench -p laval --bench response`
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use laval::solve::harmonic::response::{Request, respond};
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+fn main() {
+    let machine = common::Base { e: 5e-5, ..common::Base::default() };
+    let system = match machine.builder().build() {
+        Ok(s) => s,
+        Err(d) => return println!("{d:?}"),
+    };
+    let runs = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(30);
+    let never = AtomicBool::new(false);
+    println!("processor: {}", processor());
+    for (name, stability) in [("orders to 7, folds and stability", true), ("orders to 7, folds", false)] {
+        let request = Request {
+            speeds: (25.0, 8000.0),
+            harmonics: Some(7),
+            symmetry: None,
+            divisor: 1,
+            truncation: 1e-7,
+            stability,
+            max_points: 20_000,
+        };
+        let mut times = Vec::new();
+        let mut last = None;
+        for _ in 0..runs {
+            let start = Instant::now();
+            last = respond(&system, &request, &never, &|_| {}).ok();
+            times.push(start.elapsed().as_secs_f64() * 1e3);
+        }
+        times.sort_by(f64::total_cmp);
+        let Some(response) = last else { return println!("the response failed") };
+        println!("{name}: least {:.2} ms, median {:.2} ms over {runs} runs", times[0], times[times.len() / 2]);
+        for (what, count) in &response.work {
+            println!("    {what}: {count}");
+        }
+        for fold in response.branches.iter().flat_map(|b| &b.folds) {
+            println!("    fold at {:.10} rad/s", fold.speed);
+        }
+    }
+}
+
+fn processor() -> String {
+    std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|t| t.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split(':').nth(1)).map(|s| s.trim().to_string()))
+        .unwrap_or_else(|| std::env::consts::ARCH.to_string())
+}

@@ -1,0 +1,201 @@
+//! Documentation of one kind of part or study, from its declaration.
+
+use super::values::bounds_text;
+use super::writer::quoted;
+use crate::model::field::{Bounds, Field, FieldKind, KindInfo};
+use crate::units::{describe, examples, write_number, write_si};
+use std::fmt::Write as _;
+
+/// A value an example may show: usual for the unit, inside the bounds.
+fn nominal(unit: &str, b: &Bounds) -> f64 {
+    let usual: &[f64] = match unit {
+        "kg" => &[2.0],
+        "m" => &[0.07, 1e-3, 1e-5],
+        "N/m" => &[1.1e7, 1e5],
+        "N s/m" => &[40.0],
+        "rad/s" => &[100.0 * std::f64::consts::PI, 10.0],
+        "kg/m^3" => &[1000.0],
+        "kg m^2" => &[0.01],
+        "Pa" | "N/m^2" => &[2.1e11, 1e5],
+        "N/m^3" => &[8e10],
+        "rad" => &[0.1],
+        "K" => &[293.15],
+        "N m/rad" => &[1e4],
+        "" => &[0.5],
+        _ => &[1.0],
+    };
+    let (low, high) = (b.min.max(-1e12), b.max.min(1e12));
+    let middle = if low >= 0.0 && low < 1e-9 * high { high / 2.0 } else { 0.5 * (low + high) };
+    usual.iter().copied().find(|&x| b.contains(x)).unwrap_or(if b.contains(middle) { middle } else { b.max })
+}
+
+fn quantity(unit: &str, x: f64) -> String {
+    if unit.is_empty() { write_number(x) } else { quoted(&write_si(x, unit)) }
+}
+
+/// The second end of an example range.
+fn farther(b: &Bounds, x: f64) -> f64 {
+    let candidates = [10.0 * x, 2.0 * x, b.max, b.min, 0.5 * x];
+    candidates.into_iter().find(|&y| y != x && b.contains(y)).unwrap_or(x + 1.0)
+}
+
+/// A value of a field as it would stand in a file.
+fn example_value(f: &Field) -> String {
+    let of = |unit: &str, b: &Bounds| quantity(unit, nominal(unit, b));
+    match f.kind {
+        FieldKind::Quantity { .. } | FieldKind::Lateral { .. } if !f.default.is_empty() => match f.default.trim().parse::<f64>() {
+            Ok(_) => f.default.trim().to_string(),
+            Err(_) => quoted(f.default.trim()),
+        },
+        FieldKind::Quantity { unit, bounds } | FieldKind::Lateral { unit, bounds } => of(unit, &bounds),
+        FieldKind::OneOf(list) => list.first().map_or("{}".into(), |o| format!("{{ {} = {} }}", o.0, of(o.1, &o.2))),
+        FieldKind::Choice(words) => {
+            quoted(if f.default.is_empty() { words.first().map_or("", |w| w.0) } else { f.default.trim_matches('"') })
+        }
+        FieldKind::Integer { min, max } => f.default.parse::<i64>().unwrap_or(5.clamp(min, max)).to_string(),
+        FieldKind::IntegerOrAuto { .. } => f.default.parse::<i64>().map_or_else(|_| quoted("auto"), |n| n.to_string()),
+        FieldKind::Flag => if f.default == "true" { "true" } else { "false" }.into(),
+        FieldKind::Text => quoted(if f.default.is_empty() { "text" } else { f.default }),
+        FieldKind::Attach { .. } => quoted("drum"),
+        FieldKind::Between => "[\"drum\", \"ground\"]".into(),
+        FieldKind::Range { unit, bounds } => {
+            let x = nominal(unit, &bounds);
+            format!("{{ from = {}, to = {}, points = 200 }}", quantity(unit, x), quantity(unit, farther(&bounds, x)))
+        }
+        FieldKind::List { unit, bounds } => {
+            let x = nominal(unit, &bounds);
+            format!("[{}, {}]", quantity(unit, x), quantity(unit, farther(&bounds, x)))
+        }
+        FieldKind::ParameterPath => quoted("drum.mass"),
+        FieldKind::ParameterRange => "{ parameter = \"drum.mass\", from = \"2 kg\", to = \"4 kg\", points = 20 }".into(),
+        FieldKind::Coordinate => quoted("drum.x"),
+        FieldKind::Columns(list) => {
+            let columns: Vec<String> = list
+                .iter()
+                .filter(|c| c.2)
+                .map(|c| {
+                    let x = nominal(c.1, &Bounds::within(f64::MAX));
+                    format!("{} = [{}, {}]", c.0, quantity(c.1, x), quantity(c.1, 2.0 * x))
+                })
+                .collect();
+            format!("{{ {} }}", columns.join(", "))
+        }
+        FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+    }
+}
+
+/// One line of a file that gives the field, for instance `mass = "2 kg"`.
+pub fn example_line(f: &Field) -> String {
+    format!("{} = {}", f.name, example_value(f))
+}
+
+/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part` or `study`. Optional fields
+/// with a default are shown as remarks.
+pub fn example(what: &str, kind: &KindInfo) -> String {
+    let mut out = format!("[[{what}]]\nkind = {}\n", quoted(kind.kind));
+    for f in kind.fields.iter().filter(|f| f.required) {
+        let _ = writeln!(out, "{}", example_line(f));
+    }
+    for f in kind.fields.iter().filter(|f| !f.required) {
+        let _ = writeln!(out, "# {}", example_line(f));
+    }
+    out
+}
+
+/// What a field takes, in words.
+pub fn takes(f: &Field) -> String {
+    let number = |unit: &str, b: &Bounds| {
+        let interval = bounds_text(b, unit);
+        let units = if unit.is_empty() { String::new() } else { format!(" ({})", examples(unit)) };
+        format!("{}{units}, {interval}", describe(unit))
+    };
+    match f.kind {
+        FieldKind::Quantity { unit, bounds } => number(unit, &bounds),
+        FieldKind::Lateral { unit, bounds } => format!("{}; one value, or {{ x = .., y = .. }}", number(unit, &bounds)),
+        FieldKind::OneOf(list) => {
+            let each: Vec<String> = list.iter().map(|o| format!("{}: {} [{}]", o.0, o.3, number(o.1, &o.2))).collect();
+            format!("exactly one of {{ {} }}", each.join("; "))
+        }
+        FieldKind::Choice(words) => words.iter().map(|w| format!("\"{}\" ({})", w.0, w.1)).collect::<Vec<_>>().join(" or "),
+        FieldKind::Integer { min, max } => format!("a whole number from {min} to {max}"),
+        FieldKind::IntegerOrAuto { min, max } => format!("a whole number from {min} to {max}, or \"auto\""),
+        FieldKind::Flag => "true or false".into(),
+        FieldKind::Text => "a text".into(),
+        FieldKind::Attach { ground: true } => "a point: \"drum\", { body = \"drum\", at = \"40 mm\" } or \"ground\"".into(),
+        FieldKind::Attach { ground: false } => "a point: \"drum\" or { body = \"drum\", at = \"40 mm\" }".into(),
+        FieldKind::Between => "two points: [\"drum\", \"base\"]; one of them may be \"ground\", each may be { body = .., at = .. }".into(),
+        FieldKind::Range { unit, bounds } => format!("{{ from = .., to = .., points = .. }}, points optional; {}", number(unit, &bounds)),
+        FieldKind::List { unit, bounds } => format!("a list; {}", number(unit, &bounds)),
+        FieldKind::ParameterPath => "the path of a parameter: \"drum.mass\"".into(),
+        FieldKind::ParameterRange => {
+            "{ parameter = \"drum.mass\", from = .., to = .., points = .. }, in the unit of the parameter; points optional".into()
+        }
+        FieldKind::Coordinate => "the name of a coordinate: \"drum.x\"".into(),
+        FieldKind::Columns(list) => {
+            let each: Vec<String> =
+                list.iter().map(|c| format!("{}: {} [{}]{}", c.0, c.3, describe(c.1), if c.2 { "" } else { ", optional" })).collect();
+            format!("columns of equal length {{ {} }}", each.join("; "))
+        }
+        FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+    }
+}
+
+fn presence(f: &Field) -> String {
+    match (f.required, f.default) {
+        (true, _) => "required".into(),
+        (false, "") => "optional".into(),
+        (false, d) => format!("default {}", d.trim()),
+    }
+}
+
+/// Breaks a text into lines of at most `width` columns, each after the first indented.
+fn wrap(text: &str, indent: usize, width: usize) -> String {
+    let (mut out, mut column) = (String::new(), indent);
+    for w in text.split_whitespace() {
+        let n = w.chars().count();
+        if column > indent && column + 1 + n > width {
+            let _ = write!(out, "\n{:indent$}", "");
+            column = indent;
+        } else if column > indent {
+            out.push(' ');
+            column += 1;
+        }
+        out.push_str(w);
+        column += n;
+    }
+    out
+}
+
+/// Documentation for a terminal of `width` columns; `what` is `part` or `study`.
+pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
+    let width = width.clamp(40, 120);
+    let mut out = format!("{}\n  {}\n", kind.kind, wrap(kind.doc, 2, width));
+    if !kind.fields.is_empty() {
+        out.push_str("\nKeys\n");
+    }
+    for f in &kind.fields {
+        let _ = writeln!(out, "  {} ({})", f.name, presence(f));
+        let _ = writeln!(out, "      {}", wrap(f.doc, 6, width));
+        let _ = writeln!(out, "      {}", wrap(&takes(f), 6, width));
+    }
+    out.push_str("\nExample\n");
+    for line in example(what, kind).lines() {
+        let _ = writeln!(out, "  {line}");
+    }
+    out
+}
+
+/// Documentation in Markdown; `what` is `part` or `study`.
+pub fn markdown(what: &str, kind: &KindInfo) -> String {
+    let cell = |s: &str| s.replace('|', "\\|");
+    let mut out = format!("## `{}`\n\n{}\n\n", kind.kind, kind.doc);
+    if !kind.fields.is_empty() {
+        out.push_str("| key | meaning | value | |\n| --- | --- | --- | --- |\n");
+        for f in &kind.fields {
+            let _ = writeln!(out, "| `{}` | {} | {} | {} |", f.name, cell(f.doc), cell(&takes(f)), cell(&presence(f)));
+        }
+        out.push('\n');
+    }
+    let _ = write!(out, "```toml\n{}```\n", example(what, kind));
+    out
+}

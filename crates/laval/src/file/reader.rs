@@ -1,0 +1,72 @@
+//! From text to [`Spec`].
+
+use super::{Catalog, Spec, blocks, syntax, tree};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use toml::de::DeTable;
+
+/// Largest file, bytes.
+const MAX_BYTES: usize = 64 << 20;
+
+/// Reads a machine file. All mistakes are reported together, in the order of their places; there is a spec if none is an error.
+pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
+    let mut out = Diagnostics::default();
+    if text.len() > MAX_BYTES {
+        out.push(Diagnostic::error("file.size", format!("the file has {} MB; at most 64 MB are read", text.len() >> 20)));
+        return (None, out);
+    }
+    if let Some(span) = tree::too_deep(text) {
+        out.push(
+            Diagnostic::error("file.depth", "a key with more than 64 dots is not read")
+                .at(span.start..span.end.min(span.start + 40))
+                .label("nested too deeply"),
+        );
+        return (None, out);
+    }
+    let (table, errors) = DeTable::parse_recoverable(text);
+    let root = tree::from_table(table.into_inner());
+    let spec = blocks::read_tree(text, &root, catalog, &mut out);
+    if !errors.is_empty() {
+        syntax::merge(text, &errors, &mut out);
+    }
+    finish(spec, out)
+}
+
+/// [`read`] for the bytes of a file: text that is not UTF-8 is one diagnostic. Places are those in
+/// `String::from_utf8_lossy(bytes)`.
+pub fn read_bytes(bytes: &[u8], catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
+    let error = match std::str::from_utf8(bytes) {
+        Ok(text) => return read(text, catalog),
+        Err(e) => e,
+    };
+    let mut out = Diagnostics::default();
+    let at = error.valid_up_to();
+    let help = match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "it looks like UTF-16; save it as UTF-8",
+        _ => "save it as UTF-8; often a unit sign such as µ or ° in an older encoding is the cause",
+    };
+    out.push(
+        Diagnostic::error("file.encoding", format!("the file is not UTF-8 text: byte {} is 0x{:02x}", at + 1, bytes[at]))
+            .at(at..at + 1)
+            .label("here")
+            .help(help),
+    );
+    (None, out)
+}
+
+/// Reads the JSON form of a machine (as [`write_json`](super::write_json) gives it; quantities may also be texts with units).
+pub fn read_json(value: &serde_json::Value, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
+    let mut out = Diagnostics::default();
+    let node = tree::from_json(value);
+    let Some(root) = node.table() else {
+        out.push(Diagnostic::error("value.type", format!("a machine is an object with machine, part and study, not {}", node.shape())));
+        return (None, out);
+    };
+    let spec = blocks::read_tree("", root, catalog, &mut out);
+    finish(spec, out)
+}
+
+fn finish(spec: Spec, mut out: Diagnostics) -> (Option<Spec>, Diagnostics) {
+    out.sort_by_place();
+    let spec = (!out.has_errors()).then_some(spec);
+    (spec, out)
+}

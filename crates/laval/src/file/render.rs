@@ -1,0 +1,164 @@
+//! Diagnostics for people and for tools.
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
+use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
+use serde_json::{Value as Json, json};
+use std::fmt::{self, Write as _};
+
+/// How diagnostics are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// With the lines of the file and marks below them, for a terminal of this width.
+    Excerpts {
+        /// Columns.
+        width: usize,
+        /// ANSI colours.
+        colour: bool,
+    },
+    /// One line each, `file:line:column: error: ...`, for logs and editors.
+    Lines,
+}
+
+impl Form {
+    /// Excerpts on a terminal (with colours unless the environment says `NO_COLOR`), lines elsewhere.
+    pub fn for_stream(stream: &impl std::io::IsTerminal, width: usize) -> Self {
+        if stream.is_terminal() {
+            Form::Excerpts { width, colour: std::env::var_os("NO_COLOR").is_none_or(|v| v.is_empty()) }
+        } else {
+            Form::Lines
+        }
+    }
+}
+
+/// Most diagnostics shown to people; a broken file can have thousands.
+const MOST: usize = 50;
+/// Longest line shown in an excerpt, bytes.
+const LONGEST_LINE: usize = 400;
+
+struct Shown<'a> {
+    d: &'a Diagnostic,
+    source: &'a NamedSource<String>,
+    span: Span,
+}
+
+impl fmt::Debug for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.d.message)
+    }
+}
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.d.message)
+    }
+}
+impl std::error::Error for Shown<'_> {}
+impl miette::Diagnostic for Shown<'_> {
+    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.d.code))
+    }
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(match self.d.severity {
+            Severity::Error => miette::Severity::Error,
+            Severity::Warning => miette::Severity::Warning,
+        })
+    }
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.d.help.as_ref().map(|h| Box::new(h) as Box<dyn fmt::Display>)
+    }
+    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
+        Some(self.source)
+    }
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let s = LabeledSpan::new_primary_with_span(self.d.label.clone(), (self.span.start, self.span.len()));
+        Some(Box::new(std::iter::once(s)))
+    }
+}
+
+/// A place inside the text, on character borders and in one line.
+fn clamp(text: &str, span: &Span) -> Span {
+    let mut start = span.start.min(text.len());
+    while !text.is_char_boundary(start) {
+        start -= 1;
+    }
+    let mut end = span.end.clamp(start, text.len());
+    while !text.is_char_boundary(end) {
+        end += 1;
+    }
+    if let Some(i) = text[start..end].find('\n') {
+        end = start + i;
+    }
+    start..end
+}
+
+/// Line and column (in characters), both from 1.
+fn line_column(text: &str, at: usize) -> (usize, usize) {
+    let before = &text[..at];
+    let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+    (before.bytes().filter(|&b| b == b'\n').count() + 1, text[line_start..at].chars().count() + 1)
+}
+
+fn word(s: Severity) -> &'static str {
+    match s {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    }
+}
+
+fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str) {
+    let place = d.span.as_ref().map(|s| line_column(text, clamp(text, s).start)).map_or(String::new(), |(l, c)| format!(":{l}:{c}"));
+    let _ = writeln!(out, "{file}{place}: {}[{}]: {}", word(d.severity), d.code, d.message);
+    if let Some(h) = &d.help {
+        let _ = writeln!(out, "  help: {h}");
+    }
+}
+
+/// Shows diagnostics of the file `file` with the content `text`, in the order of their places.
+pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> String {
+    let mut sorted = diagnostics.clone();
+    sorted.sort_by_place();
+    let mut out = String::new();
+    let source = NamedSource::new(file, text.to_string());
+    for d in sorted.0.iter().take(MOST) {
+        let Form::Excerpts { width, colour } = form else {
+            one_line(&mut out, d, text, file);
+            continue;
+        };
+        let span = d.span.as_ref().map(|s| clamp(text, s)).filter(|s| {
+            let start = text[..s.start].rfind('\n').map_or(0, |i| i + 1);
+            let end = text[s.end..].find('\n').map_or(text.len(), |i| s.end + i);
+            end - start <= LONGEST_LINE && !text.is_empty()
+        });
+        let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+        let handler = GraphicalReportHandler::new_themed(theme).with_width(width.clamp(40, 400)).with_links(false).with_context_lines(1);
+        let written = match span {
+            Some(span) => handler.render_report(&mut out, &Shown { d, source: &source, span }),
+            None => {
+                one_line(&mut out, d, text, file);
+                Ok(())
+            }
+        };
+        if written.is_err() {
+            one_line(&mut out, d, text, file);
+        }
+        out.push('\n');
+    }
+    if sorted.0.len() > MOST {
+        let _ = writeln!(out, "... and {} more", sorted.0.len() - MOST);
+    }
+    out
+}
+
+/// Diagnostics for tools: code, severity, message, label, help, and the place in bytes and in lines and columns from 1.
+pub fn to_json(diagnostics: &Diagnostics, text: &str) -> Json {
+    let mut sorted = diagnostics.clone();
+    sorted.sort_by_place();
+    let one = |d: &Diagnostic| {
+        let place = d.span.as_ref().map(|s| {
+            let s = clamp(text, s);
+            let ((line, column), (end_line, end_column)) = (line_column(text, s.start), line_column(text, s.end));
+            json!({ "start": s.start, "end": s.end, "line": line, "column": column, "end_line": end_line, "end_column": end_column })
+        });
+        json!({ "code": d.code, "severity": word(d.severity), "message": d.message, "place": place, "label": d.label, "help": d.help })
+    };
+    Json::Array(sorted.0.iter().map(one).collect())
+}

@@ -1,0 +1,116 @@
+//! Mistakes against TOML itself, said so that someone who has never heard of TOML can mend them.
+
+use crate::diagnostic::{Diagnostic, Diagnostics, Span};
+use toml::de::Error;
+
+/// Line around a byte: its place without the line end.
+fn line_at(text: &str, at: usize) -> Span {
+    let bytes = text.as_bytes();
+    let at = at.min(text.len());
+    let start = bytes[..at].iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
+    let end = bytes[at..].iter().position(|&b| b == b'\n').map_or(text.len(), |i| at + i);
+    start..end
+}
+
+/// Adds the syntax errors, and keeps of the others what can be trusted beside them: nothing is called missing when the text
+/// around it could not be read, and nothing is said twice about one line.
+pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
+    let mut lines: Vec<Span> = Vec::new();
+    let mut found = Vec::new();
+    for e in errors {
+        let mut at = e.span().unwrap_or(text.len()..text.len());
+        at.start = at.start.min(text.len());
+        let mut line = line_at(text, at.start);
+        // The parser often stops at the line end; a place past the last line belongs to it.
+        if line.is_empty() && at.start > 0 {
+            let before = text[..line.start].trim_end().len();
+            line = line_at(text, before);
+        }
+        if lines.contains(&line) {
+            continue;
+        }
+        found.push(explain(text, e, at, line.clone()));
+        lines.push(line);
+    }
+    out.0.retain(|d| {
+        let missing = matches!(d.code, "key.missing" | "kind.missing" | "file.no_parts" | "file.no_machine" | "parameter.unknown");
+        !missing && d.span.as_ref().is_none_or(|s| !lines.iter().any(|l| l.start <= s.start && s.start <= l.end))
+    });
+    out.0.extend(found);
+}
+
+fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
+    let source = text.get(line.clone()).unwrap_or("");
+    let body = source.trim();
+    let span = if at.is_empty() || at.end > line.end || at.start < line.start {
+        line.start + (source.len() - source.trim_start().len())..line.start + source.trim_end().len()
+    } else {
+        at
+    };
+    let d = |message: &str, label: &str| Diagnostic::error("toml.syntax", message).at(span.clone()).label(label);
+    if e.message().starts_with("duplicate key") {
+        let word = text.get(span.clone()).unwrap_or("").trim();
+        if body.starts_with('[') {
+            return d(&format!("{body} stands twice in the file"), "the second time")
+                .help("write one block, or double brackets where several are allowed: [[part]], [[study]]");
+        }
+        return d(&format!("the key {word:?} is given twice in one block"), "the second time")
+            .help("keep one of the two; a further part begins with its own [[part]]");
+    }
+    if let Some(rest) = body.strip_prefix('[') {
+        if !rest.contains("==") && !rest.contains('=') {
+            let word = rest.trim_matches(|c| c == '[' || c == ']' || c == ' ');
+            return d("the header of this block is not closed properly", "brackets").help(match word {
+                "machine" => "write [machine]".to_string(),
+                _ => format!("write [[{word}]]"),
+            });
+        }
+    }
+    let Some((key, value)) = body.split_once('=') else {
+        return d("this line is neither a block header nor a key with a value", "not understood")
+            .help("write key = value, [machine], [[part]] or [[study]]; a remark begins with #");
+    };
+    let (key, value) = (key.trim(), value.split('#').next().unwrap_or("").trim());
+    if value.is_empty() {
+        return d(&format!("the value of {key} is missing"), "nothing behind =").help(format!("write {key} = \"..\""));
+    }
+    let plain_key = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.'));
+    if !plain_key && !key.starts_with(['"', '\'']) {
+        return d(&format!("{key:?} cannot be a key"), "not a key")
+            .help("a key is one word of letters, digits, _ and -; write key = value");
+    }
+    let quotes = value.matches('"').count();
+    if quotes % 2 == 1 {
+        return d(&format!("a quotation mark is missing in the value of {key}"), "not closed").help(
+            if value.ends_with('"') && !value.starts_with(['"', '[', '{']) {
+                format!("write {key} = \"{value}")
+            } else if value.starts_with('"') {
+                format!("write {key} = {value}\"")
+            } else {
+                "texts and quantities stand between two quotation marks".to_string()
+            },
+        );
+    }
+    if value.starts_with(['{', '[']) {
+        let count = |open: char, close: char| value.matches(open).count() != value.matches(close).count();
+        if count('{', '}') {
+            return d(&format!("a brace is missing in the value of {key}"), "{ and } must match")
+                .help("a table is written { x = \"..\", y = \"..\" }");
+        }
+        if count('[', ']') {
+            return d(&format!("a bracket is missing in the value of {key}"), "[ and ] must match")
+                .help("a list is written [\"..\", \"..\"]");
+        }
+        return d(&format!("the value of {key} cannot be read"), "not understood")
+            .help("inside lists and tables, too, texts and quantities stand in quotes, with commas between entries: { x = \"1 mm\", y = \"2 mm\" }");
+    }
+    if value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.')) && !value.contains('"') {
+        return d(&format!("the value of {key} must stand in quotes, because it has a unit"), "quotes are missing")
+            .help(format!("write {key} = \"{value}\""));
+    }
+    if !value.starts_with(['"', '\'']) {
+        return d(&format!("the value of {key} must stand in quotes"), "quotes are missing")
+            .help(format!("write {key} = \"{}\"", value.trim_matches('"')));
+    }
+    d(&format!("this line cannot be read: {}", e.message()), "not understood").help(format!("write {key} = \"..\""))
+}

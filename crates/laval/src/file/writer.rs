@@ -1,0 +1,224 @@
+//! From [`Spec`] back to a file: complete (defaults written out), in the order of the declarations, with readable units, and
+//! exact: reading it gives the same spec.
+
+use super::{Axis, Block, Catalog, Spec, parameter_in};
+use crate::model::field::{Attach, Field, FieldKind, KindInfo, RangeValue, Value, Values};
+use crate::units::{write_number, write_si};
+use serde_json::{Map, Value as Json, json};
+use std::fmt::Write as _;
+
+/// A TOML basic string.
+pub(crate) fn quoted(s: &str) -> String {
+    let mut out = String::with_capacity(s.len() + 2);
+    out.push('"');
+    for c in s.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", c as u32);
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// A quantity as a TOML value.
+fn quantity(x: f64, unit: &str) -> String {
+    if unit.is_empty() { write_number(x) } else { quoted(&write_si(x, unit)) }
+}
+
+fn point(a: &Attach) -> String {
+    match &a.body {
+        None => quoted("ground"),
+        Some(b) if a.position == 0.0 => quoted(b),
+        Some(b) => format!("{{ body = {}, at = {} }}", quoted(b), quantity(a.position, "m")),
+    }
+}
+
+fn range(r: &RangeValue, unit: &str, head: &str) -> String {
+    let points = r.points.map_or(String::new(), |n| format!(", points = {n}"));
+    format!("{{ {head}from = {}, to = {}{points} }}", quantity(r.from, unit), quantity(r.to, unit))
+}
+
+fn list(v: &[f64], unit: &str) -> String {
+    format!("[{}]", v.iter().map(|&x| quantity(x, unit)).collect::<Vec<_>>().join(", "))
+}
+
+struct Writer<'a> {
+    catalog: &'a Catalog,
+    spec: &'a Spec,
+}
+
+impl Writer<'_> {
+    fn parameter_unit(&self, path: &str) -> &'static str {
+        parameter_in(self.catalog, self.spec.parts.iter().map(|b| (b.name.as_str(), b.kind)), path).map_or("", |p| p.0)
+    }
+
+    fn value(&self, f: Option<&Field>, name: &str, value: &Value, values: &Values) -> String {
+        let unit = match f.map(|f| f.kind) {
+            Some(
+                FieldKind::Quantity { unit, .. }
+                | FieldKind::Lateral { unit, .. }
+                | FieldKind::Range { unit, .. }
+                | FieldKind::List { unit, .. },
+            ) => unit,
+            _ => "",
+        };
+        match value {
+            Value::Number(x) => quantity(*x, unit),
+            Value::Lateral([x, y]) if x == y => quantity(*x, unit),
+            Value::Lateral([x, y]) => format!("{{ x = {}, y = {} }}", quantity(*x, unit), quantity(*y, unit)),
+            Value::OneOf(which, x) => {
+                let unit = match f.map(|f| f.kind) {
+                    Some(FieldKind::OneOf(l)) => l.iter().find(|o| o.0 == *which).map_or("", |o| o.1),
+                    _ => "",
+                };
+                format!("{{ {which} = {} }}", quantity(*x, unit))
+            }
+            Value::Choice(w) => quoted(w),
+            Value::Integer(i) => i.to_string(),
+            Value::Auto => quoted("auto"),
+            Value::Flag(b) => b.to_string(),
+            Value::Text(t) => quoted(t),
+            Value::Attach(a) => point(a),
+            Value::Between(a, b) => format!("[{}, {}]", point(a), point(b)),
+            Value::Range(r) => range(r, unit, ""),
+            Value::List(v) => list(v, unit),
+            Value::ParameterRange(path, r) => range(r, self.parameter_unit(path), &format!("parameter = {}, ", quoted(path))),
+            Value::Columns(columns) => {
+                let unit = |c: &str| match f.map(|f| f.kind) {
+                    Some(FieldKind::Columns(l)) => l.iter().find(|o| o.0 == c).map_or("", |o| o.1),
+                    _ => "",
+                };
+                let columns: Vec<String> = columns.iter().map(|(c, v)| format!("{c} = {}", list(v, unit(c)))).collect();
+                format!("{{ {} }}", columns.join(", "))
+            }
+            Value::StateMap(entries) => {
+                let units = values.units_of(name);
+                let each = entries.iter().enumerate().map(|(i, (key, x, _))| {
+                    let text = match units.get(i) {
+                        Some(Some(u)) => quoted(write_si(*x, u).trim_end()),
+                        _ => write_number(*x),
+                    };
+                    format!("{} = {text}", quoted(key))
+                });
+                format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+
+    fn block(&self, out: &mut String, what: &str, b: &Block, info: Option<&KindInfo>) {
+        let _ = write!(out, "\n[[{what}]]\nkind = {}\nname = {}\n", quoted(b.kind), quoted(&b.name));
+        let fields: &[Field] = info.map_or(&[], |k| &k.fields);
+        for f in fields {
+            if let Some(v) = b.values.get(f.name) {
+                let _ = writeln!(out, "{} = {}", f.name, self.value(Some(f), f.name, v, &b.values));
+            }
+        }
+    }
+}
+
+/// The canonical file of a spec. Values that no field of the catalogue declares are left out.
+pub fn write(spec: &Spec, catalog: &Catalog) -> String {
+    let w = Writer { catalog, spec };
+    let m = &spec.machine;
+    let mut out = format!("[machine]\nname = {}\n", quoted(&m.name));
+    if let Some(s) = m.speed {
+        let _ = writeln!(out, "speed = {}", quantity(s, "rad/s"));
+    }
+    let _ = writeln!(out, "axis = {}", quoted(axis_word(m.axis)));
+    for b in &spec.parts {
+        w.block(&mut out, "part", b, catalog.part(b.kind));
+    }
+    for b in &spec.studies {
+        w.block(&mut out, "study", b, catalog.study(b.kind));
+    }
+    out
+}
+
+fn axis_word(a: Axis) -> &'static str {
+    match a {
+        Axis::Vertical => "vertical",
+        Axis::Horizontal => "horizontal",
+    }
+}
+
+/// The JSON form: the keys of the file, numbers in SI units (initial values as texts with their unit).
+pub fn write_json(spec: &Spec) -> Json {
+    let m = &spec.machine;
+    let mut machine = Map::new();
+    machine.insert("name".into(), json!(m.name));
+    if let Some(s) = m.speed {
+        machine.insert("speed".into(), json!(s));
+    }
+    machine.insert("axis".into(), json!(axis_word(m.axis)));
+    let blocks = |list: &[Block]| -> Vec<Json> {
+        let one = |b: &Block| {
+            let mut o = Map::new();
+            o.insert("kind".into(), json!(b.kind));
+            o.insert("name".into(), json!(b.name));
+            for name in b.values.names() {
+                if let Some(v) = b.values.get(name) {
+                    o.insert(name.into(), json_value(name, v, &b.values));
+                }
+            }
+            Json::Object(o)
+        };
+        list.iter().map(one).collect()
+    };
+    json!({ "machine": machine, "part": blocks(&spec.parts), "study": blocks(&spec.studies) })
+}
+
+fn json_value(name: &str, value: &Value, values: &Values) -> Json {
+    let point = |a: &Attach| match &a.body {
+        None => json!("ground"),
+        Some(b) if a.position == 0.0 => json!(b),
+        Some(b) => json!({ "body": b, "at": a.position }),
+    };
+    let range = |r: &RangeValue| {
+        let mut o = Map::new();
+        o.insert("from".into(), json!(r.from));
+        o.insert("to".into(), json!(r.to));
+        if let Some(n) = r.points {
+            o.insert("points".into(), json!(n));
+        }
+        o
+    };
+    match value {
+        Value::Number(x) => json!(x),
+        Value::Lateral([x, y]) => json!({ "x": x, "y": y }),
+        Value::OneOf(which, x) => json!({ *which: x }),
+        Value::Choice(w) => json!(w),
+        Value::Integer(i) => json!(i),
+        Value::Auto => json!("auto"),
+        Value::Flag(b) => json!(b),
+        Value::Text(t) => json!(t),
+        Value::Attach(a) => point(a),
+        Value::Between(a, b) => json!([point(a), point(b)]),
+        Value::Range(r) => Json::Object(range(r)),
+        Value::List(v) => json!(v),
+        Value::ParameterRange(path, r) => {
+            let mut o = range(r);
+            o.insert("parameter".into(), json!(path));
+            Json::Object(o)
+        }
+        Value::Columns(c) => json!(c),
+        Value::StateMap(entries) => {
+            let units = values.units_of(name);
+            let mut o = Map::new();
+            for (i, (key, x, _)) in entries.iter().enumerate() {
+                let v = match units.get(i) {
+                    Some(Some(u)) => json!(write_si(*x, u)),
+                    _ => json!(x),
+                };
+                o.insert(key.clone(), v);
+            }
+            Json::Object(o)
+        }
+    }
+}

@@ -1,0 +1,348 @@
+//! A linear bearing or seal: eight coefficients on the deflection `d = (x, y)` of one point against another, constant or tabulated over speed.
+//!
+//! Equations, force on the first point (its opposite on the second):
+//!
+//! ```text
+//! [Fx]     [kxx kxy] [x]   [cxx cxy] [x']
+//! [Fy] = - [kyx kyy] [y] - [cyx cyy] [y']
+//! ```
+//!
+//! A table is interpolated by a monotone piecewise cubic over the spin speed W, with exact derivative, and continued as a constant outside,
+//! where the result is marked as outside the validity of the table.
+//!
+//! Symbols: kxx kxy kyx kyy stiffness, N/m; cxx cxy cyx cyy damping, N s/m; W spin speed, rad/s, from x towards y. `kxy = -dFx/dy`;
+//! `kxy > 0 > kyx` drives forward whirl.
+//!
+//! Validity: small motion about the static position; coefficients belong to vibration at the frequency they were found for; speeds of the table.
+//!
+//! Sources: J. W. Lund, K. K. Thomsen (1978) as in every text on rotor bearings; signs as in API 684 and most codes. A data sheet that gives
+//! F = +K q, or turns the other way, needs the signs of its terms changed.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::params::Family;
+use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
+use crate::params;
+use laval_num::interpolate::{Interpolant, TableError};
+use laval_num::scalar::Scalar;
+
+params! {
+    /// Parameters of a [`BearingLinear`]; unused when it has a table.
+    pub struct BearingLinearParams in BearingLinearFamily {
+        kxx: scalar, "N/m", Bounds::within(1e15), default 0.0, "stiffness in x against x";
+        kxy: scalar, "N/m", Bounds::within(1e15), default 0.0, "force in -x per displacement in y";
+        kyx: scalar, "N/m", Bounds::within(1e15), default 0.0, "force in -y per displacement in x";
+        kyy: scalar, "N/m", Bounds::within(1e15), default 0.0, "stiffness in y against y";
+        cxx: scalar, "N s/m", Bounds::within(1e12), default 0.0, "damping in x against x";
+        cxy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -x per velocity in y";
+        cyx: scalar, "N s/m", Bounds::within(1e12), default 0.0, "force in -y per velocity in x";
+        cyy: scalar, "N s/m", Bounds::within(1e12), default 0.0, "damping in y against y";
+    }
+}
+
+/// The coefficients in order: kxx kxy kyx kyy cxx cxy cyx cyy.
+const NAMES: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
+
+/// Coefficients over speed; a coefficient without a column is zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table([Option<Interpolant>; 8]);
+
+impl Table {
+    /// From increasing speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence.
+    pub fn new(speed: &[f64], column: impl Fn(&str) -> Option<Vec<f64>>) -> Result<Self, Vec<String>> {
+        let mut wrong = Vec::new();
+        if speed.len() < 2 {
+            wrong.push("a table over speed has at least two rows; for one speed give the coefficients themselves".to_string());
+        } else if let Err(error) = Interpolant::new(speed, &vec![0.0; speed.len()]) {
+            wrong.push(match error {
+                TableError::NotIncreasing(row) => {
+                    format!("speeds must increase from row to row: row {} has {} rad/s after {} rad/s", row + 1, speed[row], speed[row - 1])
+                }
+                other => format!("column speed: {other}"),
+            });
+        }
+        let columns = NAMES.map(|name| {
+            let values = column(name)?;
+            if values.len() != speed.len() {
+                wrong.push(format!("column {name} has {} rows and column speed has {}", values.len(), speed.len()));
+                return None;
+            }
+            match Interpolant::new(speed, &values) {
+                Ok(f) => Some(f),
+                Err(TableError::NotFinite(row)) if values.get(row).is_some_and(|v| !v.is_finite()) => {
+                    wrong.push(format!("column {name}: row {} is not a finite number", row + 1));
+                    None
+                }
+                Err(_) => None, // the speeds, told above
+            }
+        });
+        if wrong.is_empty() { Ok(Table(columns)) } else { Err(wrong) }
+    }
+
+    /// First and last speed, rad/s.
+    pub fn range(&self) -> (f64, f64) {
+        self.0.iter().flatten().next().map_or((0.0, 0.0), Interpolant::range)
+    }
+}
+
+/// See the [module](self).
+pub struct BearingLinear {
+    link: Link,
+    table: Option<Table>,
+}
+
+/// Coefficients and their derivatives over speed.
+struct Coefficients<S> {
+    value: [S; 8],
+    slope: [S; 8],
+}
+
+impl BearingLinear {
+    /// With constant coefficients.
+    pub fn constant(link: Link) -> Self {
+        BearingLinear { link, table: None }
+    }
+    /// With coefficients over speed; the parameters stay at their defaults.
+    pub fn tabulated(link: Link, table: Table) -> Self {
+        BearingLinear { link, table: Some(table) }
+    }
+    fn coefficients<S: Scalar>(&self, p: &BearingLinearParams<S>, speed: S) -> Coefficients<S> {
+        match &self.table {
+            None => Coefficients { value: [p.kxx, p.kxy, p.kyx, p.kyy, p.cxx, p.cxy, p.cyx, p.cyy], slope: [S::zero(); 8] },
+            Some(table) => {
+                let mut out = Coefficients { value: [S::zero(); 8], slope: [S::zero(); 8] };
+                for (i, column) in table.0.iter().enumerate() {
+                    if let Some(f) = column {
+                        (out.value[i], out.slope[i]) = f.value_and_slope(speed);
+                    }
+                }
+                out
+            }
+        }
+    }
+}
+
+/// `(x, y) -> (a x + b y, c x + d y)`.
+fn apply<S: Scalar>(k: &[S], x: &[S]) -> [S; 2] {
+    [k[0] * x[0] + k[1] * x[1], k[2] * x[0] + k[3] * x[1]]
+}
+
+impl Part for BearingLinear {
+    const KIND: &'static str = "bearing_linear";
+    const DOC: &'static str = "A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table \
+        over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.";
+    type Family = BearingLinearFamily;
+    const FIELDS: &'static [Field] = &[
+        Field::required("between", FieldKind::Between, "the two points it joins"),
+        Field::optional(
+            "table",
+            FieldKind::Columns(&[
+                ("speed", "rad/s", true, "spin speed, increasing"),
+                ("kxx", "N/m", true, "stiffness in x against x"),
+                ("kxy", "N/m", false, "force in -x per displacement in y"),
+                ("kyx", "N/m", false, "force in -y per displacement in x"),
+                ("kyy", "N/m", true, "stiffness in y against y"),
+                ("cxx", "N s/m", false, "damping in x against x"),
+                ("cxy", "N s/m", false, "force in -x per velocity in y"),
+                ("cyx", "N s/m", false, "force in -y per velocity in x"),
+                ("cyy", "N s/m", false, "damping in y against y"),
+            ]),
+            "",
+            "coefficients over speed, instead of constant ones",
+        ),
+    ];
+
+    fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let (a, b) = values.between("between")?;
+        let link = Link::Between(a, b);
+        let given: Vec<&str> = NAMES.into_iter().filter(|name| params.get(name).is_some_and(|x| x != 0.0)).collect();
+        let Some(columns) = values.columns("table") else {
+            if given.is_empty() {
+                diagnostics.push(
+                    Diagnostic::error("bearing_linear.empty", "the bearing has no coefficient: all eight are zero")
+                        .at(values.span.clone())
+                        .help("give kxx and kyy (and what else it has), or a table over speed"),
+                );
+            }
+            return Some(BearingLinear::constant(link));
+        };
+        if let Some(name) = given.first() {
+            diagnostics.push(
+                Diagnostic::error("bearing_linear.twice", format!("{name} is given as a constant beside a table"))
+                    .at(values.span_of(name))
+                    .help("a bearing has constant coefficients or a table: put constants into the table as equal rows"),
+            );
+        }
+        match Table::new(columns.get("speed").map_or(&[][..], Vec::as_slice), |name| columns.get(name).cloned()) {
+            Ok(table) => Some(BearingLinear::tabulated(link, table)),
+            Err(wrong) => {
+                for message in wrong {
+                    diagnostics.push(Diagnostic::error("bearing_linear.table", message).at(values.span_of("table")));
+                }
+                None
+            }
+        }
+    }
+    fn layout(&self) -> Layout {
+        Layout::point(self.link.clone())
+    }
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, speed: S, b: &mut Blocks<S>) {
+        let k = self.coefficients(p, speed).value;
+        for i in 0..2 {
+            for j in 0..2 {
+                b.stiffness[(i, j)] = k[2 * i + j];
+                b.damping[(i, j)] = k[4 + 2 * i + j];
+            }
+        }
+    }
+    /// The symmetric part of K stores; the skew part and a change of K with speed bring power in (from the drive, through the film).
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        let Coefficients { value, slope } = self.coefficients(p, at.speed);
+        let quadratic = |k: &[S]| {
+            let f = apply(k, at.q);
+            (at.q[0] * f[0] + at.q[1] * f[1]).scale(0.5)
+        };
+        let damping = apply(&value[4..], at.v);
+        let skew = (value[1] - value[2]).scale(0.5);
+        Some(Energy {
+            stored: quadratic(&value[..4]),
+            dissipated: at.v[0] * damping[0] + at.v[1] * damping[1],
+            supplied: skew * (at.v[1] * at.q[0] - at.v[0] * at.q[1]) + at.spin_accel * quadratic(&slope[..4]),
+        })
+    }
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        let k = self.coefficients(p, at.speed).value;
+        let (elastic, viscous) = (apply(&k[..4], at.q), apply(&k[4..], at.v));
+        out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
+        out.push(Observed { name: "force", unit: "N", value: (elastic[0] + viscous[0]).hypot(elastic[1] + viscous[1]) });
+    }
+    fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        if let Some(table) = &self.table {
+            let (first, last) = table.range();
+            let (middle, half) = (0.5 * (first + last), 0.5 * (last - first));
+            // 1 at either end of the table
+            out.push(Validity {
+                what: "distance of the speed from the middle of the bearing table over half its range",
+                ratio: (at.speed - middle).abs() / half,
+            });
+        }
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let constants = BearingLinearFamily::to_vec(p);
+        if self.table.is_some() && constants.iter().any(|x| *x != 0.0) {
+            return vec![("table", "the coefficients come from the table: a constant beside it has no effect".into())];
+        }
+        Vec::new()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::conformance::local_stiffness;
+    use crate::model::field::{Attach, Value};
+    use laval_num::complex::c;
+    use std::collections::BTreeMap;
+
+    pub(super) fn link() -> Link {
+        Link::Between(Attach::on("drum"), Attach::ground())
+    }
+    pub(super) fn table() -> Table {
+        let columns = |name: &str| match name {
+            "kxx" => Some(vec![1e6, 3e6, 4e6, 3.5e6]),
+            "kyy" => Some(vec![2e6, 2.5e6, 2.6e6, 5e6]),
+            "kxy" => Some(vec![1e5, 4e5, 9e5, 1.2e6]),
+            "kyx" => Some(vec![-2e5, -3e5, -8e5, -9e5]),
+            "cxx" => Some(vec![900.0, 700.0, 500.0, 400.0]),
+            "cxy" => Some(vec![90.0, 70.0, -50.0, 40.0]),
+            "cyy" => Some(vec![800.0, 810.0, 700.0, 100.0]),
+            _ => None,
+        };
+        Table::new(&[50.0, 200.0, 350.0, 600.0], columns).unwrap()
+    }
+    fn build(f: impl Fn(&mut Values, &mut ParamValues)) -> (Option<BearingLinear>, Vec<String>) {
+        let (mut values, mut params, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
+        values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
+        f(&mut values, &mut params);
+        let part = BearingLinear::build(&values, &mut params, &mut d);
+        (part, d.0.iter().map(|d| d.to_string()).collect())
+    }
+    fn columns(speed: &[f64], kxx: &[f64]) -> Value {
+        Value::Columns(BTreeMap::from([("speed", speed.to_vec()), ("kxx", kxx.to_vec()), ("kyy", vec![1e6; speed.len()])]))
+    }
+
+    #[test]
+    fn coefficients_stand_where_the_convention_says() {
+        let p = BearingLinearParams { kxx: 1.0, kxy: 2.0, kyx: 3.0, kyy: 4.0, cxx: 5.0, cxy: 6.0, cyx: 7.0, cyy: 8.0 };
+        let mut b = Blocks::default();
+        b.reset(2, 0, 100.0);
+        BearingLinear::constant(link()).linear(&p, 100.0, &mut b);
+        let z = local_stiffness(&b, c(0.0, 10.0)).unwrap();
+        assert_eq!((z[(0, 1)], z[(1, 0)]), (c(2.0, 60.0), c(3.0, 70.0)));
+        assert_eq!((z[(0, 0)], z[(1, 1)]), (c(1.0, 50.0), c(4.0, 80.0)));
+    }
+
+    /// A forward circle at deflection r receives pi r^2 (kxy - kyx) per turn, a backward one loses it.
+    #[test]
+    fn positive_kxy_with_negative_kyx_feeds_forward_whirl() {
+        let p = BearingLinearParams { kxy: 3e5, kyx: -1e5, ..BearingLinearFamily::defaults() };
+        let bearing = BearingLinear::constant(link());
+        for (direction, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
+            let (q, v) = ([1e-3, 0.0], [0.0, direction * 1e-3 * 200.0]);
+            let at = At { q: &q, v: &v, a: &[0.0; 2], z: &[], phase: 0.0, speed: 300.0, spin_accel: 0.0, t: 0.0 };
+            let e = bearing.energy(&p, &at).unwrap();
+            let per_turn = e.supplied * std::f64::consts::TAU / 200.0;
+            assert!((per_turn - sign * std::f64::consts::PI * 1e-6 * 4e5).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_table_is_exact_at_its_rows_and_marks_speeds_outside() {
+        let bearing = BearingLinear::tabulated(link(), table());
+        let p = BearingLinearFamily::defaults();
+        for (speed, kxx, inside) in [(200.0, 3e6, true), (600.0, 3.5e6, true), (900.0, 3.5e6, false), (49.0, 1e6, false)] {
+            assert!((bearing.coefficients(&p, speed).value[0] - kxx).abs() < 1e-6);
+            let at = At { q: &[0.0; 2], v: &[0.0; 2], a: &[0.0; 2], z: &[], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+            let mut v = Vec::new();
+            bearing.validity(&p, &at, &mut v);
+            assert_eq!(v[0].ratio <= 1.0, inside, "{speed}");
+        }
+    }
+
+    #[test]
+    fn mistakes_are_told() {
+        let (part, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0, 200.0], &[1e6; 3]), None));
+        assert!(part.is_none());
+        assert_eq!(text, ["speeds must increase from row to row: row 3 has 200 rad/s after 300 rad/s"]);
+        let (_, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0], &[1e6; 3]), None));
+        assert_eq!(text, ["column kxx has 3 rows and column speed has 2"]);
+        let (_, text) = build(|v, _| v.set("table", columns(&[100.0], &[1e6]), None));
+        assert!(text[0].contains("at least two rows"));
+        let (_, text) = build(|v, _| v.set("table", columns(&[100.0, 200.0], &[1e6, f64::NAN]), None));
+        assert_eq!(text, ["column kxx: row 2 is not a finite number"]);
+        let (_, text) = build(|v, p| {
+            v.set("table", columns(&[100.0, 200.0], &[1e6; 2]), None);
+            p.set("cxx", 3.0);
+        });
+        assert!(text[0].contains("cxx is given as a constant beside a table"));
+        assert!(build(|_, _| ()).1[0].contains("all eight are zero"));
+        assert!(build(|_, p| p.set("kxx", 1e6)).1.is_empty());
+    }
+}
+
+crate::conformance! {
+    BearingLinear {
+        constant: BearingLinear::constant(tests::link()),
+            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -3e5, kyy: 2e6, cxx: 500.0, cxy: -60.0, cyx: 70.0, cyy: 800.0 },
+            Options::anisotropic();
+        isotropic: BearingLinear::constant(tests::link()),
+            BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -2e5, kyy: 1e6, cxx: 500.0, cxy: -60.0, cyx: 60.0, cyy: 500.0 },
+            Options::default();
+        tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearFamily::defaults(),
+            Options { speed: 650.0, ..Options::anisotropic() };
+    }
+}

@@ -1,0 +1,265 @@
+//! The report as one page that opens offline: findings first, then each study with figures and tables, then the input.
+
+use super::Report;
+use super::embed::{base64, sha256};
+use super::payload::{column_for, payload};
+use super::scene::Scene;
+use super::svg::{NARROW, WIDE, render};
+use super::text::escape;
+use super::write::Names;
+use crate::outcome::{
+    Column, Data, Evidence, Finding, Level, Outcome, OutcomeError, SpecialPoint, Status, Table, quantity, significant, unit_text,
+};
+use std::fmt::Write;
+
+const CSS: &str = include_str!("assets/report.css");
+const JS: &str = include_str!("assets/report.js");
+/// Rows shown of a table; the files hold all.
+const MOST_ROWS: usize = 20;
+/// Results listed in the summary; warnings are always listed.
+const MOST_RESULTS: usize = 10;
+
+/// The report as one HTML page without any reference to the outside.
+///
+/// # Errors
+/// When a figure names a table or column that does not exist.
+pub fn html(report: &Report) -> Result<String, OutcomeError> {
+    page(report, true).map_err(|e| e.1)
+}
+
+/// The page, or the study that contradicts itself and how. `links`: name the CSV files of the tables.
+pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, OutcomeError)> {
+    let mut scenes = Vec::new();
+    for o in &report.outcomes {
+        let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(f, &o.tables)).collect();
+        scenes.push(own.map_err(|e| (o.name.clone(), e))?);
+    }
+    let column = column_for(&scenes.iter().flatten().collect::<Vec<_>>());
+    let names = Names::new(report);
+    let machine = escape(if report.machine.is_empty() { "machine without a name" } else { &report.machine });
+    let hash = |text: &str| base64(&sha256(text.as_bytes()));
+    let mut s = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
+         <title>{machine} · laval report</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
+        hash(CSS),
+        hash(JS)
+    );
+    let p = &report.provenance;
+    let mut from = Vec::new();
+    if !p.input_name.is_empty() {
+        from.push(format!("from {}", escape(&p.input_name)));
+    }
+    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
+    if !p.input_hash.is_empty() {
+        let short: String = p.input_hash.chars().take(12).collect();
+        from.push(format!("input <span title=\"{}\">{}</span>", escape(&p.input_hash), escape(&short)));
+    }
+    let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
+    summary(&mut s, report);
+    for (i, (o, scenes)) in report.outcomes.iter().zip(&scenes).enumerate() {
+        study(&mut s, o, scenes, i, column, links.then_some(&names));
+    }
+    if let Some(input) = &report.input {
+        let name = if p.input_name.is_empty() { "Input file".into() } else { format!("Input file {}", escape(&p.input_name)) };
+        let _ = writeln!(
+            s,
+            "<section class=\"study\" id=\"input\">\n<h2>Input</h2>\n<details><summary>{name}</summary>\n<pre tabindex=\"0\">{}</pre></details>\n</section>",
+            escape(input)
+        );
+    }
+    s.push_str("</main>\n<footer>\n<details><summary>How this was computed</summary><dl>");
+    let mut row = |k: &str, v: &str| {
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(k), escape(v));
+    };
+    row("laval", &p.version);
+    row("input", &p.input_name);
+    row("hash of the input", &p.input_hash);
+    if let Some(seed) = p.seed {
+        row("seed", &seed.to_string());
+    }
+    p.settings.iter().for_each(|(k, v)| row(k, v));
+    s.push_str("</dl></details>\n</footer>\n</body>\n</html>\n");
+    Ok(s)
+}
+
+fn summary(s: &mut String, report: &Report) {
+    s.push_str("<section class=\"summary\" aria-labelledby=\"findings\">\n<h2 id=\"findings\">Findings</h2>\n<ul class=\"findings\">\n");
+    let many = report.outcomes.len() > 1;
+    let all = || report.outcomes.iter().enumerate().flat_map(|(i, o)| o.findings.iter().map(move |f| (i, o, f)));
+    let link =
+        |i: usize, o: &Outcome| if many { format!(" <a class=\"where\" href=\"#s{i}\">{}</a>", escape(&o.name)) } else { String::new() };
+    let mut sorted: Vec<_> = all().filter(|f| f.2.level > Level::Info).collect();
+    sorted.sort_by_key(|f| std::cmp::Reverse(f.2.level));
+    for (i, o) in report.outcomes.iter().enumerate().filter(|(_, o)| !o.end.is_complete()) {
+        let _ =
+            writeln!(s, "<li class=\"warning\"><span class=\"tag\">! Stopped early</span>{}{}</li>", escape(&o.end_in_words()), link(i, o));
+    }
+    let results: Vec<_> = all().filter(|f| f.2.level == Level::Info).collect();
+    let more = results.len().saturating_sub(MOST_RESULTS);
+    for (i, o, f) in sorted.into_iter().chain(results.into_iter().take(MOST_RESULTS)) {
+        let _ = writeln!(s, "{}{}</li>", sentence(f), link(i, o));
+    }
+    s.push_str("</ul>\n");
+    if more > 0 {
+        let _ = writeln!(s, "<p class=\"more\">and {more} more with the studies below</p>");
+    }
+    if all().next().is_none() {
+        s.push_str("<p class=\"more\">The studies report nothing in words; see their figures and tables.</p>\n");
+    }
+    if many {
+        s.push_str("<nav aria-label=\"Studies\"><ul>");
+        for (i, o) in report.outcomes.iter().enumerate() {
+            let _ = write!(s, "<li><a href=\"#s{i}\">{}</a></li>", escape(&o.name));
+        }
+        s.push_str("</ul></nav>\n");
+    }
+    s.push_str("</section>\n");
+}
+
+/// Start of a list item; the caller closes it.
+fn sentence(f: &Finding) -> String {
+    let tag = match f.level {
+        Level::Info => "",
+        Level::Warning => "<span class=\"tag\">! Warning</span>",
+        Level::Invalid => "<span class=\"tag\">!! Outside validity</span>",
+    };
+    format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&f.sentence()))
+}
+
+fn evidence(s: &mut String, label: &str, list: &[Evidence]) {
+    if list.is_empty() {
+        return;
+    }
+    let _ = write!(s, "<details><summary>{label}</summary><dl>");
+    for e in list {
+        let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(&e.what), escape(&quantity(e.value, &e.unit)));
+    }
+    s.push_str("</dl></details>");
+}
+
+fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) {
+    let kind = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.kind.replace('_', " "))) };
+    let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{kind}</h2>", escape(&o.name));
+    let (class, sign) = if o.end.is_complete() { ("end", "") } else { ("end stopped", "! ") };
+    let _ = writeln!(s, "<p class=\"{class}\">{sign}{}</p>", escape(&o.end_in_words()));
+    if !o.findings.is_empty() {
+        s.push_str("<ul class=\"findings\">\n");
+        for f in &o.findings {
+            s.push_str(&sentence(f));
+            evidence(s, "Evidence", &f.evidence);
+            s.push_str("</li>\n");
+        }
+        s.push_str("</ul>\n");
+    }
+    for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
+        let id = format!("f{i}-{k}");
+        let _ = writeln!(
+            s,
+            "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">",
+            escape(&f.title),
+            escape(&f.alt)
+        );
+        s.push_str(&render(scene, f, WIDE, Some(&format!("{id}w"))));
+        s.push_str(&render(scene, f, NARROW, Some(&format!("{id}n"))));
+        let _ = writeln!(
+            s,
+            "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+            payload(scene, column)
+        );
+        if i == 0 && k == 0 {
+            s.push_str("<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n");
+        }
+    }
+    if !o.special_points.is_empty() {
+        special(s, o);
+    }
+    if !o.tables.is_empty() {
+        s.push_str("<h3>Tables</h3>\n");
+    }
+    for (k, t) in o.tables.iter().enumerate() {
+        table(s, t, o.tables.len() == 1 && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
+    }
+    if !o.work.is_empty() {
+        s.push_str("<details><summary>Work done</summary><dl>");
+        for (name, count) in &o.work {
+            let _ = write!(s, "<dt>{}</dt><dd>{count}</dd>", escape(&name.replace('_', " ")));
+        }
+        s.push_str("</dl></details>\n");
+    }
+    s.push_str("</section>\n");
+}
+
+fn special(s: &mut String, o: &Outcome) {
+    let (name, unit) = o.parameter.as_ref().map_or(("at", String::new()), |p| (p.name.as_str(), unit_text(&p.unit)));
+    let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
+    let _ = write!(
+        s,
+        "<h3>Special points</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Special points\"><table><thead><tr><th class=\"w\">kind</th>\
+         <th>{}{unit}</th><th>bracket width{unit}</th><th class=\"w\">status</th><th class=\"w\">evidence</th></tr></thead><tbody>",
+        escape(name)
+    );
+    for p in o.special_points.iter().take(MOST_ROWS) {
+        let SpecialPoint { kind, at, bracket, status, evidence } = p;
+        let status = match status {
+            Status::Doubtful(reason) => format!("! doubtful: {}", escape(reason)),
+            s => s.word().into(),
+        };
+        let list: Vec<String> = evidence.iter().map(|e| format!("{} {}", escape(&e.what), escape(&quantity(e.value, &e.unit)))).collect();
+        let _ = write!(
+            s,
+            "<tr><td class=\"w\">{}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
+            escape(&kind.replace('_', " ")),
+            significant(*at, 7),
+            significant(bracket.1 - bracket.0, 2),
+            list.join(", ")
+        );
+    }
+    s.push_str("</tbody></table></div>\n");
+    if o.special_points.len() > MOST_ROWS {
+        let _ = writeln!(s, "<p class=\"more\">and {} more in results.json</p>", o.special_points.len() - MOST_ROWS);
+    }
+}
+
+fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
+    let rows = t.rows();
+    let count = if rows == 1 { "1 row".into() } else { format!("{rows} rows") };
+    let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
+    let _ = write!(
+        s,
+        "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table><thead><tr>",
+        if open { " open" } else { "" }
+    );
+    let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
+    for c in t.columns() {
+        let unit = if c.unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit_text(&c.unit))) };
+        let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&c.doc), escape(&c.name.replace('_', " ")));
+    }
+    s.push_str("</tr></thead><tbody>");
+    for r in 0..rows.min(MOST_ROWS) {
+        s.push_str("<tr>");
+        for c in t.columns() {
+            let cell = match &c.data {
+                Data::Float(v) if v[r].is_nan() => "–".into(),
+                Data::Float(v) => significant(v[r], 6),
+                Data::Int(v) => v[r].to_string(),
+                Data::Text(v) => escape(&v[r]),
+                Data::Flag(v) => if v[r] { "yes" } else { "no" }.into(),
+            };
+            let _ = write!(s, "<td{}>{cell}</td>", words(c));
+        }
+        s.push_str("</tr>");
+    }
+    s.push_str("</tbody></table></div>\n");
+    let shown = if rows > MOST_ROWS { format!("The first {MOST_ROWS} of {rows} rows. ") } else { String::new() };
+    match file {
+        Some(f) if rows > 0 => {
+            let _ = write!(s, "<p class=\"more\">{shown}All values: <a href=\"{0}.csv\">{0}.csv</a></p>", escape(f));
+        }
+        _ if !shown.is_empty() => {
+            let _ = write!(s, "<p class=\"more\">{shown}</p>");
+        }
+        _ => {}
+    }
+    s.push_str("</details>\n");
+}

@@ -1,0 +1,108 @@
+//! `results.json`: everything but the numbers of the tables, for programs.
+
+use super::Report;
+use super::write::Names;
+use crate::outcome::{End, Evidence, Finding, Outcome, SpecialPoint, Status};
+use serde_json::{Map, Value, json};
+
+/// Version of the layout of `results.json`; changes when a reader would have to.
+pub const SCHEMA: u32 = 1;
+
+/// The text of `results.json`. Keys stand in a fixed order; numbers that are not finite are `null`.
+///
+/// Top level: `schema`, `machine`, `provenance { program, version, input, input_hash, seed, settings }`, `studies`. Each study:
+/// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, text, value, unit, evidence }]`,
+/// `special_points`, `tables [{ name, doc, file, rows, columns }]` (`file` without its extension), `figures`, `work`.
+pub fn json(report: &Report) -> String {
+    let names = Names::new(report);
+    let p = &report.provenance;
+    let settings: Map<String, Value> = p.settings.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
+    let studies: Vec<Value> = report.outcomes.iter().enumerate().map(|(i, o)| study(o, i, &names)).collect();
+    let all = json!({
+        "schema": SCHEMA,
+        "machine": report.machine,
+        "provenance": {
+            "program": "laval",
+            "version": p.version,
+            "input": p.input_name,
+            "input_hash": p.input_hash,
+            "seed": p.seed,
+            "settings": settings,
+        },
+        "studies": studies,
+    });
+    format!("{all:#}\n")
+}
+
+/// A number, or null when it is not finite.
+fn number(v: f64) -> Value {
+    serde_json::Number::from_f64(v).map_or(Value::Null, Value::Number)
+}
+
+fn study(o: &Outcome, index: usize, names: &Names) -> Value {
+    let tables: Vec<Value> = o
+        .tables
+        .iter()
+        .enumerate()
+        .map(|(k, t)| {
+            let columns: Vec<Value> = t.columns().iter().map(|c| json!({ "name": c.name, "unit": c.unit, "doc": c.doc })).collect();
+            json!({ "name": t.name(), "doc": t.doc(), "file": names.table(index, k), "rows": t.rows(), "columns": columns })
+        })
+        .collect();
+    let figures: Vec<Value> = o
+        .figures
+        .iter()
+        .enumerate()
+        .map(|(k, f)| json!({ "name": f.name, "title": f.title, "alt": f.alt, "file": names.figure(index, k) }))
+        .collect();
+    json!({
+        "kind": o.kind,
+        "name": o.name,
+        "end": end(o),
+        "parameter": o.parameter.as_ref().map(|p| json!({ "name": p.name, "unit": p.unit })),
+        "findings": o.findings.iter().map(finding).collect::<Vec<_>>(),
+        "special_points": o.special_points.iter().map(special).collect::<Vec<_>>(),
+        "tables": tables,
+        "figures": figures,
+        "work": o.work.iter().map(|(k, v)| (k.clone(), json!(v))).collect::<Map<_, _>>(),
+    })
+}
+
+fn end(o: &Outcome) -> Value {
+    let mut end = json!({ "kind": o.end.word() });
+    match o.end {
+        End::StepTooSmall { at } => end["at"] = number(at),
+        End::NewtonFailed { at, residual } => {
+            end["at"] = number(at);
+            end["residual"] = number(residual);
+        }
+        End::Reached | End::Cancelled | End::MaxPoints | End::Refused => {}
+    }
+    end["text"] = json!(o.end_in_words());
+    end
+}
+
+fn finding(f: &Finding) -> Value {
+    json!({
+        "id": f.id,
+        "level": f.level.word(),
+        "text": f.sentence(),
+        "value": f.value.map_or(Value::Null, number),
+        "unit": f.unit,
+        "evidence": evidence(&f.evidence),
+    })
+}
+
+fn evidence(list: &[Evidence]) -> Vec<Value> {
+    list.iter().map(|e| json!({ "what": e.what, "value": number(e.value), "unit": e.unit })).collect()
+}
+
+fn special(p: &SpecialPoint) -> Value {
+    let mut out =
+        json!({ "kind": p.kind, "at": number(p.at), "bracket": [number(p.bracket.0), number(p.bracket.1)], "status": p.status.word() });
+    if let Status::Doubtful(reason) = &p.status {
+        out["reason"] = json!(reason);
+    }
+    out["evidence"] = json!(evidence(&p.evidence));
+    out
+}

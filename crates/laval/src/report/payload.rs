@@ -1,0 +1,66 @@
+//! The numbers behind the drawings of a page, thinned and packed for its script.
+
+use super::embed::floats;
+use super::heat::HeatView;
+use super::scene::{Kind, Scene, Series};
+use super::svg::{DOTS, WIDE};
+use super::thin;
+use super::ticks::AxisView;
+use crate::outcome::unit_text;
+use serde_json::{Value, json};
+
+/// Most points in all drawings of a page: about 11 bytes each.
+const MOST_POINTS: usize = 45_000;
+/// Widths of the pixel columns tried, finest first: the finer, the deeper one can zoom.
+const COLUMNS: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0];
+
+/// The finest thinning that keeps all scenes together below the limit.
+pub(super) fn column_for(scenes: &[&Scene]) -> f64 {
+    let count = |column: f64| -> usize {
+        scenes.iter().flat_map(|s| s.panels.iter().flat_map(move |p| p.series.iter().map(move |q| kept(q, &s.x, &p.y, column).len()))).sum()
+    };
+    COLUMNS.into_iter().find(|c| count(*c) <= MOST_POINTS).unwrap_or(COLUMNS[COLUMNS.len() - 1])
+}
+
+fn kept(s: &Series, x: &AxisView, y: &AxisView, column: f64) -> Vec<usize> {
+    let points: Vec<_> = s.points.iter().map(|q| (x.place(q.0) * WIDE, y.place(q.1) * WIDE)).collect();
+    match s.kind {
+        Kind::Marker { .. } => thin::cloud(&points, column),
+        Kind::Solid | Kind::Dashed => thin::path(&points, column),
+    }
+}
+
+/// JSON of a figure for the page's script, safe inside a `script` element.
+pub(super) fn payload(scene: &Scene, column: f64) -> String {
+    let panels: Vec<Value> = scene
+        .panels
+        .iter()
+        .map(|p| {
+            let series: Vec<Value> = p
+                .series
+                .iter()
+                .map(|s| {
+                    let rows = kept(s, &scene.x, &p.y, column);
+                    let dots = rows.len() > DOTS;
+                    let (kind, shape) = match s.kind {
+                        Kind::Marker { shape, .. } => (if dots { "d" } else { "m" }, shape),
+                        Kind::Solid | Kind::Dashed => ("l", 0),
+                    };
+                    let data = floats(rows.iter().flat_map(|i| [s.points[*i].0, s.points[*i].1]));
+                    json!({ "n": s.name, "st": s.state, "k": kind, "sh": shape, "e": s.entry, "d": data })
+                })
+                .collect();
+            json!({ "y": axis(&p.y), "n": p.y.label, "u": unit_text(&p.y.unit), "s": series, "h": p.heat.as_ref().map(heat) })
+        })
+        .collect();
+    json!({ "x": axis(&scene.x), "p": panels }).to_string().replace('<', "\\u003c")
+}
+
+fn axis(a: &AxisView) -> Value {
+    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": a.label, "u": unit_text(&a.unit) })
+}
+
+fn heat(h: &HeatView) -> Value {
+    let pack = |v: &[f64]| floats(v.iter().copied());
+    json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": h.axis.label, "u": unit_text(&h.axis.unit) })
+}

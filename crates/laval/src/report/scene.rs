@@ -1,0 +1,469 @@
+//! A figure with its columns looked up: values in display units, axis ranges, colours, legend. Layout and drawing follow from it.
+
+use super::colour::Colour;
+use super::heat::HeatView;
+use super::ticks::AxisView;
+use crate::outcome::{Axis, Band, BandPlace, Column, Data, Figure, Mark, OutcomeError, Panel, Scale, Table, significant, unit_text};
+
+pub(super) struct Scene {
+    pub x: AxisView,
+    pub panels: Vec<PanelView>,
+    pub legend: Vec<Entry>,
+}
+
+pub(super) struct PanelView {
+    pub y: AxisView,
+    pub heat: Option<HeatView>,
+    pub bands: Vec<BandView>,
+    pub series: Vec<Series>,
+    pub rules: Vec<RuleView>,
+    pub texts: Vec<(f64, f64, String)>,
+}
+
+/// Points in display units; NaN breaks a line.
+pub(super) struct Series {
+    /// Name for reading out; may be empty.
+    pub name: String,
+    /// Meaning of the line style for reading out: stable, unstable.
+    pub state: String,
+    pub kind: Kind,
+    pub colour: Colour,
+    pub points: Vec<(f64, f64)>,
+    /// Entry of the legend that switches it.
+    pub entry: Option<usize>,
+    /// Reference line: thin, named at its end.
+    pub reference: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Kind {
+    Solid,
+    Dashed,
+    Marker { shape: usize, open: bool },
+}
+
+pub(super) struct BandView {
+    /// Outline in display units; infinite coordinates mean the border of the panel.
+    pub outline: Vec<(f64, f64)>,
+    pub tint: usize,
+}
+
+pub(super) struct RuleView {
+    pub vertical: bool,
+    pub at: f64,
+    pub label: String,
+}
+
+pub(super) struct Entry {
+    pub label: String,
+    pub colour: Colour,
+    pub glyph: Glyph,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Glyph {
+    Line,
+    Dashed,
+    Marker { shape: usize, open: bool },
+    Tint(usize),
+    Contour,
+}
+
+/// Most groups that get a colour of the palette; more get the ramp.
+const PALETTE_GROUPS: usize = 7;
+
+impl Scene {
+    pub fn new(figure: &Figure, tables: &[Table]) -> Result<Scene, OutcomeError> {
+        figure.check(tables)?;
+        let mut build = Build { figure, tables, legend: Vec::new(), names: Vec::new(), tints: 0 };
+        let mut drafts: Vec<PanelView> = figure.panels.iter().map(|p| build.panel(p)).collect();
+        let x = x_axis(&figure.x, &drafts);
+        for (draft, panel) in drafts.iter_mut().zip(&figure.panels) {
+            draft.y = y_axis(&panel.y, draft, &x);
+        }
+        let mut legend = build.legend;
+        // a single unnamed curve needs no legend
+        if legend.iter().all(|e| e.label.is_empty()) {
+            legend.clear();
+            drafts.iter_mut().flat_map(|d| &mut d.series).for_each(|s| s.entry = None);
+        }
+        Ok(Scene { x, panels: drafts, legend })
+    }
+
+    /// Whether there is anything to see.
+    pub fn is_empty(&self) -> bool {
+        let visible = |p: &PanelView| {
+            p.heat.as_ref().is_some_and(|h| h.values.iter().any(|v| v.is_finite()))
+                || p.series.iter().any(|s| s.points.iter().any(|(a, b)| self.x.place(*a).is_finite() && p.y.place(*b).is_finite()))
+                || !p.bands.is_empty()
+                || !p.rules.is_empty()
+        };
+        !self.panels.iter().any(visible)
+    }
+}
+
+struct Build<'a> {
+    figure: &'a Figure,
+    tables: &'a [Table],
+    legend: Vec<Entry>,
+    /// Names that have a colour, in order of appearance.
+    names: Vec<String>,
+    tints: usize,
+}
+
+struct Group {
+    name: String,
+    rows: Vec<usize>,
+}
+
+impl Build<'_> {
+    fn column(&self, table: &str, column: &str) -> Option<&Column> {
+        self.tables.iter().find(|t| t.name() == table)?.column(column)
+    }
+
+    fn values(&self, table: &str, column: &str, factor: f64) -> Vec<f64> {
+        let Some(c) = self.column(table, column) else { return Vec::new() };
+        (0..c.data.len()).map(|i| c.number(i).map_or(f64::NAN, |v| v * factor)).collect()
+    }
+
+    fn flags(&self, table: &str, column: Option<&String>) -> Option<&[bool]> {
+        match &self.column(table, column?)?.data {
+            Data::Flag(v) => Some(v),
+            _ => None,
+        }
+    }
+
+    fn groups(&self, table: &str, column: Option<&String>, name: &str, rows: usize) -> Vec<Group> {
+        let Some(c) = column.and_then(|c| self.column(table, c)) else {
+            return vec![Group { name: name.into(), rows: (0..rows).collect() }];
+        };
+        let label = |i: usize| match &c.data {
+            Data::Text(v) => v[i].replace('_', " "),
+            Data::Int(v) => format!("{} {}", c.name.replace('_', " "), v[i]),
+            Data::Flag(v) => format!("{}{}", if v[i] { "" } else { "not " }, c.name.replace('_', " ")),
+            Data::Float(v) => format!("{} {} {}", c.name.replace('_', " "), significant(v[i], 4), unit_text(&c.unit)).trim_end().into(),
+        };
+        let mut groups: Vec<Group> = Vec::new();
+        let mut index = std::collections::HashMap::new();
+        for i in 0..rows.min(c.data.len()) {
+            let word = label(i);
+            let k = *index.entry(word.clone()).or_insert_with(|| {
+                let name = if name.is_empty() { word.clone() } else { format!("{name}, {word}") };
+                groups.push(Group { name, rows: Vec::new() });
+                groups.len() - 1
+            });
+            groups[k].rows.push(i);
+        }
+        groups
+    }
+
+    fn colour(&mut self, name: &str, index: usize, of: usize) -> Colour {
+        if of > PALETTE_GROUPS {
+            return Colour::Ramp(index as f64 / (of - 1) as f64);
+        }
+        let known = self.names.iter().position(|n| n == name);
+        Colour::Slot(known.unwrap_or_else(|| {
+            self.names.push(name.into());
+            self.names.len() - 1
+        }))
+    }
+
+    fn entry(&mut self, label: &str, colour: Colour, glyph: Glyph) -> usize {
+        let same = |e: &Entry| e.label == label && e.colour == colour && std::mem::discriminant(&e.glyph) == std::mem::discriminant(&glyph);
+        self.legend.iter().position(same).unwrap_or_else(|| {
+            self.legend.push(Entry { label: label.into(), colour, glyph });
+            self.legend.len() - 1
+        })
+    }
+
+    fn panel(&mut self, panel: &Panel) -> PanelView {
+        let (fx, fy) = (self.figure.x.factor, panel.y.factor);
+        let mut view = PanelView {
+            y: AxisView::new("", "", false, 0.0, 1.0),
+            heat: None,
+            bands: Vec::new(),
+            series: Vec::new(),
+            rules: Vec::new(),
+            texts: Vec::new(),
+        };
+        let mut meanings = Vec::new();
+        for mark in &panel.marks {
+            match mark {
+                Mark::Line(m) => {
+                    let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
+                    let solid = self.flags(&m.table, m.solid_where.as_ref()).map(<[bool]>::to_vec);
+                    let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    let of = groups.len();
+                    for (k, g) in groups.into_iter().enumerate() {
+                        let colour = if m.reference { Colour::Muted } else { self.colour(&g.name, k, of) };
+                        let entry = (!m.reference).then(|| self.entry(&g.name, colour, Glyph::Line));
+                        let at = |i: usize| (xs[i], ys[i]);
+                        let pieces = match &solid {
+                            None => vec![(Kind::Solid, String::new(), g.rows.iter().map(|i| at(*i)).collect())],
+                            Some(solid) => {
+                                let (full, dashed) = split(&g.rows, at, solid);
+                                if !dashed.is_empty() && !meanings.contains(&&m.solid_dashed) {
+                                    meanings.push(&m.solid_dashed);
+                                }
+                                vec![(Kind::Solid, m.solid_dashed.0.clone(), full), (Kind::Dashed, m.solid_dashed.1.clone(), dashed)]
+                            }
+                        };
+                        for (kind, state, points) in pieces.into_iter().filter(|p: &(Kind, String, Vec<_>)| !p.2.is_empty()) {
+                            view.series.push(Series { name: g.name.clone(), state, kind, colour, points, entry, reference: m.reference });
+                        }
+                    }
+                }
+                Mark::Points(m) => {
+                    let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
+                    let filled = self.flags(&m.table, m.filled_where.as_ref()).map(<[bool]>::to_vec);
+                    let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    let of = groups.len();
+                    for (shape, g) in groups.into_iter().enumerate() {
+                        let colour = self.colour(&g.name, shape, of);
+                        let sides = [false, true].map(|open| {
+                            let fits = |i: &&usize| filled.as_ref().is_none_or(|f| f[**i]) != open;
+                            g.rows.iter().filter(fits).map(|i| (xs[*i], ys[*i])).collect::<Vec<_>>()
+                        });
+                        let both = sides.iter().all(|s| !s.is_empty());
+                        for (open, points) in [false, true].into_iter().zip(sides).filter(|s| !s.1.is_empty()) {
+                            // the name of the flag tells filled from open markers
+                            let flag = m.filled_where.as_ref().filter(|_| both || open).map(|f| f.replace('_', " "));
+                            let parts = [g.name.clone(), flag.map_or(String::new(), |f| format!("{}{f}", if open { "not " } else { "" }))];
+                            let name = parts.into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(", ");
+                            let kind = Kind::Marker { shape, open };
+                            let entry = Some(self.entry(&name, colour, Glyph::Marker { shape, open }));
+                            view.series.push(Series { name, state: String::new(), kind, colour, points, entry, reference: false });
+                        }
+                    }
+                }
+                Mark::Band(m) => {
+                    let tint = self.tints;
+                    let outline = self.outline(m, fx, fy);
+                    if !outline.is_empty() {
+                        self.tints += 1;
+                        view.bands.push(BandView { outline, tint });
+                        if !m.name.is_empty() {
+                            self.entry(&m.name, Colour::Slot(tint), Glyph::Tint(tint));
+                        }
+                    }
+                }
+                Mark::Rule(m) => {
+                    let at = m.at * if m.vertical { fx } else { fy };
+                    if at.is_finite() {
+                        view.rules.push(RuleView { vertical: m.vertical, at, label: m.label.clone() });
+                    }
+                }
+                Mark::Text(m) => view.texts.push((m.x * fx, m.y * fy, m.text.clone())),
+                Mark::Heat(m) => {
+                    let (x, y, v) = (
+                        self.values(&m.table, &m.x, fx),
+                        self.values(&m.table, &m.y, fy),
+                        self.values(&m.table, &m.value, m.colours.factor),
+                    );
+                    // what a logarithmic axis cannot show is left out
+                    let fits = |v: f64, scale: Scale| scale == Scale::Linear || v > 0.0;
+                    let scales = (self.figure.x.scale, panel.y.scale, m.colours.scale);
+                    let rows = x.into_iter().zip(y).zip(v).map(|((x, y), v)| (x, y, v));
+                    let rows: Vec<_> = rows.filter(|r| fits(r.0, scales.0) && fits(r.1, scales.1) && fits(r.2, scales.2)).collect();
+                    let (xs, ys, values) = HeatView::grid(&rows);
+                    let mut range = extent(values.iter().copied(), m.colours.scale == Scale::Log);
+                    if let (true, Some((lo, hi))) = (m.diverging, range) {
+                        range = Some((lo.min(0.0), hi.max(0.0)));
+                    }
+                    let axis = axis_view(&m.colours, range);
+                    let contour = m.contour.map(|c| c * m.colours.factor);
+                    if let Some(level) = contour {
+                        let label = format!(
+                            "{} = {} {}",
+                            m.colours.label,
+                            significant(level, 4),
+                            if level == 0.0 { String::new() } else { unit_text(&m.colours.unit) }
+                        );
+                        self.entry(label.trim_end(), Colour::Muted, Glyph::Contour);
+                    }
+                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, contour });
+                }
+            }
+        }
+        for (solid, dashed) in meanings {
+            self.entry(solid, Colour::Muted, Glyph::Line);
+            self.entry(dashed, Colour::Muted, Glyph::Dashed);
+        }
+        view
+    }
+
+    fn outline(&self, band: &Band, fx: f64, fy: f64) -> Vec<(f64, f64)> {
+        const INF: f64 = f64::INFINITY;
+        match &band.place {
+            BandPlace::X(a, b) if !(a.is_nan() || b.is_nan()) => vec![(a * fx, -INF), (b * fx, -INF), (b * fx, INF), (a * fx, INF)],
+            BandPlace::Y(a, b) if !(a.is_nan() || b.is_nan()) => vec![(-INF, a * fy), (INF, a * fy), (INF, b * fy), (-INF, b * fy)],
+            BandPlace::X(..) | BandPlace::Y(..) => Vec::new(),
+            BandPlace::Between(table, x, low, high) => {
+                let (xs, lo, hi) = (self.values(table, x, fx), self.values(table, low, fy), self.values(table, high, fy));
+                let fits = |i: &usize| xs[*i].is_finite() && lo[*i].is_finite() && hi[*i].is_finite();
+                let rows: Vec<usize> = (0..xs.len()).filter(fits).collect();
+                rows.iter().map(|i| (xs[*i], lo[*i])).chain(rows.iter().rev().map(|i| (xs[*i], hi[*i]))).collect()
+            }
+        }
+    }
+}
+
+/// Pieces whose both ends are flagged, and the others, each broken by NaN where the other takes over.
+#[allow(clippy::type_complexity)]
+fn split(rows: &[usize], at: impl Fn(usize) -> (f64, f64), solid: &[bool]) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+    let mut out = [Vec::new(), Vec::new()];
+    let mut current = None;
+    for w in rows.windows(2) {
+        let side = usize::from(!(solid[w[0]] && solid[w[1]]));
+        if current != Some(side) {
+            if !out[side].is_empty() {
+                out[side].push((f64::NAN, f64::NAN));
+            }
+            out[side].push(at(w[0]));
+            current = Some(side);
+        }
+        out[side].push(at(w[1]));
+    }
+    let [full, dashed] = out;
+    (full, dashed)
+}
+
+fn extent(values: impl Iterator<Item = f64>, log: bool) -> Option<(f64, f64)> {
+    values.filter(|v| v.is_finite() && (!log || *v > 0.0)).fold(None, |r: Option<(f64, f64)>, v| match r {
+        None => Some((v, v)),
+        Some((a, b)) => Some((a.min(v), b.max(v))),
+    })
+}
+
+fn join(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+        _ => a.or(b),
+    }
+}
+
+/// Widened to the outer borders of the cells.
+fn cells(centres: &[f64], log: bool) -> Option<(f64, f64)> {
+    let (lo, hi) = extent(centres.iter().copied(), log)?;
+    let n = centres.len();
+    if n < 2 || lo == hi {
+        return Some((lo, hi));
+    }
+    let view = AxisView::new("", "", log, lo, hi);
+    let e = super::heat::edges(centres, &view);
+    let value = |t: f64| if log { lo * (hi / lo).powf(t) } else { lo + t * (hi - lo) };
+    Some((value(e[0]), value(e[n])))
+}
+
+fn x_axis(axis: &Axis, panels: &[PanelView]) -> AxisView {
+    let log = axis.scale == Scale::Log;
+    let mut range = None;
+    let mut markers_only = true;
+    for p in panels {
+        let own: Vec<&Series> = p.series.iter().filter(|s| !s.reference).collect();
+        markers_only &= own.iter().all(|s| matches!(s.kind, Kind::Marker { .. })) && p.heat.is_none();
+        range = join(range, extent(own.iter().flat_map(|s| &s.points).map(|q| q.0), log));
+        range = join(range, p.heat.as_ref().and_then(|h| cells(&h.xs, log)));
+    }
+    if range.is_none() {
+        let reference = panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.points).map(|q| q.0);
+        let marks = panels.iter().flat_map(|p| {
+            let rules = p.rules.iter().filter(|r| r.vertical).map(|r| r.at);
+            rules.chain(p.bands.iter().flat_map(|b| &b.outline).map(|q| q.0))
+        });
+        range = extent(reference.chain(marks), log);
+        markers_only = true;
+    }
+    if let (true, Some((lo, hi))) = (markers_only, range) {
+        range = Some(pad(lo, hi, 0.04, log));
+    }
+    axis_view(axis, range)
+}
+
+fn y_axis(axis: &Axis, panel: &PanelView, x: &AxisView) -> AxisView {
+    let log = axis.scale == Scale::Log;
+    let shown = |q: &&(f64, f64)| x.place(q.0) >= -1e-9 && x.place(q.0) <= 1.0 + 1e-9;
+    let of = |reference: bool| {
+        extent(panel.series.iter().filter(|s| s.reference == reference).flat_map(|s| &s.points).filter(shown).map(|q| q.1), log)
+    };
+    let cells = panel.heat.as_ref().and_then(|h| cells(&h.ys, log));
+    let mut range = join(of(false), extent(panel.bands.iter().flat_map(|b| &b.outline).map(|q| q.1), log));
+    range = join(
+        range.or_else(|| if cells.is_none() { of(true) } else { None }),
+        extent(panel.rules.iter().filter(|r| !r.vertical).map(|r| r.at), log),
+    );
+    if let Some((lo, hi)) = range {
+        let zero = !log && lo >= 0.0 && lo < 0.4 * hi;
+        let padded = pad(lo, hi, 0.05, log);
+        range = Some((if zero { 0.0 } else { padded.0 }, padded.1));
+    }
+    axis_view(axis, if panel.heat.is_some() { join(range, cells) } else { range })
+}
+
+fn pad(lo: f64, hi: f64, by: f64, log: bool) -> (f64, f64) {
+    if log {
+        let f = (hi / lo).powf(by);
+        (lo / f, hi * f)
+    } else {
+        let d = by * (hi - lo);
+        (lo - d, hi + d)
+    }
+}
+
+/// Axis over a range from the data, or over the range that was asked for; never degenerate.
+fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
+    let log = axis.scale == Scale::Log;
+    let wanted = axis.range.filter(|(a, b)| a.is_finite() && b.is_finite() && a < b && (!log || *a > 0.0));
+    let (mut lo, mut hi) = wanted.or(data).unwrap_or(if log { (0.1, 10.0) } else { (0.0, 1.0) });
+    if log {
+        // more decades than this hide the data: the rest is rounding noise
+        lo = lo.max(hi * 1e-15);
+        if hi / lo < 1.0 + 1e-9 {
+            (lo, hi) = (lo / 2.0, hi * 2.0);
+        }
+    } else if hi - lo <= 1e-12 * lo.abs().max(hi.abs()) {
+        let d = if lo == 0.0 { 1.0 } else { 0.1 * lo.abs() };
+        (lo, hi) = (lo - d, hi + d);
+    }
+    AxisView::new(&axis.label, &axis.unit, log, lo, hi)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outcome::{Line, Rule};
+
+    fn scene(y: Axis, ys: Vec<f64>) -> Scene {
+        let n = ys.len();
+        let t = Table::new("t", "").float("x", "", "", (0..n).map(|i| i as f64).collect()).float("y", "m", "", ys).build().unwrap();
+        let f =
+            Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(Line::new("t", "x", "y")).mark(Rule::x(99.0, "far")));
+        Scene::new(&f, &[t]).unwrap()
+    }
+
+    #[test]
+    fn factor_scales_and_rules_do_not_stretch_x() {
+        let s = scene(Axis::new("y", "mm").factor(1e3), vec![0.001, 0.002, 0.003]);
+        assert!((s.panels[0].y.hi - 3.1).abs() < 1e-9 && s.panels[0].y.lo == 0.0);
+        assert_eq!((s.x.lo, s.x.hi), (0.0, 2.0));
+    }
+
+    #[test]
+    fn ranges_are_never_degenerate() {
+        for ys in [vec![], vec![f64::NAN; 3], vec![5.0; 3], vec![0.0; 3], vec![-1.0, f64::INFINITY, 2.0]] {
+            for y in [Axis::new("y", ""), Axis::log("y", "")] {
+                let s = scene(y, ys.clone());
+                assert!(s.panels[0].y.hi > s.panels[0].y.lo && s.x.hi > s.x.lo);
+                assert!(s.panels[0].y.lo.is_finite() && s.panels[0].y.hi.is_finite());
+            }
+        }
+    }
+
+    #[test]
+    fn unstable_pieces_are_dashed_and_share_their_end_points() {
+        let rows = [0, 1, 2, 3, 4];
+        let (full, dashed) = split(&rows, |i| (i as f64, 0.0), &[true, true, false, true, true]);
+        assert_eq!(full.iter().filter(|p| p.0.is_finite()).map(|p| p.0).collect::<Vec<_>>(), [0.0, 1.0, 3.0, 4.0]);
+        assert_eq!(dashed.iter().map(|p| p.0).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+    }
+}

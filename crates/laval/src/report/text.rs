@@ -1,0 +1,124 @@
+//! Escaping, file names, widths of words and numbers in drawings.
+
+/// Text for XML and HTML content and attributes: markup characters as entities, control characters that XML forbids left out.
+pub fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\t' | '\n' | '\r' => out.push(c),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// A name that is safe as a file name on every system: letters, digits, `-`, `_`, `.`; never empty, hidden or a device name.
+///
+/// ```
+/// use laval::report::file_name;
+/// assert_eq!(file_name("run up / slow"), "run-up-slow");
+/// assert_eq!(file_name("../../etc"), "etc");
+/// assert_eq!(file_name("?"), "unnamed");
+/// ```
+pub fn file_name(name: &str) -> String {
+    let mut out = String::new();
+    for c in name.chars() {
+        match c {
+            c if c.is_alphanumeric() || c == '_' => out.push(c),
+            '.' if !out.is_empty() && !out.ends_with(['-', '.']) => out.push('.'),
+            _ if !out.is_empty() && !out.ends_with(['-', '.']) => out.push('-'),
+            _ => {}
+        }
+    }
+    // file systems limit names in bytes; leave room for a suffix and an extension
+    while out.len() > 80 {
+        out.pop();
+    }
+    let out = out.trim_end_matches(['-', '.']);
+    let stem = out.split('.').next().unwrap_or("").to_ascii_lowercase();
+    let device = matches!(stem.as_str(), "con" | "prn" | "aux" | "nul")
+        || (stem.len() == 4 && (stem.starts_with("com") || stem.starts_with("lpt")) && stem.ends_with(|c: char| c.is_ascii_digit()));
+    match out {
+        "" => "unnamed".into(),
+        _ if device => format!("{out}_"),
+        _ => out.into(),
+    }
+}
+
+/// Width of a text in a sans-serif font of the given size, estimated on the wide side.
+pub(super) fn width(text: &str, size: f64) -> f64 {
+    let units: f64 = text
+        .chars()
+        .map(|c| match c {
+            'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '|' | '!' | '\'' | '·' => 0.28,
+            ' ' | 'f' | 't' | 'r' | 'I' | '(' | ')' | '[' | ']' | '/' | '-' => 0.36,
+            'm' | 'w' | 'M' | 'W' | '@' | '%' => 0.88,
+            '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' | '⁻' => 0.38,
+            c if c.is_ascii_uppercase() => 0.7,
+            c if (c as u32) > 0x2e80 => 1.05,
+            _ => 0.57,
+        })
+        .sum();
+    // fonts differ by some percent; labels must not run out of the drawing in the widest common one
+    1.06 * units * size
+}
+
+/// The text, cut with an ellipsis when wider than `room`.
+pub(super) fn fit(text: &str, size: f64, room: f64) -> String {
+    if width(text, size) <= room {
+        return text.into();
+    }
+    let mut out = String::new();
+    for c in text.chars() {
+        out.push(c);
+        if width(&out, size) + size > room {
+            out.pop();
+            break;
+        }
+    }
+    format!("{}…", out.trim_end())
+}
+
+/// A coordinate in a drawing: at most one decimal, no negative zero.
+pub(super) fn px(x: f64) -> String {
+    let r = (x * 10.0).round() / 10.0 + 0.0;
+    if r == r.trunc() { format!("{r:.0}") } else { format!("{r:.1}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_and_control_characters() {
+        assert_eq!(escape("<a b=\"c\">&'\u{0}\u{1b}"), "&lt;a b=&quot;c&quot;&gt;&amp;&#39;");
+    }
+
+    #[test]
+    fn file_names_cannot_leave_the_folder() {
+        for (name, want) in
+            [("..", "unnamed"), ("/abs/x", "abs-x"), ("a\0b", "a-b"), ("CON", "CON_"), ("com1.txt", "com1.txt_"), ("Läufer 2", "Läufer-2")]
+        {
+            assert_eq!(file_name(name), want);
+        }
+        assert!(file_name(&"ä".repeat(500)).len() <= 80);
+    }
+
+    #[test]
+    fn fitted_text_fits() {
+        let cut = fit("a very long label that cannot fit", 12.0, 80.0);
+        assert!(cut.ends_with('…') && width(&cut, 12.0) <= 80.0);
+        assert_eq!(fit("short", 12.0, 80.0), "short");
+    }
+
+    #[test]
+    fn coordinates() {
+        assert_eq!([px(-0.01), px(1.0), px(1.26)], ["0", "1", "1.3"]);
+    }
+}

@@ -1,0 +1,342 @@
+//! Writing a report into a folder: every file whole or not at all.
+
+use super::text::file_name;
+use super::{Report, csv, html, json, svg};
+use crate::outcome::OutcomeError;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::{fmt, fs, io};
+
+/// A kind of file to write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// `results.json`.
+    Json,
+    /// `<study>/<table>.csv`.
+    Csv,
+    /// `<study>/<table>.parquet`.
+    #[cfg(feature = "parquet")]
+    Parquet,
+    /// `figures/<study>-<figure>.svg`.
+    Svg,
+    /// `report.html`.
+    Html,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: &'static [Format] = &[
+        Format::Json,
+        Format::Csv,
+        #[cfg(feature = "parquet")]
+        Format::Parquet,
+        Format::Svg,
+        Format::Html,
+    ];
+
+    /// Its word on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Format::Json => "json",
+            Format::Csv => "csv",
+            #[cfg(feature = "parquet")]
+            Format::Parquet => "parquet",
+            Format::Svg => "svg",
+            Format::Html => "html",
+        }
+    }
+}
+
+impl FromStr for Format {
+    type Err = String;
+
+    fn from_str(word: &str) -> Result<Self, String> {
+        let words: Vec<&str> = Format::ALL.iter().map(|f| f.word()).collect();
+        Format::ALL
+            .iter()
+            .copied()
+            .find(|f| f.word() == word)
+            .ok_or_else(|| format!("unknown format `{word}`; use one of {}", words.join(", ")))
+    }
+}
+
+/// Why a report could not be written completely.
+#[derive(Debug)]
+pub enum WriteError {
+    /// A file or folder could not be written.
+    Io {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+        /// The files written before; they are complete.
+        written: Vec<PathBuf>,
+    },
+    /// An outcome contradicts itself.
+    Outcome {
+        /// Study.
+        study: String,
+        /// How.
+        source: OutcomeError,
+    },
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            WriteError::Io { path, source, written } => {
+                write!(f, "cannot write {}: {source}", path.display())?;
+                match written.len() {
+                    0 => Ok(()),
+                    1 => write!(f, " (1 file written before it is complete)"),
+                    n => write!(f, " ({n} files written before it are complete)"),
+                }
+            }
+            WriteError::Outcome { study, source } => write!(f, "study `{study}`: {source}"),
+        }
+    }
+}
+
+impl std::error::Error for WriteError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            WriteError::Io { source, .. } => Some(source),
+            WriteError::Outcome { source, .. } => Some(source),
+        }
+    }
+}
+
+/// Relative file names (without extension) of everything, unique also on systems that ignore case.
+pub(super) struct Names {
+    tables: Vec<Vec<String>>,
+    figures: Vec<Vec<String>>,
+}
+
+impl Names {
+    pub fn new(report: &Report) -> Names {
+        // a study of that name would share the folder of the figures
+        let mut folders = HashSet::from(["figures".to_string()]);
+        let mut drawings = HashSet::new();
+        let (mut tables, mut figures) = (Vec::new(), Vec::new());
+        for o in &report.outcomes {
+            let folder = unique(&mut folders, &file_name(&o.name));
+            let mut files = HashSet::new();
+            tables.push(o.tables.iter().map(|t| format!("{folder}/{}", unique(&mut files, &file_name(t.name())))).collect());
+            figures.push(
+                o.figures
+                    .iter()
+                    .map(|f| format!("figures/{}", unique(&mut drawings, &format!("{folder}-{}", file_name(&f.name)))))
+                    .collect(),
+            );
+        }
+        Names { tables, figures }
+    }
+
+    pub fn table(&self, study: usize, table: usize) -> &str {
+        &self.tables[study][table]
+    }
+
+    pub fn figure(&self, study: usize, figure: usize) -> &str {
+        &self.figures[study][figure]
+    }
+}
+
+fn unique(taken: &mut HashSet<String>, name: &str) -> String {
+    let mut out = name.to_string();
+    let mut n = 2;
+    while !taken.insert(out.to_lowercase()) {
+        out = format!("{name}-{n}");
+        n += 1;
+    }
+    out
+}
+
+/// Writes the report into `dir`, which is made when missing, and returns the files in the order written: tables and figures
+/// first, then `results.json`, then `report.html`, so that what names a file comes after it.
+///
+/// Each file is written under a temporary name and renamed: a reader never sees half a file, and files of an earlier run stay
+/// until they are replaced.
+///
+/// # Errors
+/// [`WriteError::Io`] with the path when a file cannot be written (the files before it are kept); [`WriteError::Outcome`], before
+/// anything is written, when an outcome contradicts itself.
+pub fn write(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<PathBuf>, WriteError> {
+    for o in &report.outcomes {
+        for f in &o.figures {
+            f.check(&o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
+        }
+    }
+    let names = Names::new(report);
+    let mut out = Writer { dir, written: Vec::new() };
+    let wants = |f: Format| formats.contains(&f);
+    for (i, o) in report.outcomes.iter().enumerate() {
+        for (k, t) in o.tables.iter().enumerate() {
+            if wants(Format::Csv) {
+                out.file(&format!("{}.csv", names.table(i, k)), csv(t).as_bytes())?;
+            }
+            #[cfg(feature = "parquet")]
+            if wants(Format::Parquet) {
+                let name = format!("{}.parquet", names.table(i, k));
+                match super::parquet(t) {
+                    Ok(bytes) => out.file(&name, &bytes)?,
+                    Err(e) => return Err(out.failed(dir.join(name), io::Error::other(e))),
+                }
+            }
+        }
+        for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
+            let text = svg::draw(f, &o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
+            out.file(&format!("{}.svg", names.figure(i, k)), text.as_bytes())?;
+        }
+    }
+    if wants(Format::Json) {
+        out.file("results.json", json(report).as_bytes())?;
+    }
+    if wants(Format::Html) {
+        let text = html::page(report, wants(Format::Csv)).map_err(|(study, source)| WriteError::Outcome { study, source })?;
+        out.file("report.html", text.as_bytes())?;
+    }
+    Ok(out.written)
+}
+
+struct Writer<'a> {
+    dir: &'a Path,
+    written: Vec<PathBuf>,
+}
+
+impl Writer<'_> {
+    fn failed(&mut self, path: PathBuf, source: io::Error) -> WriteError {
+        WriteError::Io { path, source, written: std::mem::take(&mut self.written) }
+    }
+
+    fn file(&mut self, name: &str, content: &[u8]) -> Result<(), WriteError> {
+        let path = self.dir.join(name);
+        if let Some(folder) = path.parent()
+            && let Err(e) = fs::create_dir_all(folder)
+        {
+            let folder = folder.to_path_buf();
+            return Err(self.failed(folder, e));
+        }
+        let mut part = path.clone().into_os_string();
+        part.push(format!(".part{}", std::process::id()));
+        let part = PathBuf::from(part);
+        if let Err(e) = fs::write(&part, content).and_then(|()| fs::rename(&part, &path)) {
+            // the reason of the failure matters, not that of the clean-up
+            let _ = fs::remove_file(&part);
+            return Err(self.failed(path, e));
+        }
+        self.written.push(path);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Provenance;
+    use super::*;
+    use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Table};
+
+    struct Dir(PathBuf);
+
+    impl Dir {
+        fn new(name: &str) -> Dir {
+            let dir = std::env::temp_dir().join(format!("laval-write-{}-{name}", std::process::id()));
+            let _ = fs::remove_dir_all(&dir);
+            Dir(dir)
+        }
+    }
+
+    impl Drop for Dir {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn report(names: &[&str]) -> Report {
+        let outcome = |name: &&str| {
+            let table = Table::new("t", "").float("x", "m", "", vec![1.0, f64::NAN]).build().unwrap();
+            let figure = Figure::new("f", "", "").panel(Panel::new(Axis::new("", "")).mark(Line::new("t", "x", "x")));
+            Outcome::new("k", *name).table(table).figure(figure).finding(Finding::info("i", "Value {}.").value(f64::NAN, "m").evidence(
+                "e",
+                f64::INFINITY,
+                "",
+            ))
+        };
+        Report { machine: "m".into(), provenance: Provenance::default(), input: None, outcomes: names.iter().map(outcome).collect() }
+    }
+
+    #[test]
+    fn names_stay_inside_and_apart() {
+        let dir = Dir::new("names");
+        let files = write(&dir.0, &report(&["../up", "up", "Up", "figures"]), &[Format::Csv, Format::Svg]).unwrap();
+        let names: Vec<_> = files.iter().map(|f| f.strip_prefix(&dir.0).unwrap().to_str().unwrap().to_string()).collect();
+        assert_eq!(
+            names,
+            [
+                "up/t.csv",
+                "figures/up-f.svg",
+                "up-2/t.csv",
+                "figures/up-2-f.svg",
+                "Up-3/t.csv",
+                "figures/Up-3-f.svg",
+                "figures-2/t.csv",
+                "figures/figures-2-f.svg"
+            ]
+        );
+        assert!(files.iter().all(|f| f.is_file()));
+    }
+
+    #[test]
+    fn no_part_stays_and_the_same_run_gives_the_same_bytes() {
+        let dir = Dir::new("same");
+        let read = |files: &[PathBuf]| files.iter().map(|f| fs::read(f).unwrap()).collect::<Vec<_>>();
+        let first = read(&write(&dir.0, &report(&["a"]), Format::ALL).unwrap());
+        let files = write(&dir.0, &report(&["a"]), Format::ALL).unwrap();
+        assert!(first == read(&files));
+        let on_disk = ["", "a", "figures"]
+            .iter()
+            .map(|d| fs::read_dir(dir.0.join(d)).unwrap().filter(|e| e.as_ref().unwrap().path().is_file()).count());
+        assert_eq!(on_disk.sum::<usize>(), files.len());
+    }
+
+    #[test]
+    fn a_failure_names_the_path_and_keeps_what_was_written() {
+        let dir = Dir::new("fail");
+        fs::create_dir_all(dir.0.join("results.json")).unwrap();
+        let error = write(&dir.0, &report(&["a"]), Format::ALL).unwrap_err();
+        let WriteError::Io { path, written, .. } = &error else { panic!("{error}") };
+        assert_eq!(path, &dir.0.join("results.json"));
+        assert!(!written.is_empty() && written.iter().all(|f| f.is_file()));
+        assert!(error.to_string().contains("results.json") && error.to_string().contains("complete"));
+        let file = dir.0.join("file");
+        fs::write(&file, "").unwrap();
+        assert!(matches!(write(&file, &report(&["a"]), Format::ALL), Err(WriteError::Io { .. })));
+    }
+
+    #[test]
+    fn json_has_null_for_numbers_that_are_none() {
+        let text = json(&report(&["a"]));
+        let v: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let finding = &v["studies"][0]["findings"][0];
+        assert!(finding["value"].is_null() && finding["evidence"][0]["value"].is_null());
+        assert_eq!(finding["text"], "Value not a number.");
+        assert_eq!(v["studies"][0]["tables"][0]["file"], "a/t");
+        let keys: Vec<&String> = v["studies"][0].as_object().unwrap().keys().collect();
+        assert_eq!(keys, ["kind", "name", "end", "parameter", "findings", "special_points", "tables", "figures", "work"]);
+    }
+
+    #[test]
+    fn contradictions_are_found_before_anything_is_written() {
+        let dir = Dir::new("check");
+        let mut r = report(&["a"]);
+        r.outcomes[0].tables.clear();
+        assert!(matches!(write(&dir.0, &r, Format::ALL), Err(WriteError::Outcome { .. })));
+        assert!(!dir.0.exists());
+    }
+
+    #[test]
+    fn formats_by_word() {
+        assert_eq!("svg".parse(), Ok(Format::Svg));
+        assert!("pdf".parse::<Format>().unwrap_err().contains("json, csv"));
+    }
+}

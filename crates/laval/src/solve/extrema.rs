@@ -1,0 +1,206 @@
+//! The synchronous response over the speed on a grid that is refined where it bends, and its maxima and minima.
+
+use super::characteristic::Equilibrium;
+use super::locate::{State, crossing};
+use super::response::{Response, response};
+use super::scalar::maximum;
+use super::sweep::{Sweep, sweep};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+
+/// A maximum or minimum of a body's amplitude.
+#[derive(Clone, Copy, Debug)]
+pub struct Extremum {
+    /// Body, in the order asked for.
+    pub body: usize,
+    /// A maximum.
+    pub maximum: bool,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Amplitude, m.
+    pub value: f64,
+    /// Interval that holds it.
+    pub bracket: (f64, f64),
+}
+
+/// Response over the speed.
+#[derive(Clone, Debug, Default)]
+pub struct Curve {
+    /// By speed.
+    pub points: Vec<Response>,
+    /// By body, then speed.
+    pub extrema: Vec<Extremum>,
+    /// Speeds where the response is infinite.
+    pub singular: Vec<f64>,
+    /// Not stopped early.
+    pub complete: bool,
+    /// Linear systems solved.
+    pub solved: u64,
+}
+
+/// A speed where the frequency of a mode is a multiple of the speed.
+#[derive(Clone, Debug)]
+pub struct Critical {
+    /// Multiple.
+    pub order: f64,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Growth of the mode there, 1/s.
+    pub growth: f64,
+    /// Direction of whirl.
+    pub whirl: super::pencil::Whirl,
+    /// Branch of the sweep.
+    pub branch: usize,
+    /// Speeds before and after.
+    pub bracket: (f64, f64),
+    /// Relative distance of the dynamic stiffness from singularity; NaN when only bracketed.
+    pub defect: f64,
+    /// Last Newton step, rad/s.
+    pub step: f64,
+}
+
+/// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function.
+pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
+    let mut out: Vec<Critical> = Vec::new();
+    for &order in orders {
+        for (branch, b) in found.branches.iter().enumerate() {
+            for pair in b.points.windows(2) {
+                let ((w0, m0), (w1, m1)) = (&pair[0], &pair[1]);
+                let gap = |w: f64, m: &super::pencil::MachineMode| m.frequency() - order * w.abs();
+                let (g0, g1) = (gap(*w0, m0), gap(*w1, m1));
+                if !(g0 * g1 < 0.0 || (g0 == 0.0 && g1 != 0.0)) || m0.frequency() == 0.0 && m1.frequency() == 0.0 {
+                    continue;
+                }
+                let start = w0 + (w1 - w0) * g0 / (g0 - g1);
+                let share = (start - w0) / (w1 - w0);
+                let growth = m0.growth() + (m1.growth() - m0.growth()) * share;
+                let sign = if start < 0.0 { -1.0 } else { 1.0 };
+                let slack = 1e-9 * (w1 - w0).abs() + 1e-12 * w1.abs();
+                let solved = crossing(system, state, sign * order, start, growth, m0.sector)
+                    .filter(|c| c.speed >= w0 - slack && c.speed <= w1 + slack);
+                out.push(Critical {
+                    order,
+                    speed: solved.map_or(start, |c| c.speed),
+                    growth: solved.map_or(growth, |c| c.value.re),
+                    whirl: if share < 0.5 { m0.whirl } else { m1.whirl },
+                    branch,
+                    bracket: (*w0, *w1),
+                    defect: solved.map_or(f64::NAN, |c| c.defect),
+                    step: solved.map_or(w1 - w0, |c| c.step),
+                });
+            }
+        }
+    }
+    out.sort_by(|a, b| a.order.total_cmp(&b.order).then(a.speed.total_cmp(&b.speed)));
+    out
+}
+
+/// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance.
+///
+/// # Errors
+/// As the spectrum.
+pub fn seeds(system: &System, state: State, from: f64, to: f64) -> Result<Vec<f64>, Diagnostic> {
+    let speeds = crate::model::field::RangeValue { from, to, points: None }.linspace(60);
+    let found = sweep(system, state, &speeds, |_| true)?;
+    let mut out = Vec::new();
+    for c in criticals(system, state, &found, &[1.0]) {
+        let width = c.growth.abs().max(1e-9 * c.speed.abs());
+        for k in [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0] {
+            out.extend([c.speed - k * width, c.speed + k * width]);
+        }
+    }
+    out.retain(|&w| w >= from && w <= to);
+    Ok(out)
+}
+
+/// Deepest halving of an interval.
+const DEPTH: usize = 24;
+/// Bend of the logarithm of an amplitude at which an interval is halved.
+const BEND: f64 = 0.05;
+
+/// Response over given speeds and between them, with the extrema of the amplitudes at coordinates `at`; `each` stops the work by saying false.
+///
+/// # Errors
+/// As the state.
+pub fn curve(
+    system: &System,
+    state: &(dyn Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync),
+    mut speeds: Vec<f64>,
+    at: &[usize],
+    each: &mut dyn FnMut(u64) -> bool,
+) -> Result<Curve, Diagnostic> {
+    speeds.sort_by(f64::total_cmp);
+    // two crossings at one speed seed the same points twice, but for rounding
+    speeds.dedup_by(|b, a| *b - *a <= 1e-8 * b.abs());
+    let mut out = Curve { complete: true, ..Curve::default() };
+    // intervals still to be looked at, the leftmost last
+    let mut right: Vec<(f64, usize)> = speeds.iter().rev().map(|&w| (w, 0)).collect();
+    while let Some(&(w, depth)) = right.last() {
+        if !each(out.solved) {
+            out.complete = false;
+            break;
+        }
+        out.solved += 1;
+        let Some(r) = response(system, state, w)? else {
+            out.singular.push(w);
+            right.pop();
+            continue;
+        };
+        if let Some(left) = out.points.last()
+            && depth < DEPTH
+            && w - left.speed > 1e-9 * w.abs()
+        {
+            let middle = 0.5 * (left.speed + w);
+            let bends = match response(system, state, middle)? {
+                None => false,
+                Some(m) => at.iter().any(|&i| {
+                    let (a, b, c) = (left.major(i), m.major(i), r.major(i));
+                    let bend = (b * b / (a * c)).ln().abs() * 0.5;
+                    a > 0.0 && c > 0.0 && (bend > BEND || bend.is_nan())
+                }),
+            };
+            out.solved += 1;
+            if bends {
+                right.pop();
+                right.push((w, depth + 1));
+                right.push((middle, depth + 1));
+                continue;
+            }
+        }
+        out.points.push(r);
+        right.pop();
+    }
+    for (body, &i) in at.iter().enumerate() {
+        let value = |w: f64| response(system, state, w).ok().flatten().map(|r| r.major(i));
+        let mut found: Vec<Extremum> = Vec::new();
+        for p in out.points.windows(3) {
+            let (a, b, c) = (p[0].major(i), p[1].major(i), p[2].major(i));
+            let (up, down) = (b > a && b >= c, b < a && b <= c);
+            if !(up || down) {
+                continue;
+            }
+            let sign = if up { 1.0 } else { -1.0 };
+            let bracket = (p[0].speed, p[2].speed);
+            let tolerance = 1e-10 * bracket.1.abs();
+            if let Some((speed, v)) = maximum(|w| value(w).map(|x| sign * x.ln()), bracket.0, bracket.1, tolerance) {
+                found.push(Extremum { body, maximum: up, speed, value: (sign * v).exp(), bracket });
+            }
+        }
+        // a shallow minimum between two resonances is no antiresonance, a ripple of rounding no resonance
+        let deep: Vec<bool> = (0..found.len())
+            .map(|k| {
+                let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| found.get(j));
+                let ends = [out.points.first(), out.points.last()].into_iter().flatten().map(|r| r.major(i));
+                let least =
+                    beside.map(|e| e.value).chain(ends).filter(|&v| if found[k].maximum { v < found[k].value } else { v > found[k].value });
+                if found[k].maximum {
+                    least.fold(0.0, f64::max) < found[k].value * (1.0 - 1e-6)
+                } else {
+                    least.fold(f64::INFINITY, f64::min) > 10.0 * found[k].value
+                }
+            })
+            .collect();
+        out.extrema.extend(found.into_iter().zip(deep).filter_map(|(e, keep)| keep.then_some(e)));
+    }
+    Ok(out)
+}

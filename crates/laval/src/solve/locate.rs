@@ -1,0 +1,153 @@
+//! Points located on the characteristic function `g(s, W)`: crossings of a frequency with an order of the spin speed, and double roots,
+//! the edges of instability bands of undamped machines.
+//!
+//! An eigenvalue varies like a square root near a double root, so that looking for the edge by its growth loses half the digits; `g = 0` and
+//! `dg/ds = 0` together do not.
+
+use super::characteristic::{Border, Characteristic, Equilibrium, Test};
+use super::sectors::Sector;
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+use laval_num::dense::Mat;
+
+/// The machine along its speed: finds the state it is linearised about.
+pub type State<'a> = &'a (dyn Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync);
+
+/// Steps of the differences in speed, relative: exact to the fourth order, and the blocks are mostly quadratic in the speed.
+const STEP: f64 = 1e-3;
+
+fn at_speed<'a>(system: &'a System, state: State, speed: f64) -> Option<Characteristic<'a>> {
+    Some(Characteristic::new(system, &state(speed).ok()?))
+}
+
+/// A located point.
+#[derive(Clone, Copy, Debug)]
+pub struct Located {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Eigenvalue there.
+    pub value: C64,
+    /// Relative distance of T from singularity there.
+    pub defect: f64,
+    /// Last Newton step in speed, rad/s.
+    pub step: f64,
+}
+
+fn members(t: &Characteristic, sector: Option<Sector>) -> Vec<usize> {
+    (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect()
+}
+
+/// `dT/dW` at fixed s by differences of fourth order.
+fn speed_slope(system: &System, state: State, speed: f64, s: C64) -> Option<Mat<C64>> {
+    let h = STEP * (1.0 + speed.abs());
+    let mut out = Mat::default();
+    for (k, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
+        let (mut t, mut d) = (Mat::default(), Mat::default());
+        at_speed(system, state, speed + k * h)?.at(s, &mut t, &mut d);
+        if out.rows() == 0 {
+            out.reset(t.rows(), t.cols());
+        }
+        for (o, x) in out.data_mut().iter_mut().zip(t.data()) {
+            *o += x.scale(weight / (12.0 * h));
+        }
+    }
+    Some(out)
+}
+
+/// Eigenvalue and its derivative in the speed, from a nearby eigenvalue.
+pub fn value_and_slope(system: &System, state: State, speed: f64, near: C64, sector: Option<Sector>) -> Option<(C64, C64)> {
+    let mut t = at_speed(system, state, speed)?;
+    let found = t.polish(near, sector)?;
+    let border = t.border(found.value, &members(&t, sector))?;
+    let test = t.test(found.value, &border)?;
+    let change = border.product(&test, &speed_slope(system, state, speed, found.value)?);
+    // dg/ds s' + dg/dW = 0 with dg/ds = -y T_s x, dg/dW = -y T_W x
+    let slope = change / test.slope;
+    slope.is_finite().then_some((found.value, slope))
+}
+
+/// Speed and growth at which the frequency is `order` times the speed: `T(growth + i order W, W)` singular.
+pub fn crossing(system: &System, state: State, order: f64, speed: f64, growth: f64, sector: Option<Sector>) -> Option<Located> {
+    let (mut w, mut growth) = (speed, growth);
+    let mut t = at_speed(system, state, w)?;
+    let border = t.border(c(growth, order * w), &members(&t, sector))?;
+    let mut last = f64::INFINITY;
+    for _ in 0..30 {
+        let s = c(growth, order * w);
+        let mut t = at_speed(system, state, w)?;
+        let test = t.test(s, &border)?;
+        let along = -border.product(&test, &speed_slope(system, state, w, s)?) + (test.slope * c(0.0, order));
+        // g + g_s dgrowth + along dW = 0 for real steps
+        let det = test.slope.re * along.im - test.slope.im * along.re;
+        let dg = -(test.g.re * along.im - test.g.im * along.re) / det;
+        let dw = -(test.slope.re * test.g.im - test.slope.im * test.g.re) / det;
+        if !(dg.is_finite() && dw.is_finite()) {
+            return None;
+        }
+        (growth, w) = (growth + dg, w + dw);
+        let length = dw.abs() + dg.abs() / order.abs();
+        if length <= 1e-14 * w.abs() || (length >= 0.5 * last && length <= 1e-9 * w.abs()) {
+            return Some(Located { speed: w, value: c(growth, order * w), defect: test.g.abs(), step: length });
+        }
+        last = length;
+    }
+    None
+}
+
+/// Speed at which two eigenvalues near `start` merge: `g = 0` and `dg/ds = 0` for (s, W), by Gauss-Newton.
+pub fn double_root(system: &System, state: State, speed: f64, start: C64, sector: Option<Sector>) -> Option<Located> {
+    let (mut s, mut w) = (start, speed);
+    let mut t = at_speed(system, state, w)?;
+    let members = members(&t, sector);
+    let mut border = t.border(s, &members)?;
+    let evaluate = |s: C64, w: f64, border: &Border| -> Option<Test> { at_speed(system, state, w)?.test(s, border) };
+    let mut last = f64::INFINITY;
+    for iteration in 0..40 {
+        if iteration == 3 {
+            border = at_speed(system, state, w)?.border(s, &members)?;
+        }
+        let here = evaluate(s, w, &border)?;
+        // only the direction of the steps comes from differences; the equations themselves are exact
+        let (hs, hw) = (1e-4 * (1.0 + s.abs()), 1e-4 * (1.0 + w.abs()));
+        let (s1, s0) = (evaluate(s + c(hs, 0.0), w, &border)?, evaluate(s - c(hs, 0.0), w, &border)?);
+        let (w1, w0) = (evaluate(s, w + hw, &border)?, evaluate(s, w - hw, &border)?);
+        let second = (s1.slope - s0.slope).scale(0.5 / hs);
+        let (gw, gsw) = ((w1.g - w0.g).scale(0.5 / hw), (w1.slope - w0.slope).scale(0.5 / hw));
+        // weights bring g and dg/ds to one size: dg/ds times the size of s
+        let k = s.abs().max(1.0);
+        let rows = [(here.g, here.slope, gw), (here.slope.scale(k), second.scale(k), gsw.scale(k))];
+        // unknowns: Re s, Im s, W; each complex equation gives two real ones
+        let mut normal = Mat::zeros(3, 3);
+        let mut right = vec![0.0; 3];
+        let scale = [k, k, w.abs().max(1.0)];
+        for (r, ds, dw) in rows {
+            for part in [[ds.re, -ds.im, dw.re, r.re], [ds.im, ds.re, dw.im, r.im]] {
+                for i in 0..3 {
+                    for j in 0..3 {
+                        normal[(i, j)] += part[i] * scale[i] * part[j] * scale[j];
+                    }
+                    right[i] -= part[i] * scale[i] * part[3];
+                }
+            }
+        }
+        laval_num::dense::Lu::new(&normal).ok()?.solve(&mut right);
+        if !right.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        s += c(right[0] * scale[0], right[1] * scale[1]);
+        w += right[2] * scale[2];
+        let length = right.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        if length > 1.0 {
+            return None;
+        }
+        if iteration > 3 && (length <= 1e-13 || (length >= 0.5 * last && length <= 1e-9)) {
+            let end = evaluate(s, w, &border)?;
+            // consistent: both equations hold, not only their least squares
+            let good = end.g.abs() <= 1e-9 && (end.slope.scale(k)).abs() <= 1e-6;
+            return good.then_some(Located { speed: w, value: s, defect: end.g.abs(), step: (right[2] * scale[2]).abs() });
+        }
+        last = length;
+    }
+    None
+}

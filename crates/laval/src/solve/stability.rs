@@ -1,0 +1,241 @@
+//! Stability along the spin speed: where the largest growth rate crosses a threshold, and where it peaks.
+//!
+//! A damped machine crosses the threshold transversally: the crossing is bracketed. An undamped one is unstable between double roots, which are
+//! solved for as such ([`super::locate::double_root`]).
+
+use super::locate::{State, double_root, value_and_slope};
+use super::pencil::Spectrum;
+use super::scalar::root;
+use super::sectors::Sector;
+use super::sweep::{spectrum, sweep};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+
+/// Largest growth at a speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Eigenvalue with the largest growth, Im s >= 0.
+    pub value: C64,
+    /// Its sector.
+    pub sector: Option<Sector>,
+    /// Largest modulus of all eigenvalues, 1/s: the scale of rounding.
+    pub size: f64,
+    /// Asked for (not added to catch what lies between).
+    pub on_grid: bool,
+}
+
+/// A crossing of the threshold.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Growth rises through the threshold with the speed.
+    pub onset: bool,
+    /// Eigenvalue.
+    pub value: C64,
+    /// Solved for as a double root.
+    pub double: bool,
+    /// Interval that holds it.
+    pub bracket: (f64, f64),
+    /// Its equations were solved (or the bracket closed); otherwise only the bracket is known.
+    pub located: bool,
+    /// Uncertainty of the speed, rad/s.
+    pub step: f64,
+}
+
+/// A maximum of the growth over the speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Peak {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Eigenvalue.
+    pub value: C64,
+    /// Interval that holds it.
+    pub bracket: (f64, f64),
+}
+
+/// Stability along the speed.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// By speed.
+    pub samples: Vec<Sample>,
+    /// Crossings of the threshold.
+    pub edges: Vec<Edge>,
+    /// Peaks of the growth above the threshold.
+    pub peaks: Vec<Peak>,
+    /// Eigenvalues lie symmetric to the imaginary axis: nothing dissipates.
+    pub undamped: bool,
+    /// Stopped before the last speed.
+    pub stopped: bool,
+    /// Eigenproblems solved.
+    pub solved: u64,
+}
+
+fn sample(speed: f64, s: &Spectrum, on_grid: bool) -> Option<Sample> {
+    s.least_stable().map(|m| Sample { speed, value: m.value, sector: m.sector, size: largest(s), on_grid })
+}
+
+/// Relative growth that counts as rounding in an undamped machine: eigenvalues near a double root lose half the digits.
+const NOISE: f64 = 1e-8;
+
+impl Row {
+    /// The growth of a sample is above the threshold, and above rounding where nothing dissipates.
+    pub fn unstable(&self, s: &Sample, threshold: f64) -> bool {
+        above(s, threshold, self.undamped)
+    }
+}
+
+fn above(s: &Sample, threshold: f64, undamped: bool) -> bool {
+    let level = if undamped && threshold <= NOISE * s.size { NOISE * s.size } else { threshold };
+    // a growth that is not a number is not stable
+    s.value.re > level || s.value.re.is_nan()
+}
+
+fn largest(s: &Spectrum) -> f64 {
+    s.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max)
+}
+
+fn symmetric(s: &Spectrum) -> bool {
+    let tolerance = 10.0 * NOISE * largest(s);
+    s.families.iter().all(|f| {
+        f.modes.iter().all(|m| {
+            let mirror = -m.value.conj();
+            f.modes.iter().any(|o| (o.value - mirror).abs() <= tolerance)
+        })
+    })
+}
+
+/// Stability of a machine over ascending speeds; `each` is called before every speed and stops the work by saying false.
+///
+/// # Errors
+/// As the spectrum at any speed.
+pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, each: impl FnMut(usize) -> bool) -> Result<Row, Diagnostic> {
+    let found = sweep(system, state, speeds, each)?;
+    let mut out = Row { stopped: found.points.last().is_none_or(|p| Some(&p.0) != speeds.last()), ..Row::default() };
+    let mut all: Vec<(f64, Spectrum)> = found.points;
+    // between two speeds where two modes pass each other lies an interaction that the grid may miss
+    for p in &found.passings {
+        let (a, b) = p.between;
+        for w in [0.5 * (a + p.at), p.at, 0.5 * (b + p.at)] {
+            all.push((w, spectrum(system, state, w)?.1));
+        }
+        if let Some(narrow) = narrow(system, state, a, p.at, b)? {
+            all.extend(narrow);
+        }
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.dedup_by(|a, b| a.0 == b.0);
+    out.solved = all.len() as u64;
+    let asymmetric = all.iter().filter(|p| !symmetric(&p.1)).count();
+    out.undamped = asymmetric * 20 <= all.len();
+    out.samples = all.iter().filter_map(|p| sample(p.0, &p.1, speeds.binary_search_by(|x| x.total_cmp(&p.0)).is_ok())).collect();
+    for pair in out.samples.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        if out.unstable(&a, threshold) == out.unstable(&b, threshold) {
+            continue;
+        }
+        let edge = if out.undamped && threshold <= NOISE * b.size { band_edge(system, state, a, b) } else { None };
+        let edge = edge.unwrap_or_else(|| threshold_edge(system, state, a, b, threshold));
+        out.edges.push(edge);
+    }
+    for w in out.samples.windows(3) {
+        let top = w[1].value.re;
+        if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
+            continue;
+        }
+        let bracket = (w[0].speed, w[2].speed);
+        let slope = |speed: f64| -> Option<(C64, C64)> {
+            let s = spectrum(system, state, speed).ok()?.1;
+            let m = s.least_stable()?;
+            value_and_slope(system, state, speed, m.value, m.sector)
+        };
+        let (Some(a), Some(b)) = (slope(bracket.0), slope(bracket.1)) else { continue };
+        let place = root(|x| slope(x).map(|s| s.1.re), (bracket.0, a.1.re), (bracket.1, b.1.re), 1e-11 * bracket.1.abs());
+        if let Some((speed, (value, _))) = place.and_then(|x| Some((x, slope(x)?))) {
+            out.peaks.push(Peak { speed, value, bracket });
+        }
+    }
+    Ok(out)
+}
+
+/// Halves towards the passing until the modes interact; a band much narrower than the grid shows there.
+fn narrow(system: &System, state: State, a: f64, at: f64, b: f64) -> Result<Option<Vec<(f64, Spectrum)>>, Diagnostic> {
+    let (mut lo, mut hi, mut at) = (a, b, at);
+    let mut out = Vec::new();
+    for _ in 0..8 {
+        let inner = sweep(system, state, &[lo, at, hi], |_| true)?;
+        let next = inner.passings.first().copied();
+        out.extend(inner.points);
+        match next {
+            // the modes still pass between the speeds: look closer
+            Some(p) => (lo, hi, at) = (p.between.0, p.between.1, p.at),
+            None => break,
+        }
+        if hi - lo < 1e-7 * hi.abs() || at <= lo || at >= hi {
+            break;
+        }
+    }
+    Ok((!out.is_empty()).then_some(out))
+}
+
+fn band_edge(system: &System, state: State, a: Sample, b: Sample) -> Option<Edge> {
+    let onset = above(&b, 0.0, true);
+    let (mut stable, mut unstable) = if onset { (a.speed, b) } else { (b.speed, a) };
+    let bracket = (a.speed, b.speed);
+    for step in 0..40 {
+        if (unstable.speed - stable).abs() < 1e-5 * unstable.speed.abs() {
+            break;
+        }
+        // growth^2 is nearly linear in the speed close to the edge; halving keeps the bracket in any case
+        let middle = 0.5 * (unstable.speed + stable);
+        let s = sample(middle, &spectrum(system, state, middle).ok()?.1, false)?;
+        if above(&s, 0.0, true) {
+            unstable = s
+        } else {
+            stable = middle
+        }
+        if step >= 3
+            && let Some(e) = solve_edge(system, state, &unstable, stable, onset, bracket)
+        {
+            return Some(e);
+        }
+    }
+    solve_edge(system, state, &unstable, stable, onset, bracket)
+}
+
+fn solve_edge(system: &System, state: State, unstable: &Sample, stable: f64, onset: bool, bracket: (f64, f64)) -> Option<Edge> {
+    // an unstable member of a backward pair belongs to the backward sector, and the characteristic matrix is taken there
+    let found = double_root(system, state, 0.5 * (stable + unstable.speed), c(0.0, unstable.value.im), unstable.sector)?;
+    let (lo, hi) = (stable.min(unstable.speed), stable.max(unstable.speed));
+    // the edge itself may hide in the rounding just outside
+    let slack = 3.0 * (hi - lo) + 1e-7 * hi.abs();
+    let inside = found.speed >= bracket.0 && found.speed <= bracket.1;
+    (inside && found.speed >= lo - slack && found.speed <= hi + slack).then_some(Edge {
+        speed: found.speed,
+        onset,
+        value: found.value,
+        double: true,
+        bracket,
+        located: true,
+        step: found.step,
+    })
+}
+
+fn threshold_edge(system: &System, state: State, a: Sample, b: Sample, threshold: f64) -> Edge {
+    let onset = b.value.re > a.value.re;
+    let at = |speed: f64| sample(speed, &spectrum(system, state, speed).ok()?.1, false);
+    let tolerance = 1e-11 * b.speed.abs();
+    let found =
+        root(|w| at(w).map(|s| s.value.re - threshold), (a.speed, a.value.re - threshold), (b.speed, b.value.re - threshold), tolerance);
+    let bracket = (a.speed, b.speed);
+    match found.and_then(at) {
+        Some(s) => Edge { speed: s.speed, onset, value: s.value, double: false, bracket, located: true, step: tolerance },
+        None => {
+            let middle = 0.5 * (a.speed + b.speed);
+            Edge { speed: middle, onset, value: b.value, double: false, bracket, located: false, step: b.speed - a.speed }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Spectra along the spin speed, followed by modal assurance.
+
+use super::characteristic::Equilibrium;
+use super::locate::State;
+use super::pencil::{MachineMode, Spectrum, modes_about, wants_polish};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use laval_num::complex::C64;
+use laval_num::eig::Track;
+
+/// A mode followed along the speed.
+#[derive(Clone, Debug, Default)]
+pub struct Branch {
+    /// Speed and mode, in order of speed.
+    pub points: Vec<(f64, MachineMode)>,
+}
+
+/// A pair of modes whose values passed each other between two speeds while their shapes did not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// Speeds before and after.
+    pub between: (f64, f64),
+    /// Estimate of the speed where the frequencies agree.
+    pub at: f64,
+}
+
+/// All modes along the speed.
+#[derive(Clone, Debug, Default)]
+pub struct Sweep {
+    /// Speeds computed, with their spectra.
+    pub points: Vec<(f64, Spectrum)>,
+    /// Branches.
+    pub branches: Vec<Branch>,
+    /// Smallest assurance with which a step was accepted.
+    pub worst_assurance: f64,
+    /// Steps accepted although shapes had mixed.
+    pub ambiguous: Vec<(f64, f64)>,
+    /// Passings.
+    pub passings: Vec<Passing>,
+}
+
+/// Spectrum at a speed.
+///
+/// # Errors
+/// As [`modes_about`].
+pub fn spectrum(system: &System, state: State, speed: f64) -> Result<(Equilibrium, Spectrum), Diagnostic> {
+    let about = state(speed)?;
+    let modes = modes_about(system, &about, wants_polish(system))?;
+    Ok((about, modes))
+}
+
+/// Deepest halving of a step where shapes mix.
+const DEPTH: usize = 7;
+
+struct Follower<'a> {
+    system: &'a System,
+    state: State<'a>,
+    tracks: Vec<Track>,
+    /// Branch of each mode of each family, in the order of its track.
+    ids: Vec<Vec<usize>>,
+    out: Sweep,
+}
+
+impl Follower<'_> {
+    fn record(&mut self, speed: f64, spectrum: Spectrum, order: &[Vec<usize>]) {
+        for (family, order) in order.iter().enumerate() {
+            for (&branch, &mode) in self.ids[family].iter().zip(order) {
+                if let Some(m) = spectrum.modes.iter().find(|m| m.place == (family, mode)) {
+                    self.out.branches[branch].points.push((speed, m.clone()));
+                }
+            }
+        }
+        self.out.points.push((speed, spectrum));
+    }
+
+    fn start(&mut self, speed: f64, spectrum: Spectrum) {
+        self.tracks = spectrum.families.iter().map(|f| Track::new(&f.modes)).collect();
+        self.ids = Vec::new();
+        let mut order = Vec::new();
+        for f in &spectrum.families {
+            let first = self.out.branches.len();
+            self.out.branches.resize_with(first + f.modes.len(), Branch::default);
+            self.ids.push((first..first + f.modes.len()).collect());
+            order.push((0..f.modes.len()).collect());
+        }
+        self.record(speed, spectrum, &order);
+    }
+
+    fn advance(&mut self, from: f64, to: f64, spectrum: Spectrum, depth: usize) -> Result<(), Diagnostic> {
+        if spectrum.families.len() != self.tracks.len()
+            || spectrum.families.iter().zip(&self.out.points[self.out.points.len() - 1].1.families).any(|(a, b)| a.sector != b.sector)
+        {
+            // the machine changed its symmetry on the way: nothing to compare
+            self.start(to, spectrum);
+            return Ok(());
+        }
+        let trial: Vec<_> = self.tracks.iter().zip(&spectrum.families).map(|(t, f)| t.clone().force(&f.modes)).collect();
+        let ambiguous = trial.iter().any(|m| m.ambiguous);
+        if ambiguous && depth < DEPTH {
+            let middle = 0.5 * (from + to);
+            let between = self::spectrum(self.system, self.state, middle)?.1;
+            self.advance(from, middle, between, depth + 1)?;
+            return self.advance(middle, to, spectrum, depth + 1);
+        }
+        if ambiguous {
+            self.out.ambiguous.push((from, to));
+        }
+        let before = self.out.points[self.out.points.len() - 1].1.clone();
+        let mut order = Vec::new();
+        for (k, (m, f)) in trial.iter().zip(&spectrum.families).enumerate() {
+            if m.worst_mac < self.out.worst_assurance || m.worst_mac.is_nan() {
+                self.out.worst_assurance = m.worst_mac;
+            }
+            self.tracks[k].force(&f.modes);
+            let kept: Vec<(usize, usize)> = self.ids[k].iter().zip(&m.permutation).filter_map(|(&id, p)| p.map(|p| (id, p))).collect();
+            let value = |id: usize| -> Option<C64> {
+                let (w, mode) = self.out.branches[id].points.last()?;
+                (*w == from).then(|| before.families[k].modes[mode.place.1].value)
+            };
+            for (i, &(a, pa)) in kept.iter().enumerate() {
+                for &(b, pb) in &kept[i + 1..] {
+                    let (Some(a0), Some(b0)) = (value(a), value(b)) else { continue };
+                    let (d0, d1) = (a0.im - b0.im, f.modes[pa].value.im - f.modes[pb].value.im);
+                    if d0 * d1 < 0.0 {
+                        self.out.passings.push(Passing { between: (from, to), at: from + (to - from) * d0 / (d0 - d1) });
+                    }
+                }
+            }
+            let mut ids: Vec<usize> = kept.iter().map(|p| p.0).collect();
+            let mut modes: Vec<usize> = kept.iter().map(|p| p.1).collect();
+            for &born in &m.born {
+                ids.push(self.out.branches.len());
+                modes.push(born);
+                self.out.branches.push(Branch::default());
+            }
+            self.ids[k] = ids;
+            order.push(modes);
+        }
+        self.record(to, spectrum, &order);
+        Ok(())
+    }
+}
+
+/// Follows all modes over the speeds (ascending); calls `each` before every speed and stops early when it says so.
+///
+/// # Errors
+/// As [`modes_about`] at any speed.
+pub fn sweep(system: &System, state: State, speeds: &[f64], mut each: impl FnMut(usize) -> bool) -> Result<Sweep, Diagnostic> {
+    let mut f = Follower { system, state, tracks: vec![], ids: vec![], out: Sweep { worst_assurance: 1.0, ..Sweep::default() } };
+    for (k, &speed) in speeds.iter().enumerate() {
+        if !each(k) {
+            break;
+        }
+        let s = spectrum(system, state, speed)?.1;
+        if k == 0 {
+            f.start(speed, s);
+        } else {
+            f.advance(speeds[k - 1], speed, s, 0)?;
+        }
+    }
+    Ok(f.out)
+}

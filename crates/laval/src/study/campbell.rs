@@ -1,0 +1,206 @@
+//! Campbell diagram: frequencies and growth rates of all modes over the spin speed, with excitation lines and the speeds where they meet.
+//!
+//! Equations: `det T(s, W) = 0` followed over W by modal assurance; a critical speed of order k solves `det T(growth + i k W, W) = 0`.
+//!
+//! Symbols: W spin speed, rad/s; s = growth + i frequency.
+//!
+//! Validity: small motions about the equilibrium at each speed; constant speed.
+//!
+//! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
+
+use super::modes::THRESHOLD;
+use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::system::System;
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::solve::extrema::{Critical, criticals};
+use crate::solve::rest::rest;
+use crate::solve::sweep::{Sweep, sweep};
+
+/// Field: multiples of the spin speed.
+pub(super) const ORDERS: Field = Field::optional(
+    "orders",
+    FieldKind::List { unit: "", bounds: Bounds::positive(1e3) },
+    "[1]",
+    "multiples of the spin speed that excite: 1 is unbalance",
+);
+
+/// The orders asked for, ascending and different; 1 when none are.
+pub(super) fn orders(values: &Values) -> Vec<f64> {
+    let mut orders = values.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec);
+    orders.sort_by(f64::total_cmp);
+    orders.dedup();
+    if orders.is_empty() { vec![1.0] } else { orders }
+}
+
+/// A crossing as a special point.
+pub(super) fn special(c: &Critical) -> SpecialPoint {
+    let status = if c.defect.is_nan() { Status::Bracketed } else { Status::Located };
+    SpecialPoint::new("critical_speed", c.speed, c.bracket)
+        .status(status)
+        .evidence("order", c.order, "")
+        .evidence("growth", c.growth, "1/s")
+        .evidence("relative defect of the dynamic stiffness", c.defect, "")
+        .evidence("last Newton step", c.step, "rad/s")
+}
+
+/// Damping ratio of a mode at its critical speed.
+pub(super) fn damping(c: &Critical) -> f64 {
+    -c.growth / c.growth.hypot(c.order * c.speed)
+}
+
+/// Table of critical speeds.
+pub(super) fn critical_table(found: &[Critical]) -> Result<Table, Diagnostic> {
+    let column = |f: fn(&Critical) -> f64| found.iter().map(f).collect::<Vec<f64>>();
+    Table::new("critical_speeds", "Speeds at which a frequency is a multiple of the spin speed")
+        .float("speed", "rad/s", "spin speed", column(|c| c.speed))
+        .float("speed_rpm", "rpm", "spin speed", column(|c| c.speed * super::support::RPM))
+        .float("order", "", "frequency over spin speed", column(|c| c.order))
+        .float("frequency", "rad/s", "frequency", column(|c| c.order * c.speed.abs()))
+        .float("growth", "1/s", "growth rate of the mode", column(|c| c.growth))
+        .float("damping_ratio", "", "damping ratio of the mode", column(damping))
+        .text("whirl", "direction of whirl", found.iter().map(|c| c.whirl.word().into()).collect())
+        .int("mode", "", "branch of the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
+        .float("uncertainty", "rad/s", "last Newton step", column(|c| c.step))
+        .flag(
+            "located",
+            "solved for on the characteristic function; otherwise read between two speeds",
+            found.iter().map(|c| !c.defect.is_nan()).collect(),
+        )
+        .build()
+        .map_err(inconsistent)
+}
+
+/// See the [module](self).
+pub struct Campbell {
+    /// Speeds, rad/s.
+    pub speed: RangeValue,
+    /// Multiples of the spin speed.
+    pub orders: Vec<f64>,
+    /// Growth above which a mode counts as unstable, 1/s.
+    pub threshold: f64,
+}
+
+/// Modes followed over the speeds of a range, and how the work ended.
+pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Result<(Sweep, End), Diagnostic> {
+    let total = speeds.len() as u64;
+    let found = sweep(system, &|w| rest(system, w), speeds, |k| {
+        context.progress.report(k as u64, total);
+        !context.cancelled() && (k as u64) < context.work_limit
+    })?;
+    let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
+    let end = if whole {
+        End::Reached
+    } else if context.cancelled() {
+        End::Cancelled
+    } else {
+        End::MaxPoints
+    };
+    Ok((found, end))
+}
+
+impl Study for Campbell {
+    const KIND: &'static str = "campbell";
+    const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
+        and the critical speeds where they cross.";
+    const FIELDS: &'static [Field] = &[Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"), ORDERS, THRESHOLD];
+
+    fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
+        Some(Campbell { speed, orders: orders(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let (found, end) = follow(system, context, &self.speed.linspace(120))?;
+        let crossings = criticals(system, &|w| rest(system, w), &found, &self.orders);
+        let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
+        let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
+        let label = |k: usize| {
+            let whirl = found.branches[k].points.iter().map(|p| p.1.whirl).find(|w| *w != crate::solve::pencil::Whirl::None);
+            format!("{} {}", k + 1, whirl.map_or("", |w| w.word()))
+        };
+        let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= self.threshold + m.error;
+        let table = Table::new("modes", "Modes followed over the spin speed")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1.0).collect())
+            .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| label(r.0)).collect())
+            .float("frequency", "rad/s", "frequency", column(&|m| m.frequency()))
+            .float("growth", "1/s", "growth rate", column(&|m| m.growth()))
+            .float("damping_ratio", "", "damping ratio", column(&|m| m.damping_ratio()))
+            .text("whirl", "direction of whirl", rows.iter().map(|r| r.1.1.whirl.word().into()).collect())
+            .flag("stable", "growth not above the threshold", rows.iter().map(|r| limit(&r.1.1)).collect())
+            .build()
+            .map_err(inconsistent)?;
+        let (from, to) = (self.speed.from, self.speed.to);
+        let mut lines =
+            Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", vec![from, 0f64.clamp(from, to), to]);
+        for k in &self.orders {
+            lines = lines.float(
+                format!("{k}x"),
+                "rad/s",
+                "frequency of this order",
+                [from, 0f64.clamp(from, to), to].map(|w| k * w.abs()).to_vec(),
+            );
+        }
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
+        for c in &crossings {
+            let text = format!("Order {} meets a {} mode at {{}}, damping ratio {}.", c.order, c.whirl.word(), quantity(damping(c), ""));
+            outcome = outcome
+                .finding(Finding::info("critical_speed", text).value(c.speed, "rad/s").evidence("growth", c.growth, "1/s").evidence(
+                    "relative defect of the dynamic stiffness",
+                    c.defect,
+                    "",
+                ))
+                .special_point(special(c));
+        }
+        if crossings.is_empty() {
+            outcome = outcome.finding(Finding::info("no_critical_speed", "No frequency meets an excitation line in this range."));
+        }
+        let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
+        if let Some((k, (w, m))) = worst {
+            let text =
+                format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
+            outcome = outcome.finding(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"));
+        }
+        if !found.ambiguous.is_empty() {
+            let (a, b) = found.ambiguous[0];
+            let text = format!(
+                "Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.",
+                found.ambiguous.len(),
+                quantity(b, "rad/s")
+            );
+            outcome = outcome.finding(Finding::warning("ambiguous", text).value(a, "rad/s").evidence(
+                "smallest assurance",
+                found.worst_assurance,
+                "",
+            ));
+        }
+        for f in remarks(system, &rest(system, from)?) {
+            outcome = outcome.finding(f);
+        }
+        let mut frequency =
+            Panel::new(Axis::new("frequency", "rad/s")).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
+        for k in &self.orders {
+            frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
+        }
+        frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
+        let growth = Panel::new(Axis::new("growth rate", "1/s"))
+            .mark(Line::new("modes", "speed", "growth").group("mode").solid_where("stable"))
+            .mark(Rule::y(self.threshold, "threshold"));
+        let alt = format!(
+            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.",
+            found.branches.len(),
+            crossings.len()
+        );
+        let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
+        outcome
+            .table(table)
+            .table(lines.build().map_err(inconsistent)?)
+            .table(critical_table(&crossings)?)
+            .figure(figure)
+            .checked()
+            .map_err(inconsistent)
+    }
+}

@@ -1,0 +1,436 @@
+//! What the studies in time share: their common fields, tables and figures of the motion, energy, and the sentences about them.
+
+use super::Context;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::part::{Physics, TimeForm};
+use crate::model::system::{System, Workspace};
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table};
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::{Choice, Flight};
+use laval_num::ode;
+
+/// `method`.
+pub(super) const METHOD: Field = Field::optional(
+    "method",
+    FieldKind::Choice(&[
+        ("auto", "explicit unless memory states or stability make it slow"),
+        ("explicit", "order 8, for motions that are not stiff"),
+        ("stiff", "implicit, order 5"),
+    ]),
+    "auto",
+    "method of integration",
+);
+/// `relative_tolerance`.
+pub(super) const RELATIVE: Field = Field::optional(
+    "relative_tolerance",
+    FieldKind::Quantity { unit: "", bounds: Bounds { min: 1e-14, max: 1e-2, min_open: false } },
+    "1e-8",
+    "tolerated error of a step over the size of each state",
+);
+/// `absolute_tolerance`.
+pub(super) const ABSOLUTE: Field = Field::optional(
+    "absolute_tolerance",
+    FieldKind::Quantity { unit: "", bounds: Bounds { min: 1e-18, max: 1e-2, min_open: false } },
+    "1e-9",
+    "tolerated error of a step over a typical size of each kind of state (1 mm, 10 mrad; velocities: times the spin speed)",
+);
+/// `points`.
+pub(super) const POINTS: Field =
+    Field::optional("points", FieldKind::Integer { min: 2, max: 1_000_000 }, "2000", "number of output times, equally spaced");
+/// `initial`.
+pub(super) const INITIAL: Field = Field::optional(
+    "initial",
+    FieldKind::StateMap,
+    "",
+    "start: displacements, rates (with ') and internal states by name; all others are zero",
+);
+/// `phase`.
+pub(super) const PHASE: Field =
+    Field::optional("phase", FieldKind::Quantity { unit: "rad", bounds: Bounds::within(1e6) }, "0 rad", "spin angle at the start");
+
+/// Settings of the integration from their fields.
+#[derive(Clone, Debug)]
+pub(super) struct Settings {
+    pub method: Choice,
+    pub relative: f64,
+    pub absolute: f64,
+    pub points: usize,
+    pub phase: f64,
+}
+
+impl Settings {
+    pub fn read(values: &Values) -> Self {
+        Settings {
+            method: match values.choice("method") {
+                Some("explicit") => Choice::Explicit,
+                Some("stiff") => Choice::Stiff,
+                _ => Choice::Auto,
+            },
+            relative: values.number("relative_tolerance").unwrap_or(1e-8),
+            absolute: values.number("absolute_tolerance").unwrap_or(1e-9),
+            points: values.integer("points").map_or(2000, |x| x.max(2) as usize),
+            phase: values.number("phase").unwrap_or(0.0),
+        }
+    }
+}
+
+/// What a name in a state map means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Entry {
+    Coordinate(usize),
+    Rate(usize),
+    State(usize),
+}
+
+/// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).
+fn entry(system: &System, name: &str) -> Option<Entry> {
+    if let Some(coordinate) = name.strip_suffix('\'') {
+        return system.coordinate(coordinate).map(Entry::Rate);
+    }
+    system.coordinate(name).map(Entry::Coordinate).or_else(|| system.states().iter().position(|s| s.name == name).map(Entry::State))
+}
+
+/// Reads a state map; says all that is wrong.
+pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
+    let mut out: Vec<(Entry, f64)> = Vec::new();
+    for (name, value, span) in values.state_map(field).unwrap_or_default() {
+        let Some(found) = entry(system, name) else {
+            diagnostics.push(
+                Diagnostic::error("state.unknown", format!("there is no coordinate or state \"{name}\""))
+                    .at(span.clone())
+                    .help(nearest(system, name)),
+            );
+            continue;
+        };
+        if !value.is_finite() {
+            diagnostics.push(
+                Diagnostic::error("state.not_finite", format!("\"{name}\" must start at a finite value, not {value}")).at(span.clone()),
+            );
+        }
+        if out.iter().any(|(e, _)| *e == found) {
+            diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
+        }
+        out.push((found, *value));
+    }
+    out
+}
+
+fn nearest(system: &System, name: &str) -> String {
+    let all = system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
+    let (part, rate) = (name.split('.').next().unwrap_or_default(), if name.ends_with('\'') { "'" } else { "" });
+    let own: Vec<&str> = all.clone().filter(|n| n.split('.').next() == Some(part)).collect();
+    if !own.is_empty() {
+        return format!("\"{part}\" has {}", own.iter().take(12).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", "));
+    }
+    let plain = name.trim_end_matches('\'');
+    match all.map(|n| (distance(n, plain), n)).min() {
+        Some((d, best)) if d <= 3 => format!("did you mean \"{best}{rate}\"?"),
+        _ => {
+            let list: Vec<String> =
+                system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
+            format!("this machine has {}", list.join(", "))
+        }
+    }
+}
+
+/// Number of edits between two words.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let change = corner + usize::from(x != *y);
+            corner = row[j + 1];
+            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// Writes entries into a state.
+pub(super) fn apply(entries: &[(Entry, f64)], system: &System, y: &mut [f64]) {
+    let n = system.n();
+    for &(e, x) in entries {
+        match e {
+            Entry::Coordinate(i) => y[i] = x,
+            Entry::Rate(i) => y[n + i] = x,
+            Entry::State(i) => y[2 * n + i] = x,
+        }
+    }
+}
+
+/// Equally spaced times from 0 to `t_end`, both included.
+pub(super) fn spaced(t_end: f64, points: usize) -> Vec<f64> {
+    (0..points).map(|i| if i + 1 == points { t_end } else { t_end * i as f64 / (points - 1) as f64 }).collect()
+}
+
+/// How the integration ended, in the words of an outcome, with what must be said about it.
+pub(super) fn ended(flight: &Flight) -> (End, Option<Finding>) {
+    match &flight.run.end {
+        ode::End::Reached | ode::End::Event { .. } => (End::Reached, None),
+        ode::End::Cancelled { .. } => (End::Cancelled, None),
+        ode::End::WorkLimit { t } => {
+            let text = "The limit on the number of steps was reached at {}.";
+            (End::MaxPoints, Some(Finding::warning("work_limit", text).value(*t, "s")))
+        }
+        ode::End::StepTooSmall { t, .. } => {
+            let text = "The integration could not go on at {}: no step, however short, met the tolerance. The motion may run away there.";
+            (End::StepTooSmall { at: *t }, Some(Finding::warning("integration_stopped", text).value(*t, "s")))
+        }
+        ode::End::Failed { t, what } => {
+            let text = format!("The integration could not go on at {{}}: {what}.");
+            (End::StepTooSmall { at: *t }, Some(Finding::warning("integration_stopped", text).value(*t, "s")))
+        }
+    }
+}
+
+/// Calls for an outcome whose names fit; a misfit is a mistake of the study.
+pub(super) fn sound(outcome: Result<Outcome, OutcomeError>) -> Result<Outcome, Diagnostic> {
+    outcome.map_err(misfit)
+}
+pub(super) fn misfit(e: OutcomeError) -> Diagnostic {
+    Diagnostic::error("study.outcome", format!("the results contradict themselves: {e}"))
+}
+
+/// Columns collected row by row.
+#[derive(Default)]
+pub(super) struct Columns(Vec<(String, String, String, Vec<f64>)>);
+
+impl Columns {
+    pub fn add(&mut self, name: impl Into<String>, unit: &str, doc: impl Into<String>, values: Vec<f64>) {
+        self.0.push((name.into(), unit.into(), doc.into(), values));
+    }
+    pub fn table(self, name: &str, doc: &str) -> Result<Table, Diagnostic> {
+        let mut builder = Table::new(name, doc);
+        for (name, unit, doc, values) in self.0 {
+            builder = builder.float(name, unit, doc, values);
+        }
+        builder.build().map_err(misfit)
+    }
+}
+
+/// Rate of a unit.
+fn per_second(unit: &str) -> String {
+    match unit {
+        "" => "1/s".into(),
+        "m/s" => "m/s^2".into(),
+        u if u.contains('/') => format!("{u}/s"),
+        u => format!("{u}/s"),
+    }
+}
+
+/// The states at the outputs.
+pub(super) fn motion_table(motion: &Motion, flight: &Flight, velocities: bool) -> Result<Table, Diagnostic> {
+    let system = motion.system();
+    let (n, dim) = (system.n(), flight.state.len());
+    let rows = || flight.states.chunks_exact(dim.max(1));
+    let column = |i: usize| rows().map(|y| y[i]).collect::<Vec<f64>>();
+    let mut c = Columns::default();
+    c.add("t", "s", "time", flight.times.clone());
+    let spins: Vec<_> = flight.times.iter().zip(rows()).map(|(&t, y)| motion.spin(t, y)).collect();
+    c.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
+    c.add("phase", "rad", "spin angle", spins.iter().map(|s| s.phase).collect());
+    for (i, d) in system.coordinates().iter().enumerate() {
+        c.add(&d.name, d.dof.unit, "coordinate", column(i));
+    }
+    if velocities {
+        for (i, d) in system.coordinates().iter().enumerate() {
+            c.add(format!("{}'", d.name), &per_second(d.dof.unit), "rate of the coordinate", column(n + i));
+        }
+    }
+    // memory states are many and mean nothing one by one
+    for (k, slot) in system.slots().iter().enumerate() {
+        for i in slot.states.start..slot.states.end - slot.memory {
+            let d = &system.states()[i];
+            debug_assert_eq!(d.slot, k);
+            c.add(&d.name, d.dof.unit, "internal state", column(2 * n + i));
+        }
+    }
+    c.table("motion", "Motion of the machine against time")
+}
+
+/// What the parts show at the outputs; `None` when they show nothing.
+pub(super) fn observed_table(motion: &mut Motion, flight: &Flight) -> Result<Option<Table>, Diagnostic> {
+    let system = motion.system();
+    let dim = flight.state.len();
+    let mut workspace = Workspace::default();
+    let mut series: Vec<(String, &'static str, Vec<f64>)> = Vec::new();
+    for (row, (&t, y)) in flight.times.iter().zip(flight.states.chunks_exact(dim.max(1))).enumerate() {
+        let seen = motion.with_point(t, y, |s, at| s.observe(at, &mut workspace)).unwrap_or_default();
+        for (slot, o) in seen {
+            let name = format!("{}.{}", system.slots()[slot].name, o.name);
+            let k = series.iter().position(|s| s.0 == name).unwrap_or_else(|| {
+                series.push((name, o.unit, Vec::new()));
+                series.len() - 1
+            });
+            series[k].2.resize(row, f64::NAN);
+            series[k].2.push(o.value);
+        }
+    }
+    if series.is_empty() {
+        return Ok(None);
+    }
+    let mut c = Columns::default();
+    c.add("t", "s", "time", flight.times.clone());
+    for (name, unit, mut values) in series {
+        values.resize(flight.times.len(), f64::NAN);
+        c.add(name, unit, "quantity a part shows", values);
+    }
+    c.table("observed", "Forces and other quantities the parts show, against time").map(Some)
+}
+
+/// The energy balance at the outputs.
+pub(super) struct Balance {
+    pub table: Table,
+    /// Largest missing energy, J.
+    pub missing: f64,
+    /// Largest flows and changes, and the largest stored energy beside that of the spin alone, J.
+    pub exchanged: f64,
+}
+
+/// `None` without an account.
+pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Balance>, Diagnostic> {
+    let Some(k) = motion.account_start() else { return Ok(None) };
+    let dim = flight.state.len();
+    let rows: Vec<&[f64]> = flight.states.chunks_exact(dim).collect();
+    let stored: Vec<f64> = flight.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
+    let first = stored.first().copied().unwrap_or(f64::NAN);
+    let (mut missing, mut swing, mut vibration) = (0.0f64, 0.0f64, 0.0f64);
+    let grow = |m: &mut f64, x: f64| {
+        if x > *m || x.is_nan() {
+            *m = x;
+        }
+    };
+    let mut motionless = vec![0.0; dim];
+    let mut lack = Vec::with_capacity(rows.len());
+    let mut flows = [0.0f64; 4];
+    for ((y, e), &t) in rows.iter().zip(&stored).zip(&flight.times) {
+        if let Some(s) = motion.spin_start() {
+            motionless[s..s + 2].copy_from_slice(&y[s..s + 2]);
+        }
+        let spin = motion.stored_energy(t, &motionless).unwrap_or(f64::NAN);
+        grow(&mut vibration, (e - spin).abs());
+        let change = e - first;
+        let x = change - (-y[k] + y[k + 1] + y[k + 2] + y[k + 3]);
+        lack.push(x);
+        grow(&mut missing, x.abs());
+        grow(&mut swing, change.abs());
+        for (f, x) in flows.iter_mut().zip(&y[k..]) {
+            grow(f, x.abs());
+        }
+    }
+    let column = |i: usize| rows.iter().map(|y| y[k + i]).collect::<Vec<f64>>();
+    let mut c = Columns::default();
+    c.add("t", "s", "time", flight.times.clone());
+    c.add("stored", "J", "kinetic and potential energy", stored);
+    c.add("dissipated", "J", "turned into heat since the start", column(0));
+    c.add("supplied", "J", "work of the parts' own sources and of a kick since the start", column(1));
+    c.add("drive", "J", "work of the drive since the start", column(2));
+    c.add("weight", "J", "work of the weight since the start", column(3));
+    c.add("missing", "J", "change of the stored energy not explained by the others: the error of the integration", lack);
+    Ok(Some(Balance {
+        table: c.table("energy", "Energy balance against time")?,
+        missing,
+        exchanged: flows.iter().sum::<f64>() + swing + vibration,
+    }))
+}
+
+/// The balance in a sentence.
+pub(super) fn balance_finding(balance: &Balance) -> Finding {
+    let ratio = if balance.exchanged > 0.0 { balance.missing / balance.exchanged } else { balance.missing };
+    let make = if ratio < 1e-4 { Finding::info } else { Finding::warning };
+    make("energy_balance", "The energy balance closes to {} of the energy exchanged.")
+        .value(ratio, "")
+        .evidence("largest missing energy", balance.missing, "J")
+        .evidence("energy exchanged", balance.exchanged, "J")
+}
+
+/// Findings on validity, time forms and contacts.
+pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Outcome) -> Outcome {
+    let system = motion.system();
+    for u in &flight.validity {
+        let part = &system.slots()[u.slot].name;
+        let inside = u.ratio <= 1.0 && u.exceeded.is_none();
+        let finding = if inside {
+            Finding::info("validity", format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what))
+        } else {
+            let since = u.exceeded.unwrap_or(u.t);
+            Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what)).evidence(
+                "first exceeded at",
+                since,
+                "s",
+            )
+        };
+        outcome = outcome.finding(finding.value(u.ratio, "").evidence("reached at", u.t, "s"));
+    }
+    for slot in system.slots() {
+        if let Physics::Frequency(TimeForm::Fit(error)) = slot.physics {
+            let text = format!("\"{}\" is integrated by a rational fit of its frequency form with relative error {{}}.", slot.name);
+            outcome = outcome.finding(Finding::info("time_form", text).value(error, ""));
+        }
+    }
+    if !flight.contacts.is_empty() {
+        let count = flight.contacts.len() as f64;
+        let finding =
+            Finding::info("contacts", "Laws with a switch changed side {} times; the integration restarted at each.").value(count, "");
+        outcome = outcome.finding(finding.evidence("first at", flight.contacts[0].2, "s"));
+    }
+    let w = &flight.run.work;
+    outcome
+        .work("steps", w.steps)
+        .work("rejected_steps", w.rejected)
+        .work("right_sides", w.rhs)
+        .work("jacobians", w.jacobians)
+        .work("factorisations", w.factorisations)
+        .work(if flight.stiff { "stiff" } else { "explicit" }, 1)
+}
+
+/// Figures of the bodies against time and as orbits.
+pub(super) fn motion_figures(system: &System, mut outcome: Outcome) -> Outcome {
+    let bodies = system.bodies();
+    if bodies.is_empty() {
+        return outcome;
+    }
+    let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
+    let mut lateral =
+        Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane.").x(mm("x"));
+    let mut plane = Panel::new(mm("y"));
+    for b in &bodies {
+        let (x, y) = (&system.coordinates()[b.x].name, &system.coordinates()[b.x + 1].name);
+        let line = |column: &String| Line::new("motion", "t", column).name(column);
+        lateral = lateral.panel(Panel::new(mm(&b.name)).mark(line(x)).mark(line(y)));
+        plane = plane.mark(Line::new("motion", x, y).name(&b.name));
+    }
+    orbit = orbit.panel(plane);
+    outcome = outcome.figure(lateral).figure(orbit);
+    outcome
+}
+
+/// Figure of the energy balance.
+pub(super) fn energy_figure() -> Figure {
+    let line = |column: &str| Line::new("energy", "t", column).name(column);
+    let mut panel = Panel::new(Axis::new("energy", "J"));
+    for column in ["stored", "dissipated", "supplied", "drive", "weight"] {
+        panel = panel.mark(line(column));
+    }
+    Figure::new("energy", "Energy", "Stored energy, heat and the work done on the machine against time; below, what the balance misses.")
+        .x(Axis::new("time", "s"))
+        .panel(panel)
+        .panel(Panel::new(Axis::new("missing", "J")).mark(line("missing")))
+}
+
+/// Adds the energy account, or says which part keeps none.
+pub(super) fn keep_account(motion: &mut Motion) -> Option<Finding> {
+    let part = motion.keep_account().err()?;
+    let text = format!("The energy balance was not checked: \"{part}\" keeps no account of its energy.");
+    Some(Finding::info("no_energy_account", text))
+}
+
+/// Reports time reached in thousandths.
+pub(super) fn progress<'c>(context: &'c Context, t_end: f64) -> impl Fn(f64) + 'c {
+    move |t| context.progress.report((1000.0 * (t / t_end).clamp(0.0, 1.0)) as u64, 1000)
+}

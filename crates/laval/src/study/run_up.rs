@@ -1,0 +1,423 @@
+//! Motion while the spin speed follows a programme: run-up, coast-down, passage through resonances.
+//!
+//! Equations: those of [`crate::solve::motion`]; the spin row gives the torque of the drive. The quasi-static linear response at the same speed is
+//! `Z(i W, W) X = f(W)` with nonlinear parts linearised at rest.
+//!
+//! Symbols: W spin speed, rad/s; Z dynamic stiffness, N/m; X complex amplitude, m.
+//!
+//! Validity: that of the parts, followed along the motion; a liquid layer must be spun up with its cavity.
+//!
+//! Sources: `000_a291f7ede1484e56` chapter 2; envelope against speed as in every text on passage through resonance.
+
+use super::history::{self, ABSOLUTE, Columns, Entry, INITIAL, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Grid;
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::At;
+use crate::model::system::{Drive, System};
+use crate::model::tangent::{Tangent, TangentScratch};
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
+use crate::solve::motion::flight::{Flight, Plan, Window, fly};
+use crate::solve::motion::{Motion, SpinLaw};
+use crate::solve::programme::{Programme, Shape, Unusable};
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat};
+
+/// A peak of the envelope stands out when it falls to this fraction of itself on both sides.
+const PROMINENT: f64 = 0.7;
+
+/// See the [module](self).
+pub struct RunUp {
+    programme: Programme,
+    t_end: f64,
+    settings: Settings,
+    windows: usize,
+    initial: Vec<(Entry, f64)>,
+    velocities: bool,
+    observables: bool,
+}
+
+const TABLE: &[(&str, &str, bool, &str)] =
+    &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
+
+impl Study for RunUp {
+    const KIND: &'static str = "run_up";
+    const DOC: &'static str = "Motion while the spin speed follows a programme: from one speed to another, coasting down, or through a table of \
+        speeds. Reports the envelope against speed beside the quasi-static linear response, the peaks, and the torque and power of the drive.";
+    const FIELDS: &'static [Field] = &[
+        Field::optional("from", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) }, "0 rad/s", "speed at the start"),
+        Field::optional(
+            "to",
+            FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "",
+            "speed at the end; that of the machine when absent",
+        ),
+        Field::optional(
+            "duration",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time from one speed to the other",
+        ),
+        Field::optional(
+            "shape",
+            FieldKind::Choice(&[
+                ("linear", "constant acceleration"),
+                ("smooth", "acceleration that begins and ends at zero"),
+                ("exponential", "constant rate relative to the speed: coasting down against viscous drag"),
+            ]),
+            "linear",
+            "how the speed changes",
+        ),
+        Field::optional(
+            "programme",
+            FieldKind::Columns(TABLE),
+            "",
+            "speeds at given times, joined smoothly, instead of from, to and duration",
+        ),
+        Field::optional("hold", FieldKind::Quantity { unit: "s", bounds: Bounds::up_to(1e9) }, "0 s", "time at the last speed"),
+        Field::optional("windows", FieldKind::Integer { min: 10, max: 100_000 }, "400", "pieces of equal time the envelope is taken over"),
+        PHASE,
+        INITIAL,
+        METHOD,
+        RELATIVE,
+        ABSOLUTE,
+        POINTS,
+        Field::optional("velocities", FieldKind::Flag, "false", "list the rates too"),
+        Field::optional("observables", FieldKind::Flag, "false", "list the quantities the parts show, such as bearing forces"),
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        if system.machine.drive == Drive::Free {
+            diagnostics.push(
+                Diagnostic::error("run_up.drive", "the spin of this machine is free and cannot follow a programme")
+                    .at(values.span.clone())
+                    .help("use a transient study, or take the free drive away"),
+            );
+        }
+        let initial = history::state_map(values, "initial", system, diagnostics);
+        let settings = Settings::read(values);
+        let made = programme(values, system, settings.phase, diagnostics);
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        let (programme, end) = made?;
+        Some(RunUp {
+            programme,
+            t_end: end + values.number("hold").unwrap_or(0.0),
+            settings,
+            windows: values.integer("windows").map_or(400, |x| x.max(10) as usize),
+            initial,
+            velocities: values.flag("velocities").unwrap_or(false),
+            observables: values.flag("observables").unwrap_or(false),
+        })
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let s = &self.settings;
+        let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        let no_account = history::keep_account(&mut motion);
+        let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
+        history::apply(&self.initial, system, &mut y);
+        let outputs = history::spaced(self.t_end, s.points);
+        let plan = Plan {
+            t_end: self.t_end,
+            choice: s.method,
+            relative: s.relative,
+            absolute: s.absolute,
+            outputs: &outputs,
+            windows: self.windows,
+            kick: None,
+            max_steps: context.work_limit,
+            cancel: &|| context.cancelled(),
+            progress: &history::progress(context, self.t_end),
+        };
+        let flight = fly(&mut motion, &y, &plan)?;
+        let (end, stopped) = history::ended(&flight);
+        let end = match end {
+            End::StepTooSmall { at } => End::StepTooSmall { at: self.programme.at(at).speed },
+            other => other,
+        };
+        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
+        if let Some(f) = stopped {
+            outcome = outcome.finding(f);
+        }
+        outcome = self.peaks(system, &flight, outcome);
+        outcome = self.drive(&mut motion, &flight, outcome)?;
+        let balance = history::balance(&mut motion, &flight)?;
+        if let Some(b) = &balance {
+            outcome = outcome.finding(history::balance_finding(b));
+        }
+        if let Some(f) = no_account {
+            outcome = outcome.finding(f);
+        }
+        outcome = history::common_findings(&motion, &flight, outcome);
+        outcome = self.envelope(system, &flight, outcome)?;
+        outcome = outcome.table(history::motion_table(&motion, &flight, self.velocities)?);
+        outcome = history::motion_figures(system, outcome);
+        if self.observables
+            && let Some(table) = history::observed_table(&mut motion, &flight)?
+        {
+            outcome = outcome.table(table);
+        }
+        if let Some(b) = balance {
+            outcome = outcome.table(b.table).figure(history::energy_figure());
+        }
+        history::sound(outcome.checked())
+    }
+}
+
+/// The programme and its last time.
+fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Diagnostics) -> Option<(Programme, f64)> {
+    let unusable = |field: &str, Unusable(what): Unusable| Diagnostic::error("run_up.programme", what).at(values.span_of(field));
+    if let Some(columns) = values.columns("programme") {
+        let (times, speeds) = (columns.get("time")?, columns.get("speed")?);
+        if times.first() != Some(&0.0) {
+            diagnostics.push(Diagnostic::error("run_up.programme", "the times must begin at 0").at(values.span_of("programme")));
+        }
+        for given in ["from", "to", "duration"] {
+            if given != "from" && values.number(given).is_some() {
+                diagnostics.push(
+                    Diagnostic::error("run_up.programme", format!("both a programme and {given} are given"))
+                        .at(values.span_of(given))
+                        .help("say one or the other"),
+                );
+            }
+        }
+        return match Programme::table(times, speeds, phase) {
+            Ok(p) => Some((p, *times.last()?)),
+            Err(e) => {
+                diagnostics.push(unusable("programme", e));
+                None
+            }
+        };
+    }
+    let Some(duration) = values.number("duration") else {
+        diagnostics.push(
+            Diagnostic::error("run_up.duration", "how long the change of speed takes is missing")
+                .at(values.span.clone())
+                .help("add duration = \"10 s\", or a programme of times and speeds"),
+        );
+        return None;
+    };
+    let Some(to) = values.number("to").or(system.machine.speed) else {
+        diagnostics.push(
+            Diagnostic::error("study.speed", "neither the study nor the machine says which speed to reach")
+                .at(values.span.clone())
+                .help("add to = \"3000 rpm\""),
+        );
+        return None;
+    };
+    let shape = match values.choice("shape") {
+        Some("smooth") => Shape::Smooth,
+        Some("exponential") => Shape::Exponential,
+        _ => Shape::Linear,
+    };
+    match Programme::ramp(values.number("from").unwrap_or(0.0), to, duration, shape, phase) {
+        Ok(p) => Some((p, duration)),
+        Err(e) => {
+            diagnostics.push(unusable("duration", e));
+            None
+        }
+    }
+}
+
+/// Peaks of an envelope that stand out on both sides: indices.
+fn prominent(amplitudes: &[f64]) -> Vec<usize> {
+    let mut out = Vec::new();
+    let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| {
+        side.find_map(|&a| if a > top || a.is_nan() { Some(false) } else { (a < PROMINENT * top).then_some(true) })
+    };
+    for (i, &top) in amplitudes.iter().enumerate() {
+        let left = falls(Box::new(amplitudes[..i].iter().rev()), top);
+        let right = falls(Box::new(amplitudes[i + 1..].iter()), top);
+        if left == Some(true) && right == Some(true) && top > 0.0 {
+            out.push(i);
+        }
+    }
+    out
+}
+
+impl RunUp {
+    /// Largest displacements and the passages through resonances.
+    fn peaks(&self, system: &System, flight: &Flight, mut outcome: Outcome) -> Outcome {
+        for ((b, peak), windows) in system.bodies().iter().zip(&flight.peaks).zip(&flight.windows) {
+            let speed = self.programme.at(peak.t).speed;
+            let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
+            outcome = outcome.finding(
+                Finding::info("largest_displacement", text)
+                    .value(peak.amplitude, "m")
+                    .evidence("at speed", speed, "rad/s")
+                    .evidence("at time", peak.t, "s"),
+            );
+            let filled: Vec<&Window> = windows.iter().filter(|w| w.peak.amplitude.is_finite()).collect();
+            let amplitudes: Vec<f64> = filled.iter().map(|w| w.peak.amplitude).collect();
+            for i in prominent(&amplitudes) {
+                let p = filled[i].peak;
+                let speed = |k: usize| self.programme.at(filled[k].peak.t).speed;
+                let (a, b_) = (speed(i.saturating_sub(1)), speed((i + 1).min(filled.len() - 1)));
+                let at = self.programme.at(p.t).speed;
+                let text = format!("The envelope of \"{}\" peaks at {{}}.", b.name);
+                outcome = outcome
+                    .finding(
+                        Finding::info("peak", text)
+                            .value(at, "rad/s")
+                            .evidence("amplitude", p.amplitude, "m")
+                            .evidence("at time", p.t, "s"),
+                    )
+                    .special_point(SpecialPoint::new("peak", at, (a.min(b_), a.max(b_))).status(Status::Bracketed).evidence(
+                        "amplitude",
+                        p.amplitude,
+                        "m",
+                    ));
+            }
+        }
+        outcome
+    }
+
+    /// Torque and power of the drive at the outputs.
+    fn drive(&self, motion: &mut Motion, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        let dim = flight.state.len();
+        let mut torque = Vec::with_capacity(flight.times.len());
+        let spins: Vec<_> = flight.times.iter().map(|&t| self.programme.at(t)).collect();
+        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+            torque.push(motion.torque(t, y).unwrap_or(f64::NAN));
+        }
+        let power: Vec<f64> = torque.iter().zip(&spins).map(|(m, s)| m * s.speed).collect();
+        let largest =
+            |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
+        let ((most, at), (strongest, when)) = (largest(&torque), largest(&power));
+        let speed = |i: usize| spins.get(i).map_or(f64::NAN, |s| s.speed);
+        let mut columns = Columns::default();
+        columns.add("t", "s", "time", flight.times.clone());
+        columns.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
+        columns.add("acceleration", "rad/s^2", "spin acceleration", spins.iter().map(|s| s.accel).collect());
+        columns.add("torque", "N m", "torque the drive must bring", torque);
+        columns.add("power", "W", "power the drive must bring", power);
+        let line = |column: &str| Line::new("drive", "t", column).name(column);
+        let figure = Figure::new("drive", "Drive", "Spin speed, torque and power of the drive against time.")
+            .x(Axis::new("time", "s"))
+            .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
+            .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
+            .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
+        Ok(outcome
+            .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence(
+                "at speed",
+                speed(at),
+                "rad/s",
+            ))
+            .finding(Finding::info("largest_power", "The drive must bring up to {}.").value(strongest, "W").evidence(
+                "at speed",
+                speed(when),
+                "rad/s",
+            ))
+            .table(columns.table("drive", "Torque and power of the drive against time")?)
+            .figure(figure))
+    }
+
+    /// Envelope against speed, beside the linear response.
+    fn envelope(&self, system: &System, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        let bodies = system.bodies();
+        if bodies.is_empty() {
+            return Ok(outcome);
+        }
+        let count = (0..self.windows).take_while(|&k| flight.windows[0][k].last.is_finite()).count();
+        let middle: Vec<f64> = (0..count).map(|k| self.t_end * (k as f64 + 0.5) / self.windows as f64).collect();
+        let speeds: Vec<f64> = middle.iter().map(|&t| self.programme.at(t).speed).collect();
+        let mut linear = LinearResponse::new(system);
+        let quasi: Option<Vec<Vec<f64>>> = linear.as_mut().map(|l| speeds.iter().map(|&w| l.amplitudes(w)).collect());
+        let mut columns = Columns::default();
+        columns.add("t", "s", "middle of the window", middle);
+        columns.add("speed", "rad/s", "spin speed there", speeds);
+        let mut figure = Figure::new(
+            "envelope",
+            "Envelope against speed",
+            "Largest displacement of each body in short windows of time, against the spin speed.",
+        )
+        .x(Axis::new("speed", "rad/s"));
+        for (k, b) in bodies.iter().enumerate() {
+            let amplitude = |i: usize| flight.windows[k][i].peak.amplitude;
+            columns.add(format!("{} amplitude", b.name), "m", "largest |x + i y| in the window", (0..count).map(amplitude).collect());
+            let mut panel = Panel::new(Axis::new(&b.name, "mm").factor(1e3))
+                .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+            if let Some(q) = &quasi {
+                let name = format!("{} linear", b.name);
+                columns.add(
+                    &name,
+                    "m",
+                    "largest |x + i y| of the steady linear response at this speed",
+                    q.iter().map(|row| row[k]).collect(),
+                );
+                panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
+            }
+            figure = figure.panel(panel);
+        }
+        Ok(outcome.table(columns.table("envelope", "Envelope of the motion against speed")?).figure(figure))
+    }
+}
+
+/// Steady unbalance response of the machine linearised at rest.
+struct LinearResponse<'a> {
+    system: &'a System,
+    model: LinearModel<f64>,
+    scratch: LinearScratch<f64>,
+    tangent: Tangent,
+    tangent_scratch: TangentScratch,
+    stiffness: Grid<C64>,
+}
+
+impl<'a> LinearResponse<'a> {
+    /// `None` when a nonlinear part has no linear form at rest, states of its own, or forces of its own that turn.
+    fn new(system: &'a System) -> Option<Self> {
+        let fits = system.slots().iter().all(|s| {
+            let p = &system.params()[s.params.clone()];
+            s.is_linear() || (s.states.is_empty() && !s.uses.spin && s.part.refuses_rest(p).is_none())
+        });
+        fits.then(|| LinearResponse {
+            system,
+            model: LinearModel::default(),
+            scratch: LinearScratch::default(),
+            tangent: Tangent::default(),
+            tangent_scratch: TangentScratch::default(),
+            stiffness: Grid::empty(),
+        })
+    }
+
+    /// Largest |x + i y| of each body; NaN where the stiffness is singular.
+    fn amplitudes(&mut self, speed: f64) -> Vec<f64> {
+        let system = self.system;
+        let (n, zero) = (system.n(), vec![0.0; system.n().max(system.m())]);
+        let (q, z) = (&zero[..n], &zero[..system.m()]);
+        system.linear(system.params(), speed, Form::Frequency, &mut self.model, &mut self.scratch);
+        let s = c(0.0, speed);
+        system.dynamic_stiffness(system.params(), &self.model, Form::Frequency, s, &mut self.stiffness, &mut self.scratch);
+        let at = At { q, v: q, a: q, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut self.tangent, &mut self.tangent_scratch, |slot| !slot.is_linear());
+        let t = &self.tangent;
+        let matrix = Mat::from_fn(self.stiffness.rows(), self.stiffness.cols(), |i, j| {
+            let own = self.stiffness[(i, j)];
+            if i < n && j < n { own + c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]) } else { own }
+        });
+        let b = &self.model.blocks;
+        let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
+        let bodies = system.bodies();
+        let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; bodies.len()] };
+        lu.solve(&mut x);
+        // forward and backward parts turn against each other: their radii add up once a turn
+        bodies.iter().map(|b| 0.5 * ((x[b.x] + x[b.x + 1].mul_i()).abs() + (x[b.x] - x[b.x + 1].mul_i()).abs())).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::prominent;
+
+    #[test]
+    fn prominent_peaks_only() {
+        assert_eq!(prominent(&[1.0, 2.0, 1.9, 2.1, 1.0, 0.5, 3.0, 0.1]), [3, 6]);
+        assert_eq!(prominent(&[1.0, 2.0, 3.0]), Vec::<usize>::new());
+        assert_eq!(prominent(&[1.0, f64::NAN, 3.0, 1.0]), Vec::<usize>::new());
+    }
+}

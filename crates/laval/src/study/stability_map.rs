@@ -1,0 +1,294 @@
+//! Growth rate over the spin speed, alone or together with one parameter of the machine, and the boundary of stability.
+//!
+//! Equations: largest Re s over all roots of `det T(s, W) = 0`; boundary where it crosses the threshold. An undamped machine is unstable between
+//! double roots: there `det T = 0` and `d det T / ds = 0` are solved together for (s, W).
+//!
+//! Symbols: W spin speed, rad/s; s = growth + i frequency.
+//!
+//! Validity: small motions about the equilibrium at each speed; constant speed.
+//!
+//! Sources: `theory/planar-rotor.md` section 6.
+
+use super::modes::THRESHOLD;
+use super::support::{ABOUT, About, SPEED_RANGE, inconsistent, range, remarks};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, FieldKind, RangeValue, Values};
+use crate::model::system::System;
+use crate::outcome::{Axis, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::solve::stability::{Row, row};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// See the [module](self).
+pub struct StabilityMap {
+    /// Speeds, rad/s.
+    pub speed: RangeValue,
+    /// Parameter path and its range.
+    pub parameter: Option<(String, RangeValue)>,
+    /// State linearised about.
+    pub about: About,
+    /// Growth that counts as unstable, 1/s.
+    pub threshold: f64,
+}
+
+impl Study for StabilityMap {
+    const KIND: &'static str = "stability_map";
+    const DOC: &'static str = "Where the machine is unstable: growth rate over the spin speed, alone or together with one parameter, with the \
+        boundary and the peaks of the growth located.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds; 200 points unless given"),
+        Field::optional("parameter", FieldKind::ParameterRange, "", "a parameter to vary as well; 40 points unless given"),
+        ABOUT,
+        THRESHOLD,
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = range("speed", values.range("speed")?, 3, values, diagnostics);
+        let mut parameter = None;
+        if let Some((path, given)) = values.parameter_range("parameter") {
+            if system.param(path).is_none() {
+                diagnostics.push(system.unknown_param(path).at(values.span_of("parameter")));
+                return None;
+            }
+            parameter = Some((path.to_string(), range("parameter", given, 2, values, diagnostics)?));
+        }
+        Some(StabilityMap {
+            speed: speed?,
+            parameter,
+            about: About::read(values),
+            threshold: values.number("growth_threshold").unwrap_or(0.0),
+        })
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let speeds = self.speed.linspace(200);
+        let values: Vec<Option<f64>> = match &self.parameter {
+            Some((_, r)) => r.linspace(40).into_iter().map(Some).collect(),
+            None => vec![None],
+        };
+        let total = (values.len() * speeds.len()) as u64;
+        let done = AtomicU64::new(0);
+        let rows: Vec<Row> = values
+            .par_iter()
+            .enumerate()
+            .map(|(k, value)| {
+                // the limit counts rows before this one as done, so that the result does not depend on the number of threads
+                let first = (k * speeds.len()) as u64;
+                let mut each = |i: usize| {
+                    context.progress.report(done.fetch_add(1, Ordering::Relaxed), total);
+                    !context.cancelled() && first + (i as u64) < context.work_limit
+                };
+                let run = |s: &System, each: &mut dyn FnMut(usize) -> bool| {
+                    row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each)
+                };
+                match (value, &self.parameter) {
+                    (Some(x), Some((path, _))) => {
+                        let changed = system.with(&[(path, *x)]).map_err(|d| refused(path, *x, d))?;
+                        run(&changed, &mut each)
+                    }
+                    _ => run(system, &mut each),
+                }
+            })
+            .collect::<Result<_, Diagnostic>>()?;
+        context.progress.report(total, total);
+        let stopped = rows.iter().any(|r| r.stopped);
+        let end = if !stopped {
+            End::Reached
+        } else if context.cancelled() {
+            End::Cancelled
+        } else {
+            End::MaxPoints
+        };
+        let mut outcome = self.report(system, context, &values, &rows)?.end(end);
+        for f in remarks(system, &self.about.find(system, speeds[0], None)?) {
+            outcome = outcome.finding(f);
+        }
+        outcome.checked().map_err(inconsistent)
+    }
+}
+
+fn refused(path: &str, x: f64, d: Diagnostics) -> Diagnostic {
+    let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
+    Diagnostic::error("stability_map.parameter", format!("the machine does not exist at {path} = {x}: {why}"))
+        .help("narrow the range of the parameter")
+}
+
+impl StabilityMap {
+    fn report(&self, system: &System, context: &Context, values: &[Option<f64>], rows: &[Row]) -> Result<Outcome, Diagnostic> {
+        let (name, unit) = match &self.parameter {
+            Some((path, _)) => {
+                let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
+                (path.clone(), unit)
+            }
+            None => (String::new(), ""),
+        };
+        let two = self.parameter.is_some();
+        let value = |k: usize| values[k].unwrap_or(f64::NAN);
+        // the map keeps the grid; along one line the points between belong to it too
+        let cells: Vec<(usize, &crate::solve::stability::Sample)> =
+            rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
+        let mut map =
+            Table::new("map", "Largest growth rate").float("speed", "rad/s", "spin speed", cells.iter().map(|c| c.1.speed).collect());
+        if two {
+            map = map.float(name.clone(), unit, "parameter", cells.iter().map(|c| value(c.0)).collect());
+        }
+        let map = map
+            .float("growth", "1/s", "largest growth rate of all modes", cells.iter().map(|c| c.1.value.re).collect())
+            .float("frequency", "rad/s", "frequency of that mode", cells.iter().map(|c| c.1.value.im).collect())
+            .build()
+            .map_err(inconsistent)?;
+        let edges: Vec<_> = rows.iter().enumerate().flat_map(|(k, r)| r.edges.iter().map(move |e| (k, e))).collect();
+        let peaks: Vec<_> = rows.iter().enumerate().flat_map(|(k, r)| r.peaks.iter().map(move |p| (k, p))).collect();
+        let mut boundary = Table::new("boundary", "Points where the growth rate crosses the threshold, located").float(
+            "speed",
+            "rad/s",
+            "spin speed",
+            edges.iter().map(|e| e.1.speed).collect(),
+        );
+        let mut tops = Table::new("peaks", "Maxima of the growth rate over the speed").float(
+            "speed",
+            "rad/s",
+            "spin speed",
+            peaks.iter().map(|p| p.1.speed).collect(),
+        );
+        if two {
+            boundary = boundary.float(name.clone(), unit, "parameter", edges.iter().map(|e| value(e.0)).collect());
+            tops = tops.float(name.clone(), unit, "parameter", peaks.iter().map(|p| value(p.0)).collect());
+        }
+        let boundary = boundary
+            .text(
+                "edge",
+                "onset: unstable above this speed; end: stable above",
+                edges.iter().map(|e| if e.1.onset { "onset" } else { "end" }.into()).collect(),
+            )
+            .float("growth", "1/s", "growth rate", edges.iter().map(|e| e.1.value.re).collect())
+            .float("frequency", "rad/s", "frequency", edges.iter().map(|e| e.1.value.im).collect())
+            .text("method", "how it was located", edges.iter().map(|e| if e.1.double { "double root" } else { "bracket" }.into()).collect())
+            .float("uncertainty", "rad/s", "last step or bracket", edges.iter().map(|e| e.1.step).collect())
+            .build()
+            .map_err(inconsistent)?;
+        let tops = tops
+            .float("growth", "1/s", "growth rate", peaks.iter().map(|p| p.1.value.re).collect())
+            .float("frequency", "rad/s", "frequency", peaks.iter().map(|p| p.1.value.im).collect())
+            .build()
+            .map_err(inconsistent)?;
+
+        let solved: u64 = rows.iter().map(|r| r.solved).sum();
+        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").work("eigenproblems", solved);
+        for &(k, e) in &edges {
+            let kind = if e.onset { "instability_onset" } else { "instability_end" };
+            let status = if e.located { Status::Located } else { Status::Bracketed };
+            let mut p = SpecialPoint::new(kind, e.speed, e.bracket).status(status).evidence("frequency", e.value.im, "rad/s").evidence(
+                "uncertainty",
+                e.step,
+                "rad/s",
+            );
+            if two {
+                p = p.evidence(name.clone(), value(k), unit);
+            }
+            outcome = outcome.special_point(p);
+        }
+        for &(k, p) in &peaks {
+            let mut point = SpecialPoint::new("growth_peak", p.speed, p.bracket).evidence("growth", p.value.re, "1/s").evidence(
+                "frequency",
+                p.value.im,
+                "rad/s",
+            );
+            if two {
+                point = point.evidence(name.clone(), value(k), unit);
+            }
+            outcome = outcome.special_point(point);
+        }
+        let with = |k: usize| if two { format!(" at {name} = {}", quantity(value(k), unit)) } else { String::new() };
+        let highest = peaks.iter().map(|&(k, p)| (k, p.speed, p.value)).chain(cells.iter().map(|c| (c.0, c.1.speed, c.1.value)));
+        let highest = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re));
+        let limit = quantity(self.threshold, "1/s");
+        let unstable = rows.iter().any(|r| r.samples.iter().any(|s| r.unstable(s, self.threshold)));
+        if let Some((k, speed, s)) = highest {
+            let finding = if unstable {
+                Finding::warning(
+                    "largest_growth",
+                    format!(
+                        "The strongest instability grows at {{}}, at {}{}, whirling at {}.",
+                        quantity(speed, "rad/s"),
+                        with(k),
+                        quantity(s.im, "rad/s")
+                    ),
+                )
+            } else {
+                Finding::info("stable", format!("Nowhere does a mode grow faster than {limit}; the largest growth rate is {{}}."))
+            };
+            outcome = outcome.finding(finding.value(s.re, "1/s").evidence("speed", speed, "rad/s"));
+        }
+        if !two {
+            let (first, last) = (self.speed.from.min(self.speed.to), self.speed.from.max(self.speed.to));
+            // an unstable start has no onset inside the range
+            let start = match edges.first() {
+                Some(e) if !e.1.onset => Some(quantity(e.1.speed, "rad/s")),
+                None if unstable => Some(quantity(last, "rad/s")),
+                _ => None,
+            };
+            if let Some(until) = start {
+                let text = format!("Growth exceeds {limit} from the start of the range, {{}}, to {until}.");
+                outcome = outcome.finding(Finding::warning("unstable_range", text).value(first, "rad/s"));
+            }
+            for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
+                let until = edges
+                    .get(w + 1)
+                    .map(|n| format!(" to {}", quantity(n.1.speed, "rad/s")))
+                    .unwrap_or_else(|| " to the end of the range".into());
+                outcome = outcome.finding(
+                    Finding::warning("unstable_range", format!("Unstable from {{}}{until}: growth above {limit}."))
+                        .value(e.1.speed, "rad/s")
+                        .evidence("uncertainty of the onset", e.1.step, "rad/s"),
+                );
+            }
+        }
+        if rows.iter().any(|r| r.undamped) {
+            outcome = outcome.finding(Finding::info(
+                "undamped",
+                "The machine has no damping: its stability boundaries are double roots and were solved for as such.",
+            ));
+        }
+        outcome = outcome.table(map).table(boundary).table(tops);
+        let speed_axis = Axis::new("spin speed", "rad/s");
+        let figure = if two {
+            let heat =
+                Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(self.threshold);
+            let factor = if unit == "m" { 1e3 } else { 1.0 };
+            let shown = if unit == "m" { "mm" } else { unit };
+            Figure::new(
+                "stability",
+                "Stability map",
+                format!("Largest growth rate over spin speed and {name}, with the boundary of stability."),
+            )
+            .x(speed_axis)
+            .panel(
+                Panel::new(Axis::new(name.clone(), shown).factor(factor))
+                    .mark(heat)
+                    .mark(Points::new("boundary", "speed", name).name("boundary")),
+            )
+        } else {
+            Figure::new(
+                "stability",
+                "Largest growth rate",
+                "Largest growth rate over spin speed, with the speeds where it crosses the threshold.",
+            )
+            .x(speed_axis)
+            .panel(
+                Panel::new(Axis::new("growth rate", "1/s"))
+                    .mark(Line::new("map", "speed", "growth"))
+                    .mark(Rule::y(self.threshold, "threshold"))
+                    .mark(Points::new("peaks", "speed", "growth").name("peak"))
+                    .mark(Points::new("boundary", "speed", "growth").name("boundary")),
+            )
+            .panel(Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(Line::new(
+                "map",
+                "speed",
+                "frequency",
+            )))
+        };
+        Ok(outcome.figure(figure))
+    }
+}

@@ -1,0 +1,230 @@
+//! Motion in time from a given start.
+//!
+//! Equations: those of [`crate::solve::motion`].
+//!
+//! Symbols: t time, s; displacements m, rates per second; energies J.
+//!
+//! Validity: that of the parts, followed along the motion; frequency-domain parts only by a stated fit.
+//!
+//! Sources: `000_a291f7ede1484e56` chapter 2 (transients by direct integration).
+
+use super::history::{self, ABSOLUTE, Entry, INITIAL, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::{Drive, System};
+use crate::outcome::{Finding, Outcome};
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::{Flight, Plan, fly, growth};
+
+/// Windows of the envelope.
+const WINDOWS: usize = 200;
+
+/// See the [module](self).
+pub struct Transient {
+    duration: f64,
+    speed: f64,
+    settings: Settings,
+    step: Option<f64>,
+    initial: Vec<(Entry, f64)>,
+    kick: Option<(f64, Vec<f64>)>,
+    velocities: bool,
+    observables: bool,
+}
+
+impl Study for Transient {
+    const KIND: &'static str = "transient";
+    const DOC: &'static str = "Motion in time from a given start at constant speed, or with the spin free to move by itself when the machine's drive \
+        is free. Reports the motion, the energy balance, the largest displacements and whether the motion grows.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("duration", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "time to compute"),
+        Field::optional(
+            "speed",
+            FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "",
+            "spin speed; that of the machine when absent",
+        ),
+        PHASE,
+        INITIAL,
+        Field::optional("kick", FieldKind::StateMap, "", "sudden changes of rates, as { \"drum.x'\" = \"0.1 m/s\" }"),
+        Field::optional("kick_time", FieldKind::Quantity { unit: "s", bounds: Bounds::up_to(1e9) }, "0 s", "when the kick comes"),
+        METHOD,
+        RELATIVE,
+        ABSOLUTE,
+        POINTS,
+        Field::optional(
+            "output_step",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time between outputs, instead of their number",
+        ),
+        Field::optional("velocities", FieldKind::Flag, "false", "list the rates too"),
+        Field::optional("observables", FieldKind::Flag, "true", "list the quantities the parts show, such as bearing forces"),
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let duration = values.number("duration")?;
+        let speed = values.number("speed").or(system.machine.speed);
+        if speed.is_none() {
+            diagnostics.push(
+                Diagnostic::error("study.speed", "neither the study nor the machine says the spin speed")
+                    .at(values.span.clone())
+                    .help("add speed = \"3000 rpm\" to [machine] or to the study"),
+            );
+        }
+        let initial = history::state_map(values, "initial", system, diagnostics);
+        let mut change = vec![0.0; system.n()];
+        let kicks = history::state_map(values, "kick", system, diagnostics);
+        for &(e, x) in &kicks {
+            match e {
+                Entry::Rate(i) => change[i] = x,
+                _ => diagnostics.push(
+                    Diagnostic::error("transient.kick", "a kick changes rates only")
+                        .at(values.span_of("kick"))
+                        .help("name rates with ', such as \"drum.x'\""),
+                ),
+            }
+        }
+        let at = values.number("kick_time").unwrap_or(0.0);
+        if !kicks.is_empty() && (at.is_nan() || at >= duration) {
+            diagnostics.push(
+                Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s"))
+                    .at(values.span_of("kick_time")),
+            );
+        }
+        let step = values.number("output_step");
+        if let Some(step) = step
+            && !(0.0..=1e6).contains(&(duration / step))
+        {
+            diagnostics.push(
+                Diagnostic::error("transient.output_step", format!("{:.0} outputs are too many", duration / step))
+                    .at(values.span_of("output_step"))
+                    .help("at most 1000000 outputs"),
+            );
+        }
+        if !(duration > 0.0 && duration.is_finite()) {
+            diagnostics.push(Diagnostic::error("transient.duration", "the duration must be positive").at(values.span_of("duration")));
+        }
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        Some(Transient {
+            duration,
+            speed: speed?,
+            settings: Settings::read(values),
+            step,
+            initial,
+            kick: (!kicks.is_empty()).then_some((at, change)),
+            velocities: values.flag("velocities").unwrap_or(false),
+            observables: values.flag("observables").unwrap_or(true),
+        })
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let s = &self.settings;
+        let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
+        let no_account = history::keep_account(&mut motion);
+        let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
+        history::apply(&self.initial, system, &mut y);
+        if let Some(k) = motion.spin_start() {
+            (y[k], y[k + 1]) = (s.phase, self.speed);
+        }
+        let outputs = match self.step {
+            Some(step) => {
+                let count = (self.duration / step * (1.0 + 1e-12)) as usize;
+                (0..=count).map(|i| (i as f64 * step).min(self.duration)).collect()
+            }
+            None => history::spaced(self.duration, s.points),
+        };
+        let plan = Plan {
+            t_end: self.duration,
+            choice: s.method,
+            relative: s.relative,
+            absolute: s.absolute,
+            outputs: &outputs,
+            windows: WINDOWS,
+            kick: self.kick.clone(),
+            max_steps: context.work_limit,
+            cancel: &|| context.cancelled(),
+            progress: &history::progress(context, self.duration),
+        };
+        let flight = fly(&mut motion, &y, &plan)?;
+        let (end, stopped) = history::ended(&flight);
+        let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
+        for finding in stopped.into_iter().chain(self.findings(&motion, &flight)) {
+            outcome = outcome.finding(finding);
+        }
+        let balance = history::balance(&mut motion, &flight)?;
+        if let Some(b) = &balance {
+            outcome = outcome.finding(history::balance_finding(b));
+        }
+        if let Some(f) = no_account {
+            outcome = outcome.finding(f);
+        }
+        outcome = history::common_findings(&motion, &flight, outcome);
+        outcome = outcome.table(history::motion_table(&motion, &flight, self.velocities)?);
+        outcome = history::motion_figures(system, outcome);
+        if self.observables
+            && let Some(table) = history::observed_table(&mut motion, &flight)?
+        {
+            outcome = outcome.table(table);
+        }
+        if let Some(b) = balance {
+            outcome = outcome.table(b.table).figure(history::energy_figure());
+        }
+        history::sound(outcome.checked())
+    }
+}
+
+impl Transient {
+    fn findings(&self, motion: &Motion, flight: &Flight) -> Vec<Finding> {
+        let system = motion.system();
+        let mut out = Vec::new();
+        for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
+            let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
+            out.push(Finding::info("largest_displacement", text).value(peak.amplitude, "m").evidence("reached at", peak.t, "s"));
+        }
+        for b in system.bodies() {
+            let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
+            let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
+            out.push(Finding::info("end_state", text).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence(
+                "t",
+                flight.run.t,
+                "s",
+            ));
+        }
+        if system.machine.drive == Drive::Free {
+            let speed = motion.spin(flight.run.t, &flight.state).speed;
+            out.push(Finding::info("end_speed", "The spin speed at the end is {}.").value(speed, "rad/s").evidence(
+                "change",
+                speed - self.speed,
+                "rad/s",
+            ));
+        }
+        // the body that moves most at the end speaks for the machine
+        let last =
+            |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
+        let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
+        if let Some((body, windows)) = loudest
+            && let Some(g) = growth(windows)
+        {
+            let clear = g.rate.abs() > 3.0 * g.uncertainty;
+            let how = match (clear, g.rate > 0.0) {
+                (true, true) => "grows at",
+                (true, false) => "decays at",
+                _ => "neither grows nor decays clearly; the slope of its logarithm is",
+            };
+            let text = format!("In the second half the envelope of \"{}\" {how} {{}}.", body.name);
+            let make = if clear && g.rate > 0.0 { Finding::warning } else { Finding::info };
+            out.push(
+                make("growth_rate", text)
+                    .value(g.rate, "1/s")
+                    .evidence("uncertainty", g.uncertainty, "1/s")
+                    .evidence("mean turning rate of the displacement", g.frequency, "rad/s")
+                    .evidence("record starts at", g.from, "s"),
+            );
+        }
+        out
+    }
+}

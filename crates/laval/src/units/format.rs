@@ -1,0 +1,141 @@
+//! Quantities for people, and quantities that read back exactly.
+
+use super::read_quantity;
+use std::f64::consts::{PI, TAU};
+
+/// Units in which values of an SI unit are shown: text and its power of ten in the SI unit, ascending.
+fn ladder(unit: &str) -> Vec<(String, i32)> {
+    let fixed: &[(&str, i32)] = match unit {
+        "m" => &[("nm", -9), ("µm", -6), ("mm", -3), ("m", 0)],
+        "kg" => &[("mg", -6), ("g", -3), ("kg", 0)],
+        "s" => &[("ns", -9), ("µs", -6), ("ms", -3), ("s", 0)],
+        "kg m" => &[("g mm", -6), ("kg mm", -3), ("kg m", 0)],
+        "m^3" => &[("ml", -6), ("l", -3), ("m^3", 0)],
+        "m^2/s" => &[("mm^2/s", -6), ("m^2/s", 0)],
+        "m^2" => &[("mm^2", -6), ("m^2", 0)],
+        "m/s" => &[("mm/s", -3), ("m/s", 0)],
+        "H" => &[("µH", -6), ("mH", -3), ("H", 0)],
+        _ => &[],
+    };
+    if !fixed.is_empty() {
+        return fixed.iter().map(|(t, e)| (t.to_string(), *e)).collect();
+    }
+    let end = unit.find(|c: char| !c.is_alphabetic()).unwrap_or(unit.len());
+    let first = &unit[..end];
+    if matches!(first, "N" | "Pa" | "W" | "J" | "V" | "A" | "Ohm") && !unit[end..].starts_with(['^', '2', '3']) {
+        return [("µ", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9)].iter().map(|(p, e)| (format!("{p}{unit}"), *e)).collect();
+    }
+    vec![(unit.to_string(), 0)]
+}
+
+/// The rung on which `exponent10` digits before the point read best.
+fn rung(unit: &str, exponent: i32) -> (String, i32) {
+    let rungs = ladder(unit);
+    let plain = rungs.iter().find(|r| r.1 == 0).cloned().unwrap_or((unit.to_string(), 0));
+    let (low, high) = (rungs[0].1, rungs[rungs.len() - 1].1);
+    if exponent < low - 3 || exponent >= high + 3 && high > 0 {
+        return plain;
+    }
+    rungs.iter().rev().find(|r| exponent >= r.1).unwrap_or(&rungs[0]).clone()
+}
+
+/// Digits and decimal exponent: `d.ddd * 10^e` as ("dddd", e).
+fn digits(text: &str) -> (bool, String, i32) {
+    let (negative, text) = text.strip_prefix('-').map_or((false, text), |t| (true, t));
+    let (m, e) = text.split_once('e').unwrap_or((text, "0"));
+    (negative, m.replace('.', ""), e.parse().unwrap_or(0))
+}
+
+/// `0.digits` at exponent `e` as a plain decimal where that is short, else in powers of ten.
+fn plain(negative: bool, digits: &str, e: i32) -> String {
+    let d = digits.trim_end_matches('0');
+    let d = if d.is_empty() { "0" } else { d };
+    let sign = if negative && d != "0" { "-" } else { "" };
+    if d == "0" {
+        return "0".into();
+    }
+    if (0..6).contains(&e) {
+        let n = e as usize + 1;
+        if d.len() <= n { format!("{sign}{d}{}", "0".repeat(n - d.len())) } else { format!("{sign}{}.{}", &d[..n], &d[n..]) }
+    } else if (-4..0).contains(&e) {
+        format!("{sign}0.{}{d}", "0".repeat((-e - 1) as usize))
+    } else if d.len() == 1 {
+        format!("{sign}{d}e{e}")
+    } else {
+        format!("{sign}{}.{}e{e}", &d[..1], &d[1..])
+    }
+}
+
+/// A number with at most `significant` digits, for people.
+pub fn format_number(x: f64, significant: usize) -> String {
+    if !x.is_finite() {
+        return if x.is_nan() {
+            "not a number"
+        } else if x > 0.0 {
+            "infinity"
+        } else {
+            "-infinity"
+        }
+        .into();
+    }
+    let (n, d, e) = digits(&format!("{x:.*e}", significant.clamp(1, 17) - 1));
+    plain(n, &d, e)
+}
+
+/// A number as short as it reads back exactly.
+pub fn write_number(x: f64) -> String {
+    if !x.is_finite() {
+        return if x.is_nan() {
+            "nan"
+        } else if x > 0.0 {
+            "inf"
+        } else {
+            "-inf"
+        }
+        .into();
+    }
+    let (n, d, e) = digits(&format!("{x:e}"));
+    plain(n, &d, e)
+}
+
+/// A value in SI units for people, with four digits, a readable prefix, and the usual second unit for speeds and angles:
+/// "70 mm", "11 MN/m", "25 rad/s (238.7 rpm)".
+pub fn format_si(x: f64, unit: &str) -> String {
+    let n = |x: f64| format_number(x, 4);
+    if !x.is_finite() || unit.is_empty() {
+        return n(x);
+    }
+    match unit {
+        "rad/s" if x != 0.0 => format!("{} rad/s ({} rpm)", n(x), n(x * 60.0 / TAU)),
+        "rad" if x != 0.0 => format!("{} rad ({} deg)", n(x), n(x * 180.0 / PI)),
+        "K" if x > 0.0 => format!("{} K ({} degC)", n(x), n(x - 273.15)),
+        _ => {
+            let (neg, d, e) = digits(&format!("{x:.3e}"));
+            let (text, shift) = if x == 0.0 { (unit.to_string(), 0) } else { rung(unit, e) };
+            format!("{} {text}", plain(neg, &d, e - shift))
+        }
+    }
+}
+
+/// A value in SI units as a person would write it, which [`read_quantity`] reads back to the very same number; a speed in rpm
+/// or an angle in degrees only where that is exact.
+pub fn write_si(x: f64, unit: &str) -> String {
+    if unit.is_empty() || !x.is_finite() {
+        return write_number(x);
+    }
+    let other = match unit {
+        "rad/s" => Some((x * 60.0 / TAU, "rpm")),
+        "rad" => Some((x * 180.0 / PI, "deg")),
+        _ => None,
+    };
+    if let Some((y, name)) = other {
+        let text = format!("{} {name}", format_number(y, 7));
+        let shorter = text.len() <= write_number(x).len() + 1 + unit.len();
+        if shorter && read_quantity(&text, unit).is_ok_and(|z| z == x) {
+            return text;
+        }
+    }
+    let (neg, d, e) = digits(&format!("{x:e}"));
+    let (text, shift) = if x == 0.0 { (unit.to_string(), 0) } else { rung(unit, e) };
+    format!("{} {text}", plain(neg, &d, e - shift))
+}

@@ -1,0 +1,169 @@
+//! Who may use whom, and that only the registry knows the kinds of parts.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Module, and the modules of this crate it may use besides itself. `units` and `diagnostic` are open to all.
+const MAY_USE: &[(&str, &[&str])] = &[
+    ("units", &[]),
+    ("diagnostic", &[]),
+    ("model", &["params"]), // the macro of that name, at the crate's root
+    ("parts", &["model", "params", "conformance"]),
+    ("solve", &["model"]),
+    ("separation", &["model"]),
+    ("outcome", &[]),
+    ("study", &["model", "solve", "separation", "outcome"]),
+    ("report", &["outcome"]),
+    ("file", &["model", "parts", "study"]),
+    ("validation", &["file", "study", "outcome", "report"]),
+];
+const OPEN: &[&str] = &["units", "diagnostic"];
+
+/// A source file of the crate: its module, its path, and its code without comments and unit tests.
+struct Source {
+    module: String,
+    path: PathBuf,
+    lines: Vec<(usize, String)>,
+}
+
+fn sources() -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = Vec::new();
+    let mut folders = vec![root.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") && path.file_stem().is_some_and(|s| s != "tests") {
+                let first = path.strip_prefix(&root).unwrap().components().next().unwrap();
+                let module = Path::new(first.as_os_str()).file_stem().unwrap().to_string_lossy().into_owned();
+                let text = fs::read_to_string(&path).unwrap();
+                found.push(Source { module, path, lines: code(&text) });
+            }
+        }
+    }
+    assert!(found.len() > 20, "the sources were not found");
+    found
+}
+
+/// Code lines, numbered from 1: whole-line comments are dropped, trailing ones cut, lists after `crate::{` joined to one line, and
+/// everything from the unit tests on left out.
+fn code(text: &str) -> Vec<(usize, String)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let test_module = |i: usize| {
+        let next = lines.get(i + 1).map_or("", |l| l.trim());
+        lines[i].trim() == "#[cfg(test)]" && next.starts_with("mod ") && next.ends_with('{')
+    };
+    let end = (0..lines.len()).find(|&i| test_module(i)).unwrap_or(lines.len());
+    let mut out: Vec<(usize, String)> = Vec::new();
+    for (i, line) in lines[..end].iter().enumerate().filter(|(_, l)| !l.trim_start().starts_with("//")) {
+        let line = line.split(" // ").next().unwrap_or_default();
+        match out.last_mut() {
+            Some((_, last)) if last.contains("crate::{") && last.matches('{').count() > last.matches('}').count() => {
+                last.push_str(line.trim())
+            }
+            _ => out.push((i + 1, line.to_string())),
+        }
+    }
+    out
+}
+
+/// Modules named after `crate::` in a line, also inside braces.
+fn used(line: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    for (at, _) in line.match_indices("crate::") {
+        let before = line[..at].chars().next_back();
+        if before.is_some_and(|c| c == '$' || c.is_alphanumeric() || c == '_') {
+            continue;
+        }
+        let rest = &line[at + "crate::".len()..];
+        // names at the outermost level of a list
+        let mut depth = 0;
+        let outermost = |c: char| {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            c == ',' && depth == 0
+        };
+        let names: Vec<&str> = rest.strip_prefix('{').map_or(vec![rest], |list| list.split(outermost).collect());
+        for name in names {
+            let word: String = name.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            if !word.is_empty() {
+                out.push(word);
+            }
+        }
+    }
+    out
+}
+
+fn forbidden(module: &str, line: &str) -> Option<String> {
+    let allowed = MAY_USE.iter().find(|m| m.0 == module).map(|m| m.1)?;
+    used(line).into_iter().find(|u| u != module && !OPEN.contains(&u.as_str()) && !allowed.contains(&u.as_str()))
+}
+
+#[test]
+fn modules_use_only_what_they_may() {
+    let mut wrong = Vec::new();
+    for source in sources() {
+        if source.module == "lib" {
+            continue;
+        }
+        if !MAY_USE.iter().any(|m| m.0 == source.module) {
+            wrong.push(format!("module \"{}\" has no rule: {}", source.module, source.path.display()));
+        }
+        for (number, line) in &source.lines {
+            if let Some(other) = forbidden(&source.module, line) {
+                wrong.push(format!("{}:{number}: {} may not use {other}", source.path.display(), source.module));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// An analysis knows no concrete part: the word of a kind is no literal in its code.
+#[test]
+fn kinds_of_parts_are_named_in_the_registry_only() {
+    let kinds: Vec<&str> = laval::parts::registry().iter().map(|k| k.info.kind).collect();
+    assert!(kinds.contains(&"disc") && kinds.len() >= 9);
+    let mut wrong = Vec::new();
+    for source in sources().iter().filter(|s| !matches!(s.module.as_str(), "parts" | "lib")) {
+        for (number, line) in &source.lines {
+            if let Some(kind) = named(line, &kinds) {
+                wrong.push(format!("{}:{number}: \"{kind}\"", source.path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+fn named<'a>(line: &str, kinds: &[&'a str]) -> Option<&'a str> {
+    kinds.iter().copied().find(|k| line.contains(&format!("\"{k}\"")))
+}
+
+/// Every part's file runs the conformance suite.
+#[test]
+fn every_part_runs_the_conformance_suite() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/parts");
+    for kind in laval::parts::registry() {
+        let files = [folder.join(format!("{}.rs", kind.info.kind)), folder.join(kind.info.kind).join("mod.rs")];
+        let text = files.iter().find_map(|f| fs::read_to_string(f).ok()).unwrap_or_else(|| panic!("no file for \"{}\"", kind.info.kind));
+        assert!(text.contains("conformance! {"), "\"{}\" does not run the conformance suite", kind.info.kind);
+        for item in ["Equations", "Symbols", "Validity", "Sources"] {
+            assert!(text.contains(&format!("//! {item}")), "the header of \"{}\" lacks {item}", kind.info.kind);
+        }
+    }
+}
+
+#[test]
+fn the_rules_can_be_broken() {
+    assert_eq!(forbidden("model", "use crate::parts::disc::Disc;").as_deref(), Some("parts"));
+    assert_eq!(forbidden("report", "let x = crate::study::registry();").as_deref(), Some("study"));
+    assert_eq!(forbidden("solve", "use crate::{model::part::At, outcome::Outcome};").as_deref(), Some("outcome"));
+    assert_eq!(forbidden("parts", "use crate::solve::X;").as_deref(), Some("solve"));
+    assert_eq!(forbidden("study", "use crate::{diagnostic::Diagnostic, outcome::Outcome};"), None);
+    let list = code("use crate::{\n    model::part::{At, Rows},\n    outcome::Outcome,\n};\nfn f() {}");
+    assert_eq!(list.len(), 2);
+    assert_eq!(forbidden("solve", &list[0].1).as_deref(), Some("outcome"));
+    assert_eq!(named("    \"disc\" => 1,", &["disc"]), Some("disc"));
+    assert_eq!(named("    .help(\"kind = \\\"disc\\\"\")", &["disc"]), None);
+    assert_eq!(code("let a = 1;\n// crate::x\n#[cfg(test)]\nmod tests {\nuse crate::parts;\n}").len(), 1);
+}

@@ -1,0 +1,130 @@
+//! Forced response: reference resonances, the Jeffcott rotor, critical speeds.
+
+mod common;
+
+use common::{Planar, number, rows};
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, RangeValue};
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::model::system::System;
+use laval::outcome::{Data, Outcome};
+use laval::parts::{bearing_cubic::*, damper::*, disc::*};
+use laval::study::forced_response::{ForcedResponse, at_speed};
+use laval::study::{Context, Study};
+
+fn run(system: &System, from: f64, to: f64) -> Outcome {
+    ForcedResponse { speed: RangeValue { from, to, points: None } }.run(system, &Context::quiet("response")).unwrap()
+}
+
+/// Speed and amplitude of the first extremum of a kind of a body.
+fn first(out: &Outcome, body: &str, kind: &str) -> (f64, f64) {
+    let t = out.find_table("extrema").unwrap();
+    let text = |name: &str| match &t.column(name).unwrap().data {
+        Data::Text(v) => v.clone(),
+        _ => unreachable!(),
+    };
+    let row = text("body").iter().zip(&text("kind")).position(|(b, k)| b == body && k == kind).unwrap();
+    (t.column("speed").unwrap().number(row).unwrap(), t.column("amplitude").unwrap().number(row).unwrap())
+}
+
+/// The table is that of one harmonic of the nonlinear bearing, stiffer by 3/4 c1 d^2 at the deflection d it has there: the linear machine with
+/// that stiffness has the same state. Speed of the extremum, amplitudes of drum and base.
+fn with_one_harmonic(system: &System, speed: f64, kind: &str) -> (f64, f64, f64) {
+    let x = at_speed(system, speed).unwrap().unwrap();
+    let d = (x.circles(0).0 - x.circles(2).0).abs();
+    let stiffer = system.with(&[("bearing.stiffness", 1.1e7 + 0.75 * 8.7e10 * d * d)]).unwrap();
+    let (speed, z1) = first(&run(&stiffer, 0.8 * speed, 1.2 * speed), "drum", kind);
+    (speed, z1, at_speed(&stiffer, speed).unwrap().unwrap().major(2))
+}
+
+#[test]
+fn first_resonance_and_antiresonance() {
+    for r in rows(include_str!("reference/planar/first_resonance.csv")) {
+        let system = Planar { fill: number(r[0]), chi: number(r[1]), base: number(r[2]), ..Planar::default() }.build();
+        let out = run(&system, 25.0, 8000.0);
+        let (peak, dip) = (first(&out, "drum", "resonance").0, first(&out, "drum", "antiresonance").0);
+        // by itself the linear machine is 1e-6 off at the resonance and 3e-5 at the antiresonance
+        assert!((peak / number(r[3]) - 1.0).abs() < 1e-6 && (dip / number(r[7]) - 1.0).abs() < 5e-5, "{r:?}: {peak} {dip}");
+        let (speed, z1, z2) = with_one_harmonic(&system, peak, "resonance");
+        // a maximum is known to about the root of the rounding times its width (about 1 rad/s, or 20 with much damping)
+        assert!((speed - number(r[3])).abs() < 2e-6, "{r:?}: {speed}");
+        assert!((z1 / number(r[4]) - 1.0).abs() < 1e-9, "{r:?}: {z1}");
+        assert!((z2 / number(r[5]) - 1.0).abs() < 1e-6, "{r:?}: {z2}");
+        let (speed, z1, _) = with_one_harmonic(&system, dip, "antiresonance");
+        assert!((speed / number(r[7]) - 1.0).abs() < 1e-8, "{r:?}: {speed}");
+        // six digits are printed
+        assert!((z1 / number(r[8]) - 1.0).abs() < 2e-6, "{r:?}: {z1}");
+    }
+}
+
+#[test]
+fn jeffcott_rotor() {
+    let (m, e, k, d): (f64, f64, f64, f64) = (3.0, 2e-5, 4e6, 150.0);
+    let system = Builder::new("Jeffcott")
+        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part(
+            "shaft",
+            BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+            BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+        )
+        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [d; 2] })
+        .build()
+        .unwrap();
+    for w in [100.0, 1000.0, 1154.7, 3000.0] {
+        let r = at_speed(&system, w).unwrap().unwrap();
+        let (f, b) = r.circles(0);
+        let amplitude = m * e * w * w / (k - m * w * w).hypot(d * w);
+        assert!((f.abs() / amplitude - 1.0).abs() < 1e-12 && b.abs() < 1e-12 * amplitude);
+        assert!((f.arg() + (d * w).atan2(k - m * w * w)).abs() < 1e-12);
+    }
+    // peak of the unbalance response: w0 / sqrt(1 - 2 D^2)
+    let w0 = (k / m).sqrt();
+    let ratio = d / (2.0 * (k * m).sqrt());
+    let (peak, top) = first(&run(&system, 50.0, 4000.0), "disc", "resonance");
+    assert!((peak / (w0 / (1.0 - 2.0 * ratio * ratio).sqrt()) - 1.0).abs() < 1e-8);
+    assert!((top / (e / (2.0 * ratio * (1.0 - ratio * ratio).sqrt())) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
+    use laval::study::critical_speeds::CriticalSpeeds;
+    let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.build();
+    let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0, 2.0], margin: 0.1 };
+    let out = study.run(&system, &Context::quiet("critical")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    // forward and backward each
+    let expected = [109.06465573, 2241.53479433].map(|w| [w, w, w / 2.0, w / 2.0]).concat();
+    assert_eq!(t.rows(), expected.len());
+    let mut found: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    let mut expected = expected;
+    found.sort_by(f64::total_cmp);
+    expected.sort_by(f64::total_cmp);
+    for (f, e) in found.iter().zip(&expected) {
+        assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+    }
+}
+
+#[test]
+fn critical_speed_of_a_gyroscopic_tilt() {
+    use laval::study::campbell::Campbell;
+    // forward: A w^2 - C W w = k at w = W gives W^2 = k/(A - C); backward: W^2 = k/(A + C)
+    let (a, cp, k, h): (f64, f64, f64, f64) = (0.02, 0.008, 800.0, 0.1);
+    let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
+    let p = BearingCubicParams { stiffness: [k / (2.0 * h * h); 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+    let system = Builder::new("gyro")
+        .part("disc", Disc::tilting(), DiscParams { mass: 4.0, diametral_inertia: a, polar_inertia: cp, ..DiscFamily::defaults() })
+        .part("upper", spring(h), p)
+        .part("lower", spring(-h), p)
+        .build()
+        .unwrap();
+    let study = Campbell { speed: RangeValue { from: 0.0, to: 400.0, points: Some(30) }, orders: vec![1.0], threshold: 0.0 };
+    let out = study.run(&system, &Context::quiet("campbell")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    let speeds: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    for e in [(k / (a - cp)).sqrt(), (k / (a + cp)).sqrt(), (k / (h * h) / 4.0).sqrt()] {
+        let d = speeds.iter().map(|s| (s / e - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(d < 1e-12, "{e} in {speeds:?}");
+    }
+    assert_eq!(speeds.len(), 4);
+}
