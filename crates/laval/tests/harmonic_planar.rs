@@ -89,7 +89,7 @@ fn direction_of_the_unbalance_does_not_move_isotropic_folds() {
 /// With another unit of length the same numbers follow, scaled.
 #[test]
 fn unit_of_length_is_free() {
-    for metre in [1e-3, 1e3] {
+    for metre in [0.1, 2.0] {
         for isotropic in [false, true] {
             let (a, b) = (
                 Base { isotropic, chi: 600.0, fill: Some(0.667), ..Base::default() },
@@ -173,6 +173,26 @@ fn tilting_disc_on_two_bearings() {
         for o in orbits(&system, &r, range) {
             let d = common::base::defect(&system, &o, 1);
             assert!(d < 1e-8, "{isotropic} at {}: {d:e}", o.speed);
+        }
+    }
+}
+
+/// Without any damping the peak is infinite: the branch ends, and its points are the closed form.
+#[test]
+fn undamped_resonance_ends() {
+    let link = Link::Between(Attach::on("disc"), Attach::ground());
+    let p = BearingCubicParams { stiffness: [2e6; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+    let b = Builder::new("undamped")
+        .part("disc", Disc::planar(), DiscParams { mass: 3.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("spring", BearingCubic::isotropic(link), p);
+    let r = run(b, Request { stability: false, ..request(100.0, 3000.0) });
+    let peak = (2e6f64 / 3.0).sqrt();
+    assert_eq!(r.branches.len(), 2);
+    for branch in &r.branches {
+        assert!(branch.points.len() < 3000, "{} points, {:?}", branch.points.len(), branch.end);
+        for p in branch.points.iter().filter(|p| (p.speed - peak).abs() > 1e-3 * peak) {
+            let exact = 1e-4 * p.speed * p.speed / (peak * peak - p.speed * p.speed);
+            assert!((p.x[0] - exact).abs() < 1e-11 * exact.abs(), "{}: {} {exact}", p.speed, p.x[0]);
         }
     }
 }

@@ -67,6 +67,11 @@ fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
     (dot(&rest, &rest).sqrt() < 1e-12 * size).then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
 }
 
+/// The reference at order `k`: with as much loss as stiffness, so that it brings no resonance of its own.
+pub fn lossy(k: usize, reference: f64) -> C64 {
+    c(reference, if k == 0 { 0.0 } else { reference })
+}
+
 /// One order condensed at one speed, with derivatives in the speed.
 #[derive(Clone, Debug, Default)]
 pub struct Order {
@@ -169,7 +174,7 @@ impl Condenser {
         for (row, &reference) in self.basis.iter().zip(&self.reference) {
             for &(gi, ci) in row {
                 for &(gj, cj) in row {
-                    self.z[(gi, gj)] += c(ci * cj * reference, 0.0);
+                    self.z[(gi, gj)] += lossy(k, reference).scale(ci * cj);
                 }
             }
         }
@@ -221,7 +226,7 @@ impl Condenser {
         out.load_speed = k_ref.mul_vec(&du0);
         dk.mul_vec_add(&u0, &mut out.load_speed);
         for i in 0..m {
-            k_ref[(i, i)] -= c(self.reference[i], 0.0);
+            k_ref[(i, i)] -= lossy(k, self.reference[i]);
         }
         out.stiffness = k_ref;
         out.stiffness_speed = dk;

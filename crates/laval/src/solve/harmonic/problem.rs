@@ -7,7 +7,7 @@
 //! x are the terms of the nonlinear coordinates u, L and p the linear parts condensed exactly at every order, f the nonlinear forces sampled over the
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
 
-use super::condense::{Basis, Condenser, Order};
+use super::condense::{Basis, Condenser, Order, lossy};
 use super::nonlinear::{Member, Sampled};
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
@@ -278,7 +278,7 @@ impl<'a> Balance<'a> {
         for (i, &free) in order.free.iter().enumerate() {
             let mut sum = free;
             for j in 0..mu {
-                sum -= order.spread[(i, j)] * (self.forces[j] - self.amplitudes[j].scale(self.condenser.reference[j]));
+                sum -= order.spread[(i, j)] * (self.forces[j] - self.amplitudes[j] * lossy(k, self.condenser.reference[j]));
             }
             out.push(sum);
         }

@@ -307,7 +307,7 @@ fn judge(
 fn polish(balance: &mut Balance, x: &[f64], speed: f64) -> Option<(Vec<f64>, f64)> {
     let mut y = x.to_vec();
     let done = newton(balance, &mut y, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
-    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
+    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-3 * s.max(a.abs()));
     near.then_some((y, done.residual))
 }
 
