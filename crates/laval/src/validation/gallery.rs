@@ -257,7 +257,7 @@ fn expected(s: &mut String, case: &Case, compared: &[Compared]) {
             with_unit(&e.expected_text, e)
         );
         let (measured, error, ratio, verdict) = match found {
-            Some(c) => (format_number(c.measured, 13), format_number(c.error, 2), times(c.ratio), badge(c.row.word(), c.row == e.stated)),
+            Some(c) => (format_number(c.measured, 12), format_number(c.error, 2), times(c.ratio), badge(c.row.word(), c.row == e.stated)),
             None => (String::new(), String::new(), String::new(), badge("not run", true)),
         };
         let _ =

@@ -5,10 +5,10 @@
 //! the verdict. [`check`] runs the machine the ordinary way, compares, and says whether the verdicts still hold; [`gallery`] writes
 //! what was found as pages. `docs/validation.md` describes the format.
 //!
-//! ```
+//! ````
 //! use laval::validation::{Case, Verdict, check};
 //! let text = r#"
-//! # Mass on a spring
+//! ## Mass on a spring
 //!
 //! |  |  |
 //! | --- | --- |
@@ -17,10 +17,10 @@
 //! | Evidence | closed form |
 //! | Verdict | agrees |
 //!
-//! ## Symbols
+//! ### Symbols
 //! k is `stiffness`, m is `mass`.
 //!
-//! ## Machine
+//! ### Machine
 //! ```toml machine
 //! [machine]
 //! name = "mass on a spring"
@@ -37,19 +37,19 @@
 //! speed = "0 rad/s"
 //! ```
 //!
-//! ## Expected
+//! ### Expected
 //! | study | value | at | expected | unit | tolerance |
 //! | --- | --- | --- | --- | --- | --- |
 //! | modes | modes / frequency | first | 10 | rad/s | 1e-12 relative |
 //!
-//! ## Tolerance
+//! ### Tolerance
 //! Rounding of a small eigenproblem.
 //! "#;
 //! let case = Case::parse("linear/mass-on-a-spring", text).unwrap_or_else(|d| panic!("{d:?}"));
 //! let checked = check(case);
 //! assert_eq!(checked.verdict(), Some(Verdict::Agrees));
 //! assert!(checked.holds());
-//! ```
+//! ````
 
 mod case;
 mod check;
