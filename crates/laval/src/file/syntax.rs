@@ -69,7 +69,9 @@ fn open_list(text: &str, until: usize) -> Option<Span> {
         let line = start..start + source.trim_end_matches('\n').len();
         start += source.len();
         let body = source.trim_start();
-        let key = body.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
+        let key = body
+            .split_once('=')
+            .is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
         if depth > 0 && (key || body.starts_with("[[") || body.starts_with("[machine]")) {
             return Some(opened);
         }
