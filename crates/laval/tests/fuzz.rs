@@ -204,7 +204,8 @@ fn shorter(bytes: Vec<u8>, why: &str, fails: impl Fn(&[u8]) -> Option<String>) -
 
 fn quiet_panics() {
     std::panic::set_hook(Box::new(|info| {
-        let text = info.payload().downcast_ref::<String>().cloned().or_else(|| info.payload().downcast_ref::<&str>().map(|s| s.to_string()));
+        let text =
+            info.payload().downcast_ref::<String>().cloned().or_else(|| info.payload().downcast_ref::<&str>().map(|s| s.to_string()));
         let place = info.location().map(ToString::to_string).unwrap_or_default();
         *lock(&LAST_PANIC) = format!("{} at {place}", text.unwrap_or_default());
         // failures of the test itself are seen
@@ -248,7 +249,13 @@ fn no_file_makes_the_program_fall_over() {
     chosen.sort_unstable();
     chosen.dedup();
     assert!(chosen.len() * 10 > wanted * 7, "only {} valid files have studies", chosen.len());
-    let mut more = valid.iter().filter(|v| !v.1.is_empty()).map(|v| v.0).filter(|c| chosen.binary_search(c).is_err()).take(wanted - chosen.len().min(wanted)).collect();
+    let mut more = valid
+        .iter()
+        .filter(|v| !v.1.is_empty())
+        .map(|v| v.0)
+        .filter(|c| chosen.binary_search(c).is_err())
+        .take(wanted - chosen.len().min(wanted))
+        .collect();
     chosen.append(&mut more);
     let ended = all("studies", &chosen, &sources, study);
     let mut count: BTreeMap<String, usize> = BTreeMap::new();

@@ -101,9 +101,15 @@ fn mistakes() -> Vec<(&'static str, String)> {
             ),
         ),
         ("harmonics below the subharmonic", format!("{MACHINE}subharmonic = 3\nharmonics = 2\n")),
-        ("polar inertia above twice the diametral", one("eccentricity = \"20 um\"", "polar_inertia = \"0.05 kg m^2\"\ndiametral_inertia = \"0.02 kg m^2\"")),
+        (
+            "polar inertia above twice the diametral",
+            one("eccentricity = \"20 um\"", "polar_inertia = \"0.05 kg m^2\"\ndiametral_inertia = \"0.02 kg m^2\""),
+        ),
         ("law missing", one("law = \"per_axis\"\n", "")),
-        ("modes of a bearing without tangent at rest", study("[[study]]\nkind = \"modes\"\n").replace(bearing.trim_end(), HERTZ.trim_end())),
+        (
+            "modes of a bearing without tangent at rest",
+            study("[[study]]\nkind = \"modes\"\n").replace(bearing.trim_end(), HERTZ.trim_end()),
+        ),
         ("speed missing for modes", study("[[study]]\nkind = \"modes\"\n").replace("speed = \"3000 rpm\"\n", "")),
         ("a bracket forgotten", one("[\"drum\", \"housing\"]", "[\"drum\", \"housing\"")),
         ("a quotation mark forgotten", one("\"25 kg\"", "\"25 kg")),

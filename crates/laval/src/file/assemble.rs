@@ -157,7 +157,11 @@ fn check_joints(spec: &Spec, built: &[Option<PartInput>], diagnostics: &mut Diag
         let known = || {
             let mut all: Vec<String> = bodies.iter().map(|b| format!("\"{b}\"")).collect();
             all.extend(ground.then(|| "\"ground\"".to_string()));
-            if all.is_empty() { "this machine has no body: add a part such as a disc".to_string() } else { format!("bodies of this machine: {}", all.join(", ")) }
+            if all.is_empty() {
+                "this machine has no body: add a part such as a disc".to_string()
+            } else {
+                format!("bodies of this machine: {}", all.join(", "))
+            }
         };
         let span = block.values.span_of(field);
         let Some(i) = spec.parts.iter().position(|p| &p.name == name) else {
@@ -168,14 +172,20 @@ fn check_joints(spec: &Spec, built: &[Option<PartInput>], diagnostics: &mut Diag
             return;
         };
         if !is_body(i) {
-            let message = format!("{} \"{}\" is attached to \"{name}\", which is a {} and not a body", block.kind, block.name, spec.parts[i].kind);
+            let message =
+                format!("{} \"{}\" is attached to \"{name}\", which is a {} and not a body", block.kind, block.name, spec.parts[i].kind);
             out.push(Diagnostic::error("body.kind", message).at(span).label("not a body").help(known()));
             return;
         }
         let Some(body) = &built[i] else { return };
         if attach.position != 0.0 && body.part.shape(&body.params, attach.position) == body.part.shape(&body.params, 0.0) {
             let message = format!("the position on \"{name}\" has no effect: that {} does not tilt", spec.parts[i].kind);
-            out.push(Diagnostic::warning("body.position", message).at(span).label("no effect").help("give a disc its diametral_inertia to let it tilt"));
+            out.push(
+                Diagnostic::warning("body.position", message)
+                    .at(span)
+                    .label("no effect")
+                    .help("give a disc its diametral_inertia to let it tilt"),
+            );
         }
     };
     for block in &spec.parts {
@@ -188,7 +198,8 @@ fn check_joints(spec: &Spec, built: &[Option<PartInput>], diagnostics: &mut Diag
                     if a == b {
                         let what = a.body.as_deref().unwrap_or("ground");
                         let message = format!("{} \"{}\" joins \"{what}\" to the same point of itself", block.kind, block.name);
-                        diagnostics.push(Diagnostic::error("port.same", message).at(block.values.span_of(field)).label("twice the same point"));
+                        diagnostics
+                            .push(Diagnostic::error("port.same", message).at(block.values.span_of(field)).label("twice the same point"));
                     }
                 }
                 _ => {}
@@ -219,7 +230,11 @@ fn check_finite(system: &System, diagnostics: &mut Diagnostics) {
         system.residual(system.params(), &at, &mut rows, &mut ws, |s| s.name == slot.name);
         if !force.iter().chain(&rate).chain([&spin]).all(|x| x.is_finite()) {
             let message = format!("{} \"{}\" gives a force that is not a finite number", slot.part.kind(), slot.name);
-            diagnostics.push(Diagnostic::error("part.not_finite", message).at(slot.span.clone()).help("a value of this part is too large or too small to compute with"));
+            diagnostics.push(
+                Diagnostic::error("part.not_finite", message)
+                    .at(slot.span.clone())
+                    .help("a value of this part is too large or too small to compute with"),
+            );
         }
     }
 }
@@ -232,7 +247,10 @@ fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) ->
         check_names(kind.info.fields.as_slice(), block, system, &mut own);
         let built = if own.has_errors() { None } else { (kind.build)(&block.values, system, &mut own) };
         if built.is_none() && !own.has_errors() {
-            own.push(Diagnostic::error("study.incomplete", format!("{} \"{}\" cannot be built from what is given", block.kind, block.name)));
+            own.push(Diagnostic::error(
+                "study.incomplete",
+                format!("{} \"{}\" cannot be built from what is given", block.kind, block.name),
+            ));
         }
         place(&mut own, block);
         diagnostics.0.append(&mut own.0);
@@ -267,7 +285,12 @@ fn coordinate(system: &System, name: &str, span: Option<Span>, out: &mut Diagnos
     }
     let known = format!("coordinates of this machine: {}", all().collect::<Vec<_>>().join(", "));
     let help = nearest(name, all()).map_or_else(|| known.clone(), |n| format!("did you mean \"{n}\"? {}", capital(&known)));
-    out.push(Diagnostic::error("coordinate.unknown", format!("there is no coordinate \"{name}\"")).at(span).label("unknown coordinate").help(help));
+    out.push(
+        Diagnostic::error("coordinate.unknown", format!("there is no coordinate \"{name}\""))
+            .at(span)
+            .label("unknown coordinate")
+            .help(help),
+    );
 }
 
 #[cfg(test)]
@@ -362,7 +385,8 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
 
     #[test]
     fn a_position_without_effect_is_told() {
-        let l = load(&MACHINE.replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]")).unwrap_or_else(|d| panic!("{d:?}"));
+        let l = load(&MACHINE.replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]"))
+            .unwrap_or_else(|d| panic!("{d:?}"));
         assert_eq!(l.warnings.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.position"]);
         let tilting = MACHINE
             .replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]")

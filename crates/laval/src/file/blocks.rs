@@ -28,7 +28,9 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     let parts_raw = gather(root, "part", &catalog.parts, out);
     let studies_raw = gather(root, "study", &catalog.studies, out);
     if parts_raw.is_empty() && get(root, "part").is_none() {
-        out.push(Diagnostic::error("file.no_parts", "the machine has no parts").help("describe each part in a block that begins with [[part]]"));
+        out.push(
+            Diagnostic::error("file.no_parts", "the machine has no parts").help("describe each part in a block that begins with [[part]]"),
+        );
     }
     let names: Vec<(String, &'static str)> = parts_raw.iter().map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
     let machine = read_machine(text, root, catalog, &names, out);
@@ -61,7 +63,8 @@ fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
     } else if is_kind(&catalog.studies) {
         format!("{key} is a study: write [[study]] and below it kind = \"{key}\"")
     } else if e.node.table().is_none() && !matches!(&e.node.data, Data::List(l) if l.iter().any(|n| n.table().is_some())) {
-        let field = MACHINE_FIELDS.iter().find(|f| f.name == key).map_or(String::new(), |f| format!("; {:?} belongs below [machine]", f.name));
+        let field =
+            MACHINE_FIELDS.iter().find(|f| f.name == key).map_or(String::new(), |f| format!("; {:?} belongs below [machine]", f.name));
         format!("every key stands in a block: [machine], [[part]] or [[study]]{field}")
     } else {
         let meant = match key.to_ascii_lowercase().as_str() {
@@ -75,7 +78,12 @@ fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
             None => known.to_string(),
         }
     };
-    out.push(Diagnostic::error("file.unknown_table", format!("{:?} is not a block of a machine file", clip(key))).at(e.span.clone()).label("unknown").help(help));
+    out.push(
+        Diagnostic::error("file.unknown_table", format!("{:?} is not a block of a machine file", clip(key)))
+            .at(e.span.clone())
+            .label("unknown")
+            .help(help),
+    );
 }
 
 fn capital(s: &str) -> String {
@@ -98,7 +106,11 @@ fn gather<'n, 'a>(root: &'n [Entry<'a>], what: &'static str, known: &'n [KindInf
             vec![&e.node]
         }
         _ => {
-            out.push(Diagnostic::error("file.brackets", format!("{what:?} must be a block")).at(e.span.clone()).help(format!("write [[{what}]] and its keys below")));
+            out.push(
+                Diagnostic::error("file.brackets", format!("{what:?} must be a block"))
+                    .at(e.span.clone())
+                    .help(format!("write [[{what}]] and its keys below")),
+            );
             return Vec::new();
         }
     };
@@ -155,24 +167,37 @@ fn gather<'n, 'a>(root: &'n [Entry<'a>], what: &'static str, known: &'n [KindInf
     blocks
 }
 
-fn read_kind<'n>(table: &[Entry], span: Option<Span>, what: &str, name: Option<&str>, known: &'n [KindInfo], out: &mut Diagnostics) -> Option<&'n KindInfo> {
+fn read_kind<'n>(
+    table: &[Entry],
+    span: Option<Span>,
+    what: &str,
+    name: Option<&str>,
+    known: &'n [KindInfo],
+    out: &mut Diagnostics,
+) -> Option<&'n KindInfo> {
     let words = || known.iter().map(|k| k.kind);
     let named = name.map(|n| format!(" {n:?}")).unwrap_or_default();
     let Some(e) = get(table, "kind") else {
         let help = suggestion("", words(), "write kind = \"..\" with one of");
-        let mut d = Diagnostic::error("kind.missing", format!("this {what}{named} says no kind")).at(span).label("kind = \"..\" is missing");
+        let mut d =
+            Diagnostic::error("kind.missing", format!("this {what}{named} says no kind")).at(span).label("kind = \"..\" is missing");
         d.help = help;
         out.push(d);
         return None;
     };
     let Some(t) = e.node.text() else {
-        out.push(Diagnostic::error("value.type", format!("{what}{named}: kind must be a word in quotes, not {}", e.node.shape())).at(e.node.span.clone()));
+        out.push(
+            Diagnostic::error("value.type", format!("{what}{named}: kind must be a word in quotes, not {}", e.node.shape()))
+                .at(e.node.span.clone()),
+        );
         return None;
     };
     let found = known.iter().find(|k| k.kind == t);
     if found.is_none() {
         let kinds = if what == "study" { "kinds of studies" } else { "kinds of parts" };
-        let mut d = Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {:?}", clip(t))).at(e.node.span.clone()).label("unknown kind");
+        let mut d = Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {:?}", clip(t)))
+            .at(e.node.span.clone())
+            .label("unknown kind");
         d.help = suggestion(t, words(), kinds);
         out.push(d);
     }
@@ -186,16 +211,21 @@ fn read_name(e: &Entry, what: &str, out: &mut Diagnostics) -> Option<String> {
         return None;
     };
     if t == "ground" {
-        out.push(bad(format!("a {what} cannot be named \"ground\""), "reserved").help("\"ground\" is the fixed surroundings that parts may be attached to"));
+        out.push(
+            bad(format!("a {what} cannot be named \"ground\""), "reserved")
+                .help("\"ground\" is the fixed surroundings that parts may be attached to"),
+        );
         return None;
     }
     if valid_name(t) {
         return Some(t.to_string());
     }
     let d = bad(format!("{:?} cannot be the name of a {what}", clip(t)), "not a name");
-    let mut clean: String = t.chars().map(|c| if c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ') { c } else { '_' }).take(MAX_NAME).collect();
+    let mut clean: String =
+        t.chars().map(|c| if c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ') { c } else { '_' }).take(MAX_NAME).collect();
     clean = clean.trim_matches(|c: char| !c.is_ascii_alphanumeric()).to_string();
-    let mut help = "a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters".to_string();
+    let mut help =
+        "a name is made of letters, digits, spaces, _ and -, begins with a letter or digit and has at most 64 characters".to_string();
     if valid_name(&clean) {
         help = format!("for instance {clean:?}: {help}");
     }
@@ -250,17 +280,29 @@ fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[E
 
 fn read_machine(text: &str, root: &[Entry], catalog: &Catalog, parts: &[(String, &'static str)], out: &mut Diagnostics) -> MachineBlock {
     let Some(e) = get(root, "machine") else {
-        out.push(Diagnostic::error("file.no_machine", "the file has no [machine] block").help("begin it with [machine] and, below, name = \"..\" and speed = \"3000 rpm\""));
+        out.push(
+            Diagnostic::error("file.no_machine", "the file has no [machine] block")
+                .help("begin it with [machine] and, below, name = \"..\" and speed = \"3000 rpm\""),
+        );
         return MachineBlock::default();
     };
     let table = match &e.node.data {
         Data::Table(t) => t,
         Data::List(_) => {
-            out.push(Diagnostic::error("file.brackets", "there is one machine in a file").at(e.node.span.clone()).label("double brackets").help("write [machine], with single brackets, once"));
+            out.push(
+                Diagnostic::error("file.brackets", "there is one machine in a file")
+                    .at(e.node.span.clone())
+                    .label("double brackets")
+                    .help("write [machine], with single brackets, once"),
+            );
             return MachineBlock::default();
         }
         _ => {
-            out.push(Diagnostic::error("file.brackets", "\"machine\" must be a block").at(e.span.clone()).help("write [machine] and its keys below"));
+            out.push(
+                Diagnostic::error("file.brackets", "\"machine\" must be a block")
+                    .at(e.span.clone())
+                    .help("write [machine] and its keys below"),
+            );
             return MachineBlock::default();
         }
     };

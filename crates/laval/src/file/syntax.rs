@@ -62,7 +62,9 @@ fn open_list(text: &str, until: usize) -> Option<Span> {
         let line = start..start + source.trim_end_matches('\n').len();
         start += source.len();
         let body = source.trim_start();
-        let key = body.split_once('=').is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
+        let key = body
+            .split_once('=')
+            .is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
         if depth > 0 && (key || body.starts_with("[[") || body.starts_with("[machine]")) {
             return Some(opened);
         }
@@ -105,9 +107,11 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
     if e.message().starts_with("duplicate key") {
         let word = text.get(span.clone()).unwrap_or("").trim();
         if body.starts_with('[') {
-            return d(&format!("{body} stands twice in the file"), "the second time").help("write one block, or double brackets where several are allowed: [[part]], [[study]]");
+            return d(&format!("{body} stands twice in the file"), "the second time")
+                .help("write one block, or double brackets where several are allowed: [[part]], [[study]]");
         }
-        return d(&format!("the key {word:?} is given twice in one block"), "the second time").help("keep one of the two; a further part begins with its own [[part]]");
+        return d(&format!("the key {word:?} is given twice in one block"), "the second time")
+            .help("keep one of the two; a further part begins with its own [[part]]");
     }
     if let Some(rest) = body.strip_prefix('[') {
         if !rest.contains("==") && !rest.contains('=') {
@@ -119,7 +123,8 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
         }
     }
     let Some((key, value)) = body.split_once('=') else {
-        return d("this line is neither a block header nor a key with a value", "not understood").help("write key = value, [machine], [[part]] or [[study]]; a remark begins with #");
+        return d("this line is neither a block header nor a key with a value", "not understood")
+            .help("write key = value, [machine], [[part]] or [[study]]; a remark begins with #");
     };
     let (key, value) = (key.trim(), value.split('#').next().unwrap_or("").trim());
     if value.is_empty() {
@@ -127,34 +132,41 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
     }
     let plain_key = !key.is_empty() && key.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.'));
     if !plain_key && !key.starts_with(['"', '\'']) {
-        return d(&format!("{key:?} cannot be a key"), "not a key").help("a key is one word of letters, digits, _ and -; write key = value");
+        return d(&format!("{key:?} cannot be a key"), "not a key")
+            .help("a key is one word of letters, digits, _ and -; write key = value");
     }
     let quotes = value.matches('"').count();
     if quotes % 2 == 1 {
-        return d(&format!("a quotation mark is missing in the value of {key}"), "not closed").help(if value.ends_with('"') && !value.starts_with(['"', '[', '{']) {
-            format!("write {key} = \"{value}")
-        } else if value.starts_with('"') {
-            format!("write {key} = {value}\"")
-        } else {
-            "texts and quantities stand between two quotation marks".to_string()
-        });
+        return d(&format!("a quotation mark is missing in the value of {key}"), "not closed").help(
+            if value.ends_with('"') && !value.starts_with(['"', '[', '{']) {
+                format!("write {key} = \"{value}")
+            } else if value.starts_with('"') {
+                format!("write {key} = {value}\"")
+            } else {
+                "texts and quantities stand between two quotation marks".to_string()
+            },
+        );
     }
     if value.starts_with(['{', '[']) {
         let count = |open: char, close: char| value.matches(open).count() != value.matches(close).count();
         if count('{', '}') {
-            return d(&format!("a brace is missing in the value of {key}"), "{ and } must match").help("a table is written { x = \"..\", y = \"..\" }");
+            return d(&format!("a brace is missing in the value of {key}"), "{ and } must match")
+                .help("a table is written { x = \"..\", y = \"..\" }");
         }
         if count('[', ']') {
-            return d(&format!("a bracket is missing in the value of {key}"), "[ and ] must match").help("a list is written [\"..\", \"..\"]");
+            return d(&format!("a bracket is missing in the value of {key}"), "[ and ] must match")
+                .help("a list is written [\"..\", \"..\"]");
         }
         return d(&format!("the value of {key} cannot be read"), "not understood")
             .help("inside lists and tables, too, texts and quantities stand in quotes, with commas between entries: { x = \"1 mm\", y = \"2 mm\" }");
     }
     if value.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.')) && !value.contains('"') {
-        return d(&format!("the value of {key} must stand in quotes, because it has a unit"), "quotes are missing").help(format!("write {key} = \"{value}\""));
+        return d(&format!("the value of {key} must stand in quotes, because it has a unit"), "quotes are missing")
+            .help(format!("write {key} = \"{value}\""));
     }
     if !value.starts_with(['"', '\'']) {
-        return d(&format!("the value of {key} must stand in quotes"), "quotes are missing").help(format!("write {key} = \"{}\"", value.trim_matches('"')));
+        return d(&format!("the value of {key} must stand in quotes"), "quotes are missing")
+            .help(format!("write {key} = \"{}\"", value.trim_matches('"')));
     }
     d(&format!("this line cannot be read: {}", e.message()), "not understood").help(format!("write {key} = \"..\""))
 }

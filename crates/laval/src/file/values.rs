@@ -103,7 +103,12 @@ impl Context<'_> {
             Data::Float(x) => (*x, true),
             _ => {
                 let example = units::examples(unit);
-                self.wrong_type(field, node, &units::describe(unit), format!("write a number with a unit in quotes ({example}), or a bare number in SI units"));
+                self.wrong_type(
+                    field,
+                    node,
+                    &units::describe(unit),
+                    format!("write a number with a unit in quotes ({example}), or a bare number in SI units"),
+                );
                 return None;
             }
         };
@@ -115,7 +120,12 @@ impl Context<'_> {
         if !bounds.contains(x) {
             let value = units::format_si(x, unit);
             let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds_text(bounds, unit));
-            let help = (bare && !unit.is_empty()).then(|| format!("a bare number is in {unit}; put number and unit in quotes to use others ({})", units::examples(unit)));
+            let share = unit.is_empty() && bounds.max == 1.0 && x > 1.0 && x <= 100.0;
+            let help = share.then(|| format!("write \"{} %\" if you mean percent", units::write_number(x)));
+            let help = help.or_else(|| {
+                (bare && !unit.is_empty())
+                    .then(|| format!("a bare number is in {unit}; put number and unit in quotes to use others ({})", units::examples(unit)))
+            });
             self.error("value.bounds", node.span.clone(), message, "out of bounds", help);
             return None;
         }
@@ -193,7 +203,13 @@ impl Context<'_> {
         let fine = self.check_keys(field, table, &["body", "at"]);
         let Some(b) = get(table, "body") else {
             let message = format!("{} names no body", subject(self.who, field));
-            self.error("key.missing", node.span.clone(), message, "body = .. is missing", "write { body = \"drum\", at = \"40 mm\" }".to_string());
+            self.error(
+                "key.missing",
+                node.span.clone(),
+                message,
+                "body = .. is missing",
+                "write { body = \"drum\", at = \"40 mm\" }".to_string(),
+            );
             return None;
         };
         let body = body(self, &b.node)?;
@@ -211,7 +227,10 @@ impl Context<'_> {
 
     fn range(&mut self, field: &str, node: &Node, extra: &[&str], unit: Option<(&str, Bounds)>) -> Option<RangeValue> {
         let Some(table) = node.table() else {
-            let example = format!("write {{ from = .., to = .., points = .. }} with {}", unit.map_or("numbers".into(), |u| format!("values in {}", units::examples(u.0))));
+            let example = format!(
+                "write {{ from = .., to = .., points = .. }} with {}",
+                unit.map_or("numbers".into(), |u| format!("values in {}", units::examples(u.0)))
+            );
             self.wrong_type(field, node, "a range", example);
             return None;
         };
@@ -221,7 +240,13 @@ impl Context<'_> {
         let mut end = |cx: &mut Self, key: &str| {
             let Some(e) = get(table, key) else {
                 let message = format!("{} has no {key:?}", subject(cx.who, field));
-                cx.error("key.missing", node.span.clone(), message, &format!("{key} = .. is missing"), "a range is { from = .., to = .., points = .. }; points may be left out".to_string());
+                cx.error(
+                    "key.missing",
+                    node.span.clone(),
+                    message,
+                    &format!("{key} = .. is missing"),
+                    "a range is { from = .., to = .., points = .. }; points may be left out".to_string(),
+                );
                 fine = false;
                 return None;
             };
@@ -328,7 +353,11 @@ impl Context<'_> {
             };
             match length {
                 Some((first, n)) if n != column.len() => {
-                    let message = format!("{}: the columns differ in length: {first} has {n} values, {name} has {}", subject(self.who, field), column.len());
+                    let message = format!(
+                        "{}: the columns differ in length: {first} has {n} values, {name} has {}",
+                        subject(self.who, field),
+                        column.len()
+                    );
                     self.error("columns.length", e.node.span.clone(), message, "other length", None);
                     fine = false;
                 }
@@ -357,7 +386,8 @@ impl Context<'_> {
             self.error("value.type", node.span.clone(), format!("{}: the list is empty", subject(self.who, field)), "empty", None);
             return None;
         }
-        let read: Vec<Option<f64>> = list.iter().enumerate().map(|(i, n)| self.quantity(&format!("{field}[{}]", i + 1), n, unit, bounds)).collect();
+        let read: Vec<Option<f64>> =
+            list.iter().enumerate().map(|(i, n)| self.quantity(&format!("{field}[{}]", i + 1), n, unit, bounds)).collect();
         read.into_iter().collect()
     }
 
@@ -388,7 +418,13 @@ impl Context<'_> {
                     Some(e) => self.quantity(&format!("{name}.{key}"), &e.node, unit, &bounds),
                     None => {
                         let message = format!("{} has no {key:?}", subject(self.who, name));
-                        self.error("key.missing", node.span.clone(), message, &format!("{key} = .. is missing"), "write one value for both directions, or { x = .., y = .. }".to_string());
+                        self.error(
+                            "key.missing",
+                            node.span.clone(),
+                            message,
+                            &format!("{key} = .. is missing"),
+                            "write one value for both directions, or { x = .., y = .. }".to_string(),
+                        );
                         None
                     }
                 };
@@ -406,7 +442,11 @@ impl Context<'_> {
                     return None;
                 }
                 let [e] = table else {
-                    let found = if table.is_empty() { "none".to_string() } else { table.iter().map(|e| e.key.as_ref()).collect::<Vec<_>>().join(", ") };
+                    let found = if table.is_empty() {
+                        "none".to_string()
+                    } else {
+                        table.iter().map(|e| e.key.as_ref()).collect::<Vec<_>>().join(", ")
+                    };
                     let message = format!("{} wants exactly one of {}; {found} given", subject(self.who, name), names.join(", "));
                     self.error("value.one_of", node.span.clone(), message, "exactly one", None);
                     return None;
@@ -499,7 +539,12 @@ impl Context<'_> {
             FieldKind::Columns(declared) => self.columns(name, node, declared),
             FieldKind::StateMap => {
                 let Some(table) = node.table() else {
-                    self.wrong_type(name, node, "a table of initial values", "write { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".to_string());
+                    self.wrong_type(
+                        name,
+                        node,
+                        "a table of initial values",
+                        "write { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".to_string(),
+                    );
                     return None;
                 };
                 let (mut out, mut unit_texts) = (Vec::new(), Vec::new());
@@ -519,7 +564,13 @@ impl Context<'_> {
 
     /// Entries of a state map; `drum.x = ..` without quotes nests in TOML and means the same.
     #[allow(clippy::type_complexity)]
-    fn state_entries(&mut self, name: &str, prefix: &str, table: &[Entry], put: &mut dyn FnMut(String, Option<Span>, Option<(f64, Option<String>)>)) {
+    fn state_entries(
+        &mut self,
+        name: &str,
+        prefix: &str,
+        table: &[Entry],
+        put: &mut dyn FnMut(String, Option<Span>, Option<(f64, Option<String>)>),
+    ) {
         for e in table {
             let key = if prefix.is_empty() { e.key.to_string() } else { format!("{prefix}.{}", e.key) };
             match e.node.table() {
@@ -594,7 +645,10 @@ pub(super) fn clip(s: &str) -> String {
 /// Mistakes of one declaration: units, default.
 pub(super) fn check_declaration(kind: &str, f: &Field, out: &mut Diagnostics) {
     let units: Vec<&str> = match f.kind {
-        FieldKind::Quantity { unit, .. } | FieldKind::Lateral { unit, .. } | FieldKind::Range { unit, .. } | FieldKind::List { unit, .. } => vec![unit],
+        FieldKind::Quantity { unit, .. }
+        | FieldKind::Lateral { unit, .. }
+        | FieldKind::Range { unit, .. }
+        | FieldKind::List { unit, .. } => vec![unit],
         FieldKind::OneOf(list) => list.iter().map(|o| o.1).collect(),
         FieldKind::Columns(list) => list.iter().map(|o| o.1).collect(),
         _ => vec![],

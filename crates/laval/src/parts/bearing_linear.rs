@@ -59,7 +59,12 @@ impl Table {
             wrong.push(match error {
                 TableError::NotIncreasing(row) => {
                     let shown = |w: f64| format_si(w, "rad/s");
-                    format!("speeds must increase from row to row: row {} has {} after {}", row + 1, shown(speed[row]), shown(speed[row - 1]))
+                    format!(
+                        "speeds must increase from row to row: row {} has {} after {}",
+                        row + 1,
+                        shown(speed[row]),
+                        shown(speed[row - 1])
+                    )
                 }
                 other => format!("column speed: {other}"),
             });

@@ -111,17 +111,17 @@ impl Part for Liquid {
         if !(0.0..=1.0 + 1e-12).contains(&fraction) {
             let (message, help) = if kind == "free_surface_radius" {
                 (
-                    format!("the free surface (radius {}) lies outside the cavity (radius {})", format_si(value, "m"), format_si(radius, "m")),
+                    format!(
+                        "the free surface (radius {}) lies outside the cavity (radius {})",
+                        format_si(value, "m"),
+                        format_si(radius, "m")
+                    ),
                     "the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty".to_string(),
                 )
             } else {
                 (
                     format!("this is {} times what the cavity holds", format_number(fraction, 4)),
-                    format!(
-                        "the cavity holds {} l, {} of this liquid",
-                        format_number(1e3 * cavity, 4),
-                        format_si(cavity * density, "kg")
-                    ),
+                    format!("the cavity holds {} l, {} of this liquid", format_number(1e3 * cavity, 4), format_si(cavity * density, "kg")),
                 )
             };
             diagnostics.push(Diagnostic::error("liquid.fill", message).at(values.span_of("fill")).help(help));
@@ -231,12 +231,11 @@ impl Part for Liquid {
             Fill::Empty
         };
         if p.free_surface_radius > p.cavity_radius {
-            let text =
-                format!(
-                    "the free surface (radius {}) lies outside the cavity (radius {})",
-                    format_si(p.free_surface_radius, "m"),
-                    format_si(p.cavity_radius, "m")
-                );
+            let text = format!(
+                "the free surface (radius {}) lies outside the cavity (radius {})",
+                format_si(p.free_surface_radius, "m"),
+                format_si(p.cavity_radius, "m")
+            );
             return vec![("fill", text)];
         }
         if fill != self.fill {

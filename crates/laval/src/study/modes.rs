@@ -69,7 +69,12 @@ impl Study for Modes {
             .flag("stable", "growth not above the threshold", modes.iter().map(|m| !unstable(m)).collect())
             .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
             .float("error", "1/s", "estimated error of the eigenvalue; NaN when there is no estimate", column(|m| m.error))
-            .float("backward_error", "", "relative change of the matrices that makes the mode exact; NaN when it is unknown", column(|m| m.residual))
+            .float(
+                "backward_error",
+                "",
+                "relative change of the matrices that makes the mode exact; NaN when it is unknown",
+                column(|m| m.residual),
+            )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
         let bodies = system.bodies();
         for body in &bodies {

@@ -543,10 +543,15 @@ fn fold_table(response: &Response) -> Result<Table, outcome::OutcomeError> {
         .float(
             "methods differ",
             "rad/s",
-            "speed by the extended system minus speed located along the branch",
+            "speed by the extended system minus speed located along the branch; NaN when the second found none",
             column(&|f| f.methods_differ),
         )
-        .float("harmonics change", "rad/s", "change when four more orders are kept", column(&|f| f.harmonics_change))
+        .float(
+            "harmonics change",
+            "rad/s",
+            "change when four more orders are kept; NaN when no fold was found with them",
+            column(&|f| f.harmonics_change),
+        )
         .build()
 }
 

@@ -96,9 +96,8 @@ impl Study for StabilityMap {
                 if context.cancelled() {
                     return Ok(Row { stopped: true, ..Row::default() });
                 }
-                let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
-                    row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each)
-                };
+                let run =
+                    |s: &System, each: &mut dyn FnMut(u64) -> bool| row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each);
                 match (value, &self.parameter) {
                     (Some(x), Some((path, _))) => {
                         let changed = system.with(&[(path, *x)]).map_err(|d| refused(path, *x, d))?;

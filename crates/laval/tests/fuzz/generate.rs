@@ -33,20 +33,105 @@ impl Random {
 
 /// Numbers that break careless arithmetic.
 const EXTREME: [f64; 20] = [
-    0.0, -0.0, 1.0, -1.0, 1e308, -1e308, 1e-308, 5e-324, 1e154, 1e-154, 1e100, 1e-100, 1e20, 1e-20, 1e9, 1e-9, 1e6, 1e-6, 0.5, 1.0000000000000002,
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    1e308,
+    -1e308,
+    1e-308,
+    5e-324,
+    1e154,
+    1e-154,
+    1e100,
+    1e-100,
+    1e20,
+    1e-20,
+    1e9,
+    1e-9,
+    1e6,
+    1e-6,
+    0.5,
+    1.0000000000000002,
 ];
 /// Values that are none, or not of the type wanted.
 const ODD: [&str; 30] = [
-    "nan", "inf", "-inf", "\"nan m\"", "\"inf kg\"", "\"1e999 N/m\"", "1e308", "\"1e308 km\"", "\"\"", "\" \"", "\"1\"", "\"m\"", "\"1 m/s\"", "\"1 N/m\"", "\"3000 rpm\"",
-    "true", "[]", "[[]]", "{}", "[1, nan]", "{ x = 1 }", "{ from = 1, to = 2, points = 1000000000 }", "1979-05-27", "\"\u{b5}\u{b5}m\"", "\"1 \u{3a9}\u{1f980}\"", "\"ground\"",
-    "9223372036854775807", "-9223372036854775808", "\"1 m^99999999999\"", "\"auto\"",
+    "nan",
+    "inf",
+    "-inf",
+    "\"nan m\"",
+    "\"inf kg\"",
+    "\"1e999 N/m\"",
+    "1e308",
+    "\"1e308 km\"",
+    "\"\"",
+    "\" \"",
+    "\"1\"",
+    "\"m\"",
+    "\"1 m/s\"",
+    "\"1 N/m\"",
+    "\"3000 rpm\"",
+    "true",
+    "[]",
+    "[[]]",
+    "{}",
+    "[1, nan]",
+    "{ x = 1 }",
+    "{ from = 1, to = 2, points = 1000000000 }",
+    "1979-05-27",
+    "\"\u{b5}\u{b5}m\"",
+    "\"1 \u{3a9}\u{1f980}\"",
+    "\"ground\"",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "\"1 m^99999999999\"",
+    "\"auto\"",
 ];
 const UNITS: [&str; 26] = [
-    "m", "mm", "um", "kg", "g", "t", "N/m", "N/mm", "kN/m", "N s/m", "rpm", "rad/s", "Hz", "deg", "rad", "s", "ms", "kg/m^3", "N m", "kg m^2", "g mm", "1/s", "N/m^3", "%", "ft", "lbf",
+    "m", "mm", "um", "kg", "g", "t", "N/m", "N/mm", "kN/m", "N s/m", "rpm", "rad/s", "Hz", "deg", "rad", "s", "ms", "kg/m^3", "N m",
+    "kg m^2", "g mm", "1/s", "N/m^3", "%", "ft", "lbf",
 ];
 const PIECES: [&str; 40] = [
-    "\"", "'", "[", "]", "[[part]]", "[[study]]", "[machine]", "{", "}", "=", ",", ".", "#", "\n", "\"\"\"", "\\", "\\u0000", "kind", "name", "mass", "= 1e999", "nan", "-inf",
-    "99999999999999999999", "0x", "1979-05-27", "\u{b5}", "\u{b0}", "\u{b2}", "rpm", "N/m^", "(", ")", "/", " ", "\r", "\0", "e308", "-", "true",
+    "\"",
+    "'",
+    "[",
+    "]",
+    "[[part]]",
+    "[[study]]",
+    "[machine]",
+    "{",
+    "}",
+    "=",
+    ",",
+    ".",
+    "#",
+    "\n",
+    "\"\"\"",
+    "\\",
+    "\\u0000",
+    "kind",
+    "name",
+    "mass",
+    "= 1e999",
+    "nan",
+    "-inf",
+    "99999999999999999999",
+    "0x",
+    "1979-05-27",
+    "\u{b5}",
+    "\u{b0}",
+    "\u{b2}",
+    "rpm",
+    "N/m^",
+    "(",
+    ")",
+    "/",
+    " ",
+    "\r",
+    "\0",
+    "e308",
+    "-",
+    "true",
 ];
 
 /// What all cases are made from.
@@ -285,7 +370,13 @@ fn random_bytes(r: &mut Random) -> Vec<u8> {
 
 /// TOML wants a digit after the point and no `inf` by accident.
 fn literal(x: f64) -> String {
-    if x.is_nan() { "nan".into() } else if x.is_infinite() { if x > 0.0 { "inf" } else { "-inf" }.into() } else { format!("{x:e}").replace('e', ".0e").replacen(".0e", if format!("{x:e}").contains('.') { "e" } else { ".0e" }, 1) }
+    if x.is_nan() {
+        "nan".into()
+    } else if x.is_infinite() {
+        if x > 0.0 { "inf" } else { "-inf" }.into()
+    } else {
+        format!("{x:e}").replace('e', ".0e").replacen(".0e", if format!("{x:e}").contains('.') { "e" } else { ".0e" }, 1)
+    }
 }
 
 /// A size of the unit that machines have, spread over a few decades.
