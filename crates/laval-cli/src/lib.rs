@@ -12,6 +12,7 @@ mod progress;
 mod run;
 mod show;
 mod terminal;
+mod validate;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
@@ -56,6 +57,8 @@ enum Command {
     Studies(show::Args),
     /// Print the JSON Schema of machine files, for editors that complete and check
     Schema,
+    /// Run the validation cases, write their gallery, fail when a verdict has changed
+    Validate(validate::Args),
 }
 
 /// Runs the program with these arguments (the first is its name) and returns its exit code.
@@ -71,6 +74,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Parts(args) => show::parts(args),
         Command::Studies(args) => show::studies(args),
         Command::Schema => show::schema(),
+        Command::Validate(args) => validate::validate(args),
     })
     .unwrap_or(FAILED)
 }

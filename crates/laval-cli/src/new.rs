@@ -56,7 +56,8 @@ pub fn new(args: &Args) -> u8 {
     let Some(template) = TEMPLATES.iter().find(|t| t.name == word) else {
         let names = || TEMPLATES.iter().map(|t| t.name);
         let all = names().collect::<Vec<_>>().join(", ");
-        let help = nearest(word, names()).map_or_else(|| format!("templates: {all}"), |n| format!("did you mean \"{n}\"? Templates: {all}"));
+        let help =
+            nearest(word, names()).map_or_else(|| format!("templates: {all}"), |n| format!("did you mean \"{n}\"? Templates: {all}"));
         input::complain(&Diagnostic::error("request.template", format!("there is no template {word:?}")).help(help));
         return WRONG;
     };

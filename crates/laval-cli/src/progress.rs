@@ -25,7 +25,11 @@ impl Bar {
 
     fn begin(&self, total: u64) -> ProgressBar {
         let bar = if total > 0 { ProgressBar::new(total) } else { ProgressBar::new_spinner() };
-        let template = if total > 0 { "{prefix}  {wide_bar} {pos}/{len}  {per_sec}  {eta} left" } else { "{prefix}  {spinner} {pos}  {per_sec}  {elapsed}" };
+        let template = if total > 0 {
+            "{prefix}  {wide_bar} {pos}/{len}  {per_sec}  {eta} left"
+        } else {
+            "{prefix}  {spinner} {pos}  {per_sec}  {elapsed}"
+        };
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }

@@ -113,6 +113,8 @@ struct Run<'a> {
     dir: PathBuf,
     formats: Vec<Format>,
     report: Report,
+    /// Something stands on standard output: the next paragraph needs an empty line.
+    printed: bool,
     code: u8,
 }
 
@@ -141,18 +143,19 @@ impl<'a> Run<'a> {
             dir: args.out.clone().unwrap_or_else(|| Path::new("out").join(input.stem())),
             formats: if args.format.is_empty() { Format::ALL.to_vec() } else { args.format.clone() },
             report,
+            printed: false,
             code: DONE,
         }
     }
 
     fn run(mut self) -> u8 {
+        listen();
         // before computing, not after
         if let Err(e) = fs::create_dir_all(&self.dir) {
             let d = Diagnostic::error("request.out", format!("cannot make the folder {}: {e}", self.dir.display()));
             input::complain(&d.help("name another one with --out"));
             return WRONG;
         }
-        listen();
         let mut written = Instant::now();
         let last = self.loaded.studies.len() - 1;
         for (i, study) in self.loaded.studies.iter().enumerate() {
@@ -173,17 +176,14 @@ impl<'a> Run<'a> {
             Ok(files) => files,
             Err(code) => return code,
         };
-        if !self.args.quiet {
-            let page = files.iter().find(|f| f.ends_with("report.html")).cloned();
-            terminal::print(&format!("\n{}\n", page.unwrap_or_else(|| self.dir.clone()).display()));
-        }
+        let page = files.into_iter().find(|f| f.ends_with("report.html"));
+        self.paragraph(&format!("{}\n", page.unwrap_or_else(|| self.dir.clone()).display()));
         if self.code == DONE && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }
     }
 
     fn study(&mut self, named: &NamedStudy) {
         let bar = Bar::new(&named.name, self.args.quiet);
-        let context =
-            Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
+        let context = Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
         let result = guarded(|| named.study.run(&self.loaded.system, &context));
         bar.finish();
         let outcome = match result {
@@ -203,11 +203,15 @@ impl<'a> Run<'a> {
         };
         // shown as soon as known: the next study may take long
         let mut one = Report { outcomes: vec![outcome], ..Report::default() };
-        if !self.args.quiet {
-            let gap = if self.report.outcomes.is_empty() { "" } else { "\n" };
-            terminal::print(&format!("{gap}{}", report::terminal(&one, terminal::findings())));
-        }
+        self.paragraph(&report::terminal(&one, terminal::findings()));
         self.report.outcomes.append(&mut one.outcomes);
+    }
+
+    fn paragraph(&mut self, text: &str) {
+        if !self.args.quiet {
+            terminal::print(&format!("{}{text}", if self.printed { "\n" } else { "" }));
+            self.printed = true;
+        }
     }
 
     /// Says why a study was refused, at its place in the file.

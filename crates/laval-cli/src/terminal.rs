@@ -35,7 +35,7 @@ pub fn findings() -> Terminal {
     Terminal { width: width(), colour: colour(&io::stdout()) }
 }
 
-/// How diagnostics are shown on standard error.
+/// How diagnostics are shown on standard error: with excerpts of the file on a terminal, one line each elsewhere.
 pub fn diagnostics() -> Form {
-    Form::Excerpts { width: columns(terminal_size_of(io::stderr()), 100), colour: colour(&io::stderr()) }
+    Form::for_stream(&io::stderr(), columns(terminal_size_of(io::stderr()), 80))
 }

@@ -48,3 +48,4 @@ pub mod report;
 pub mod solve;
 pub mod study;
 pub mod units;
+pub mod validation;

@@ -15,6 +15,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("study", &["model", "solve", "separation", "outcome"]),
     ("report", &["outcome"]),
     ("file", &["model", "parts", "study"]),
+    ("validation", &["file", "study", "outcome", "report"]),
 ];
 const OPEN: &[&str] = &["units", "diagnostic"];
 
@@ -33,7 +34,10 @@ fn sources() -> Vec<Source> {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
-                folders.push(path);
+                // unit tests in files of their own are left out like those at the foot of a file
+                if path.file_name().is_some_and(|n| n != "tests") {
+                    folders.push(path);
+                }
             } else if path.extension().is_some_and(|e| e == "rs") && path.file_stem().is_some_and(|s| s != "tests") {
                 let first = path.strip_prefix(&root).unwrap().components().next().unwrap();
                 let module = Path::new(first.as_os_str()).file_stem().unwrap().to_string_lossy().into_owned();

@@ -32,7 +32,9 @@ pub(super) fn differ(a: f64, b: f64) -> bool {
 /// dips there to less than a quarter of its smaller end value.
 fn dip(a: &Node, b: &Node) -> Option<f64> {
     let (sa, sb, h) = (a.slope(), b.slope(), distance(&a.y, &b.y));
-    if differ(sa, sb) {
+    let p = a.y[a.y.len() - 1].abs().max(b.y[b.y.len() - 1].abs());
+    // where the parameter hardly moves (the flank of an undamped resonance) slopes are rounding
+    if differ(sa, sb) || h * sa.abs().max(sb.abs()) <= 1e3 * f64::EPSILON * p {
         return None;
     }
     let sign = if sa < 0.0 || sb < 0.0 { -1.0 } else { 1.0 };
@@ -117,9 +119,9 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         Found { special, node: zero.node }
     }
 
-    /// Nodes between `a` and `b` where the slope dips, so that two folds in one step are separated.
+    /// Nodes between `a` and `b` where the slope dips, so that two folds in one step are separated: two paths of halving at most.
     fn resolve(&mut self, a: &Node, b: &Node, depth: usize, out: &mut Vec<Node>) {
-        let Some(u) = dip(a, b).filter(|_| depth < 25) else { return };
+        let Some(u) = dip(a, b).filter(|_| depth < 25 && out.len() < 50) else { return };
         let mut node = Node::default();
         if self.between(a, b, u, &mut node).is_ok() {
             self.resolve(a, &node, depth + 1, out);

@@ -109,10 +109,14 @@ fn follow<P: Zero + ?Sized>(
     }
 
     let (mut before, mut b) = (Node::default(), Node::default());
-    let (mut predicted, mut ds, mut refusal) = (Vec::new(), set.first_step, None);
+    let (mut predicted, mut ds, mut refusal, mut still) = (Vec::new(), set.first_step, None, 0);
     loop {
         if branch.points.len() >= set.max_points {
             return End::MaxPoints;
+        }
+        if still > STILL || a.y.iter().any(|y| y.abs() > HOPELESS) {
+            // towards an infinite state, as at an undamped resonance: the parameter has stopped moving
+            return End::StepTooSmall { at: a.p, why: Refusal::Parameter };
         }
         let cap = tracer.cap(&a);
         if cap < ds || cap.is_nan() {
@@ -132,6 +136,7 @@ fn follow<P: Zero + ?Sized>(
                 refusal = None;
                 std::mem::swap(&mut before, &mut a);
                 std::mem::swap(&mut a, &mut b);
+                still = if (a.p - before.p).abs() <= 1e-12 * a.p.abs() { still + 1 } else { 0 };
             }
             Err(Refusal::Corrector(Cause::Cancelled)) => return End::Cancelled,
             Err(why) => {
@@ -142,6 +147,11 @@ fn follow<P: Zero + ?Sized>(
         }
     }
 }
+
+/// Unknowns of this many scales lead nowhere.
+const HOPELESS: f64 = 1e12;
+/// Neither do this many steps in a row that leave the parameter where it was.
+const STILL: usize = 50;
 
 /// Point at the distance `ds` along the tangent, bent as it bent since the node before (not after a refusal, nor at the start).
 fn predict(a: &Node, before: &Node, ds: f64, bend: bool, y: &mut Vec<f64>) {

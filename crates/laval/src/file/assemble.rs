@@ -195,12 +195,6 @@ fn check_joints(spec: &Spec, built: &[Option<PartInput>], diagnostics: &mut Diag
                 Some(Value::Between(a, b)) => {
                     one(block, field, a, true, diagnostics);
                     one(block, field, b, true, diagnostics);
-                    if a == b {
-                        let what = a.body.as_deref().unwrap_or("ground");
-                        let message = format!("{} \"{}\" joins \"{what}\" to the same point of itself", block.kind, block.name);
-                        diagnostics
-                            .push(Diagnostic::error("port.same", message).at(block.values.span_of(field)).label("twice the same point"));
-                    }
                 }
                 _ => {}
             }
@@ -367,11 +361,11 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
     fn mistakes_of_several_parts_come_together() {
         let text = MACHINE.replace("\"drum\", \"base\"", "\"drum\", \"bearing\"").replace(
             "[[study]]",
-            "[[part]]\nkind = \"damper\"\nbetween = [\"base\", \"base\"]\ndamping = 1\n[[part]]\nkind = \"liquid\"\nin = \"drum\"\n\
+            "[[part]]\nkind = \"damper\"\nbetween = [\"base\", \"groud\"]\ndamping = 1\n[[part]]\nkind = \"liquid\"\nin = \"drum\"\n\
              cavity_radius = \"70 mm\"\ncavity_height = \"60 mm\"\ndensity = 1000\nfill = { free_surface_radius = \"71 mm\" }\n[[study]]",
         );
         let d = load(&text).err().expect("mistakes");
-        assert_eq!(d.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.kind", "port.same", "liquid.fill"]);
+        assert_eq!(d.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.kind", "body.missing", "liquid.fill"]);
         assert!(d.0.iter().all(|d| d.span.is_some()));
         assert!(marked(&text, &d.0[2]).contains("71 mm"));
     }

@@ -49,7 +49,9 @@ fn example_value(f: &Field) -> String {
         },
         FieldKind::Quantity { unit, bounds } | FieldKind::Lateral { unit, bounds } => of(unit, &bounds),
         FieldKind::OneOf(list) => list.first().map_or("{}".into(), |o| format!("{{ {} = {} }}", o.0, of(o.1, &o.2))),
-        FieldKind::Choice(words) => quoted(if f.default.is_empty() { words.first().map_or("", |w| w.0) } else { f.default.trim_matches('"') }),
+        FieldKind::Choice(words) => {
+            quoted(if f.default.is_empty() { words.first().map_or("", |w| w.0) } else { f.default.trim_matches('"') })
+        }
         FieldKind::Integer { min, max } => f.default.parse::<i64>().unwrap_or(5.clamp(min, max)).to_string(),
         FieldKind::IntegerOrAuto { .. } => f.default.parse::<i64>().map_or_else(|_| quoted("auto"), |n| n.to_string()),
         FieldKind::Flag => if f.default == "true" { "true" } else { "false" }.into(),
@@ -68,10 +70,14 @@ fn example_value(f: &Field) -> String {
         FieldKind::ParameterRange => "{ parameter = \"drum.mass\", from = \"2 kg\", to = \"4 kg\", points = 20 }".into(),
         FieldKind::Coordinate => quoted("drum.x"),
         FieldKind::Columns(list) => {
-            let columns: Vec<String> = list.iter().filter(|c| c.2).map(|c| {
-                let x = nominal(c.1, &Bounds::within(f64::MAX));
-                format!("{} = [{}, {}]", c.0, quantity(c.1, x), quantity(c.1, 2.0 * x))
-            }).collect();
+            let columns: Vec<String> = list
+                .iter()
+                .filter(|c| c.2)
+                .map(|c| {
+                    let x = nominal(c.1, &Bounds::within(f64::MAX));
+                    format!("{} = [{}, {}]", c.0, quantity(c.1, x), quantity(c.1, 2.0 * x))
+                })
+                .collect();
             format!("{{ {} }}", columns.join(", "))
         }
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
@@ -121,10 +127,13 @@ pub fn takes(f: &Field) -> String {
         FieldKind::Range { unit, bounds } => format!("{{ from = .., to = .., points = .. }}, points optional; {}", number(unit, &bounds)),
         FieldKind::List { unit, bounds } => format!("a list; {}", number(unit, &bounds)),
         FieldKind::ParameterPath => "the path of a parameter: \"drum.mass\"".into(),
-        FieldKind::ParameterRange => "{ parameter = \"drum.mass\", from = .., to = .., points = .. }, in the unit of the parameter; points optional".into(),
+        FieldKind::ParameterRange => {
+            "{ parameter = \"drum.mass\", from = .., to = .., points = .. }, in the unit of the parameter; points optional".into()
+        }
         FieldKind::Coordinate => "the name of a coordinate: \"drum.x\"".into(),
         FieldKind::Columns(list) => {
-            let each: Vec<String> = list.iter().map(|c| format!("{}: {} [{}]{}", c.0, c.3, describe(c.1), if c.2 { "" } else { ", optional" })).collect();
+            let each: Vec<String> =
+                list.iter().map(|c| format!("{}: {} [{}]{}", c.0, c.3, describe(c.1), if c.2 { "" } else { ", optional" })).collect();
             format!("columns of equal length {{ {} }}", each.join("; "))
         }
         FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),

@@ -186,7 +186,11 @@ pub(crate) fn parameters_of(kind: &KindInfo) -> Vec<&'static str> {
 }
 
 /// The unit and value of the parameter that a range in `values` runs over, when the file settles it.
-pub(crate) fn parameter_in<'a>(catalog: &'a Catalog, parts: impl Iterator<Item = (&'a str, &'a str)>, path: &str) -> Option<(&'static str, Bounds)> {
+pub(crate) fn parameter_in<'a>(
+    catalog: &'a Catalog,
+    parts: impl Iterator<Item = (&'a str, &'a str)>,
+    path: &str,
+) -> Option<(&'static str, Bounds)> {
     let (block, rest) = path.split_once('.')?;
     let kind = parts.into_iter().find(|(name, _)| *name == block)?.1;
     parameter_of(catalog.part(kind)?, rest)

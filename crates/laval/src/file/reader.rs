@@ -15,7 +15,11 @@ pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
         return (None, out);
     }
     if let Some(span) = tree::too_deep(text) {
-        out.push(Diagnostic::error("file.depth", "a key with more than 64 dots is not read").at(span.start..span.end.min(span.start + 40)).label("nested too deeply"));
+        out.push(
+            Diagnostic::error("file.depth", "a key with more than 64 dots is not read")
+                .at(span.start..span.end.min(span.start + 40))
+                .label("nested too deeply"),
+        );
         return (None, out);
     }
     let (table, errors) = DeTable::parse_recoverable(text);
@@ -40,7 +44,12 @@ pub fn read_bytes(bytes: &[u8], catalog: &Catalog) -> (Option<Spec>, Diagnostics
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "it looks like UTF-16; save it as UTF-8",
         _ => "save it as UTF-8; often a unit sign such as µ or ° in an older encoding is the cause",
     };
-    out.push(Diagnostic::error("file.encoding", format!("the file is not UTF-8 text: byte {} is 0x{:02x}", at + 1, bytes[at])).at(at..at + 1).label("here").help(help));
+    out.push(
+        Diagnostic::error("file.encoding", format!("the file is not UTF-8 text: byte {} is 0x{:02x}", at + 1, bytes[at]))
+            .at(at..at + 1)
+            .label("here")
+            .help(help),
+    );
     (None, out)
 }
 

@@ -77,7 +77,8 @@ fn quantity(unit: &str, b: &Bounds) -> Json {
     if b.max.is_finite() {
         number.insert("maximum".into(), json!(b.max));
     }
-    let text = json!({ "type": "string", "pattern": "^\\s*[-+−]?[0-9._]", "description": format!("{} ({})", describe(unit), examples(unit)) });
+    let text =
+        json!({ "type": "string", "pattern": "^\\s*[-+−]?[0-9._]", "description": format!("{} ({})", describe(unit), examples(unit)) });
     json!({ "anyOf": [number, text] })
 }
 
@@ -86,7 +87,11 @@ fn table(properties: Map<String, Json>, required: &[&str]) -> Json {
 }
 
 fn point(ground: bool) -> Json {
-    let body = if ground { json!({ "type": "string", "minLength": 1 }) } else { json!({ "type": "string", "minLength": 1, "not": { "const": "ground" } }) };
+    let body = if ground {
+        json!({ "type": "string", "minLength": 1 })
+    } else {
+        json!({ "type": "string", "minLength": 1, "not": { "const": "ground" } })
+    };
     let mut o = Map::new();
     o.insert("body".into(), body.clone());
     o.insert("at".into(), quantity("m", &Bounds::within(1e4)));

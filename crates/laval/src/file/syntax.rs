@@ -48,9 +48,16 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         found.push(explain(text, e, at, line.clone()));
         lines.push(line);
     }
+    // keys under a header that could not be read belong to no block: they are not mistakes of their own
+    let under: Vec<Span> = lines
+        .iter()
+        .filter(|l| text.get((*l).clone()).is_some_and(|t| t.trim_start().starts_with('[')))
+        .map(|l| l.start..text[l.end..].find("\n[").map_or(text.len(), |i| l.end + i))
+        .collect();
     out.0.retain(|d| {
+        let orphan = d.code == "file.unknown_table" && d.span.as_ref().is_some_and(|s| under.iter().any(|u| u.contains(&s.start)));
         let missing = matches!(d.code, "key.missing" | "kind.missing" | "file.no_parts" | "file.no_machine" | "parameter.unknown");
-        !missing && d.span.as_ref().is_none_or(|s| !lines.iter().any(|l| l.start <= s.start && s.start <= l.end))
+        !missing && !orphan && d.span.as_ref().is_none_or(|s| !lines.iter().any(|l| l.start <= s.start && s.start <= l.end))
     });
     out.0.extend(found);
 }

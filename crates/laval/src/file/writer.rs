@@ -3,7 +3,7 @@
 
 use super::{Axis, Block, Catalog, Spec, parameter_in};
 use crate::model::field::{Attach, Field, FieldKind, KindInfo, RangeValue, Value, Values};
-use crate::units::{write_number, write_si};
+use crate::units::{read_quantity, write_number, write_si};
 use serde_json::{Map, Value as Json, json};
 use std::fmt::Write as _;
 
@@ -29,7 +29,9 @@ pub(crate) fn quoted(s: &str) -> String {
 
 /// A quantity as a TOML value.
 fn quantity(x: f64, unit: &str) -> String {
-    if unit.is_empty() { write_number(x) } else { quoted(&write_si(x, unit)) }
+    let text = write_si(x, unit);
+    // a unit's factor may cost the last digit; a bare number never does
+    if unit.is_empty() || !read_quantity(&text, unit).is_ok_and(|y| y == x) { write_number(x) } else { quoted(&text) }
 }
 
 fn point(a: &Attach) -> String {
@@ -61,7 +63,12 @@ impl Writer<'_> {
 
     fn value(&self, f: Option<&Field>, name: &str, value: &Value, values: &Values) -> String {
         let unit = match f.map(|f| f.kind) {
-            Some(FieldKind::Quantity { unit, .. } | FieldKind::Lateral { unit, .. } | FieldKind::Range { unit, .. } | FieldKind::List { unit, .. }) => unit,
+            Some(
+                FieldKind::Quantity { unit, .. }
+                | FieldKind::Lateral { unit, .. }
+                | FieldKind::Range { unit, .. }
+                | FieldKind::List { unit, .. },
+            ) => unit,
             _ => "",
         };
         match value {

@@ -126,6 +126,12 @@ impl Layout {
     pub fn coordinates(&self) -> usize {
         self.ports.iter().map(|p| p.kind.size()).sum::<usize>() + self.own.len()
     }
+    /// How each local coordinate turns: those of the ports, then its own.
+    pub fn kinds(&self) -> Vec<DofKind> {
+        use DofKind::{TiltX, TiltY, VectorX, VectorY};
+        let ports = self.ports.iter().flat_map(|p| [VectorX, VectorY, TiltX, TiltY].into_iter().take(p.kind.size()));
+        ports.chain(self.own.iter().map(|d| d.kind)).collect()
+    }
     /// A part on one port that sees x and y.
     pub fn point(link: Link) -> Self {
         Layout { ports: vec![Port { kind: PortKind::Point, link }], ..Self::default() }

@@ -28,6 +28,7 @@ mod heat;
 mod html;
 mod json;
 mod layout;
+mod page;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod payload;
@@ -42,6 +43,7 @@ mod write;
 pub use csv::csv;
 pub use html::html;
 pub use json::{SCHEMA, json};
+pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
 pub use svg::draw;

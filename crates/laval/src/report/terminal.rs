@@ -55,8 +55,9 @@ fn study(o: &Outcome, how: Terminal) -> String {
         };
         let mut text = plain(&f.sentence());
         let first = f.evidence.first().map(|e| format!(" ({} {})", plain(&e.what), quantity(e.value, &e.unit)));
-        // evidence only where it does not push the finding beyond two lines
-        if let Some(e) = first.filter(|e| text.chars().count() + e.chars().count() < 2 * how.width.saturating_sub(8)) {
+        // evidence only where it is not said already and does not push the finding beyond two lines
+        let said = f.evidence.first().is_some_and(|e| text.contains(&quantity(e.value, &e.unit)));
+        if let Some(e) = first.filter(|e| !said && text.chars().count() + e.chars().count() < 2 * how.width.saturating_sub(8)) {
             match text.strip_suffix('.') {
                 Some(open) => text = format!("{open}{e}."),
                 None => text.push_str(&e),
@@ -137,6 +138,13 @@ mod tests {
     fn evidence_stands_inside_the_sentence() {
         let o = Outcome::new("k", "n").finding(Finding::info("p", "The peak is {}.").value(8.8e-4, "m").evidence("residual", 3e-9, "N"));
         assert_eq!(print(o, Terminal::default()), "n\n  The peak is 880 µm (residual 3·10⁻⁹ N).\n");
+    }
+
+    #[test]
+    fn evidence_that_the_sentence_says_is_not_said_twice() {
+        let o = Outcome::new("k", "n")
+            .finding(Finding::info("p", "The peak is {}, at 512 rad/s.").value(8.8e-4, "m").evidence("speed", 512.0, "rad/s"));
+        assert_eq!(print(o, Terminal::default()), "n\n  The peak is 880 µm, at 512 rad/s.\n");
     }
 
     #[test]

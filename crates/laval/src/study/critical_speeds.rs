@@ -114,12 +114,16 @@ impl Study for CriticalSpeeds {
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
                 let text = format!(
-                    "The operating speed, {}, keeps {{}} of its value from the nearest lightly damped critical speed, {}.",
+                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}.",
                     quantity(w, "rad/s"),
                     quantity(c.speed, "rad/s")
                 );
                 let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
-                outcome = outcome.finding(finding.value(distance, "").evidence("margin asked for", self.margin, ""));
+                outcome = outcome.finding(finding.value(distance, "").shown_as(100.0 * distance, "%").evidence(
+                    "margin asked for",
+                    self.margin,
+                    "",
+                ));
             }
         }
         for f in remarks(system, &state(self.speed.from)?) {

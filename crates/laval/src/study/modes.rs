@@ -128,9 +128,9 @@ impl Study for Modes {
                 Finding::info(
                     "stable",
                     format!(
-                        "No mode grows faster than {} at {}; the largest growth rate is {{}}.",
-                        quantity(self.threshold, "1/s"),
-                        quantity(self.speed, "rad/s")
+                        "Stable at {}: no mode grows faster than {}; the largest growth rate is {{}}.",
+                        quantity(self.speed, "rad/s"),
+                        quantity(self.threshold, "1/s")
                     ),
                 )
                 .value(largest, "1/s"),

@@ -11,8 +11,8 @@
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
-use crate::model::part::At;
-use crate::model::system::{System, Workspace};
+use crate::model::part::{At, Physics, TimeForm};
+use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::orbit::Orbit;
@@ -306,23 +306,21 @@ impl<'a> Shown<'a> {
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let axis = if most > 100.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
         let mut panel = Panel::new(axis.factor(factor));
-        for (b, _) in response.branches.iter().enumerate().take(1) {
-            for (name, _) in &self.bodies {
-                let mut line = Line::new("response", "speed", format!("{name} largest displacement")).group("branch").name(name.clone());
-                if response.unjudged.is_none() && response.branches[b].points.iter().any(|p| p.exponents.is_some()) {
-                    line = line.solid_where("stable");
-                }
-                panel = panel.mark(line);
-            }
+        let judged = response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some());
+        // one family of states needs no number in the legend
+        let grouped = |line: Line| if response.branches.len() > 1 { line.group("branch") } else { line };
+        for (name, _) in &self.bodies {
+            let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(name.clone()));
+            panel = panel.mark(if judged { line.solid_where("stable") } else { line });
         }
         for f in response.branches.iter().flat_map(|b| &b.folds) {
             panel = panel.mark(Rule::x(f.speed, if f.upper { "jump up-sweep" } else { "jump down-sweep" }));
         }
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s")).panel(panel);
-        if response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some()) {
+        if judged {
             let growth = Panel::new(Axis::new("growth rate", "1/s"))
-                .mark(Line::new("response", "speed", "growth rate").group("branch").solid_where("stable"))
+                .mark(grouped(Line::new("response", "speed", "growth rate").name("largest growth rate")).solid_where("stable"))
                 .mark(Rule::y(0.0, ""));
             figure = figure.panel(growth);
         }
@@ -394,13 +392,28 @@ impl<'a> Shown<'a> {
             None if !request.stability => {
                 out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."))
             }
-            None => out.extend(self.unstable(response)),
+            None => {
+                out.extend(self.unstable(response));
+                out.extend(self.fitted());
+            }
         }
         out.extend(self.invalid(response));
         if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
             out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
         }
         out
+    }
+
+    /// Parts whose fitted time form stood for them in the judgement of stability.
+    fn fitted(&self) -> Vec<Finding> {
+        let fit = |slot: &Slot| match slot.physics {
+            Physics::Frequency(TimeForm::Fit(error)) => {
+                let text = format!("Stability was judged with the fitted time form of \"{}\"; the states themselves are exact.", slot.name);
+                Some(Finding::info("stability_fit", text).evidence("relative error of the fit", error, ""))
+            }
+            _ => None,
+        };
+        self.system.slots().iter().filter_map(fit).collect()
     }
 
     /// Intervals of speed in which a branch is unstable between its folds.
@@ -419,16 +432,13 @@ impl<'a> Shown<'a> {
             if between_folds {
                 continue; // the dashed middle of the curve: said by the jumps
             }
-            let speeds = branch.points.iter().filter(|p| !p.stable()).map(|p| p.speed);
-            let (from, to) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
             out.push(
                 Finding::warning(
                     "unstable_states",
                     format!(
-                        "States from {} speed are unstable somewhere between {} and {} rad/s; the fastest growth is {{}} at {} rad/s.",
+                        "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
                         if branch.from_low { "low" } else { "high" },
-                        significant(from, 5),
-                        significant(to, 5),
+                        unstable_ranges(branch),
                         significant(worst.speed, 5)
                     ),
                 )
@@ -474,6 +484,28 @@ impl<'a> Shown<'a> {
     }
 }
 
+/// Ranges of speed over which consecutive points of a branch are unstable, in words.
+fn unstable_ranges(branch: &Traced) -> String {
+    const MOST: usize = 4;
+    let mut ranges = Vec::new();
+    let mut start = 0;
+    for run in branch.points.chunk_by(|a, b| a.stable() == b.stable()) {
+        let (first, last) = (start, start + run.len() - 1);
+        start += run.len();
+        // the middle of a curve that turns back is said by the jumps
+        let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
+        if run[0].stable() || turned_back {
+            continue;
+        }
+        let (from, to) = run.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.speed), b.max(p.speed)));
+        let (from, to) = (significant(from, 4), significant(to, 4));
+        ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
+    }
+    let more = ranges.len().saturating_sub(MOST);
+    let shown = ranges[..ranges.len() - more].join(", ");
+    if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
+}
+
 /// Like `f64::max`, but NaN stays.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
@@ -497,9 +529,9 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
     match first {
         Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
             .value(f.speed, "rad/s")
-            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
-            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
+            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
+            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
             .evidence("scaled residual", f.residual, ""),
         None if reaches => Finding::info(
             format!("no_jump_{way}"),

@@ -238,13 +238,24 @@ impl StabilityMap {
             outcome = outcome.finding(finding.value(s.re, "1/s").evidence("speed", speed, "rad/s"));
         }
         if !two {
+            let (first, last) = (self.speed.from.min(self.speed.to), self.speed.from.max(self.speed.to));
+            // an unstable start has no onset inside the range
+            let start = match edges.first() {
+                Some(e) if !e.1.onset => Some(quantity(e.1.speed, "rad/s")),
+                None if unstable => Some(quantity(last, "rad/s")),
+                _ => None,
+            };
+            if let Some(until) = start {
+                let text = format!("Growth exceeds {limit} from the start of the range, {{}}, to {until}.");
+                outcome = outcome.finding(Finding::warning("unstable_range", text).value(first, "rad/s"));
+            }
             for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
                 let until = edges
                     .get(w + 1)
                     .map(|n| format!(" to {}", quantity(n.1.speed, "rad/s")))
                     .unwrap_or_else(|| " to the end of the range".into());
                 outcome = outcome.finding(
-                    Finding::warning("unstable_range", format!("Growth exceeds {limit} from {{}}{until}."))
+                    Finding::warning("unstable_range", format!("Unstable from {{}}{until}: growth above {limit}."))
                         .value(e.1.speed, "rad/s")
                         .evidence("uncertainty of the onset", e.1.step, "rad/s"),
                 );

@@ -155,3 +155,31 @@ pub fn table_base(fill: &str, law: &str, chi: &str) -> Base {
     let r: f64 = fill.parse().unwrap();
     Base { fill: (r < 1.0).then_some(r), isotropic: law == "isotropic", chi: chi.parse().unwrap_or(42.0), ..Base::default() }
 }
+
+/// Largest row of the assembled residual along a motion, over the largest force of a single part: forces, then rates of states.
+pub fn defect(system: &System, orbit: &Orbit, divisor: usize) -> f64 {
+    use laval::model::part::{At, Rows};
+    use laval::model::system::Workspace;
+    let (n, m) = (system.n(), system.m());
+    let mut worst = 0.0f64;
+    for k in 0..7 {
+        let tau = 0.1 + 0.9 * f64::from(k);
+        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+        orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+        let at =
+            At { q: &q, v: &v, a: &a, z: &z, phase: divisor as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
+        let force = |which: &dyn Fn(&str) -> bool| {
+            let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+            let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+            system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |s| which(&s.name));
+            force
+        };
+        let size = |x: Vec<f64>| x.iter().fold(0.0f64, |m, x| if x.abs() > m || x.is_nan() { x.abs() } else { m });
+        let largest = system.slots().iter().map(|s| size(force(&|name| name == s.name))).fold(0.0, f64::max);
+        let rest = size(force(&|_| true)) / largest;
+        if rest > worst || rest.is_nan() {
+            worst = rest;
+        }
+    }
+    worst
+}

@@ -15,8 +15,50 @@ impl Random {
 }
 
 const PIECES: &[&str] = &[
-    "\"", "'", "[", "]", "[[part]]", "[[study]]", "[machine]", "{", "}", "=", ",", ".", "#", "\n", "\"\"\"", "\\", "\\u0000", "kind", "name", "mass", "= 1e999", "nan",
-    "-inf", "99999999999999999999", "0x", "1979-05-27", "µ", "°", "²", "rpm", "N/m^", "(", ")", "/", " ", "\t", "\r", "\0", "e", "-", "true", "ground", "a.b.c", "\"1 m\"",
+    "\"",
+    "'",
+    "[",
+    "]",
+    "[[part]]",
+    "[[study]]",
+    "[machine]",
+    "{",
+    "}",
+    "=",
+    ",",
+    ".",
+    "#",
+    "\n",
+    "\"\"\"",
+    "\\",
+    "\\u0000",
+    "kind",
+    "name",
+    "mass",
+    "= 1e999",
+    "nan",
+    "-inf",
+    "99999999999999999999",
+    "0x",
+    "1979-05-27",
+    "µ",
+    "°",
+    "²",
+    "rpm",
+    "N/m^",
+    "(",
+    ")",
+    "/",
+    " ",
+    "\t",
+    "\r",
+    "\0",
+    "e",
+    "-",
+    "true",
+    "ground",
+    "a.b.c",
+    "\"1 m\"",
 ];
 
 #[test]
@@ -139,7 +181,9 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
     match kind {
         FieldKind::Quantity { bounds, .. } => number(bounds).prop_map(Value::Number).boxed(),
         FieldKind::Lateral { bounds, .. } => (number(bounds), number(bounds)).prop_map(|(x, y)| Value::Lateral([x, y])).boxed(),
-        FieldKind::OneOf(list) => prop::sample::select(list.to_vec()).prop_flat_map(|o| number(o.2).prop_map(move |x| Value::OneOf(o.0, x))).boxed(),
+        FieldKind::OneOf(list) => {
+            prop::sample::select(list.to_vec()).prop_flat_map(|o| number(o.2).prop_map(move |x| Value::OneOf(o.0, x))).boxed()
+        }
         FieldKind::Choice(words) => prop::sample::select(words.to_vec()).prop_map(|w| Value::Choice(w.0)).boxed(),
         FieldKind::Integer { min, max } => (min..=max).prop_map(Value::Integer).boxed(),
         FieldKind::IntegerOrAuto { min, max } => prop_oneof![Just(Value::Auto), (min..=max).prop_map(Value::Integer)].boxed(),
@@ -163,7 +207,14 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
 }
 
 fn block(k: KindInfo, name: String) -> impl Strategy<Value = Block> {
-    let each: Vec<BoxedStrategy<(&'static str, Value)>> = k.fields.iter().map(|f| { let n = f.name; value_of(f.kind).prop_map(move |v| (n, v)).boxed() }).collect();
+    let each: Vec<BoxedStrategy<(&'static str, Value)>> = k
+        .fields
+        .iter()
+        .map(|f| {
+            let n = f.name;
+            value_of(f.kind).prop_map(move |v| (n, v)).boxed()
+        })
+        .collect();
     each.prop_map(move |list| {
         let mut values = Values::default();
         for (name, v) in list {
@@ -178,13 +229,22 @@ fn block(k: KindInfo, name: String) -> impl Strategy<Value = Block> {
 
 fn spec() -> impl Strategy<Value = Spec> {
     let c = catalog();
-    let parts: Vec<_> = c.parts.into_iter().enumerate().map(|(i, k)| block(k, if i == 0 { "drum".into() } else { format!("part {i}") })).collect();
+    let parts: Vec<_> =
+        c.parts.into_iter().enumerate().map(|(i, k)| block(k, if i == 0 { "drum".into() } else { format!("part {i}") })).collect();
     let studies: Vec<_> = c.studies.into_iter().enumerate().map(|(i, k)| block(k, format!("study-{i}"))).collect();
-    (any::<String>(), prop::option::of(number(Bounds::up_to(1e6))), any::<bool>(), parts, studies).prop_map(|(name, speed, horizontal, parts, studies)| Spec {
-        machine: MachineBlock { name, speed, axis: if horizontal { Axis::Horizontal } else { Axis::Vertical }, span: None, speed_span: None },
-        parts,
-        studies,
-    })
+    (any::<String>(), prop::option::of(number(Bounds::up_to(1e6))), any::<bool>(), parts, studies).prop_map(
+        |(name, speed, horizontal, parts, studies)| Spec {
+            machine: MachineBlock {
+                name,
+                speed,
+                axis: if horizontal { Axis::Horizontal } else { Axis::Vertical },
+                span: None,
+                speed_span: None,
+            },
+            parts,
+            studies,
+        },
+    )
 }
 
 proptest! {

@@ -26,59 +26,99 @@ pub(super) fn catalog() -> Catalog {
     let o = Field::optional;
     Catalog {
         parts: vec![
-            k("disc", "A rigid disc that moves in its plane.", vec![
-                r("mass", q("kg", Bounds::positive(1e6)), "mass, m"),
-                o("eccentricity", q("m", Bounds::up_to(1.0)), "0 m", "distance of the centre of mass from the axis, e"),
-                o("eccentricity_phase", q("rad", Bounds::within(10.0)), "0.0 rad", "its direction from the key mark"),
-            ]),
-            k("foundation", "A rigid body on linear springs.", vec![
-                r("mass", q("kg", Bounds::positive(1e7)), "mass"),
-                r("stiffness", lateral("N/m", 1e15), "stiffness to the ground"),
-                o("damping", lateral("N s/m", 1e12), "0.0 N s/m", "damping to the ground"),
-            ]),
-            k("bearing_cubic", "A bearing with a cubic restoring force.", vec![
-                r("between", FieldKind::Between, "what it connects"),
-                r("stiffness", lateral("N/m", 1e15), "linear stiffness, k1"),
-                o("cubic_stiffness", lateral("N/m^3", 1e25), "0 N/m^3", "cubic stiffness, k3"),
-                o("law", FieldKind::Choice(LAWS), "per_axis", "how the directions combine"),
-            ]),
-            k("damper", "A viscous damper.", vec![
-                r("between", FieldKind::Between, "what it connects"),
-                r("damping", lateral("N s/m", 1e12), "damping constant, c"),
-                o("rotating", FieldKind::Flag, "false", "turns with the rotor"),
-            ]),
-            k("bearing_table", "Coefficients over speed.", vec![
-                r("on", FieldKind::Attach { ground: false }, "where it sits"),
-                r("table", FieldKind::Columns(COLUMNS), "coefficients"),
-                o("temperature", q("K", Bounds::closed(200.0, 500.0)), "", "oil temperature"),
-            ]),
-            k("liquid", "A cavity partly filled with liquid.", vec![
-                r("in", FieldKind::Attach { ground: false }, "the body with the cavity"),
-                r("cavity_radius", q("m", Bounds::positive(10.0)), "inner radius of the cavity, R"),
-                r("cavity_height", q("m", Bounds::positive(10.0)), "height of the cavity"),
-                r("density", q("kg/m^3", Bounds::positive(1e5)), "density"),
-                r("fill", FieldKind::OneOf(FILL), "how much liquid"),
-            ]),
+            k(
+                "disc",
+                "A rigid disc that moves in its plane.",
+                vec![
+                    r("mass", q("kg", Bounds::positive(1e6)), "mass, m"),
+                    o("eccentricity", q("m", Bounds::up_to(1.0)), "0 m", "distance of the centre of mass from the axis, e"),
+                    o("eccentricity_phase", q("rad", Bounds::within(10.0)), "0.0 rad", "its direction from the key mark"),
+                ],
+            ),
+            k(
+                "foundation",
+                "A rigid body on linear springs.",
+                vec![
+                    r("mass", q("kg", Bounds::positive(1e7)), "mass"),
+                    r("stiffness", lateral("N/m", 1e15), "stiffness to the ground"),
+                    o("damping", lateral("N s/m", 1e12), "0.0 N s/m", "damping to the ground"),
+                ],
+            ),
+            k(
+                "bearing_cubic",
+                "A bearing with a cubic restoring force.",
+                vec![
+                    r("between", FieldKind::Between, "what it connects"),
+                    r("stiffness", lateral("N/m", 1e15), "linear stiffness, k1"),
+                    o("cubic_stiffness", lateral("N/m^3", 1e25), "0 N/m^3", "cubic stiffness, k3"),
+                    o("law", FieldKind::Choice(LAWS), "per_axis", "how the directions combine"),
+                ],
+            ),
+            k(
+                "damper",
+                "A viscous damper.",
+                vec![
+                    r("between", FieldKind::Between, "what it connects"),
+                    r("damping", lateral("N s/m", 1e12), "damping constant, c"),
+                    o("rotating", FieldKind::Flag, "false", "turns with the rotor"),
+                ],
+            ),
+            k(
+                "bearing_table",
+                "Coefficients over speed.",
+                vec![
+                    r("on", FieldKind::Attach { ground: false }, "where it sits"),
+                    r("table", FieldKind::Columns(COLUMNS), "coefficients"),
+                    o("temperature", q("K", Bounds::closed(200.0, 500.0)), "", "oil temperature"),
+                ],
+            ),
+            k(
+                "liquid",
+                "A cavity partly filled with liquid.",
+                vec![
+                    r("in", FieldKind::Attach { ground: false }, "the body with the cavity"),
+                    r("cavity_radius", q("m", Bounds::positive(10.0)), "inner radius of the cavity, R"),
+                    r("cavity_height", q("m", Bounds::positive(10.0)), "height of the cavity"),
+                    r("density", q("kg/m^3", Bounds::positive(1e5)), "density"),
+                    r("fill", FieldKind::OneOf(FILL), "how much liquid"),
+                ],
+            ),
         ],
         studies: vec![
-            k("nonlinear_response", "Steady response over speed.", vec![
-                r("speed", FieldKind::Range { unit: "rad/s", bounds: Bounds::up_to(1e6) }, "speeds"),
-                o("harmonics", FieldKind::IntegerOrAuto { min: 1, max: 99 }, "auto", "number of harmonics"),
-            ]),
-            k("modes", "Natural frequencies.", vec![
-                o("speeds", FieldKind::List { unit: "rad/s", bounds: Bounds::up_to(1e6) }, "", "speeds"),
-                o("count", FieldKind::Integer { min: 1, max: 1000 }, "6", "number of modes"),
-            ]),
-            k("transient", "Motion in time.", vec![
-                r("duration", q("s", Bounds::positive(1e6)), "how long"),
-                o("initial", FieldKind::StateMap, "", "initial values"),
-                o("watch", FieldKind::Coordinate, "", "coordinate to watch"),
-                o("title", FieldKind::Text, "", "title of the figure"),
-            ]),
-            k("sweep", "A family over one parameter.", vec![
-                r("over", FieldKind::ParameterRange, "the parameter"),
-                o("also", FieldKind::ParameterPath, "", "a parameter to report"),
-            ]),
+            k(
+                "nonlinear_response",
+                "Steady response over speed.",
+                vec![
+                    r("speed", FieldKind::Range { unit: "rad/s", bounds: Bounds::up_to(1e6) }, "speeds"),
+                    o("harmonics", FieldKind::IntegerOrAuto { min: 1, max: 99 }, "auto", "number of harmonics"),
+                ],
+            ),
+            k(
+                "modes",
+                "Natural frequencies.",
+                vec![
+                    o("speeds", FieldKind::List { unit: "rad/s", bounds: Bounds::up_to(1e6) }, "", "speeds"),
+                    o("count", FieldKind::Integer { min: 1, max: 1000 }, "6", "number of modes"),
+                ],
+            ),
+            k(
+                "transient",
+                "Motion in time.",
+                vec![
+                    r("duration", q("s", Bounds::positive(1e6)), "how long"),
+                    o("initial", FieldKind::StateMap, "", "initial values"),
+                    o("watch", FieldKind::Coordinate, "", "coordinate to watch"),
+                    o("title", FieldKind::Text, "", "title of the figure"),
+                ],
+            ),
+            k(
+                "sweep",
+                "A family over one parameter.",
+                vec![
+                    r("over", FieldKind::ParameterRange, "the parameter"),
+                    o("also", FieldKind::ParameterPath, "", "a parameter to report"),
+                ],
+            ),
         ],
     }
 }
@@ -203,7 +243,12 @@ fn unsound_declarations_are_found() {
     let mut c = catalog();
     c.parts[0].fields.push(Field::optional("mass", FieldKind::Flag, "yes", "twice, and the default is no flag"));
     c.parts[0].fields.push(Field::required("length", FieldKind::Quantity { unit: "mm", bounds: Bounds::up_to(1.0) }, "not SI"));
-    c.parts[0].fields.push(Field::optional("gap", FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) }, "0 m", "out of bounds"));
+    c.parts[0].fields.push(Field::optional(
+        "gap",
+        FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
+        "0 m",
+        "out of bounds",
+    ));
     let codes: Vec<&str> = c.check().0.iter().map(|d| d.code).collect();
     assert_eq!(codes, ["declaration.twice", "declaration.default", "declaration.unit", "declaration.default"]);
 }
@@ -249,7 +294,10 @@ fn every_kind_of_field_reads() {
     let map: Vec<(&str, f64)> = initial.state_map("initial").unwrap().iter().map(|e| (e.0.as_str(), e.1)).collect();
     assert_eq!(map, [("drum.x", 0.001), ("drum.y", 0.002), ("drum.x'", 0.1)]);
     assert_eq!(initial.units_of("initial"), [Some("m".to_string()), None, Some("m/s".to_string())]);
-    assert_eq!(s.studies[3].values.parameter_range("over"), Some(("oil.volume_fraction", RangeValue { from: 0.1, to: 0.9, points: Some(3) })));
+    assert_eq!(
+        s.studies[3].values.parameter_range("over"),
+        Some(("oil.volume_fraction", RangeValue { from: 0.1, to: 0.9, points: Some(3) }))
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@
 //! Z x = F - B^T f   =>   K u + f = p,   K = (B Z^-1 B^T)^-1,   p = K B Z^-1 F
 //! ```
 //!
-//! A reference stiffness S is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
+//! A reference stiffness S (diagonal, in the unit of each coordinate) is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
 use crate::model::blocks::{Axes, Grid};
@@ -67,6 +67,11 @@ fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
     (dot(&rest, &rest).sqrt() < 1e-12 * size).then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
 }
 
+/// The reference at order `k`: with as much loss as stiffness, so that it brings no resonance of its own.
+pub fn lossy(k: usize, reference: f64) -> C64 {
+    c(reference, if k == 0 { 0.0 } else { reference })
+}
+
 /// One order condensed at one speed, with derivatives in the speed.
 #[derive(Clone, Debug, Default)]
 pub struct Order {
@@ -87,8 +92,8 @@ pub struct Order {
 /// Condenses orders of one machine; keeps its scratch.
 pub struct Condenser {
     basis: Vec<Vec<(usize, f64)>>,
-    /// S: reference stiffness on every nonlinear coordinate, N/m.
-    pub reference: f64,
+    /// S: reference stiffness on each nonlinear coordinate, N/m or N m/rad.
+    pub reference: Vec<f64>,
     divisor: usize,
     params: Vec<D1>,
     model: LinearModel<D1>,
@@ -105,7 +110,7 @@ pub struct Condenser {
 
 impl Condenser {
     /// For a machine whose base frequency is speed / divisor.
-    pub fn new(system: &System, basis: &Basis, reference: f64, divisor: usize) -> Self {
+    pub fn new(system: &System, basis: &Basis, reference: Vec<f64>, divisor: usize) -> Self {
         Condenser {
             basis: basis.rows.clone(),
             reference,
@@ -166,10 +171,10 @@ impl Condenser {
             self.z.data_mut()[i] = c(e.re.re, e.im.re);
             self.dz.data_mut()[i] = c(e.re.eps[0], e.im.eps[0]);
         }
-        for row in &self.basis {
+        for (row, &reference) in self.basis.iter().zip(&self.reference) {
             for &(gi, ci) in row {
                 for &(gj, cj) in row {
-                    self.z[(gi, gj)] += c(ci * cj * self.reference, 0.0);
+                    self.z[(gi, gj)] += lossy(k, reference).scale(ci * cj);
                 }
             }
         }
@@ -221,7 +226,7 @@ impl Condenser {
         out.load_speed = k_ref.mul_vec(&du0);
         dk.mul_vec_add(&u0, &mut out.load_speed);
         for i in 0..m {
-            k_ref[(i, i)] -= c(self.reference, 0.0);
+            k_ref[(i, i)] -= lossy(k, self.reference[i]);
         }
         out.stiffness = k_ref;
         out.stiffness_speed = dk;

@@ -7,12 +7,12 @@
 //! x are the terms of the nonlinear coordinates u, L and p the linear parts condensed exactly at every order, f the nonlinear forces sampled over the
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
 
-use super::condense::{Basis, Condenser, Order};
+use super::condense::{Basis, Condenser, Order, lossy};
 use super::nonlinear::{Member, Sampled};
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, DofKind};
-use crate::model::system::System;
+use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -46,6 +46,8 @@ pub struct Nonlinear {
     pub states: Vec<usize>,
     /// The nonlinear parts.
     pub members: Vec<Member>,
+    /// Vectors come with both components, so that a turn of the machine maps the coordinates onto themselves.
+    pub paired: bool,
 }
 
 impl Nonlinear {
@@ -63,31 +65,32 @@ impl Nonlinear {
         };
         for (k, slot) in system.slots().iter().enumerate().filter(|(_, s)| !s.is_linear()) {
             let mut map = Vec::new();
-            for row in &slot.map {
+            for (row, kind) in slot.map.iter().zip(slot.layout.kinds()) {
                 map.push(basis.express(row, n));
-                let (kind, size) = row.first().map_or((DofKind::Scalar, 1.0), |&(g, _)| {
-                    let d = &system.coordinates()[g].dof;
-                    (d.kind, d.typical)
-                });
-                note(&basis, kind, size, &mut kinds);
+                // the size of what the row combines: a tilt may be a difference of displacements over a length
+                let size = row.iter().map(|&(g, c)| c.abs() * system.coordinates()[g].dof.typical).fold(0.0, f64::max);
+                note(&basis, kind, if size > 0.0 { size } else { 1.0 }, &mut kinds);
             }
             members.push(Member { slot: k, map, states: 0..0, uses: slot.uses });
         }
         if basis.rows.is_empty() {
-            for (g, coordinate) in system.coordinates().iter().enumerate().take(2) {
+            let dofs = system.coordinates();
+            let pair = (1..n).find(|&g| dofs[g - 1].dof.kind.leads_pair() && dofs[g].dof.kind.ends_pair());
+            for (g, coordinate) in dofs.iter().enumerate().skip(pair.map_or(0, |g| g - 1)).take(2) {
                 basis.express(&[(g, 1.0)], n);
                 note(&basis, coordinate.dof.kind, coordinate.dof.typical, &mut kinds);
             }
         }
-        // pairs that do not stand side by side are treated as scalars
-        let paired = |kinds: &[DofKind], i: usize| {
+        // a vector's component without the other is expanded like a scalar
+        let together = |kinds: &[DofKind], i: usize| {
             (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair()))
                 || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
         };
         let kinds_before = kinds.clone();
+        let mut paired = true;
         for (i, kind) in kinds.iter_mut().enumerate() {
-            if !paired(&kinds_before, i) {
-                *kind = DofKind::Scalar;
+            if (kind.leads_pair() || kind.ends_pair()) && !together(&kinds_before, i) {
+                (*kind, paired) = (DofKind::Scalar, false);
             }
         }
         let mut states = Vec::new();
@@ -101,7 +104,7 @@ impl Nonlinear {
             }
             member.states = first..basis.rows.len() + states.len();
         }
-        Nonlinear { basis, kinds, typical, states, members }
+        Nonlinear { basis, kinds, typical, states, members, paired }
     }
 }
 
@@ -184,8 +187,8 @@ impl<'a> Balance<'a> {
             self.set_speed(speed).map_err(|e| self.drifts(e))?;
             let mut u = vec![0.0f64; mu];
             for order in &self.orders {
-                for (u, p) in u.iter_mut().zip(order.load.iter()) {
-                    *u = u.max(p.abs() / self.condenser.reference);
+                for ((u, p), k) in u.iter_mut().zip(&order.load).zip(&self.condenser.reference) {
+                    *u = u.max(p.abs() / k);
                 }
             }
             for (s, u) in size.iter_mut().zip(&u) {
@@ -194,7 +197,9 @@ impl<'a> Balance<'a> {
         }
         for (i, s) in size.iter_mut().enumerate() {
             let typical = self.nonlinear.typical[i];
-            *s = if i < mu { s.exp().clamp(1e-6 * typical, 1e3 * typical) } else { typical };
+            // a coordinate that no linear part loads moves by the nonlinear parts alone
+            let loaded = i < mu && s.exp() > 1e-200;
+            *s = if loaded { s.exp().clamp(1e-6 * typical, 1e3 * typical) } else { typical };
         }
         // the two halves of a pair share one size
         for &(term, at) in &self.terms.list {
@@ -246,8 +251,15 @@ impl<'a> Balance<'a> {
     pub fn linear_estimate(&mut self, speed: f64, part: f64) -> Option<Vec<f64>> {
         self.set_speed(speed).ok()?;
         let mut matrix = self.linear.clone();
-        for i in 0..matrix.rows() {
-            matrix[(i, i)] += part * self.condenser.reference;
+        for &(term, at) in &self.terms.list {
+            let (coordinate, next) = match term {
+                Term::Pair { coordinate, .. } => (coordinate, 1),
+                Term::Scalar { coordinate, .. } => (coordinate, 0),
+            };
+            for i in 0..term.size() {
+                // states of nonlinear parts follow the coordinates and have no reference
+                matrix[(at + i, at + i)] += part * self.condenser.reference.get(coordinate + i * next).copied().unwrap_or(1.0);
+            }
         }
         let mut x = self.load.clone();
         Lu::new(&matrix).ok()?.solve(&mut x);
@@ -266,7 +278,7 @@ impl<'a> Balance<'a> {
         for (i, &free) in order.free.iter().enumerate() {
             let mut sum = free;
             for j in 0..mu {
-                sum -= order.spread[(i, j)] * (self.forces[j] - self.amplitudes[j].scale(self.condenser.reference));
+                sum -= order.spread[(i, j)] * (self.forces[j] - self.amplitudes[j] * lossy(k, self.condenser.reference[j]));
             }
             out.push(sum);
         }
@@ -408,19 +420,40 @@ fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
     found
 }
 
-/// A stiffness of the size of the nonlinear parts', for [`Condenser`].
-fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> f64 {
+/// Stiffnesses of the size of the nonlinear parts' on each nonlinear coordinate, for [`Condenser`]; the same for all of one kind.
+fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> Vec<f64> {
     let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
     let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 }).collect();
     let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
     let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-    system.tangent(&at, false, &mut tangent, &mut scratch, |s| !s.is_linear());
-    let mut k = nonlinear.basis.rows.iter().flatten().map(|&(g, _)| tangent.q[(g, g)].abs()).fold(0.0, f64::max);
-    if !(k.is_finite() && k > 0.0) {
-        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-        k = (0..system.n()).map(|g| tangent.q[(g, g)].abs() + speed * speed * tangent.a[(g, g)].abs()).fold(0.0, f64::max);
-    }
-    if k.is_finite() && k > 0.0 { k } else { 1.0 }
+    let rows = &nonlinear.basis.rows;
+    let class = |k: DofKind| match k {
+        DofKind::VectorX | DofKind::VectorY => 0,
+        DofKind::TiltX | DofKind::TiltY => 1,
+        DofKind::Axial => 2,
+        DofKind::Scalar => 3,
+    };
+    // of what a row combines, the softest: K_gg / B_g^2
+    let mut largest = |which: &dyn Fn(&Slot) -> bool, inertia: f64| {
+        system.tangent(&at, false, &mut tangent, &mut scratch, which);
+        let mut size = [0.0f64; 4];
+        for (row, &kind) in rows.iter().zip(&nonlinear.kinds) {
+            let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
+            let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
+            if softest.is_finite() {
+                size[class(kind)] = size[class(kind)].max(softest);
+            }
+        }
+        size
+    };
+    let (nonlinear_parts, all) = (largest(&|s| !s.is_linear(), 0.0), largest(&|_| true, 1.0));
+    let lateral = [nonlinear_parts[0], all[0]].into_iter().find(|k| *k > 0.0);
+    nonlinear
+        .kinds
+        .iter()
+        .take(rows.len())
+        .map(|&kind| [nonlinear_parts[class(kind)], all[class(kind)]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
+        .collect()
 }
 
 impl Zero for Balance<'_> {

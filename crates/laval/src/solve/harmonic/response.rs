@@ -2,11 +2,11 @@
 
 use super::floquet::{Exponents, Method, Stability, Unjudged};
 use super::orbit::Orbit;
-use super::problem::{Balance, Discretisation};
+use super::problem::{Balance, Discretisation, Nonlinear};
 use super::terms::Terms;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::solve::symmetry::{Broken, Symmetry, probe};
+use crate::solve::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
@@ -150,7 +150,9 @@ fn samples(h: usize, divisor: usize) -> usize {
 /// Computes the response of a machine.
 pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
-    let (found, broken) = probe(system, 0.5 * (lo + hi));
+    let (found, broken) = probe(system, &probed_speeds((lo, hi)));
+    // a machine whose nonlinear coordinates do not come in pairs is expanded coordinate by coordinate, which no turn maps onto itself
+    let found = if Nonlinear::of(system).paired { found } else { Symmetry::None };
     let symmetry = match request.symmetry {
         None => found,
         Some(s) if s <= found => s,
@@ -203,7 +205,7 @@ fn attempt<'a>(
 ) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
-    let settings = Settings { max_points: request.max_points, ..Settings::new(lo, hi) };
+    let settings = Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
@@ -279,7 +281,8 @@ fn judge(
         if balance.cancelled() {
             break;
         }
-        points.push(evaluate(balance, stability, unjudged, &p.x, p.p).with_residual(p.residual));
+        let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
+        points.push(evaluate(balance, stability, unjudged, &x, p.p).with_residual(residual));
         if i % 16 == 0 {
             tick(points.len() as u64);
         }
@@ -298,6 +301,14 @@ fn judge(
     }
     let end = if points.len() < branch.points.len() { End::Cancelled } else { branch.end };
     Ok(Traced { points, folds, changes, branch_points, from_low, end })
+}
+
+/// A point of a branch solved to rounding at its speed (the corrector stops at its tolerance), unless a fold is so near that it would leave.
+fn polish(balance: &mut Balance, x: &[f64], speed: f64) -> Option<(Vec<f64>, f64)> {
+    let mut y = x.to_vec();
+    let done = newton(balance, &mut y, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
+    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-3 * s.max(a.abs()));
+    near.then_some((y, done.residual))
 }
 
 impl State {

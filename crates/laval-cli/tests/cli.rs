@@ -1,0 +1,368 @@
+//! The program from outside: what it prints, writes and returns.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const TEMPLATES: [&str; 3] = ["rigid-rotor", "oil-separator", "overhung-disc"];
+
+/// A machine with one mode pair, and a quick study.
+const SMALL: &str = r#"
+[machine]
+name = "small"
+speed = "1000 rpm"
+[[part]]
+kind = "disc"
+name = "drum"
+mass = "2 kg"
+eccentricity = "10 um"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["drum", "ground"]
+law = "isotropic"
+stiffness = "2e6 N/m"
+cubic_stiffness = "1e12 N/m^3"
+[[part]]
+kind = "damper"
+between = ["drum", "ground"]
+damping = "40 N s/m"
+[[study]]
+kind = "nonlinear_response"
+name = "response"
+speed = { from = "500 rad/s", to = "1500 rad/s" }
+"#;
+
+struct Dir(PathBuf);
+
+impl Dir {
+    fn new(name: &str) -> Dir {
+        let dir = std::env::temp_dir().join(format!("laval-cli-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&dir);
+        fs::create_dir_all(&dir).unwrap();
+        Dir(dir)
+    }
+
+    fn file(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.0.join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, content).unwrap();
+        path
+    }
+
+    fn command<S: AsRef<OsStr>>(&self, args: impl IntoIterator<Item = S>) -> Command {
+        let mut c = Command::new(env!("CARGO_BIN_EXE_laval"));
+        c.args(args).current_dir(&self.0);
+        c
+    }
+
+    fn laval<S: AsRef<OsStr>>(&self, args: impl IntoIterator<Item = S>) -> Said {
+        Said::of(&self.command(args).output().unwrap())
+    }
+}
+
+impl Drop for Dir {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+struct Said {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+impl Said {
+    fn of(o: &Output) -> Said {
+        Said {
+            code: o.status.code().unwrap(),
+            out: String::from_utf8(o.stdout.clone()).unwrap(),
+            err: String::from_utf8(o.stderr.clone()).unwrap(),
+        }
+    }
+
+    /// Refused with these words on standard error, and nothing on standard output.
+    fn refused(&self, words: &[&str]) {
+        assert_eq!((self.code, self.out.as_str()), (1, ""), "{}", self.err);
+        for w in words {
+            assert!(self.err.contains(w), "{w:?} in\n{}", self.err);
+        }
+    }
+
+    fn done(&self) -> &str {
+        assert_eq!((self.code, self.err.as_str()), (0, ""));
+        &self.out
+    }
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// Every file below `dir` with its content, in order of path.
+fn tree(dir: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut out = Vec::new();
+    let mut open = vec![dir.to_path_buf()];
+    while let Some(d) = open.pop() {
+        for entry in fs::read_dir(d).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                out.push((path.strip_prefix(dir).unwrap().to_path_buf(), fs::read(&path).unwrap()));
+            }
+        }
+    }
+    out.sort();
+    out
+}
+
+#[test]
+fn a_good_file_is_run_and_the_report_named() {
+    let dir = Dir::new("good");
+    dir.file("pump.toml", SMALL);
+    assert_eq!(dir.laval(["check", "pump.toml"]).done(), "ok: 3 parts, 2 coordinates, study response\n");
+    let said = dir.laval(["run", "pump.toml"]);
+    let out = said.done();
+    assert!(out.starts_with("response\n  ") && out.ends_with("\n\nout/pump/report.html\n"), "{out}");
+    let files: Vec<String> = tree(&dir.0.join("out/pump")).iter().map(|f| f.0.display().to_string()).collect();
+    for wanted in ["figures/response-response.svg", "report.html", "response/response.csv", "response/response.parquet", "results.json"] {
+        assert!(files.iter().any(|f| f == wanted), "{wanted} in {files:?}");
+    }
+    let results = json(&dir.0.join("out/pump/results.json"));
+    assert_eq!(results["studies"][0]["kind"], "nonlinear_response");
+    assert_eq!(results["studies"][0]["end"]["kind"], "reached");
+    assert_eq!(results["provenance"]["input_hash"].as_str().map(str::len), Some("sha256:".len() + 64));
+}
+
+#[test]
+fn results_of_a_machine_toml_are_named_after_its_folder() {
+    let dir = Dir::new("folder");
+    dir.file("fan/machine.toml", SMALL);
+    assert!(dir.laval(["run", "fan/machine.toml"]).done().ends_with("\nout/fan/report.html\n"));
+}
+
+#[test]
+fn two_runs_give_the_same_bytes() {
+    let dir = Dir::new("same");
+    dir.file("pump.toml", SMALL);
+    let first = dir.laval(["run", "pump.toml", "--out", "a"]);
+    let second = dir.laval(["run", "pump.toml", "--out", "b"]);
+    assert_eq!(first.done().replace("a/report", "b/report"), second.done());
+    let (a, b) = (tree(&dir.0.join("a")), tree(&dir.0.join("b")));
+    assert!(a.len() > 5 && a == b);
+}
+
+#[test]
+fn formats_and_quiet() {
+    let dir = Dir::new("formats");
+    dir.file("pump.toml", SMALL);
+    assert_eq!(dir.laval(["run", "pump.toml", "--out", "o", "--format", "csv,json", "--quiet"]).done(), "");
+    let mut kinds: Vec<String> = tree(&dir.0.join("o")).iter().map(|f| f.0.extension().unwrap().to_string_lossy().into()).collect();
+    kinds.sort();
+    kinds.dedup();
+    assert_eq!(kinds, ["csv", "json"]);
+    dir.laval(["run", "pump.toml", "--format", "pdf"]).refused(&["unknown format `pdf`", "parquet"]);
+}
+
+#[test]
+fn all_mistakes_of_a_file_are_told_at_their_places() {
+    let dir = Dir::new("bad");
+    let text = SMALL.replace("mass = \"2 kg\"", "mass = \"2 m\"").replace("damping = \"40 N s/m\"", "dampin = \"40 N s/m\"");
+    dir.file("pump.toml", &text);
+    for command in ["check", "run"] {
+        let said = dir.laval([command, "pump.toml"]);
+        let line = |start: &str| text.lines().position(|l| l.starts_with(start)).unwrap() + 1;
+        let places = [format!("pump.toml:{}:", line("mass")), format!("pump.toml:{}:", line("dampin "))];
+        said.refused(&[&places[0], &places[1], "did you mean \"damping\""]);
+    }
+    assert!(!dir.0.join("out").exists());
+    dir.file("joint.toml", SMALL.replace("[\"drum\", \"ground\"]", "[\"dram\", \"ground\"]"));
+    dir.laval(["check", "joint.toml"]).refused(&["\"dram\"", "did you mean \"drum\"?"]);
+}
+
+#[test]
+fn diagnostics_for_editors() {
+    let dir = Dir::new("json");
+    dir.file("good.toml", SMALL);
+    dir.file("bad.toml", SMALL.replace("mass = \"2 kg\"", "mass = \"2 m\""));
+    let good: serde_json::Value = serde_json::from_str(dir.laval(["check", "good.toml", "--json"]).done()).unwrap();
+    assert_eq!((&good["ok"], &good["coordinates"]), (&true.into(), &serde_json::json!(["drum.x", "drum.y"])));
+    assert_eq!(good["studies"], serde_json::json!([{ "name": "response", "kind": "nonlinear_response" }]));
+    let said = dir.laval(["check", "bad.toml", "--json"]);
+    assert_eq!((said.code, said.err.as_str()), (1, ""));
+    let bad: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(bad["ok"], false);
+    let line = SMALL.lines().position(|l| l.starts_with("mass")).unwrap() + 1;
+    assert_eq!(bad["diagnostics"][0]["place"]["line"], line);
+    let missing = dir.laval(["check", "nothing.toml", "--json"]);
+    assert_eq!(missing.code, 1);
+    assert!(missing.out.contains("there is no file nothing.toml"));
+}
+
+#[test]
+fn what_is_no_machine_file() {
+    let dir = Dir::new("nofile");
+    dir.file("fan/machine.toml", SMALL);
+    dir.file("latin.toml", [SMALL.as_bytes(), b"# 5 \xb5m\n"].concat());
+    dir.file("binary.toml", (0..=255u8).cycle().take(5000).collect::<Vec<_>>());
+    dir.file("empty.toml", "");
+    dir.file("idle.toml", SMALL.split("[[study]]").next().unwrap());
+    for command in ["check", "run"] {
+        dir.laval([command, "nothing.toml"]).refused(&["there is no file nothing.toml", "laval new"]);
+        dir.laval([command, "fan"]).refused(&["fan is a folder", "fan/machine.toml"]);
+        dir.laval([command, "latin.toml"]).refused(&["not UTF-8", "0xb5"]);
+        dir.laval([command, "binary.toml"]).refused(&["not UTF-8"]);
+        dir.laval([command, "empty.toml"]).refused(&["no parts", "[machine]"]);
+    }
+    assert_eq!(dir.laval(["check", "idle.toml"]).done(), "ok: 3 parts, 2 coordinates, no studies\n");
+    dir.laval(["run", "idle.toml"]).refused(&["asks for no study", "laval studies"]);
+}
+
+#[test]
+fn an_unwritable_folder_is_told_before_computing() {
+    let dir = Dir::new("unwritable");
+    dir.file("pump.toml", SMALL);
+    dir.file("taken", "a file");
+    for out in ["taken", "taken/below"] {
+        dir.laval(["run", "pump.toml", "--out", out]).refused(&["cannot make the folder", out, "--out"]);
+    }
+    assert_eq!(fs::read_to_string(dir.0.join("taken")).unwrap(), "a file");
+}
+
+#[test]
+fn only_some_studies() {
+    let dir = Dir::new("only");
+    let again = "[[study]]\nkind = \"nonlinear_response\"\nname = \"narrow\"\nspeed = { from = \"500 rad/s\", to = \"800 rad/s\" }\n";
+    dir.file("pump.toml", format!("{SMALL}{again}"));
+    dir.laval(["run", "pump.toml", "--only", "respons"]).refused(&[
+        "no study \"respons\"",
+        "did you mean \"response\"?",
+        "response, narrow",
+    ]);
+    let names = |out: &str| -> Vec<String> {
+        let results = json(&dir.0.join(out).join("results.json"));
+        results["studies"].as_array().unwrap().iter().map(|s| s["name"].as_str().unwrap().to_string()).collect()
+    };
+    dir.laval(["run", "pump.toml", "--only", "narrow", "--out", "a"]).done();
+    assert_eq!(names("a"), ["narrow"]);
+    dir.laval(["run", "pump.toml", "--only", "nonlinear_response", "--out", "b"]).done();
+    assert_eq!(names("b"), ["response", "narrow"]);
+}
+
+#[test]
+fn a_refused_study_leaves_the_others() {
+    let dir = Dir::new("refused");
+    // without a load a Hertz contact has no stiffness to linearise
+    let text = SMALL.replace(
+        "[[study]]",
+        "[[part]]\nkind = \"bearing_hertz\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\n\
+         [[study]]\nkind = \"modes\"\nname = \"small motions\"\n[[study]]",
+    );
+    dir.file("pump.toml", text);
+    let said = dir.laval(["run", "pump.toml"]);
+    assert_eq!(said.code, 1, "{}{}", said.out, said.err);
+    assert!(said.err.contains("study \"small motions\": "), "{}", said.err);
+    assert!(said.out.starts_with("response\n") && said.out.ends_with("report.html\n"), "{}", said.out);
+    let results = json(&dir.0.join("out/pump/results.json"));
+    assert!(results["studies"][0]["end"]["kind"] == "refused");
+    assert_eq!(results["studies"][1]["name"], "response");
+}
+
+#[test]
+fn a_work_limit_ends_a_study_early_and_says_so() {
+    let dir = Dir::new("limit");
+    dir.file("pump.toml", SMALL);
+    let said = dir.laval(["run", "pump.toml", "--work-limit", "5"]);
+    assert!(said.done().contains("! The study stopped early"), "{}", said.out);
+    dir.laval(["run", "pump.toml", "--work-limit", "0"]).refused(&["--work-limit"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn ctrl_c_keeps_what_was_done() {
+    use std::io::{BufRead, BufReader, Read};
+    let dir = Dir::new("stop");
+    let long = "[[study]]\nkind = \"transient\"\nname = \"long\"\nduration = \"1e7 s\"\n[[study]]\nkind = \"modes\"\nname = \"after\"\n";
+    dir.file("pump.toml", format!("{SMALL}{long}"));
+    let mut child = dir.command(["run", "pump.toml"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut line = String::new();
+    // the first study is printed when it is done: the long one follows
+    out.read_line(&mut line).unwrap();
+    assert_eq!(line, "response\n");
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let mut err = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{err}");
+    assert!(err.contains("stopping") && err.contains("not run: after"), "{err}");
+    let results = json(&dir.0.join("out/pump/results.json"));
+    assert_eq!(results["studies"][0]["name"], "response");
+    assert!(results["studies"][1]["end"]["kind"] == "cancelled");
+    assert!(dir.0.join("out/pump/response/response.csv").is_file() && dir.0.join("out/pump/report.html").is_file());
+}
+
+#[test]
+fn templates_are_sound_and_never_overwrite() {
+    let dir = Dir::new("templates");
+    let list = dir.laval(["new"]);
+    for name in TEMPLATES {
+        assert!(list.done().contains(name));
+        assert_eq!(dir.laval(["new", name]).done(), format!("{name}.toml\n"));
+        let file = format!("{name}.toml");
+        assert!(dir.laval(["check", &file]).done().starts_with("ok: "));
+        assert!(dir.laval(["run", &file]).done().contains("report.html"));
+        let results = json(&dir.0.join("out").join(name).join("results.json"));
+        for study in results["studies"].as_array().unwrap() {
+            assert_eq!(study["end"]["kind"], "reached");
+        }
+        dir.laval(["new", name]).refused(&["exists and is not overwritten", "--out"]);
+    }
+    assert_eq!(list.out.lines().take_while(|l| !l.is_empty()).count(), TEMPLATES.len());
+    dir.laval(["new", "rigid-rotr"]).refused(&["did you mean \"rigid-rotor\"?"]);
+    assert_eq!(dir.laval(["new", "rigid-rotor", "--out", "-"]).done(), fs::read_to_string(dir.0.join("rigid-rotor.toml")).unwrap());
+}
+
+#[test]
+fn the_catalogue_is_documented() {
+    let dir = Dir::new("catalogue");
+    for (command, word) in [("parts", "liquid"), ("studies", "nonlinear_response")] {
+        let list = dir.laval([command]);
+        let kinds: Vec<&str> = list.done().lines().take_while(|l| !l.is_empty()).filter_map(|l| l.split_whitespace().next()).collect();
+        assert!(kinds.contains(&word));
+        for kind in kinds {
+            let said = dir.laval([command, kind]);
+            assert!(said.done().starts_with(&format!("{kind}\n")) && said.out.contains("\nExample\n"), "{kind}");
+        }
+        dir.laval([command, "liqud_response"]).refused(&["there is no kind of", word]);
+    }
+    let schema: serde_json::Value = serde_json::from_str(dir.laval(["schema"]).done()).unwrap();
+    assert!(schema["$defs"]["part.liquid"].is_object());
+}
+
+#[test]
+fn help_names_every_command_and_the_exit_codes() {
+    let dir = Dir::new("help");
+    let help = dir.laval(["--help"]);
+    for word in ["run", "check", "new", "parts", "studies", "schema", "Exit codes: 0 done", "laval new rigid-rotor"] {
+        assert!(help.done().contains(word), "{word}");
+    }
+    for command in ["run", "check", "new", "parts", "studies", "schema"] {
+        assert!(dir.laval([command, "--help"]).done().contains("Usage: laval"));
+    }
+    assert_eq!(dir.laval(["--version"]).done(), format!("laval {}\n", env!("CARGO_PKG_VERSION")));
+    dir.laval::<&str>([]).refused(&["Usage: laval"]);
+    dir.laval(["chek"]).refused(&["chek", "check"]);
+    dir.laval(["run"]).refused(&["FILE"]);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_closed_pipe_is_no_failure() {
+    let dir = Dir::new("pipe");
+    let program = env!("CARGO_BIN_EXE_laval");
+    let o = Command::new("sh").args(["-c", &format!("{program} schema | head -c 1; {program} parts | true")]).current_dir(&dir.0).output();
+    assert_eq!(Said::of(&o.unwrap()).err, "");
+}

@@ -1,0 +1,36 @@
+//! Pages other than the report, in its style: they open offline, run no script, and adapt to phones, dark screens and paper.
+
+use super::embed::{base64, sha256};
+use super::scene::Scene;
+use super::svg::{NARROW, WIDE, render};
+use super::text::escape;
+use crate::outcome::{Figure, OutcomeError, Table};
+
+const CSS: &str = include_str!("assets/report.css");
+
+/// A complete page around `body`; `style` is added to the report's style sheet.
+pub fn page(title: &str, style: &str, body: &str) -> String {
+    let css = format!("{CSS}{style}");
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
+         <title>{}</title>\n<style>{css}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
+        base64(&sha256(css.as_bytes())),
+        escape(title)
+    )
+}
+
+/// A figure with its caption, drawn for wide and for narrow screens; `id` is unique in the page.
+///
+/// # Errors
+/// When the figure names a table or column that does not exist.
+pub fn figure(figure: &Figure, tables: &[Table], id: &str) -> Result<String, OutcomeError> {
+    let scene = Scene::new(figure, tables)?;
+    Ok(format!(
+        "<figure class=\"fig\" id=\"{id}\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">{}{}</div>\n</figure>\n",
+        escape(&figure.title),
+        escape(&figure.alt),
+        render(&scene, figure, WIDE, Some(&format!("{id}w"))),
+        render(&scene, figure, NARROW, Some(&format!("{id}n"))),
+    ))
+}

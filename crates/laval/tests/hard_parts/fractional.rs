@@ -1,0 +1,197 @@
+//! A part exact in the frequency domain only: `F = c s^a d` per axis, a damper of fractional order; with and without a fitted time form.
+
+use crate::tools::{orbits, response};
+use laval::diagnostic::Diagnostics;
+use laval::model::blocks::Blocks;
+use laval::model::builder::Builder;
+use laval::model::erased::Erased;
+use laval::model::field::{Attach, Bounds, Field, ParamValues, Value, Values};
+use laval::model::params::Family;
+use laval::model::part::{Layout, Link, Params, Part, Physics, TimeForm};
+use laval::model::system::System;
+use laval::params;
+use laval::parts::{bearing_cubic::*, disc::*};
+use laval::solve::harmonic::floquet::Unjudged;
+use laval::solve::motion::{Motion, SpinLaw};
+use laval::solve::pencil::modes_about;
+use laval::solve::programme::Programme;
+use laval::solve::rest::rest;
+use laval::solve::symmetry::{Symmetry, probe};
+use laval::study::nonlinear_response::NonlinearResponse;
+use laval::study::{Context, Study};
+use laval_num::complex::{C64, Complex, c};
+use laval_num::scalar::Scalar;
+
+params! {
+    /// Parameters of a [`Fractional`] damper.
+    pub struct FractionalParams in FractionalFamily {
+        strength: lateral, "N s^a/m", Bounds::up_to(1e12), required, "c";
+        order: scalar, "", Bounds::positive(2.0), required, "a";
+    }
+}
+
+pub struct Fractional {
+    link: Link,
+    time: TimeForm,
+}
+
+const WHY: &str = "a fractional derivative remembers the whole past";
+
+/// s^a, principal branch, 0 at 0.
+fn power<S: Scalar>(s: Complex<S>, a: S) -> Complex<S> {
+    let r = s.re.norm2(s.im);
+    let size = r.select_pos((a * r.ln()).exp(), S::zero());
+    Complex::cis(a * s.im.atan2(s.re)).scale(size)
+}
+
+impl Part for Fractional {
+    const KIND: &'static str = "fractional";
+    const DOC: &'static str = "A damper of fractional order.";
+    type Family = FractionalFamily;
+    const FIELDS: &'static [Field] = &[];
+    fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        None
+    }
+    fn layout(&self) -> Layout {
+        Layout::point(self.link.clone())
+    }
+    fn physics(&self) -> Physics {
+        Physics::Frequency(self.time)
+    }
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, _: S, out: &mut [Complex<S>]) {
+        for i in 0..2 {
+            out[3 * i] += power(s, p.order).scale(p.strength[i]);
+        }
+    }
+    /// Stiffness and damping that agree with it at 500 rad/s.
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
+        let w = 500.0;
+        let z = power(c(S::zero(), S::cst(w)), p.order);
+        for i in 0..2 {
+            b.stiffness[(i, i)] = p.strength[i] * z.re;
+            b.damping[(i, i)] = (p.strength[i] * z.im).scale(1.0 / w);
+        }
+    }
+}
+
+const MASS: f64 = 3.0;
+const LOAD: f64 = 3e-4;
+const SPRING: f64 = 1e6;
+const STRENGTH: f64 = 6e3;
+const ORDER: f64 = 0.6;
+
+fn machine(time: TimeForm, strength: [f64; 2], cubic: f64, horizontal: bool) -> System {
+    let link = || Link::Between(Attach::on("disc"), Attach::ground());
+    let bearing = BearingCubicParams { stiffness: [SPRING; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 };
+    let b = Builder::new("fractional")
+        .part("disc", Disc::planar(), DiscParams { mass: MASS, unbalance: LOAD, ..DiscFamily::defaults() })
+        .part("bearing", BearingCubic::isotropic(link()), bearing)
+        .part("polymer", Fractional { link: link(), time }, FractionalParams { strength, order: ORDER });
+    if horizontal { b.horizontal() } else { b }.build().unwrap()
+}
+
+#[test]
+fn impedance_is_that_of_a_real_force() {
+    let part = Fractional { link: Link::Between(Attach::on("a"), Attach::ground()), time: TimeForm::None(WHY) };
+    for s in [c(0.0, 300.0), c(-20.0, 40.0), c(5.0, -700.0), c(0.0, 0.0)] {
+        let (mut z, mut zc) = ([C64::zero(); 4], [C64::zero(); 4]);
+        let p = FractionalFamily::to_vec(&FractionalParams { strength: [2.0, 3.0], order: 0.4 });
+        part.impedance_f64(&p, s, 100.0, &mut z);
+        part.impedance_f64(&p, s.conj(), 100.0, &mut zc);
+        for (z, zc) in z.iter().zip(zc) {
+            assert!((*z - zc.conj()).abs() <= 1e-15 * z.abs() && z.is_finite());
+        }
+    }
+}
+
+#[test]
+fn linear_response_is_exact() {
+    for strength in [[STRENGTH; 2], [STRENGTH, 0.3 * STRENGTH]] {
+        for horizontal in [false, true] {
+            let (system, range) = (machine(TimeForm::None(WHY), strength, 0.0, horizontal), (50.0, 2000.0));
+            let found = response(&system, range);
+            let Some(Unjudged::NoTimeForm(part, why)) = &found.unjudged else { panic!("{:?}", found.unjudged) };
+            assert_eq!((part.as_str(), *why), ("polymer", WHY));
+            for orbit in orbits(&system, &found, range) {
+                let w = orbit.speed;
+                let first = orbit.orders.iter().position(|&k| k == 1).unwrap();
+                let z = |i: usize| {
+                    let angle = 0.5 * std::f64::consts::PI * ORDER;
+                    let damper = C64::cis(angle).scale(strength[i] * w.powf(ORDER));
+                    damper + c(SPRING - MASS * w * w, 0.0)
+                };
+                let force = LOAD * w * w;
+                let (x, y) = (c(force, 0.0) / z(0), c(0.0, -force) / z(1));
+                let got = &orbit.coordinates[first];
+                assert!((got[0] - x).abs() < 1e-11 * x.abs(), "{strength:?} at {w}: {:?} {x:?}", got[0]);
+                assert!((got[1] - y).abs() < 1e-11 * y.abs(), "{strength:?} at {w}: {:?} {y:?}", got[1]);
+                if horizontal {
+                    let sag = orbit.coordinates[orbit.orders.iter().position(|&k| k == 0).unwrap()][1].re;
+                    assert!((sag + MASS * 9.80665 / SPRING).abs() < 1e-11 * sag.abs(), "{sag}");
+                }
+            }
+        }
+    }
+}
+
+/// With the isotropic cubic law the motion is one circle: its equation by hand.
+#[test]
+fn nonlinear_circle_is_exact() {
+    let cubic = 4e12;
+    let (system, range) = (machine(TimeForm::None(WHY), [STRENGTH; 2], cubic, false), (50.0, 1500.0));
+    let found = response(&system, range);
+    assert_eq!(found.discretisation.symmetry, Symmetry::Circular);
+    for orbit in orbits(&system, &found, range) {
+        let (w, d) = (orbit.speed, orbit.whirl(0, 1).0);
+        let z = C64::cis(0.5 * std::f64::consts::PI * ORDER).scale(STRENGTH * w.powf(ORDER));
+        let rest = d * (z + c(SPRING - MASS * w * w + cubic * d.norm_sqr(), 0.0)) - c(LOAD * w * w, 0.0);
+        assert!(rest.abs() < 1e-10 * SPRING * d.abs(), "{w}: {rest:?}");
+    }
+}
+
+#[test]
+fn an_anisotropic_impedance_breaks_the_symmetry() {
+    let found = |strength| probe(&machine(TimeForm::None(WHY), strength, 4e12, false), &[400.0]);
+    assert_eq!(found([STRENGTH; 2]).0, Symmetry::Circular);
+    let (symmetry, broken) = found([STRENGTH, 0.3 * STRENGTH]);
+    assert_eq!(symmetry, Symmetry::Half);
+    assert!(broken.iter().all(|b| b.part == "polymer") && broken.len() == 2, "{broken:?}");
+}
+
+#[test]
+fn studies_in_time_refuse_it_by_name() {
+    let system = machine(TimeForm::None(WHY), [STRENGTH; 2], 0.0, false);
+    let at = rest(&system, 300.0).unwrap();
+    let refusals = [
+        modes_about(&system, &at, false).err().unwrap(),
+        Motion::new(&system, SpinLaw::Programme(Programme::constant(300.0, 0.0))).err().unwrap(),
+    ];
+    for d in refusals {
+        assert!(d.message.contains("\"polymer\"") && d.message.contains(WHY), "{d}");
+    }
+}
+
+fn study(system: &System) -> laval::outcome::Outcome {
+    let mut values = Values::default();
+    values.set("speed", Value::Range(laval::model::field::RangeValue { from: 100.0, to: 900.0, points: None }), None);
+    let study = NonlinearResponse::build(&values, system, &mut Diagnostics::default()).unwrap();
+    Study::run(&study, system, &Context::quiet("response")).unwrap()
+}
+
+/// A fitted time form serves stability, and its error is said; the response itself stays exact.
+#[test]
+fn the_error_of_a_fit_is_evidence() {
+    let error = 0.037;
+    let system = machine(TimeForm::Fit(error), [STRENGTH; 2], 4e12, false);
+    let outcome = study(&system);
+    let said = outcome.findings.iter().find(|f| f.text.contains("\"polymer\"")).unwrap_or_else(|| panic!("{:?}", outcome.findings));
+    assert!(said.evidence.iter().any(|e| e.value == error), "{said:?}");
+    let (a, b) = (response(&system, (100.0, 900.0)), response(&machine(TimeForm::None(WHY), [STRENGTH; 2], 4e12, false), (100.0, 900.0)));
+    assert!(a.unjudged.is_none() && b.unjudged.is_some());
+    for (p, q) in a.branches.iter().flat_map(|b| &b.points).zip(b.branches.iter().flat_map(|b| &b.points)) {
+        assert_eq!((p.speed, &p.x), (q.speed, &q.x));
+    }
+    let none = study(&machine(TimeForm::None(WHY), [STRENGTH; 2], 4e12, false));
+    let unknown = none.findings.iter().find(|f| f.id == "stability_unknown").unwrap();
+    assert!(unknown.text.contains("polymer") && unknown.text.contains(WHY), "{unknown:?}");
+}

@@ -1,0 +1,46 @@
+//! The validation gallery: every case of the repository, with the verdict it states.
+
+use laval::file::Form;
+use laval::validation::{Page, Verdict, documents, gallery, run};
+use std::collections::HashSet;
+use std::path::Path;
+
+fn pages() -> Vec<Page> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation");
+    let found = documents(&folder).unwrap_or_else(|(path, e)| panic!("{}: {e}", path.display()));
+    run(&found, |_| {})
+}
+
+/// What has changed, for the message of the test.
+fn told(page: &Page) -> String {
+    let mut s = format!("{}: {}\n{}", page.id(), page.verdict(), page.complaint(Form::Lines));
+    if let Page::Checked(c) = page {
+        for (e, found) in c.case.expected.iter().zip(&c.compared).filter(|(e, found)| e.stated != found.row) {
+            s += &format!("  {} {} {}: {} expected {} {}\n", e.study, e.value, e.at, found.measured, e.expected_text, e.unit);
+        }
+    }
+    s
+}
+
+#[test]
+fn every_case_has_the_verdict_it_states() {
+    let pages = pages();
+    let changed: Vec<String> = pages.iter().filter(|p| !p.holds()).map(told).collect();
+    assert!(changed.is_empty(), "{} of {} cases:\n{}", changed.len(), pages.len(), changed.join("\n"));
+    // cases that disagree stay
+    assert!(pages.len() >= 18);
+    assert!(pages.iter().filter(|p| p.verdict() == Verdict::Explained.words()).count() >= 2);
+    let files = gallery(&pages).unwrap();
+    assert_eq!(files.len(), pages.len() + 1);
+    assert_eq!(files.iter().map(|f| f.0.as_str()).collect::<HashSet<_>>().len(), files.len());
+    for (name, content) in &files[1..] {
+        assert!(files[0].1.contains(&format!("href=\"{name}\"")), "{name} is not in the index");
+        assert!(content.contains("<svg"), "{name} has no figure");
+    }
+    for (name, content) in &files {
+        assert!(content.contains("default-src 'none'") && !content.contains("<script"), "{name}");
+        for outside in ["src=", "<link", "@import", "url(h"] {
+            assert!(!content.contains(outside), "{name} contains {outside}");
+        }
+    }
+}
