@@ -320,7 +320,7 @@ mod tests {
         let (part, _, text) = build("volume_fraction", 1.2);
         assert!(part.is_none() && text[0].starts_with("this is 1.2 times what the cavity holds"), "{text:?}");
         let (part, _, text) = build("mass", 2.0);
-        assert!(part.is_none() && text[0].contains("0.923628 kg of this liquid"), "{text:?}");
+        assert!(part.is_none() && text[0].contains("923.6 g of this liquid"), "{text:?}");
         assert!(build("volume", f64::NAN).0.is_none());
         assert!(Liquid::new(Attach::on("drum"), Fill::Partial).check(&cavity(1.1, 0.0))[0].1.contains("outside the cavity"));
     }
