@@ -18,6 +18,7 @@ use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{criticals, curve, seeds};
+use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 
 /// See the [module](self).
@@ -70,6 +71,7 @@ impl Study for CriticalSpeeds {
         } else {
             Vec::new()
         };
+        let complete = end == End::Reached;
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
@@ -77,6 +79,14 @@ impl Study for CriticalSpeeds {
                 peaks.iter().filter(|_| c.order == 1.0).min_by(|a, b| (a.speed - c.speed).abs().total_cmp(&(b.speed - c.speed).abs()));
             // a peak belongs to a critical speed when it lies within a few widths of its resonance
             let near = near.filter(|p| (p.speed - c.speed).abs() <= 4.0 * c.growth.abs() + 1e-6 * c.speed.abs());
+            // and to the nearest one only; of two at one place, to the one unbalance drives
+            let near = near.filter(|p| {
+                let own = ((c.speed - p.speed).abs(), c.whirl == Whirl::Backward);
+                !crossings.iter().filter(|o| o.order == 1.0).any(|o| {
+                    let other = ((o.speed - p.speed).abs(), o.whirl == Whirl::Backward);
+                    other.0 < own.0 - 1e-9 * p.speed.abs() || ((other.0 - own.0).abs() <= 1e-9 * p.speed.abs() && !other.1 && own.1)
+                })
+            });
             let beside = match near {
                 Some(p) => format!("; the response of {} peaks at {}", bodies[p.body].name, quantity(p.speed, "rad/s")),
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
@@ -98,7 +108,8 @@ impl Study for CriticalSpeeds {
             outcome = outcome.finding(finding).special_point(special(c));
         }
         if crossings.is_empty() {
-            outcome = outcome.finding(Finding::info("no_critical_speed", "There is no critical speed in this range."));
+            let text = if complete { "There is no critical speed in this range." } else { "No critical speed was found before the study stopped." };
+            outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         for p in &peaks {
             outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).evidence(

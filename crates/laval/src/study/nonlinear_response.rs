@@ -226,7 +226,10 @@ impl<'a> Shown<'a> {
                 out = out.table(t);
             }
         }
-        out = out.figure(self.figure(response));
+        // stopped before the first point: nothing to draw
+        if out.find_table("response").is_some() {
+            out = out.figure(self.figure(response));
+        }
         for branch in &response.branches {
             for f in &branch.folds {
                 let status = if f.confirmed { Status::Located } else { Status::Bracketed };
@@ -368,7 +371,7 @@ impl<'a> Shown<'a> {
         if let Some(branch) = response.branches.iter().find(|b| !b.from_low).or(low) {
             out.push(sweep(branch, false, lo, hi));
         }
-        if response.branches.len() > 1 {
+        if response.branches.len() > 1 && response.branches.iter().all(|b| b.end == End::Reached) {
             out.push(Finding::info(
                 "two_branches",
                 "Two separate families of states were found: one reached from low speed, one from high speed. Which one the machine is on depends on \

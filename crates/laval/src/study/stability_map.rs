@@ -264,7 +264,11 @@ impl StabilityMap {
         if rows.iter().any(|r| r.undamped) {
             outcome = outcome.finding(Finding::info(
                 "undamped",
-                "The machine has no damping: its stability boundaries are double roots and were solved for as such.",
+                if rows.iter().all(|r| r.undamped) {
+                    "The machine has no damping: its stability boundaries are double roots and were solved for as such."
+                } else {
+                    "Where the machine has no damping, its stability boundaries are double roots and were solved for as such."
+                },
             ));
         }
         outcome = outcome.table(map).table(boundary).table(tops);

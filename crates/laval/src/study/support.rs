@@ -75,10 +75,9 @@ pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diag
         Some((format!("{field} must go from a lower to a higher value"), "exchange from and to".to_string()))
     } else if range.points.is_some_and(|p| p < least) {
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
-    } else if let Some(p) = range.points.filter(|&p| p > MOST_POINTS) {
-        Some((format!("{field} asks for {p} points, which are too many"), format!("at most {MOST_POINTS} points")))
     } else {
-        None
+        let many = range.points.filter(|&p| p > MOST_POINTS);
+        many.map(|p| (format!("{field} asks for {p} points, which are too many"), format!("at most {MOST_POINTS} points")))
     };
     match wrong {
         Some((message, help)) => {

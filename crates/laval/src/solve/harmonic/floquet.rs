@@ -118,7 +118,12 @@ pub struct Stability {
     scale: Vec<f64>,
     spectrum: Spectrum,
     dop: Dop853,
+    /// Steps of maps over the period that are left: a law with kinks may ask for more than anybody waits for.
+    steps_left: u64,
 }
+
+/// Steps of integration spent on the maps of one response, at most.
+const MOST_STEPS: u64 = 1_000_000;
 
 impl Stability {
     /// For one machine, or why not.
@@ -151,6 +156,7 @@ impl Stability {
             scale: Vec::new(),
             spectrum: Spectrum::default(),
             dop: Dop853::new(),
+            steps_left: MOST_STEPS,
         })
     }
 
@@ -360,12 +366,15 @@ impl Stability {
                 offset += d * d;
             }
         });
-        let control = Control { max_steps: 200_000, ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
+        let control = Control { max_steps: self.steps_left.min(200_000), ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
         let run = integrate(&mut dop, &mut problem, 0.0, &mut y, period, &control, &mut ());
         self.sampled = sampled;
         self.dop = dop;
-        if run.end != End::Reached {
-            return Err(Unjudged::Failed(format!("the map over the period ended early: {:?}", run.end)));
+        self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
+        match run.end {
+            End::Reached => {}
+            End::WorkLimit { .. } => return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into())),
+            other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
         }
         // turned back by the symmetry: a half turn changes the sign of pairs, a quarter turns them (against the spin for nu = 3 mod 4)
         let angle = match parts {
@@ -470,15 +479,18 @@ impl Stability {
                 }
             }
         });
-        let control = Control { max_steps: 50_000, ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
+        let control = Control { max_steps: self.steps_left.min(50_000), ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
         let run = integrate(&mut self.dop, &mut problem, 0.0, &mut y, period, &control, &mut ());
         self.tangent = tangent;
         self.scratch = scratch;
         if let Some(failure) = failure {
             return Err(failure);
         }
-        if run.end != End::Reached {
-            return Err(Unjudged::Failed(format!("the map over the period ended early: {:?}", run.end)));
+        self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
+        match run.end {
+            End::Reached => {}
+            End::WorkLimit { .. } => return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into())),
+            other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
         }
         let angle = match parts {
             2 => PI,

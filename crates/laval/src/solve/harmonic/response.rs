@@ -175,7 +175,10 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
         let response = attempt(system, request, d, cancel, tick)?;
         let worst = worst_truncation(&response);
+        // a law with kinks converges slowly: wider steps then
+        let slow = harmonics >= 4 * 7 * request.divisor;
         let more = match request.divisor {
+            _ if slow => 4 * (harmonics / 8).max(request.divisor),
             1 if symmetry == Symmetry::Quarter => 4,
             nu => 4 * nu,
         };
@@ -184,7 +187,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         let complete = response.branches.iter().all(|b| b.end != End::Cancelled) && spent < request.max_points;
         if automatic && complete && worst > request.truncation && harmonics + more <= MOST_HARMONICS {
             harmonics += more;
-        } else if complete && response.sampling > 1e-9 && oversampling < 8 {
+        } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
         } else {
             return Ok(Response { broken, ..response });
