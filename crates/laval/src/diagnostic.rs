@@ -98,7 +98,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     if a.is_empty() || a.len() > LONGEST {
         return None;
     }
-    let limit = |other: usize| (a.len().max(other) + 2) / 3;
+    let limit = |other: usize| a.len().max(other).div_ceil(3);
     candidates
         .into_iter()
         .filter_map(|c| {
