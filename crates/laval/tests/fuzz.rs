@@ -22,9 +22,9 @@ use std::time::{Duration, Instant};
 const CHECKED: u64 = 100_000;
 const STUDIED: usize = 1000;
 /// A case that takes longer than this hangs; usual ones take milliseconds.
-const HANGS_AFTER: Duration = Duration::from_secs(60);
-/// Most failures printed.
-const SHOWN: usize = 12;
+const HANGS_AFTER: Duration = Duration::from_secs(120);
+/// Most kinds of failures printed.
+const SHOWN: usize = 20;
 
 fn scale() -> u64 {
     std::env::var("LAVAL_FUZZ").ok().and_then(|s| s.parse().ok()).unwrap_or(1)
@@ -111,6 +111,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
         match guarded(|| Ok(named.study.run(&loaded.system, &context))).map_err(what)? {
             Ok(outcome) => {
                 sound::check(&outcome).map_err(what)?;
+                sound::within(&outcome, work_limit).map_err(what)?;
                 ends.push(format!("{} {}", named.study.kind(), outcome.end.word()));
                 guarded(|| sound::written(outcome)).map_err(what)?;
             }
@@ -162,7 +163,13 @@ fn all<T: Send>(what: &str, cases: &[u64], sources: &Sources, one: impl Fn(&[u8]
     });
     let mut failed = failed.into_inner().unwrap_or_else(PoisonError::into_inner);
     failed.sort_by_key(|f| f.0);
-    for (case, why) in failed.iter().take(SHOWN) {
+    // one of each kind
+    let mut kinds: BTreeMap<String, (usize, &(u64, String))> = BTreeMap::new();
+    for f in &failed {
+        kinds.entry(head(&f.1)).or_insert((0, f)).0 += 1;
+    }
+    for (count, (case, why)) in kinds.values().take(SHOWN) {
+        eprintln!("{what}: {count} like this:");
         let short = shorter(sources.case(*case), why, |b| guarded(|| one(b, *case)).err());
         eprintln!("{what}: case {case}: {why}\n----\n{}\n----", String::from_utf8_lossy(&short));
     }
@@ -172,9 +179,13 @@ fn all<T: Send>(what: &str, cases: &[u64], sources: &Sources, one: impl Fn(&[u8]
     done
 }
 
+/// What two failures of one kind have in common.
+fn head(why: &str) -> String {
+    why.split(": ").skip(1).collect::<Vec<_>>().join(": ").chars().filter(|c| !c.is_ascii_digit()).take(60).collect()
+}
+
 /// Leaves out lines as long as the same thing goes wrong.
 fn shorter(bytes: Vec<u8>, why: &str, fails: impl Fn(&[u8]) -> Option<String>) -> Vec<u8> {
-    let head = |s: &str| s.chars().filter(|c| !c.is_ascii_digit()).take(40).collect::<String>();
     let mut lines: Vec<Vec<u8>> = bytes.split(|&b| b == b'\n').map(<[u8]>::to_vec).collect();
     for width in [8, 3, 1] {
         let mut at = 0;

@@ -11,6 +11,8 @@ mod memory;
 mod pendulum;
 #[path = "hard_parts/pendulum_tests.rs"]
 mod pendulum_tests;
+#[path = "hard_parts/studies.rs"]
+mod studies;
 #[path = "hard_parts/tabulated.rs"]
 mod tabulated;
 #[path = "hard_parts/tools.rs"]

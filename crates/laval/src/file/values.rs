@@ -119,7 +119,7 @@ impl Context<'_> {
         if !bounds.contains(x) {
             let value = units::format_si(x, unit);
             let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds_text(bounds, unit));
-            let share = unit.is_empty() && bounds.max == 1.0 && x > 1.0 && x <= 100.0;
+            let share = unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
             let help = share.then(|| format!("write \"{} %\" if you mean percent", units::write_number(x)));
             let help = help.or_else(|| {
                 (bare && !unit.is_empty())

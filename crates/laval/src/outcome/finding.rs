@@ -70,6 +70,11 @@ impl Evidence {
     pub fn new(what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
         Evidence { what: what.into(), value, unit: unit.into() }
     }
+
+    /// `None` for NaN.
+    pub(super) fn known(what: impl Into<String>, value: f64, unit: impl Into<String>) -> Option<Self> {
+        (!value.is_nan()).then(|| Self::new(what, value, unit))
+    }
 }
 
 impl Finding {
@@ -105,9 +110,9 @@ impl Finding {
         self
     }
 
-    /// Adds a supporting number.
+    /// Adds a supporting number; NaN, a number that could not be had, is left out.
     pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
-        self.evidence.push(Evidence::new(what, value, unit));
+        self.evidence.extend(Evidence::known(what, value, unit));
         self
     }
 

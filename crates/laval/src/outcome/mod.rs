@@ -40,6 +40,7 @@ pub use finding::{Evidence, Finding, Level};
 pub use number::{quantity, significant, unit_text};
 pub use table::{Column, Data, Table, TableBuilder};
 
+use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -138,18 +139,45 @@ impl Outcome {
         self.tables.iter().find(|t| t.name() == name)
     }
 
-    /// The outcome itself when its names are unique and every mark of every figure names columns that exist and
-    /// have a fitting type.
+    /// The outcome itself when its names are unique, every mark of every figure names columns that exist and have a fitting type, and no
+    /// NaN or infinity is passed off as a number: values, evidence and places are finite, and in tables NaN alone stands for "no value".
     ///
     /// # Errors
-    /// The first name that is double, missing or of the wrong type.
+    /// The first name that is double, missing or of the wrong type, or number that is none.
     pub fn checked(self) -> Result<Self, OutcomeError> {
+        self.finite()?;
         unique("table", self.tables.iter().map(Table::name))?;
         unique("figure", self.figures.iter().map(|f| f.name.as_str()))?;
         for figure in &self.figures {
             figure.check(&self.tables)?;
         }
         Ok(self)
+    }
+
+    fn finite(&self) -> Result<(), OutcomeError> {
+        let check = |what: &str, numbers: &[f64]| match numbers.iter().all(|x| x.is_finite()) {
+            true => Ok(()),
+            false => Err(OutcomeError::NotFinite { what: what.into() }),
+        };
+        if let End::StepTooSmall { at } | End::NewtonFailed { at, .. } = self.end {
+            check("the end", &[at])?;
+        }
+        for f in &self.findings {
+            f.value.iter().try_for_each(|x| check(&f.id, &[*x]))?;
+            f.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+        }
+        for p in &self.special_points {
+            check(&p.kind, &[p.at, p.bracket.0, p.bracket.1])?;
+            p.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
+        }
+        for (t, c) in self.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (t, c))) {
+            if let Data::Float(values) = &c.data
+                && values.iter().any(|x| x.is_infinite())
+            {
+                return Err(OutcomeError::NotFinite { what: format!("{} in the table {}", c.name, t.name()) });
+            }
+        }
+        Ok(())
     }
 
     /// The end of the study as one sentence, with the place where it stopped.
@@ -252,9 +280,9 @@ impl SpecialPoint {
         self
     }
 
-    /// Adds a supporting number.
+    /// Adds a supporting number; NaN, a number that could not be had, is left out.
     pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
-        self.evidence.push(Evidence::new(what, value, unit));
+        self.evidence.extend(Evidence::known(what, value, unit));
         self
     }
 }
@@ -302,6 +330,11 @@ pub enum OutcomeError {
         /// The name.
         name: String,
     },
+    /// A number left the range of floating point.
+    NotFinite {
+        /// What it would have been.
+        what: String,
+    },
     /// A figure names a table or column that does not exist, or one of a type that it cannot use.
     Reference {
         /// Figure.
@@ -321,6 +354,7 @@ impl fmt::Display for OutcomeError {
             OutcomeError::Length { table, column, found, expected } => {
                 write!(f, "column `{column}` of table `{table}` has {found} rows, the columns before it have {expected}")
             }
+            OutcomeError::NotFinite { what } => write!(f, "{what} is no finite number"),
             OutcomeError::Twice { what, name } => write!(f, "two {what}s are named `{name}`"),
             OutcomeError::Reference { figure, table, column, expected } if column.is_empty() => {
                 write!(f, "figure `{figure}` needs {expected} `{table}`, which is missing")
@@ -333,6 +367,16 @@ impl fmt::Display for OutcomeError {
 }
 
 impl std::error::Error for OutcomeError {}
+
+impl From<OutcomeError> for Diagnostic {
+    fn from(e: OutcomeError) -> Self {
+        match e {
+            OutcomeError::NotFinite { .. } => Diagnostic::error("study.not_finite", format!("the result cannot be computed: {e}"))
+                .help("a value of the machine or of the study is too large or too small"),
+            _ => Diagnostic::error("study.outcome", format!("the study's result is inconsistent: {e}")),
+        }
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,9 @@
 
 use crate::outcome::{significant, unit_text};
 
+const SMALLEST: f64 = 1e-280;
+const LARGEST: f64 = 1e280;
+
 /// Positions and labels of the ticks of one axis.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Ticks {
@@ -23,6 +26,13 @@ pub(super) struct AxisView {
 
 impl AxisView {
     pub fn new(label: &str, unit: &str, log: bool, lo: f64, hi: f64) -> Self {
+        // numbers beyond these have no power of ten that could be taken out
+        let (lo, hi) = (lo.clamp(-LARGEST, LARGEST), hi.clamp(-LARGEST, LARGEST));
+        let (lo, hi) = match (log, lo.abs().max(hi.abs()) < SMALLEST) {
+            (false, true) => (-SMALLEST, SMALLEST),
+            (true, _) => (lo.max(SMALLEST), hi.max(10.0 * SMALLEST)),
+            _ => (lo, hi),
+        };
         let size = lo.abs().max(hi.abs());
         let exponent = if !log && size > 0.0 && !(1e-3..1e5).contains(&size) { (size.log10() / 3.0).floor() as i32 * 3 } else { 0 };
         AxisView { label: label.into(), unit: unit.into(), log, lo, hi, exponent }

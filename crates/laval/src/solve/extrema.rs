@@ -76,6 +76,10 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
                 let growth = m0.growth() + (m1.growth() - m0.growth()) * share;
                 let sign = if start < 0.0 { -1.0 } else { 1.0 };
                 let slack = 1e-9 * (w1 - w0).abs() + 1e-12 * w1.abs();
+                // at standstill nothing excites
+                if start.abs() <= 1e-12 * w0.abs().max(w1.abs()) {
+                    continue;
+                }
                 let solved = crossing(system, state, sign * order, start, growth, m0.sector)
                     .filter(|c| c.speed >= w0 - slack && c.speed <= w1 + slack);
                 out.push(Critical {

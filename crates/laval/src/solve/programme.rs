@@ -102,7 +102,7 @@ impl Programme {
         let mut programme = Self::constant(from, phase);
         programme.push(0.0, law);
         programme.hold(duration, to);
-        Ok(programme)
+        programme.finite()
     }
 
     /// Through (time, speed) points by monotone cubics (Fritsch, Butland 1984): the acceleration is continuous and the speed never
@@ -137,7 +137,19 @@ impl Programme {
             programme.push(times[i], Law::Cubic([speeds[i], rate[i], c, d]));
         }
         programme.hold(times[times.len() - 1], speeds[speeds.len() - 1]);
-        Ok(programme)
+        programme.finite()
+    }
+
+    /// Itself when no coefficient left the range of numbers.
+    fn finite(self) -> Result<Self, Unusable> {
+        let fine = self.pieces.iter().all(|p| {
+            p.phase.is_finite()
+                && match p.law {
+                    Law::Cubic(c) => c.iter().all(|x| x.is_finite()),
+                    Law::Exponential { speed, rate } => speed.is_finite() && rate.is_finite(),
+                }
+        });
+        if fine { Ok(self) } else { Err(Unusable("the speed changes faster than can be computed".into())) }
     }
 
     fn push(&mut self, from: f64, law: Law) {

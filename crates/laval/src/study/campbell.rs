@@ -48,7 +48,8 @@ pub(super) fn special(c: &Critical) -> SpecialPoint {
 
 /// Damping ratio of a mode at its critical speed.
 pub(super) fn damping(c: &Critical) -> f64 {
-    -c.growth / c.growth.hypot(c.order * c.speed)
+    let size = c.growth.hypot(c.order * c.speed);
+    if size > 0.0 { -c.growth / size } else { 0.0 }
 }
 
 /// Table of critical speeds.

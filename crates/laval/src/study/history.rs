@@ -91,6 +91,9 @@ fn entry(system: &System, name: &str) -> Option<Entry> {
     system.coordinate(name).map(Entry::Coordinate).or_else(|| system.states().iter().position(|s| s.name == name).map(Entry::State))
 }
 
+/// Largest displacement, rate or internal state a motion may start with, in SI units: beyond it energies leave the range of numbers.
+const LARGEST_START: f64 = 1e9;
+
 /// Reads a state map; says all that is wrong.
 pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
     let mut out: Vec<(Entry, f64)> = Vec::new();
@@ -103,10 +106,9 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
             );
             continue;
         };
-        if !value.is_finite() {
-            diagnostics.push(
-                Diagnostic::error("state.not_finite", format!("\"{name}\" must start at a finite value, not {value}")).at(span.clone()),
-            );
+        if !(value.abs() <= LARGEST_START) {
+            let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
+            diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
         }
         if out.iter().any(|(e, _)| *e == found) {
             diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
@@ -192,7 +194,7 @@ pub(super) fn sound(outcome: Result<Outcome, OutcomeError>) -> Result<Outcome, D
     outcome.map_err(misfit)
 }
 pub(super) fn misfit(e: OutcomeError) -> Diagnostic {
-    Diagnostic::error("study.outcome", format!("the results contradict themselves: {e}"))
+    e.into()
 }
 
 /// Columns collected row by row.
@@ -353,6 +355,11 @@ pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Out
     let system = motion.system();
     for u in &flight.validity {
         let part = &system.slots()[u.slot].name;
+        if u.ratio.is_infinite() {
+            let text = format!("\"{part}\" leaves its model: {} grows without bound.", u.what);
+            outcome = outcome.finding(Finding::invalid("validity", text).evidence("first exceeded at", u.exceeded.unwrap_or(u.t), "s"));
+            continue;
+        }
         let inside = u.ratio <= 1.0 && u.exceeded.is_none();
         let finding = if inside {
             Finding::info("validity", format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what))

@@ -58,7 +58,7 @@ impl Study for Modes {
         let modes = &spectrum.modes;
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| m.growth() > self.threshold + m.error || m.growth().is_nan();
+        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + if m.error.is_nan() { 0.0 } else { m.error });
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -68,8 +68,13 @@ impl Study for Modes {
             .text("whirl", "direction of whirl with respect to the spin", modes.iter().map(|m| m.whirl.word().into()).collect())
             .flag("stable", "growth not above the threshold", modes.iter().map(|m| !unstable(m)).collect())
             .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
-            .float("error", "1/s", "estimated error of the eigenvalue", column(|m| m.error))
-            .float("backward_error", "", "relative change of the matrices that makes the mode exact", column(|m| m.residual))
+            .float("error", "1/s", "estimated error of the eigenvalue; NaN when there is no estimate", column(|m| m.error))
+            .float(
+                "backward_error",
+                "",
+                "relative change of the matrices that makes the mode exact; NaN when it is unknown",
+                column(|m| m.residual),
+            )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
         let bodies = system.bodies();
         for body in &bodies {

@@ -123,7 +123,7 @@ impl Study for NonlinearResponse {
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
-        shown.outcome(&response, &request, context).map_err(|e| Diagnostic::error("response.outcome", e.to_string()))
+        shown.outcome(&response, &request, context).map_err(Diagnostic::from)
     }
 }
 
@@ -279,13 +279,13 @@ impl<'a> Shown<'a> {
         t.float(
             "growth rate",
             "1/s",
-            "largest real part of the Floquet exponents; positive grows",
+            "largest real part of the Floquet exponents; positive grows, NaN when not judged",
             all.iter().map(|a| a.2.growth()).collect(),
         )
         .float(
             "growth rate error",
             "1/s",
-            "its estimated error",
+            "its estimated error; NaN when not judged",
             all.iter().map(|a| a.2.exponents.as_ref().map_or(f64::NAN, |e| e.error)).collect(),
         )
         .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
@@ -542,12 +542,12 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
             ),
         ),
         None => {
-            let at = branch.points.last().map_or(f64::NAN, |p| p.speed);
-            Finding::warning(
-                format!("sweep_{way}_unfinished"),
-                format!("The states of a slow sweep {way} could be followed to {{}} only ({}).", reason(&branch.end)),
-            )
-            .value(at, "rad/s")
+            let (name, why) = (format!("sweep_{way}_unfinished"), reason(&branch.end));
+            match branch.points.last() {
+                Some(p) => Finding::warning(name, format!("The states of a slow sweep {way} could be followed to {{}} only ({why})."))
+                    .value(p.speed, "rad/s"),
+                None => Finding::warning(name, format!("The states of a slow sweep {way} were not followed ({why}).")),
+            }
         }
     }
 }
@@ -575,10 +575,15 @@ fn fold_table(response: &Response) -> Result<Table, outcome::OutcomeError> {
         .float(
             "methods differ",
             "rad/s",
-            "speed by the extended system minus speed located along the branch",
+            "speed by the extended system minus speed located along the branch; NaN when the second found none",
             column(&|f| f.methods_differ),
         )
-        .float("harmonics change", "rad/s", "change when four more orders are kept", column(&|f| f.harmonics_change))
+        .float(
+            "harmonics change",
+            "rad/s",
+            "change when four more orders are kept; NaN when no fold was found with them",
+            column(&|f| f.harmonics_change),
+        )
         .build()
 }
 

@@ -347,7 +347,7 @@ impl RunUp {
                 columns.add(
                     &name,
                     "m",
-                    "largest |x + i y| of the steady linear response at this speed",
+                    "largest |x + i y| of the steady linear response at this speed; NaN where nothing holds or damps the machine",
                     q.iter().map(|row| row[k]).collect(),
                 );
                 panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));

@@ -122,7 +122,7 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
 
 /// An outcome that contradicts itself, as a diagnostic.
 pub fn inconsistent(e: OutcomeError) -> Diagnostic {
-    Diagnostic::error("study.outcome", format!("the study's result is inconsistent: {e}"))
+    e.into()
 }
 
 /// Frequency in rad/s and Hz for a sentence.

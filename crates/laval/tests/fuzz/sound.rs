@@ -61,6 +61,20 @@ pub fn check(o: &Outcome) -> Result<(), String> {
     Ok(())
 }
 
+/// The work done stays within the limit: a step or a spectrum under way may be finished, and a response is followed from both ends of the range.
+pub fn within(o: &Outcome, limit: u64) -> Result<(), String> {
+    let done = |name: &str| o.work.get(name).copied().unwrap_or(0);
+    let most = match o.kind.as_str() {
+        "modes" => return Ok(()),
+        "nonlinear_response" => 2 * limit.max(2),
+        // every row of a map counts the rows before it as done
+        "stability_map" => (limit + 3) * (limit + 1),
+        _ => limit + 3,
+    };
+    let all = done("steps") + done("rejected_steps") + done("eigenproblems") + done("solutions") + done("points");
+    if all <= most { Ok(()) } else { Err(format!("{all} units of work were done, {most} allowed")) }
+}
+
 /// All text forms can be written, and no picture holds a place that is no number.
 pub fn written(outcome: Outcome) -> Result<(), String> {
     for figure in &outcome.figures {

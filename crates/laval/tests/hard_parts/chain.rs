@@ -227,3 +227,8 @@ fn ports_along_the_chain() {
         assert!(d < 1e-9, "{}: {d:e}", o.speed);
     }
 }
+
+/// The chain and nothing else.
+pub fn linear() -> laval::model::system::System {
+    builder(UNBALANCE).build().unwrap()
+}

@@ -195,3 +195,8 @@ fn the_error_of_a_fit_is_evidence() {
     let unknown = none.findings.iter().find(|f| f.id == "stability_unknown").unwrap();
     assert!(unknown.text.contains("polymer") && unknown.text.contains(WHY), "{unknown:?}");
 }
+
+/// Different in x and y, without a time form.
+pub fn linear() -> System {
+    machine(TimeForm::None(WHY), [STRENGTH, 0.3 * STRENGTH], 0.0, false)
+}

@@ -214,3 +214,8 @@ fn stiff_method_follows_the_orbit() {
         assert!(run.work.steps < 5000, "{:?}", run.work);
     }
 }
+
+/// The joint alone holds the disc, with a spring that differs in x and y.
+pub fn linear(rotor: bool) -> System {
+    machine(rotor, Some([1e6, 3e6]))
+}

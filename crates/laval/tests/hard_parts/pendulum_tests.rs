@@ -213,3 +213,8 @@ fn balance_tangents_are_exact() {
     let mut balance = Balance::new(&system, response.discretisation, (200.0, 220.0), None).unwrap();
     crate::tools::check_tangents(&mut balance, &response.branches[0].points[3].x, 211.0);
 }
+
+/// On a bearing that differs in x and y.
+pub fn swinging() -> System {
+    machine(Case { isotropic: false, stiffness: [4e5, 6e5], ..CASE })
+}

@@ -166,3 +166,8 @@ fn symmetry_is_asked_at_more_than_one_speed() {
     assert_eq!(found.discretisation.symmetry, Symmetry::Half);
     assert_eq!(found.broken[0].part, "bearing");
 }
+
+/// Without the nonlinear stop.
+pub fn linear() -> System {
+    machine(&TABLE, 0.0)
+}

@@ -31,7 +31,7 @@ pub struct Request {
     pub truncation: f64,
     /// Judge stability.
     pub stability: bool,
-    /// Most points of a branch.
+    /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
 }
 
@@ -169,6 +169,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         _ => request.harmonics.unwrap_or(7 * request.divisor).max(request.divisor),
     };
     let mut oversampling = 1;
+    let mut spent = 0;
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
@@ -178,7 +179,9 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             1 if symmetry == Symmetry::Quarter => 4,
             nu => 4 * nu,
         };
-        let complete = response.branches.iter().all(|b| b.end != End::Cancelled);
+        // every attempt follows the branches anew: together they stay within the limit as well
+        spent += response.branches.iter().map(|b| b.points.len()).sum::<usize>();
+        let complete = response.branches.iter().all(|b| b.end != End::Cancelled) && spent < request.max_points;
         if automatic && complete && worst > request.truncation && harmonics + more <= MOST_HARMONICS {
             harmonics += more;
         } else if complete && response.sampling > 1e-9 && oversampling < 8 {
