@@ -11,6 +11,7 @@ pub mod schema;
 pub mod writer;
 
 mod blocks;
+mod declared;
 mod syntax;
 mod tree;
 mod values;
@@ -57,7 +58,7 @@ impl Catalog {
                     if k.fields[..j].iter().any(|o| o.name == f.name) || matches!(f.name, "kind" | "name") {
                         out.push(Diagnostic::error("declaration.twice", format!("{} declares the key {:?} twice", k.kind, f.name)));
                     }
-                    values::check_declaration(k.kind, f, &mut out);
+                    declared::check_declaration(k.kind, f, &mut out);
                 }
             }
         }

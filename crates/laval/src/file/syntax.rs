@@ -17,20 +17,25 @@ fn line_at(text: &str, at: usize) -> Span {
 pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
     let mut lines: Vec<Span> = Vec::new();
     let mut found = Vec::new();
-    let open = errors.iter().filter_map(Error::span).map(|s| s.start).min().and_then(|first| open_list(text, first));
-    if let Some(line) = &open {
-        // all that follows was read as part of the list
-        out.0.retain(|d| d.span.as_ref().is_none_or(|s| s.start < line.start));
-        let source = text.get(line.clone()).unwrap_or("").trim_end();
+    let open = errors.iter().filter_map(Error::span).map(|s| s.start).min().and_then(|first| unclosed(text, first));
+    if let Some(open) = &open {
+        // all that follows was read as part of the list or table
+        out.0.retain(|d| d.span.as_ref().is_none_or(|s| s.start < open.line.start));
+        let source = text.get(open.line.clone()).unwrap_or("").trim();
         let key = source.split('=').next().unwrap_or("").trim();
-        let span = line.start..line.start + source.len();
-        let d = Diagnostic::error("toml.syntax", format!("the list of {key} is not closed")).at(span).label("] is missing");
-        found.push(d.help(format!("write {}]", source.trim_start().trim_end_matches(','))));
-        lines.push(line.clone());
+        let what = if open.missing.ends_with(']') { "list" } else { "table" };
+        let d = Diagnostic::error("toml.syntax", format!("the {what} of {key} is not closed")).at(open.line.clone());
+        let space = if open.missing.starts_with('}') { " " } else { "" };
+        found.push(d.label(format!("{} is missing", open.missing)).help(format!(
+            "write {}{space}{}",
+            source.trim_end_matches(','),
+            open.missing
+        )));
+        lines.push(line_at(text, open.line.start));
     }
     for e in errors {
-        if let (Some(line), Some(at)) = (&open, e.span())
-            && at.start >= line.start
+        if let (Some(open), Some(at)) = (&open, e.span())
+            && at.start >= open.line.start
         {
             continue;
         }
@@ -62,40 +67,58 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
     out.0.extend(found);
 }
 
-/// The line of a list that is still open where the next key or block begins, not after the line of `until`.
-fn open_list(text: &str, until: usize) -> Option<Span> {
-    let (mut start, mut depth, mut opened) = (0, 0usize, 0..0);
+/// A list or table that nobody closed.
+struct Unclosed {
+    /// The line that opens it, without what surrounds its words and without its remark.
+    line: Span,
+    /// The brackets to add.
+    missing: String,
+}
+
+/// A list or table that is still open where the next key or block begins, not after the line of `until`.
+fn unclosed(text: &str, until: usize) -> Option<Unclosed> {
+    let mut stack: Vec<char> = Vec::new();
+    let (mut start, mut opened, mut opened_missing, mut goes_on) = (0, 0..0, String::new(), false);
     for source in text.split_inclusive('\n') {
-        let line = start..start + source.trim_end_matches('\n').len();
+        let from = start + (source.len() - source.trim_start().len());
         start += source.len();
-        let body = source.trim_start();
-        let key = body
-            .split_once('=')
-            .is_some_and(|(k, _)| !k.trim().is_empty() && k.trim().chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
-        if depth > 0 && (key || body.starts_with("[[") || body.starts_with("[machine]")) {
-            return Some(opened);
+        let body = source.trim();
+        let word = |k: &str| !k.is_empty() && k.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        let key = body.split_once('=').is_some_and(|(k, _)| word(k.trim()));
+        // a table may hold keys on lines of their own, each after a comma
+        let key_outside = key && (stack.contains(&']') || !goes_on);
+        if !stack.is_empty() && (key_outside || body.starts_with("[[") || body.starts_with("[machine]")) {
+            return Some(Unclosed { line: opened, missing: opened_missing });
         }
-        if line.start > until {
+        if from > until {
             return None;
         }
-        if depth == 0 && !key {
+        if stack.is_empty() && !key {
             continue;
         }
-        let mut quote = None;
-        for c in body.chars() {
+        let first = stack.is_empty();
+        let (mut quote, mut end) = (None, body.len());
+        for (i, c) in body.char_indices() {
             match (quote, c) {
                 (None, '"' | '\'') => quote = Some(c),
                 (Some(q), _) if q == c => quote = None,
-                (None, '#') => break,
-                (None, '[') => {
-                    if depth == 0 {
-                        opened = line.clone();
-                    }
-                    depth += 1;
+                (None, '#') => {
+                    end = i;
+                    break;
                 }
-                (None, ']') => depth = depth.saturating_sub(1),
+                (None, '[') => stack.push(']'),
+                (None, '{') => stack.push('}'),
+                (None, ']' | '}') if stack.last() == Some(&c) => {
+                    stack.pop();
+                }
                 _ => {}
             }
+        }
+        let content = body[..end].trim_end();
+        goes_on = content.ends_with([',', '{']) || (content.is_empty() && goes_on);
+        if first {
+            opened = from..from + content.len();
+            opened_missing = stack.iter().rev().collect();
         }
     }
     None
@@ -120,14 +143,14 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
         return d(&format!("the key {word:?} is given twice in one block"), "the second time")
             .help("keep one of the two; a further part begins with its own [[part]]");
     }
-    if let Some(rest) = body.strip_prefix('[') {
-        if !rest.contains("==") && !rest.contains('=') {
-            let word = rest.trim_matches(|c| c == '[' || c == ']' || c == ' ');
-            return d("the header of this block is not closed properly", "brackets").help(match word {
-                "machine" => "write [machine]".to_string(),
-                _ => format!("write [[{word}]]"),
-            });
-        }
+    if let Some(rest) = body.strip_prefix('[')
+        && !rest.contains('=')
+    {
+        let word = rest.trim_matches(|c| c == '[' || c == ']' || c == ' ');
+        return d("the header of this block is not closed properly", "brackets").help(match word {
+            "machine" => "write [machine]".to_string(),
+            _ => format!("write [[{word}]]"),
+        });
     }
     let Some((key, value)) = body.split_once('=') else {
         return d("this line is neither a block header nor a key with a value", "not understood")

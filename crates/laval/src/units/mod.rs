@@ -173,7 +173,7 @@ pub(crate) fn read_quantity_in(text: &str, expected: &str, wanted: &Unit) -> Res
     if unit_text.is_empty() && !wanted.dimension.is_none() {
         let digits = text.trim();
         return Err(UnitError::new("unit.missing", 0..text.len(), format!("{} is needed, and {digits:?} has no unit", describe(expected)))
-            .help(format!("write \"{digits} {}\"; without quotes a number is in {expected}", table::first_example(expected))));
+            .help(format!("write the unit behind the number ({}); without quotes a number is in {expected}", examples(expected))));
     }
     let unit = parse::unit_at(unit_text, start)?;
     let cycles = compatible(&unit, wanted).map_err(|why| why.error(text, range, unit_text, &unit, expected))?;

@@ -213,10 +213,6 @@ pub fn examples(unit: &str) -> &str {
     }
 }
 
-pub(super) fn first_example(unit: &str) -> &str {
-    examples(unit).split(", ").next().unwrap_or(unit)
-}
-
 pub(super) fn describe_dimension(d: &Dimension, joules: f64) -> String {
     entry(d, joules).map_or_else(|| format!("a quantity in {}", d.si_text()), |w| w.1.to_string())
 }

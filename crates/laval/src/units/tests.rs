@@ -122,7 +122,11 @@ fn mistakes_are_said_well() {
         ("5 J", "N m", "a torque is needed (N m, kN m); \"5 J\" is an energy"),
         ("5 N m", "J", "an energy is needed (J, kJ); \"5 N m\" is a torque"),
         ("5 N m/rad", "N m", "a torque is needed (N m, kN m); \"5 N m/rad\" is a rotational stiffness"),
-        ("3000", "rad/s", "a speed is needed, and \"3000\" has no unit (write \"3000 rad/s\"; without quotes a number is in rad/s)"),
+        (
+            "3000",
+            "rad/s",
+            "a speed is needed, and \"3000\" has no unit (write the unit behind the number (rad/s, rpm, Hz); without quotes a number is in rad/s)",
+        ),
         ("3000 rmp", "rad/s", "\"rmp\" is not a known unit (did you mean \"rpm\"?)"),
         ("3000 RPM", "rad/s", "\"RPM\" is not a known unit (did you mean \"rpm\"?)"),
         ("5 kn", "N", "\"kn\" is not a known unit (did you mean \"kN\"?)"),

@@ -39,6 +39,7 @@ fn typical_mistakes() {
         ("a kind as block", changed("[[part]]\nkind = \"damper\"", "[[damper]]")),
         ("single brackets", "[machine]\n[part]\nkind = \"disc\"\nmass = \"1 kg\"\n".to_string()),
         ("a wrong word", changed("\"per_axis\"", "\"peraxis\"")),
+        ("per cent without their sign", changed("{ free_surface_radius = \"46.7 mm\" }", "{ volume_fraction = 55 }")),
         ("two fills", changed("{ free_surface_radius = \"46.7 mm\" }", "{ volume = \"0.3 l\", mass = \"1 kg\" }")),
         ("a fill without a name", changed("{ free_surface_radius = \"46.7 mm\" }", "\"0.3 l\"")),
         ("a torque per angle for a stiffness", changed("1.1e7 N/m\"", "1.1e7 N m/rad\"")),
@@ -51,6 +52,7 @@ fn typical_mistakes() {
         ("a whole number in quotes", changed("\"auto\"", "\"7\"")),
         ("a missing quotation mark", changed("\"2.4 kg\"", "\"2.4 kg")),
         ("a missing brace", changed("\"46.7 mm\" }", "\"46.7 mm\"")),
+        ("a missing bracket", changed("[\"drum\", \"base\"]", "[\"drum\", \"base\"")),
         ("a header that is not closed", changed("[[study]]", "[[study]")),
         ("a line that is nothing", changed("density = \"1000 kg/m^3\"", "the density is 1000 kg/m^3")),
         ("an ambiguous unit", changed("6.59 N s/m", "6.59 N/m s")),
@@ -115,9 +117,26 @@ fn one_mistake_is_said_once() {
         ("[[study]]", "[[study]"),
         ("3000 rpm", "3000 rmp"),
         ("\"disc\"", "\"disk\""),
+        ("\"46.7 mm\" }", "\"46.7 mm\""),
+        ("[\"drum\", \"base\"]", "[\"drum\", \"base\""),
+        ("{ from = \"25 rad/s\", to = \"8000 rad/s\" }", "{ from = \"25 rad/s\", to = \"8000 rad/s\""),
+        ("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"1 mm\", \"base\"]"),
     ] {
         let text = changed(from, to);
         let (_, d) = read(&text, &catalog());
         assert_eq!(d.0.len(), 1, "{from} -> {to}: {}", render(&d, &text, "machine.toml", Form::Lines));
     }
+}
+
+#[test]
+fn tables_over_several_lines_are_no_mistake() {
+    let lines = "{\n  free_surface_radius = \"46.7 mm\", # the inner face\n}";
+    good(&changed("{ free_surface_radius = \"46.7 mm\" }", lines));
+    // nor are they blamed for a later one
+    let text =
+        changed("speed = { from = \"25 rad/s\", to = \"8000 rad/s\" }", "speed = {\n  from = \"25 rad/s\",\n\n  to = \"8000 rad/s\",\n}")
+            .replace("\"auto\"", "auto");
+    let (_, d) = read(&text, &catalog());
+    assert_eq!(d.0.len(), 1, "{d:?}");
+    assert_eq!(d.0[0].help.as_deref(), Some("write harmonics = \"auto\""));
 }
