@@ -108,7 +108,11 @@ impl Study for CriticalSpeeds {
             outcome = outcome.finding(finding).special_point(special(c));
         }
         if crossings.is_empty() {
-            let text = if complete { "There is no critical speed in this range." } else { "No critical speed was found before the study stopped." };
+            let text = if complete {
+                "There is no critical speed in this range."
+            } else {
+                "No critical speed was found before the study stopped."
+            };
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         for p in &peaks {

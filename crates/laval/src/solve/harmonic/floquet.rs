@@ -373,7 +373,9 @@ impl Stability {
         self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
         match run.end {
             End::Reached => {}
-            End::WorkLimit { .. } => return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into())),
+            End::WorkLimit { .. } => {
+                return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into()));
+            }
             other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
         }
         // turned back by the symmetry: a half turn changes the sign of pairs, a quarter turns them (against the spin for nu = 3 mod 4)
@@ -489,7 +491,9 @@ impl Stability {
         self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
         match run.end {
             End::Reached => {}
-            End::WorkLimit { .. } => return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into())),
+            End::WorkLimit { .. } => {
+                return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into()));
+            }
             other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
         }
         let angle = match parts {
