@@ -67,7 +67,7 @@ impl Study for NonlinearResponse {
         ),
         Field::optional("subharmonic", FieldKind::Integer { min: 1, max: 9 }, "1", "period sought, in turns of the rotor"),
         Field::optional("stability", FieldKind::Flag, "true", "judge the stability of every point"),
-        Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "20000", "most points of a branch"),
+        Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch"),
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -112,7 +112,7 @@ impl Study for NonlinearResponse {
                 divisor,
                 truncation: values.number("truncation").unwrap_or(1e-7),
                 stability: values.flag("stability").unwrap_or(true),
-                max_points: whole("max_points", 20_000),
+                max_points: whole("max_points", 2_000),
             },
         })
     }
@@ -387,6 +387,18 @@ impl<'a> Shown<'a> {
                 .value(a, "m")
                 .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
                 .evidence("change of the residual with twice the samples", response.sampling, "")
+                .evidence("orders kept", response.discretisation.harmonics as f64, ""),
+            );
+        }
+        let dropped = worst(response, |p| p.truncation);
+        if request.harmonics.is_none() && dropped > request.truncation {
+            out.push(
+                Finding::warning(
+                    "harmonics_short",
+                    "The harmonics kept leave out {} of the nonlinear force at the worst point: a law with kinks converges slowly, and sharp details \
+                     of such states are not resolved.",
+                )
+                .value(dropped, "")
                 .evidence("orders kept", response.discretisation.harmonics as f64, ""),
             );
         }

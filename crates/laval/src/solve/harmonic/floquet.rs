@@ -123,7 +123,7 @@ pub struct Stability {
 }
 
 /// Steps of integration spent on the maps of one response, at most.
-const MOST_STEPS: u64 = 1_000_000;
+const MOST_STEPS: u64 = 200_000;
 
 impl Stability {
     /// For one machine, or why not.

@@ -3,7 +3,7 @@
 use super::floquet::{Exponents, Method, Stability, Unjudged};
 use super::orbit::Orbit;
 use super::problem::{Balance, Discretisation, Nonlinear};
-use super::terms::Terms;
+use super::terms::{Terms, admitted};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::symmetry::{Broken, Symmetry, probe, probed_speeds};
@@ -15,6 +15,9 @@ use std::sync::atomic::AtomicBool;
 
 /// Largest order tried by the automatic choice.
 pub const MOST_HARMONICS: usize = 63;
+
+/// Most unknowns the automatic choice of orders goes to.
+const MOST_UNKNOWNS: usize = 128;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +41,7 @@ pub struct Request {
 impl Request {
     /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
     pub fn over(lo: f64, hi: f64) -> Self {
-        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 20_000 }
+        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 2_000 }
     }
 }
 
@@ -168,12 +171,15 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         Symmetry::Circular => request.divisor,
         _ => request.harmonics.unwrap_or(7 * request.divisor).max(request.divisor),
     };
+    let coordinates = Nonlinear::of(system).kinds.len();
     let mut oversampling = 1;
     let mut spent = 0;
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
-        let response = attempt(system, request, d, cancel, tick)?;
+        // stability is judged once the orders are chosen
+        let trial = Request { stability: request.stability && !automatic, ..*request };
+        let response = attempt(system, &trial, d, cancel, tick)?;
         let worst = worst_truncation(&response);
         // a law with kinks converges slowly: wider steps then
         let slow = harmonics >= 4 * 7 * request.divisor;
@@ -185,11 +191,14 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         // every attempt follows the branches anew: together they stay within the limit as well
         spent += response.branches.iter().map(|b| b.points.len()).sum::<usize>();
         let complete = response.branches.iter().all(|b| b.end != End::Cancelled) && spent < request.max_points;
-        if automatic && complete && worst > request.truncation && harmonics + more <= MOST_HARMONICS {
+        let (vector, _) = admitted(symmetry, harmonics + more, request.divisor);
+        let affordable = harmonics + more <= MOST_HARMONICS && vector.len() * coordinates <= MOST_UNKNOWNS;
+        if automatic && complete && worst > request.truncation && affordable {
             harmonics += more;
         } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
         } else {
+            let response = if trial.stability == request.stability { response } else { attempt(system, request, d, cancel, tick)? };
             return Ok(Response { broken, ..response });
         }
     }
