@@ -45,6 +45,7 @@ pub mod model;
 pub mod outcome;
 pub mod parts;
 pub mod report;
+pub mod separation;
 pub mod solve;
 pub mod study;
 pub mod units;
