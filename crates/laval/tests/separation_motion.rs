@@ -28,13 +28,7 @@ struct Case {
 fn case(name: &str) -> (Case, Vec<&'static str>) {
     let row = table!("cases").into_iter().find(|r| r[0] == name).unwrap();
     let n = |i: usize| number(row[i]);
-    let medium = Medium {
-        gravity: n(9),
-        added_mass: n(10),
-        volume_fraction: n(11),
-        hindered_exponent: n(12),
-        ..Medium::new(n(7), n(8))
-    };
+    let medium = Medium { gravity: n(9), added_mass: n(10), volume_fraction: n(11), hindered_exponent: n(12), ..Medium::new(n(7), n(8)) };
     let case = Case {
         steady: Steady { speed: n(13), tilt: n(14), hinge: n(1), gravity: n(9) },
         vessel: Cylinder { radius: n(2), bottom: n(3), top: n(4) },

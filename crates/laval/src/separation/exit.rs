@@ -234,7 +234,11 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
             if value < 0.0 {
                 return self.crossing(i, self.t, middle);
             }
-            if rate < 0.0 { a = middle } else { b = middle }
+            if rate < 0.0 {
+                a = middle
+            } else {
+                b = middle
+            }
             if b - a < 1e-12 * b {
                 break;
             }

@@ -53,11 +53,7 @@ pub fn transport<S: Scalar>(p: &Pose<S>, hinge: f64, [x, y, z]: [S; 3]) -> [S; 3
 /// Coriolis acceleration at the relative velocity `v`, m/s^2.
 pub fn coriolis<S: Scalar>(p: &Pose<S>, [vx, vy, vz]: [S; 3]) -> [S; 3] {
     let om = turning(p);
-    [
-        (om[1] * vz - om[2] * vy).scale(2.0),
-        (om[2] * vx - om[0] * vz).scale(2.0),
-        (om[0] * vy - om[1] * vx).scale(2.0),
-    ]
+    [(om[1] * vz - om[2] * vy).scale(2.0), (om[2] * vx - om[0] * vz).scale(2.0), (om[0] * vy - om[1] * vx).scale(2.0)]
 }
 
 /// Angular velocity of the frame in its own axes, rad/s.

@@ -265,8 +265,12 @@ impl Turning {
                 let r0 = start[1];
                 let (to, surface) = if rate > 0.0 { (*r2, Surface::Wall) } else { (*r1, Surface::Free) };
                 let time = (to / r0).ln() / rate;
-                (time >= 0.0 && time.is_finite())
-                    .then_some(Exit { time, surface, position: [0.0, to, 0.0], velocity: [0.0, rate * to, 0.0] })
+                (time >= 0.0 && time.is_finite()).then_some(Exit {
+                    time,
+                    surface,
+                    position: [0.0, to, 0.0],
+                    velocity: [0.0, rate * to, 0.0],
+                })
             }
             Space::Discs(d) => {
                 let lifted = measures::disc_stack(self.speed, d.gaps, d.inner, d.outer, d.angle, 1.0).throughput(sedimentation, 1.0);

@@ -66,13 +66,6 @@ struct Equations<'a> {
 }
 
 impl Equations<'_> {
-    fn hinge(&self) -> f64 {
-        match &self.j.tilt {
-            Tilt::Fixed { hinge, .. } => *hinge,
-            Tilt::Swinging(cup) => cup.hinge,
-        }
-    }
-
     /// Goes on with the other piece of the drag law. Where the larger drag beyond the jump brings the particle back below it and the
     /// smaller one drives it up again, it stays at the jump: the piece beyond then holds a little below as well.
     fn change(&mut self, t: f64, y: &[f64; STATES], per_speed: f64) {
@@ -96,13 +89,11 @@ impl Equations<'_> {
         };
         let pose = Pose { speed, accel, tilt, rate, rate_accel };
         let (r, v) = ([y[0], y[1], y[2]], [y[3], y[4], y[5]]);
-        let (ae, ac, g) = (transport(&pose, self.hinge(), r), coriolis(&pose, v), gravity(&pose, self.j.medium.gravity));
+        let (ae, ac, g) = (transport(&pose, self.j.hinge(), r), coriolis(&pose, v), gravity(&pose, self.j.medium.gravity));
         let drag = match self.j.medium.drag {
             Drag::Stokes => S::cst(self.two_n),
             Drag::SchillerNaumann => {
-                let re = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
-                    .sqrt()
-                    .scale(self.j.medium.reynolds(&self.j.particle, 1.0));
+                let re = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt().scale(self.j.medium.reynolds(&self.j.particle, 1.0));
                 let f = if self.turbulent { turbulent(re) } else { transitional(re) };
                 f.scale(self.two_n)
             }
@@ -178,6 +169,14 @@ const CAUGHT: f64 = 0.99;
 const STIFF: f64 = 2e4;
 
 impl Journey {
+    /// Radius of the hinge (of the mouth of a fixed tube), m.
+    pub fn hinge(&self) -> f64 {
+        match &self.tilt {
+            Tilt::Fixed { hinge, .. } => *hinge,
+            Tilt::Swinging(cup) => cup.hinge,
+        }
+    }
+
     /// State at the start: at rest relative to the cup; a swinging cup hangs as it does at the first speed.
     pub fn start(&self, position: [f64; 3]) -> [f64; STATES] {
         let tilt = match &self.tilt {

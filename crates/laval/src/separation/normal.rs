@@ -41,7 +41,13 @@ pub fn probability(x: f64) -> f64 {
 /// The `x` below which a share `p` of the standard normal law lies; infinite at 0 and 1, NaN outside.
 pub fn quantile(p: f64) -> f64 {
     if !(p > 0.0 && p < 1.0) {
-        return if p == 0.0 { f64::NEG_INFINITY } else if p == 1.0 { f64::INFINITY } else { f64::NAN };
+        return if p == 0.0 {
+            f64::NEG_INFINITY
+        } else if p == 1.0 {
+            f64::INFINITY
+        } else {
+            f64::NAN
+        };
     }
     // the smaller tail keeps its digits
     let tail = p.min(1.0 - p);

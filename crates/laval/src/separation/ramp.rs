@@ -48,9 +48,7 @@ impl Ramp {
                 (w * u * u * u * (10.0 + u * (6.0 * u - 15.0)), w * 30.0 * u * u * (1.0 - u) * (1.0 - u) / d)
             }
             Ramp::Linear(w, _) | Ramp::Smooth(w, _) => (*w, 0.0),
-            Ramp::Table(table) => {
-                table.curve.value_and_slope(t)
-            }
+            Ramp::Table(table) => table.curve.value_and_slope(t),
         }
     }
 

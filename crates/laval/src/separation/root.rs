@@ -29,7 +29,11 @@ pub fn root(mut f: impl FnMut(f64) -> (f64, f64), a: f64, b: f64) -> Option<f64>
         if v == 0.0 {
             return Some(x);
         }
-        if v < 0.0 { lo = x } else { hi = x }
+        if v < 0.0 {
+            lo = x
+        } else {
+            hi = x
+        }
         let tolerance = 2.0 * f64::EPSILON * x.abs().max(f64::MIN_POSITIVE);
         let step = v / d;
         let inside = (x - step - lo) * (x - step - hi) < 0.0;

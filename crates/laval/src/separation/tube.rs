@@ -48,7 +48,8 @@ impl Tube {
         let steady = Steady { speed, tilt: self.angle, hinge: self.mouth, gravity };
         let mut filled = Filled { tube: *self, steady, level: 0.0, at_mouth: false };
         let wanted = PI * self.radius * self.radius * (self.length - self.surface);
-        let corners = [-1.0, 1.0].map(|e| [filled.potential([e * self.radius, 0.0, 0.0]), filled.potential([e * self.radius, self.length, 0.0])]);
+        let corners =
+            [-1.0, 1.0].map(|e| [filled.potential([e * self.radius, 0.0, 0.0]), filled.potential([e * self.radius, self.length, 0.0])]);
         let mut low = corners.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
         let mut high = corners.as_flattened().iter().copied().fold(f64::NEG_INFINITY, f64::max) + 0.5 * (speed * self.radius).powi(2);
         for _ in 0..100 {

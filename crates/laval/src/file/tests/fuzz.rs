@@ -243,6 +243,7 @@ fn spec() -> impl Strategy<Value = Spec> {
             },
             parts,
             studies,
+            extras: vec![],
         },
     )
 }
