@@ -8,6 +8,7 @@ mod history;
 pub mod limits;
 pub mod modes;
 pub mod nonlinear_response;
+pub mod operating_window;
 pub mod run_up;
 pub mod separation;
 pub mod stability_map;
@@ -114,6 +115,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
         kind::<separation::Separation>(),
+        kind::<operating_window::OperatingWindow>(),
     ]
 }
 
