@@ -152,11 +152,17 @@ pub fn first_exit(path: &impl Path, vessel: &impl Vessel, horizon: f64) -> Optio
     None
 }
 
+/// A gap below this share of the vessel is rounding: the particle is on the surface.
+const ON_SURFACE: f64 = 1e-13;
+
 struct Search<'a, P, V> {
     path: &'a P,
     vessel: &'a V,
     t: f64,
     gaps: [Gap; MOST],
+    /// The particle was off this surface at the last sample. One that starts on a surface leaves it, or leaves through it.
+    off: [bool; MOST],
+    noise: f64,
     /// A gap left the range of numbers.
     lost: bool,
 }
@@ -165,7 +171,13 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
     fn start(path: &'a P, vessel: &'a V) -> Option<Self> {
         let (x, v) = path.at(0.0);
         let gaps = vessel.gaps(x, v);
-        gaps.iter().all(|g| g.value.is_finite()).then_some(Search { path, vessel, t: 0.0, gaps, lost: false })
+        // NaN ends here
+        if !gaps.iter().all(|g| g.value.is_finite()) {
+            return None;
+        }
+        let real = gaps.iter().filter(|g| g.value != Gap::NONE.value || g.rate != 0.0);
+        let noise = ON_SURFACE * real.map(|g| g.value.abs()).fold(0.0, f64::max);
+        Some(Search { path, vessel, t: 0.0, gaps, off: gaps.map(|g| g.value > noise), noise, lost: false })
     }
 
     fn gap(&self, i: usize, t: f64) -> (f64, f64) {
@@ -184,12 +196,12 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
                 self.lost = true;
                 return None;
             }
-            let found = if a.value <= 0.0 && b.value < 0.0 {
-                // outside from the first, or on the surface and leaving
-                Some(self.t)
-            } else if a.value >= 0.0 && b.value < 0.0 {
-                if a.value == 0.0 && a.rate <= 0.0 { Some(self.t) } else { self.crossing(i, self.t, t) }
-            } else if a.value >= 0.0 && a.rate < 0.0 && b.rate > 0.0 {
+            let found = if !self.off[i] {
+                // started outside, or leaves through the surface it started on
+                (b.value < -self.noise).then_some(self.t)
+            } else if b.value < 0.0 {
+                root(|t| self.gap(i, t), self.t, t)
+            } else if a.rate < 0.0 && b.rate > 0.0 {
                 self.dip(i, t)
             } else {
                 None
@@ -201,28 +213,13 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
             }
         }
         let surface = best.map(|b| self.gaps[b.1].surface);
+        for (off, g) in self.off.iter_mut().zip(&next) {
+            *off |= g.value > self.noise;
+        }
         (self.t, self.gaps) = (t, next);
         let (time, surface) = (best?.0, surface?);
         let (position, velocity) = self.path.at(time);
         Some(Exit { time, surface, position, velocity })
-    }
-
-    /// The crossing between two times, positive at the first and negative at the second.
-    fn crossing(&self, i: usize, a: f64, b: f64) -> Option<f64> {
-        let a = if self.gap(i, a).0 > 0.0 {
-            a
-        } else {
-            // starts on the surface and goes in first: leave the surface behind
-            let mut inside = 0.5 * (a + b);
-            for _ in 0..60 {
-                if self.gap(i, inside).0 > 0.0 {
-                    break;
-                }
-                inside = 0.5 * (a + inside);
-            }
-            inside
-        };
-        root(|t| self.gap(i, t), a, b)
     }
 
     /// A gap that falls and rises between the samples: does it dip below zero?
@@ -232,7 +229,7 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
             let middle = 0.5 * (a + b);
             let (value, rate) = self.gap(i, middle);
             if value < 0.0 {
-                return self.crossing(i, self.t, middle);
+                return root(|t| self.gap(i, t), self.t, middle);
             }
             if rate < 0.0 {
                 a = middle
