@@ -56,7 +56,8 @@ fn body(system: &System, name: &str, cups: impl Iterator<Item = (f64, Load)>) ->
         (path("polar_inertia"), polar),
     ];
     if get("eccentricity").is_none() || get("unbalance").is_none() {
-        return Err(Diagnostic::error("cup.body", format!("\"{name}\" has no unbalance of its own that cups could add to")).help("attach the cups to a disc"));
+        return Err(Diagnostic::error("cup.body", format!("\"{name}\" has no unbalance of its own that cups could add to"))
+            .help("attach the cups to a disc"));
     }
     if tilts {
         let shifted = |(z, l): &(f64, Load)| {

@@ -79,9 +79,24 @@ impl Study for OperatingWindow {
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds looked at; points (120 unless given) are added where something happens"),
         CUP,
-        Field::optional("time", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "", "time in which cups must have separated"),
-        Field::optional("throughput", FieldKind::Quantity { unit: "m^3/s", bounds: Bounds::positive(1e3) }, "", "flow that a bowl, disc stack or decanter must clear"),
-        Field::optional("recovery", FieldKind::Quantity { unit: "", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } }, "0.95", "share to be caught, q"),
+        Field::optional(
+            "time",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time in which cups must have separated",
+        ),
+        Field::optional(
+            "throughput",
+            FieldKind::Quantity { unit: "m^3/s", bounds: Bounds::positive(1e3) },
+            "",
+            "flow that a bowl, disc stack or decanter must clear",
+        ),
+        Field::optional(
+            "recovery",
+            FieldKind::Quantity { unit: "", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } },
+            "0.95",
+            "share to be caught, q",
+        ),
         Field::optional(
             "diameter",
             FieldKind::Quantity { unit: "m", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } },
@@ -89,8 +104,18 @@ impl Study for OperatingWindow {
             "the share counts among particles of this size and larger, instead of the whole powder",
         ),
         Field::optional("particles", FieldKind::Integer { min: 16, max: 1_000_000 }, "1024", "particles of the fixed set"),
-        Field::optional("start", FieldKind::Choice(&[("even", "spread evenly over the liquid"), ("slowest", "all on the axis where it takes longest")]), "even", "where particles start"),
-        Field::optional("ramp", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e7) }, "", "time of the run-up to the top of the range, at constant acceleration; it is then simulated"),
+        Field::optional(
+            "start",
+            FieldKind::Choice(&[("even", "spread evenly over the liquid"), ("slowest", "all on the axis where it takes longest")]),
+            "even",
+            "where particles start",
+        ),
+        Field::optional(
+            "ramp",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e7) },
+            "",
+            "time of the run-up to the top of the range, at constant acceleration; it is then simulated",
+        ),
         Field::optional("count_ramp", FieldKind::Flag, "true", "the run-up takes its time from the time at hand"),
         Field::optional(
             "objective",
@@ -103,14 +128,24 @@ impl Study for OperatingWindow {
             "margin",
             "what the recommended speed is best for",
         ),
-        Field::optional("speed_tolerance", FieldKind::Quantity { unit: "", bounds: Bounds::closed(0.0, 0.5) }, "0", "relative error of the speed that the robust window leaves room for"),
+        Field::optional(
+            "speed_tolerance",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(0.0, 0.5) },
+            "0",
+            "relative error of the speed that the robust window leaves room for",
+        ),
         Field::optional(
             "uncertain",
             FieldKind::Named { unit: "", bounds: Bounds { min: 0.0, max: 0.9, min_open: true } },
             "",
             "relative uncertainty of parameters by path, as { suspension.viscosity = \"20 %\" }; the robust window holds at every corner",
         ),
-        Field::optional("map", FieldKind::ParameterRange, "", "a parameter (of a part, a cup or the suspension) to vary against the speed; 12 points unless given"),
+        Field::optional(
+            "map",
+            FieldKind::ParameterRange,
+            "",
+            "a parameter (of a part, a cup or the suspension) to vary against the speed; 12 points unless given",
+        ),
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -119,18 +154,33 @@ impl Study for OperatingWindow {
             diagnostics.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
         };
         if speed.from <= 0.0 {
-            wrong("speed", "operating_window.speed", "the range of speeds must begin above standstill".into(), "begin at a low speed, such as a tenth of the highest");
+            wrong(
+                "speed",
+                "operating_window.speed",
+                "the range of speeds must begin above standstill".into(),
+                "begin at a low speed, such as a tenth of the highest",
+            );
             return None;
         }
         let mut uncertain = Vec::new();
         for (name, share) in values.named("uncertain") {
             match name {
                 Some(path) => uncertain.push((path.to_string(), share)),
-                None => wrong("uncertain", "operating_window.uncertain", "which parameters are uncertain is missing".into(), "write uncertain = { suspension.viscosity = \"20 %\" }"),
+                None => wrong(
+                    "uncertain",
+                    "operating_window.uncertain",
+                    "which parameters are uncertain is missing".into(),
+                    "write uncertain = { suspension.viscosity = \"20 %\" }",
+                ),
             }
         }
         if uncertain.len() > MOST_UNCERTAIN {
-            wrong("uncertain", "operating_window.uncertain", format!("{} uncertain parameters are too many: every corner is evaluated", uncertain.len()), "keep at most five");
+            wrong(
+                "uncertain",
+                "operating_window.uncertain",
+                format!("{} uncertain parameters are too many: every corner is evaluated", uncertain.len()),
+                "keep at most five",
+            );
             return None;
         }
         let objective = match values.choice("objective") {
@@ -157,10 +207,20 @@ impl Study for OperatingWindow {
             diagnostics.push(Diagnostic::error(code, message).at(values.span_of(field)).help(help));
         };
         if objective == Objective::Time && asked.duty.is_none() {
-            wrong("objective", "operating_window.objective", "there is no separation whose time could be shortest".into(), "add [[cup]], [suspension] and time");
+            wrong(
+                "objective",
+                "operating_window.objective",
+                "there is no separation whose time could be shortest".into(),
+                "add [[cup]], [suspension] and time",
+            );
         }
         if objective == Objective::Amplitude && l.displacement.is_empty() && l.velocity.is_empty() && l.force.is_empty() {
-            wrong("objective", "operating_window.objective", "no limit on vibration is given that amplitudes could be measured against".into(), "add displacement, velocity or force to [limits]");
+            wrong(
+                "objective",
+                "operating_window.objective",
+                "no limit on vibration is given that amplitudes could be measured against".into(),
+                "add displacement, velocity or force to [limits]",
+            );
         }
         for path in window.uncertain.iter().map(|u| &u.0).chain(window.map.iter().map(|m| &m.0)) {
             let at = window.map.as_ref().map_or(0.0, |m| m.1.from);
@@ -174,11 +234,11 @@ impl Study for OperatingWindow {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let Some(main) = self.evaluate(system, context, self.speed.points.unwrap_or(SPEEDS), true)? else {
+        let Some(main) = self.evaluate(system, context, self.speed.points.unwrap_or(SPEEDS), true, None)? else {
             return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(End::Cancelled));
         };
         let robust = self.robust(system, context, &main)?;
-        let map = self.mapped(system, context)?;
+        let map = self.mapped(system, context, &main)?;
         report::Found { study: self, main, robust, map }.outcome(context)
     }
 }
@@ -226,16 +286,31 @@ impl OperatingWindow {
                 (Some(volume), None, Some(q)) => volume / q,
                 (None, Some(t), None) => t,
                 (Some(_), ..) => {
-                    wrong(out, "throughput", "liquid flows through this machine: the throughput it must clear is needed", "add throughput = \"500 l/h\", and no time");
+                    wrong(
+                        out,
+                        "throughput",
+                        "liquid flows through this machine: the throughput it must clear is needed",
+                        "add throughput = \"500 l/h\", and no time",
+                    );
                     return None;
                 }
                 (None, ..) => {
-                    wrong(out, "time", "the time in which the cups must have separated is needed", "add time = \"30 min\", and no throughput");
+                    wrong(
+                        out,
+                        "time",
+                        "the time in which the cups must have separated is needed",
+                        "add time = \"30 min\", and no throughput",
+                    );
                     return None;
                 }
             };
             if suspension.powder.density.quantile(0.5) == suspension.medium.density {
-                wrong(out, "", "particles and liquid have the same density: nothing separates at any speed", "give particle_density another value than liquid_density");
+                wrong(
+                    out,
+                    "",
+                    "particles and liquid have the same density: nothing separates at any speed",
+                    "give particle_density another value than liquid_density",
+                );
                 return None;
             }
             duty = Some(Duty {
@@ -249,7 +324,12 @@ impl OperatingWindow {
             });
         } else if time.is_some() || throughput.is_some() {
             let field = if time.is_some() { "time" } else { "throughput" };
-            wrong(out, field, "a time or throughput needs something to separate, and something that separates it", "add the blocks [[cup]] and [suspension]");
+            wrong(
+                out,
+                field,
+                "a time or throughput needs something to separate, and something that separates it",
+                "add the blocks [[cup]] and [suspension]",
+            );
             return None;
         }
         let limits = limits::of(system);
@@ -262,14 +342,26 @@ impl OperatingWindow {
             .collect();
         let ramp = v.number("ramp");
         if ramp.is_none() && (!limits.passage.is_empty() || limits.torque.is_some()) {
-            wrong(out, "ramp", "the limits on the passage need the time of the run-up", "add ramp = \"60 s\": the time to the top of the range of speeds");
+            wrong(
+                out,
+                "ramp",
+                "the limits on the passage need the time of the run-up",
+                "add ramp = \"60 s\": the time to the top of the range of speeds",
+            );
             return None;
         }
         Some(Asked { duty, limits, cups, ramp, counts_ramp: v.flag("count_ramp").unwrap_or(true), top: self.speed.to })
     }
 
-    /// Scans the range, refines the ends.
-    fn evaluate(&self, system: &System, context: &Context, count: usize, careful: bool) -> Result<Option<Evaluated>, Diagnostic> {
+    /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
+    fn evaluate(
+        &self,
+        system: &System,
+        context: &Context,
+        count: usize,
+        careful: bool,
+        known: Option<&Passage>,
+    ) -> Result<Option<Evaluated>, Diagnostic> {
         let asked = self.asked(system, &mut Diagnostics::default()).ok_or_else(|| {
             Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension")
         })?;
@@ -298,6 +390,7 @@ impl OperatingWindow {
         speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
         let limited = !asked.limits.passage.is_empty() || asked.limits.torque.is_some();
         let passage = match asked.ramp.filter(|_| limited) {
+            Some(_) if known.is_some() => known.cloned(),
             Some(duration) => {
                 let (changed, _) = coupling::loaded(system, &asked.cups, to)?;
                 Some(Passage::simulate(changed.as_ref().unwrap_or(system), to, duration, context)?)
@@ -388,22 +481,27 @@ impl OperatingWindow {
                 let x = current(now, path).ok_or_else(|| now.unknown_param(path))?;
                 changed = Some(varied(now, path, x * (1.0 + sign * share))?);
             }
-            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, SPEEDS / 2, false)? else { return Ok(None) };
+            let known = main.passage.as_ref().filter(|_| self.uncertain.iter().all(|u| only_liquid(system, &u.0)));
+            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, SPEEDS / 2, false, known)? else {
+                return Ok(None);
+            };
             let other: Vec<(f64, f64)> = found.intervals.iter().map(|i| (i.low.speed, i.high.speed)).collect();
             kept = kept.iter().flat_map(|a| other.iter().map(move |b| (a.0.max(b.0), a.1.min(b.1)))).filter(|i| i.0 <= i.1).collect();
         }
         // a speed that may be off by the tolerance must stay inside
-        let intervals = kept.into_iter().map(|(a, b)| (a / (1.0 - self.tolerance), b / (1.0 + self.tolerance))).filter(|i| i.0 <= i.1).collect();
+        let intervals =
+            kept.into_iter().map(|(a, b)| (a / (1.0 - self.tolerance), b / (1.0 + self.tolerance))).filter(|i| i.0 <= i.1).collect();
         Ok(Some(Robust { intervals, corners }))
     }
 
-    fn mapped(&self, system: &System, context: &Context) -> Result<Option<Map>, Diagnostic> {
+    fn mapped(&self, system: &System, context: &Context, main: &Evaluated) -> Result<Option<Map>, Diagnostic> {
         let Some((path, r)) = &self.map else { return Ok(None) };
         let mut cells = Vec::new();
         let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or_else(|| extra_unit(path), |s| s.unit);
         for x in r.linspace(12) {
             let changed = varied(system, path, x)?;
-            let Some(found) = self.evaluate(&changed, context, SPEEDS / 2, false)? else { return Ok(None) };
+            let known = main.passage.as_ref().filter(|_| only_liquid(system, path));
+            let Some(found) = self.evaluate(&changed, context, SPEEDS / 2, false, known)? else { return Ok(None) };
             let grid = RangeValue { points: Some(SPEEDS / 2), ..self.speed }.linspace(SPEEDS / 2);
             for w in grid {
                 if let Some(p) = found.points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
@@ -414,6 +512,12 @@ impl OperatingWindow {
         }
         Ok(Some(Map { path: path.clone(), unit, cells }))
     }
+}
+
+/// The parameter belongs to the suspension: the machine moves the same whatever it is.
+fn only_liquid(system: &System, path: &str) -> bool {
+    let name = path.split('.').next().unwrap_or_default();
+    system.slot(name).is_none() && system.machine.extras.iter().any(|e| e.word == "suspension" && e.name == name)
 }
 
 /// Unit of a parameter of a cup or the suspension.
@@ -441,7 +545,8 @@ fn current(system: &System, path: &str) -> Option<f64> {
 
 /// The machine with a parameter changed.
 fn varied(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
-    let first = |d: Diagnostics| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("parameter.bounds", format!("{path} cannot be {x}")));
+    let first =
+        |d: Diagnostics| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("parameter.bounds", format!("{path} cannot be {x}")));
     if system.param(path).is_some() {
         return system.with(&[(path, x)]).map_err(first);
     }
@@ -449,7 +554,8 @@ fn varied(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
     let mut extras: Vec<Extra> = system.machine.extras.clone();
     let extra = extras.iter_mut().find(|e| e.name == name).ok_or_else(|| system.unknown_param(path))?;
     if extra.values.number(field).is_none() {
-        return Err(Diagnostic::error("parameter.unknown", format!("\"{name}\" has no number {field} to vary")).help("give it a value in its block first"));
+        return Err(Diagnostic::error("parameter.unknown", format!("\"{name}\" has no number {field} to vary"))
+            .help("give it a value in its block first"));
     }
     let span = extra.values.span_of(field);
     extra.values.set(field, Value::Number(x), span);

@@ -12,6 +12,7 @@ use crate::study::limits::Limits;
 use laval_num::ode::End;
 
 /// What happens on the way to a speed.
+#[derive(Clone)]
 pub(super) struct Passage {
     bodies: Vec<String>,
     /// By window: speed reached, largest displacement of each body in it, largest torque.

@@ -4,7 +4,9 @@ use super::margins::{NAMES, Point};
 use super::window::{End, excluding, relaxations};
 use super::{Evaluated, Map, Objective, OperatingWindow, Robust};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{
+    Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
+};
 use crate::separation::measures::rcf;
 use crate::study::support::RPM;
 use crate::study::{Context, Study};
@@ -101,11 +103,16 @@ impl Found<'_> {
             };
             let tolerance = significant(100.0 * self.study.tolerance, 3);
             if r.intervals.is_empty() {
-                out = out.finding(Finding::warning("robust_window", format!("No speed is safe {given}with {tolerance} % tolerance of the speed.")));
+                out = out.finding(Finding::warning(
+                    "robust_window",
+                    format!("No speed is safe {given}with {tolerance} % tolerance of the speed."),
+                ));
             }
             for (low, high) in &r.intervals {
                 let text = format!("Robust ({given}{tolerance} % tolerance of the speed): from {} to {{}}.", rpm(*low));
-                out = out.finding(Finding::info("robust_window", text).value(*high, "rad/s").shown_as(high * RPM, "rpm").evidence("from", *low, "rad/s"));
+                out = out.finding(
+                    Finding::info("robust_window", text).value(*high, "rad/s").shown_as(high * RPM, "rpm").evidence("from", *low, "rad/s"),
+                );
             }
         }
         out
@@ -132,7 +139,10 @@ impl Found<'_> {
             out = out.finding(Finding::info("relaxation", text).value(1.0 - margin, "").evidence("speed", speed, "rad/s"));
         }
         if relaxations(points).is_empty() {
-            out = out.finding(Finding::info("relaxation", "Relaxing a single requirement does not open a window: at every speed two or more are broken."));
+            out = out.finding(Finding::info(
+                "relaxation",
+                "Relaxing a single requirement does not open a window: at every speed two or more are broken.",
+            ));
         }
         out
     }
@@ -183,7 +193,12 @@ impl Found<'_> {
         match kept.min_by(|a, b| a.needed.total_cmp(&b.needed)) {
             Some(p) => {
                 let text = format!("The shortest time the machine allows is {{}}, at {}.", rpm(p.speed));
-                out.finding(Finding::info("shortest_time", text).value(p.needed, "s").evidence("time at hand", duty.time, "s").evidence("speed", p.speed, "rad/s"))
+                out.finding(
+                    Finding::info("shortest_time", text)
+                        .value(p.needed, "s")
+                        .evidence("time at hand", duty.time, "s")
+                        .evidence("speed", p.speed, "rad/s"),
+                )
             }
             None => out,
         }
@@ -198,7 +213,10 @@ impl Found<'_> {
             out = out.finding(Finding::info("not_checked", text));
         }
         if !asked(0) && !asked(1) && !asked(5) && !asked(6) {
-            out = out.finding(Finding::warning("few_requirements", "Only stability bounds this window: give [limits], and [[cup]] with [suspension], to make it one to run by."));
+            out = out.finding(Finding::warning(
+                "few_requirements",
+                "Only stability bounds this window: give [limits], and [[cup]] with [suspension], to make it one to run by.",
+            ));
         }
         if let Some(h) = m.harmonics {
             out = out.finding(Finding::info("nonlinear", "Steady states of the nonlinear machine are those of all its branches; a speed where any stable one breaks a limit is outside.").evidence("orders kept", h as f64, ""));
@@ -223,13 +241,24 @@ impl Found<'_> {
     }
 
     fn margins_table(&self) -> Built<Table> {
-        let rows: Vec<(&Point, &super::margins::Margin)> = self.main.points.iter().flat_map(|p| p.margins.iter().map(move |m| (p, m))).collect();
+        let rows: Vec<(&Point, &super::margins::Margin)> =
+            self.main.points.iter().flat_map(|p| p.margins.iter().map(move |m| (p, m))).collect();
         Table::new("margins", "Every requirement over the speed; kept where the margin is 0 or more")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.0.speed).collect())
             .text("requirement", "name of the requirement", rows.iter().map(|r| NAMES[r.1.name].into()).collect())
-            .float("margin", "", "margin; NaN where it is not defined, which counts as not kept", rows.iter().map(|r| finite(r.1.value)).collect())
+            .float(
+                "margin",
+                "",
+                "margin; NaN where it is not defined, which counts as not kept",
+                rows.iter().map(|r| finite(r.1.value)).collect(),
+            )
             .flag("kept", "the requirement is kept", rows.iter().map(|r| r.1.value >= 0.0).collect())
-            .float("shown", "", "margin between -1 and 1, for the figure", rows.iter().map(|r| finite(r.1.value).clamp(-1.0, 1.0)).collect())
+            .float(
+                "shown",
+                "",
+                "margin between -1 and 1, for the figure",
+                rows.iter().map(|r| finite(r.1.value).clamp(-1.0, 1.0)).collect(),
+            )
             .text("by", "what binds in it", rows.iter().map(|r| r.1.detail.clone()).collect())
             .build()
     }
@@ -241,7 +270,11 @@ impl Found<'_> {
             .float("speed", "rad/s", "spin speed", column(&|x| x.speed))
             .flag("inside", "all requirements are kept", p.iter().map(Point::feasible).collect())
             .float("least margin", "", "least margin", column(&|x| x.least()))
-            .text("binding", "requirement with the least margin", p.iter().map(|x| x.binding().map_or("", |m| NAMES[m.name]).into()).collect())
+            .text(
+                "binding",
+                "requirement with the least margin",
+                p.iter().map(|x| x.binding().map_or("", |m| NAMES[m.name]).into()).collect(),
+            )
             .float("time", "s", "time to reach the recovery, run-up as asked", column(&|x| x.needed))
             .float("tilt", "rad", "tilt of the cups", column(&|x| x.tilt))
             .float("unbalance", "kg m", "unbalance of the cups", column(&|x| x.unbalance))
@@ -262,7 +295,12 @@ impl Found<'_> {
             .text("high event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.high.event.into()).collect())
             .float("low bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.low.bracket).collect())
             .float("high bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.high.bracket).collect())
-            .float("relative width", "", "width over the mean speed", i.iter().map(|x| 2.0 * (x.high.speed - x.low.speed) / (x.high.speed + x.low.speed)).collect())
+            .float(
+                "relative width",
+                "",
+                "width over the mean speed",
+                i.iter().map(|x| 2.0 * (x.high.speed - x.low.speed) / (x.high.speed + x.low.speed)).collect(),
+            )
             .build()
     }
 
@@ -274,7 +312,8 @@ impl Found<'_> {
         for k in 0..=40 {
             let t = duty.time * 10f64.powf(-1.0 + 2.0 * k as f64 / 40.0);
             for i in &m.mechanical {
-                let inside: Vec<&Point> = m.points.iter().filter(|p| p.speed >= i.low.speed && p.speed <= i.high.speed && p.needed.is_finite()).collect();
+                let inside: Vec<&Point> =
+                    m.points.iter().filter(|p| p.speed >= i.low.speed && p.speed <= i.high.speed && p.needed.is_finite()).collect();
                 let Some(first) = inside.iter().position(|p| p.needed <= t) else { continue };
                 let at = inside[first];
                 // straight in the logarithms between the points of the scan
@@ -331,7 +370,8 @@ impl Found<'_> {
         let mut figure = Figure::new("window", "Operating window", alt).x(speed()).panel(panel);
         if m.asked.duty.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
             let (unit, factor) = if m.asked.duty.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
-            let time = Panel::new(Axis::log("time needed", unit).factor(factor)).mark(Line::new("speeds", "speed", "time").name("time to the recovery"));
+            let time = Panel::new(Axis::log("time needed", unit).factor(factor))
+                .mark(Line::new("speeds", "speed", "time").name("time to the recovery"));
             let at_hand = m.asked.duty.as_ref().map_or(f64::NAN, |d| d.time);
             figure = figure.panel(time.mark(Rule::y(at_hand, "time at hand")));
         }

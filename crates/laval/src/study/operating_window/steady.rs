@@ -68,7 +68,8 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
             raise(&mut out.displacement[k], q[b.x].hypot(q[b.x + 1]));
             raise(&mut out.velocity[k], v[b.x].hypot(v[b.x + 1]));
         }
-        let at = At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
+        let at =
+            At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
         for (slot, o) in system.observe(&at, &mut ws) {
             if o.unit == "N" {
                 raise(out.force.entry(system.slots()[slot].name.clone()).or_insert(0.0), o.value.abs());
@@ -132,23 +133,14 @@ impl Branches {
             Diagnostic::error("operating_window.stability", format!("the stability of a steady state cannot be judged: {why}"))
         })?;
         let mut found: Vec<Vec<f64>> = Vec::new();
-        for branch in &self.response.branches {
-            for pair in branch.points.windows(2) {
-                let (a, b) = (&pair[0], &pair[1]);
-                let (low, high) = (a.speed.min(b.speed), a.speed.max(b.speed));
-                if !(low <= speed && speed <= high) {
-                    continue;
-                }
-                let share = if b.speed == a.speed { 0.0 } else { (speed - a.speed) / (b.speed - a.speed) };
-                let mut x: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| a + share * (b - a)).collect();
-                if newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).is_err() {
-                    continue;
-                }
-                let scale = balance.scales().to_vec();
-                let same = |y: &Vec<f64>| y.iter().zip(&x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
-                if !found.iter().any(same) {
-                    found.push(x);
-                }
+        for mut x in self.starts(speed) {
+            if newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).is_err() {
+                continue;
+            }
+            let scale = balance.scales().to_vec();
+            let same = |y: &Vec<f64>| y.iter().zip(&x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
+            if !found.iter().any(same) {
+                found.push(x);
             }
         }
         let mut out = Vec::new();
@@ -161,5 +153,26 @@ impl Branches {
             out.push(shown(system, &orbit, &[], d.divisor, growth, stable));
         }
         Ok(out)
+    }
+
+    /// Estimates of all states at a speed: between the points of the branches, and between a fold and the points on both its sides, where a state
+    /// departs like the square root of the distance.
+    fn starts(&self, speed: f64) -> Vec<Vec<f64>> {
+        let between = |a: f64, b: f64| a.min(b) <= speed && speed <= a.max(b);
+        let mix = |a: &[f64], b: &[f64], share: f64| a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect::<Vec<f64>>();
+        let mut out = Vec::new();
+        for branch in &self.response.branches {
+            for pair in branch.points.windows(2).filter(|p| between(p[0].speed, p[1].speed)) {
+                let (a, b) = (&pair[0], &pair[1]);
+                out.push(mix(&a.x, &b.x, if b.speed == a.speed { 0.0 } else { (speed - a.speed) / (b.speed - a.speed) }));
+            }
+            for f in &branch.folds {
+                let sides = [branch.points.get(f.after), branch.points.get(f.after + 1)];
+                for p in sides.into_iter().flatten().filter(|p| between(f.speed, p.speed) && p.speed != f.speed) {
+                    out.push(mix(&f.x, &p.x, ((speed - f.speed) / (p.speed - f.speed)).sqrt()));
+                }
+            }
+        }
+        out
     }
 }

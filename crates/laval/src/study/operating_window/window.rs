@@ -94,7 +94,11 @@ fn end(inside: &Point, outside: &Point) -> End {
 }
 
 /// Intervals in which `keeps` holds; points are in order of speed. The points made on the way are added.
-pub(super) fn intervals(judge: &Judge, points: &mut Vec<Point>, keeps: impl Fn(&Point) -> bool + Copy) -> Result<Vec<Interval>, Diagnostic> {
+pub(super) fn intervals(
+    judge: &Judge,
+    points: &mut Vec<Point>,
+    keeps: impl Fn(&Point) -> bool + Copy,
+) -> Result<Vec<Interval>, Diagnostic> {
     let mut out: Vec<Interval> = Vec::new();
     let mut made = Vec::new();
     let limit = |p: &Point| End { speed: p.speed, binding: "range".into(), event: "domain limit", bracket: 0.0 };
