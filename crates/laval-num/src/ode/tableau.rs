@@ -4,10 +4,10 @@
 //! Stages 0 to 11 make the step; stage 12 is f(t1, y1), whose row holds the weights b; stages 13 to 15 serve the dense output only.
 
 /// One row: (stage, coefficient).
-pub(super) type Row<const N: usize> = [(usize, f64); N];
+pub(crate) type Row<const N: usize> = [(usize, f64); N];
 
 /// Nodes.
-pub(super) const C: [f64; 16] = [
+pub(crate) const C: [f64; 16] = [
     0.0,
     0.05260015195876773,
     0.0789002279381516,
@@ -26,22 +26,22 @@ pub(super) const C: [f64; 16] = [
     7.0 / 9.0,
 ];
 /// Stage 1.
-pub(super) const A1: Row<1> = [(0, 0.05260015195876773)];
+pub(crate) const A1: Row<1> = [(0, 0.05260015195876773)];
 /// Stage 2.
-pub(super) const A2: Row<2> = [(0, 0.0197250569845379), (1, 0.0591751709536137)];
+pub(crate) const A2: Row<2> = [(0, 0.0197250569845379), (1, 0.0591751709536137)];
 /// Stage 3.
-pub(super) const A3: Row<2> = [(0, 0.02958758547680685), (2, 0.08876275643042054)];
+pub(crate) const A3: Row<2> = [(0, 0.02958758547680685), (2, 0.08876275643042054)];
 /// Stage 4.
-pub(super) const A4: Row<3> = [(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
+pub(crate) const A4: Row<3> = [(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
 /// Stage 5.
-pub(super) const A5: Row<3> = [(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
+pub(crate) const A5: Row<3> = [(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
 /// Stage 6.
-pub(super) const A6: Row<4> = [(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
+pub(crate) const A6: Row<4> = [(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
 /// Stage 7.
-pub(super) const A7: Row<5> =
+pub(crate) const A7: Row<5> =
     [(0, 0.03709200011850479), (3, 0.17038392571223998), (4, 0.10726203044637328), (5, -0.015319437748624402), (6, 0.008273789163814023)];
 /// Stage 8.
-pub(super) const A8: Row<6> = [
+pub(crate) const A8: Row<6> = [
     (0, 0.6241109587160757),
     (3, -3.3608926294469414),
     (4, -0.868219346841726),
@@ -50,7 +50,7 @@ pub(super) const A8: Row<6> = [
     (7, -43.48988418106996),
 ];
 /// Stage 9.
-pub(super) const A9: Row<7> = [
+pub(crate) const A9: Row<7> = [
     (0, 0.47766253643826434),
     (3, -2.4881146199716677),
     (4, -0.590290826836843),
@@ -60,7 +60,7 @@ pub(super) const A9: Row<7> = [
     (8, -0.020331201708508627),
 ];
 /// Stage 10.
-pub(super) const A10: Row<8> = [
+pub(crate) const A10: Row<8> = [
     (0, -0.9371424300859873),
     (3, 5.186372428844064),
     (4, 1.0914373489967295),
@@ -71,7 +71,7 @@ pub(super) const A10: Row<8> = [
     (9, -3.0467644718982196),
 ];
 /// Stage 11.
-pub(super) const A11: Row<9> = [
+pub(crate) const A11: Row<9> = [
     (0, 2.273310147516538),
     (3, -10.53449546673725),
     (4, -2.0008720582248625),
@@ -83,7 +83,7 @@ pub(super) const A11: Row<9> = [
     (10, 0.6433927460157636),
 ];
 /// Weights, which are also the row of stage 12.
-pub(super) const B: Row<8> = [
+pub(crate) const B: Row<8> = [
     (0, 0.054293734116568765),
     (5, 4.450312892752409),
     (6, 1.8915178993145003),
@@ -94,7 +94,7 @@ pub(super) const B: Row<8> = [
     (11, 0.04471061572777259),
 ];
 /// Stage 13.
-pub(super) const A13: Row<8> = [
+pub(crate) const A13: Row<8> = [
     (0, 0.056167502283047954),
     (6, 0.25350021021662483),
     (7, -0.2462390374708025),
@@ -105,7 +105,7 @@ pub(super) const A13: Row<8> = [
     (12, -0.008298),
 ];
 /// Stage 14.
-pub(super) const A14: Row<8> = [
+pub(crate) const A14: Row<8> = [
     (0, 0.03183464816350214),
     (5, 0.028300909672366776),
     (6, 0.053541988307438566),
@@ -116,7 +116,7 @@ pub(super) const A14: Row<8> = [
     (13, 0.1413124436746325),
 ];
 /// Stage 15.
-pub(super) const A15: Row<8> = [
+pub(crate) const A15: Row<8> = [
     (0, -0.42889630158379194),
     (5, -4.697621415361164),
     (6, 7.683421196062599),
@@ -127,7 +127,7 @@ pub(super) const A15: Row<8> = [
     (14, -9.15095847217987),
 ];
 /// Weights minus those of the embedded formula of order 5.
-pub(super) const E5: Row<8> = [
+pub(crate) const E5: Row<8> = [
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
     (6, -0.4957589496572502),
@@ -138,9 +138,9 @@ pub(super) const E5: Row<8> = [
     (11, -0.022355307863886294),
 ];
 /// Weights of the embedded formula of order 3.
-pub(super) const BHH: Row<3> = [(0, 0.2440944881889764), (8, 0.7338466882816118), (11, 0.022058823529411766)];
+pub(crate) const BHH: Row<3> = [(0, 0.2440944881889764), (8, 0.7338466882816118), (11, 0.022058823529411766)];
 /// Row F3 of the dense output.
-pub(super) const D3: Row<12> = [
+pub(crate) const D3: Row<12> = [
     (0, -8.428938276109013),
     (5, 0.5667149535193777),
     (6, -3.0689499459498917),
@@ -155,7 +155,7 @@ pub(super) const D3: Row<12> = [
     (15, -4.436036387594894),
 ];
 /// Row F4 of the dense output.
-pub(super) const D4: Row<12> = [
+pub(crate) const D4: Row<12> = [
     (0, 10.427508642579134),
     (5, 242.28349177525817),
     (6, 165.20045171727028),
@@ -170,7 +170,7 @@ pub(super) const D4: Row<12> = [
     (15, 35.81684148639408),
 ];
 /// Row F5 of the dense output.
-pub(super) const D5: Row<12> = [
+pub(crate) const D5: Row<12> = [
     (0, 19.985053242002433),
     (5, -387.0373087493518),
     (6, -189.17813819516758),
@@ -185,7 +185,7 @@ pub(super) const D5: Row<12> = [
     (15, 11.99229113618279),
 ];
 /// Row F6 of the dense output.
-pub(super) const D6: Row<12> = [
+pub(crate) const D6: Row<12> = [
     (0, -25.69393346270375),
     (5, -154.18974869023643),
     (6, -231.5293791760455),
