@@ -1,12 +1,11 @@
-//! A part in lanes: what ensembles and stiff lane methods call, one slot for every processor level.
+//! A part in lanes: what ensembles call, one slot for every processor level.
 //!
 //! Generic code holding a `&dyn Erased` and a lane scalar calls [`Entry::enter`](laval_num::lanes::Entry::enter) with one of the markers below.
 
 use super::blocks::Blocks;
 use super::params::Family as _;
 use super::part::{At, Part, Physics, Rows};
-use laval_num::dual::Dual;
-use laval_num::lanes::{Apply, Family};
+use laval_num::lanes::{Apply, Family, Slots};
 use laval_num::scalar::Scalar;
 
 /// Arguments of a residual in lanes, all local to the part; see [`Part::residual`].
@@ -19,7 +18,7 @@ pub struct ResidualArgs<'a, S> {
     pub out: Rows<'a, S>,
 }
 
-/// The residual of a nonlinear part. Parts given by blocks add nothing here: see [`Linear`].
+/// What is not in the blocks: the residual of a nonlinear part, the spin row of a linear one.
 pub struct Residual;
 impl Family for Residual {
     type Args<'a, S: Scalar> = ResidualArgs<'a, S>;
@@ -27,21 +26,6 @@ impl Family for Residual {
 impl<P: Part> Apply<P> for Residual {
     #[inline(always)]
     fn apply<S: Scalar>(part: &P, args: &mut ResidualArgs<'_, S>) {
-        part.residual(&P::Family::from_slice(args.p), &args.at, &mut args.out);
-    }
-}
-
-/// Derivatives of eight directions at once.
-pub type Dual8<S> = Dual<S, 8>;
-
-/// What is not in the blocks, with eight directional derivatives: the residual of a nonlinear part, the spin row of a linear one.
-pub struct Tangent;
-impl Family for Tangent {
-    type Args<'a, S: Scalar> = ResidualArgs<'a, Dual8<S>>;
-}
-impl<P: Part> Apply<P> for Tangent {
-    #[inline(always)]
-    fn apply<S: Scalar>(part: &P, args: &mut ResidualArgs<'_, Dual8<S>>) {
         let p = P::Family::from_slice(args.p);
         part.residual(&p, &args.at, &mut args.out);
         if part.physics() != Physics::Nonlinear {
@@ -73,5 +57,5 @@ impl<P: Part> Apply<P> for Linear {
 }
 
 /// A part that can be called in lanes: every [`Part`] can.
-pub trait InLanes: laval_num::lanes::Slots<Residual> + laval_num::lanes::Slots<Tangent> + laval_num::lanes::Slots<Linear> {}
+pub trait InLanes: Slots<Residual> + Slots<Linear> {}
 impl<P: Part> InLanes for P {}

@@ -1,70 +1,97 @@
 //! Members with any spin and any mass matrix, evaluated part by part.
 //!
 //! ```text
-//! M(q) a = -r(q, v, a = 0, z; spin, t),   z' = rate(a = 0) + (d rate / d a) a
+//! M(q) a = -r(q, v, a = 0, z; spin, t),   z' = rate(q, v, a, z)
 //! ```
 //!
-//! with the spin row and column when the spin is free. The derivatives in the accelerations are exact; M is eliminated without pivoting, which
-//! is safe for the positive definite mass matrices of machines.
+//! with the spin row and column when the spin is free. Residuals are affine in the accelerations: a column of M is the difference of two
+//! residuals, and what rounding leaves of it is removed by a second solution with the residual of the first. M is eliminated without pivoting,
+//! which is safe for the positive definite mass matrices of machines.
 
-use super::pattern::Pattern;
 use crate::model::blocks::Blocks;
-use crate::model::lanes::{Dual8, Linear, LinearArgs, Residual, ResidualArgs, Tangent};
+use crate::model::erased::Erased;
+use crate::model::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System};
 use crate::solve::motion::SpinLaw;
-use laval_num::dual::Dual;
-use laval_num::lanes::{LANES, LaneScalar};
-use laval_num::scalar::Scalar;
-
-/// How a part is evaluated.
-#[derive(Clone, Copy, PartialEq)]
-enum Way {
-    /// By its blocks; its spin row, if there is one, with derivatives.
-    Blocks,
-    /// By its residual: it reads no accelerations.
-    Plain,
-    /// By its residual with derivatives in the accelerations.
-    Seeded,
-}
+use laval_num::dense::Mat;
+use laval_num::lanes::{LANES, LaneScalar, Sparse};
+use std::ops::Range;
 
 /// A part in its place.
-struct Place<S> {
+struct Place<'a, S> {
+    part: &'a dyn Erased,
     slot: usize,
-    way: Way,
+    /// Given by blocks.
+    linear: bool,
+    /// Its rows outside the blocks depend on accelerations, that of the spin counted when it is free.
+    inertial: bool,
     params: Vec<S>,
-    map: Pattern<S>,
+    map: Sparse<S>,
     weight: Vec<S>,
     q: Vec<S>,
     v: Vec<S>,
-    force: Vec<S>,
-    rate: Vec<S>,
-    /// d force / d a, and d rate / d a, over local accelerations; the spin's last.
-    mass: Vec<S>,
-    rate_a: Vec<S>,
-    seeded: Seeded<S>,
+    a: Vec<S>,
+    /// Its states in y.
+    states: Range<usize>,
+    blocks: Blocks<S>,
+    /// Local rows, then that of the spin, then rates; at zero acceleration, and at another.
+    base: Vec<S>,
+    other: Vec<S>,
 }
 
-/// Scratch of a seeded evaluation.
-struct Seeded<S> {
-    params: Vec<Dual8<S>>,
-    vars: [Vec<Dual8<S>>; 4],
-    force: Vec<Dual8<S>>,
-    rate: Vec<Dual8<S>>,
+/// Spin and time of an evaluation.
+#[derive(Clone, Copy)]
+struct Moment<S> {
+    phase: S,
+    speed: S,
+    /// Prescribed acceleration.
+    accel: S,
+    t: S,
+}
+
+impl<S: LaneScalar> Place<'_, S> {
+    /// Rows outside the blocks at local accelerations `a` (the weight included) and the spin's.
+    #[inline(always)]
+    fn rows(&mut self, at: Moment<S>, y: &[S], spin_accel: S, other: bool) {
+        let local = self.q.len();
+        let out = if other { &mut self.other } else { &mut self.base };
+        for x in out.iter_mut() {
+            *x = S::zero();
+        }
+        let (force, rest) = out.split_at_mut(local);
+        let (spin, rate) = rest.split_at_mut(1);
+        let z = &y[self.states.clone()];
+        let point = At { q: &self.q, v: &self.v, a: &self.a, z, phase: at.phase, speed: at.speed, spin_accel, t: at.t };
+        let mut args = ResidualArgs { p: &self.params, at: point, out: Rows { force, rate, spin: &mut spin[0] } };
+        S::enter::<Residual, _>(self.part, &mut args);
+    }
+
+    /// Adds the rows of the blocks at the present accelerations.
+    #[inline(always)]
+    fn add_blocks(&mut self, at: Moment<S>, y: &[S], spin_accel: S, other: bool) {
+        let local = self.q.len();
+        let out = if other { &mut self.other } else { &mut self.base };
+        let (force, rest) = out.split_at_mut(local);
+        let z = &y[self.states.clone()];
+        let point = At { q: &self.q, v: &self.v, a: &self.a, z, phase: at.phase, speed: at.speed, spin_accel, t: at.t };
+        self.blocks.residual(&point, force, &mut rest[1..]);
+    }
 }
 
 /// Eight members, ready to be evaluated.
 pub(super) struct General<'a, S> {
-    base: &'a System,
+    n: usize,
+    m: usize,
     free: bool,
     laws: [SpinLaw; LANES],
-    places: Vec<Place<S>>,
+    places: Vec<Place<'a, S>>,
     mass: Vec<S>,
+    factors: Vec<S>,
     force: Vec<S>,
+    accel: Vec<S>,
     rate: Vec<S>,
     rate_a: Vec<S>,
-    accel: Vec<S>,
-    blocks: Blocks<S>,
 }
 
 impl<'a, S: LaneScalar> General<'a, S> {
@@ -72,46 +99,38 @@ impl<'a, S: LaneScalar> General<'a, S> {
         let (n, m) = (base.n(), base.m());
         let rows = n + usize::from(free);
         let zeros = |len: usize| vec![S::zero(); len];
-        let place = |(k, slot): (usize, &Slot)| {
+        let place = |(k, slot): (usize, &'a Slot)| {
             let (local, states) = (slot.map.len(), slot.states.len());
-            let way = match () {
-                () if slot.is_linear() => Way::Blocks,
-                () if free || slot.uses.acceleration => Way::Seeded,
-                () => Way::Plain,
-            };
-            let columns = local + usize::from(free);
             Place {
+                part: &*slot.part,
                 slot: k,
-                way,
+                linear: slot.is_linear(),
+                inertial: free || (!slot.is_linear() && slot.uses.acceleration),
                 params: zeros(slot.params.len()),
-                map: Pattern::new(local, n),
+                map: Sparse::new(local, n),
                 weight: zeros(local),
                 q: zeros(local),
                 v: zeros(local),
-                force: zeros(local + usize::from(free)),
-                rate: zeros(states),
-                mass: zeros((local + usize::from(free)) * columns),
-                rate_a: zeros(states * columns),
-                seeded: Seeded {
-                    params: vec![Dual::zero(); slot.params.len()],
-                    vars: [vec![Dual::zero(); local], vec![Dual::zero(); local], vec![Dual::zero(); local], vec![Dual::zero(); states]],
-                    force: vec![Dual::zero(); local],
-                    rate: vec![Dual::zero(); states],
-                },
+                a: zeros(local),
+                states: 2 * n + slot.states.start..2 * n + slot.states.end,
+                blocks: Blocks::default(),
+                base: zeros(local + 1 + states),
+                other: zeros(local + 1 + states),
             }
         };
         let still = || SpinLaw::Programme(crate::solve::programme::Programme::constant(0.0, 0.0));
         General {
-            base,
+            n,
+            m,
             free,
             laws: std::array::from_fn(|_| still()),
             places: base.slots().iter().enumerate().map(place).collect(),
             mass: zeros(rows * rows),
+            factors: zeros(rows * rows),
             force: zeros(rows),
+            accel: zeros(rows),
             rate: zeros(m),
             rate_a: zeros(m * rows),
-            accel: zeros(rows),
-            blocks: Blocks::default(),
         }
     }
 
@@ -120,145 +139,185 @@ impl<'a, S: LaneScalar> General<'a, S> {
         self.laws[lane] = law;
         for place in &mut self.places {
             let slot = &system.slots()[place.slot];
-            let values = &system.params()[slot.params.clone()];
-            for ((p, d), &x) in place.params.iter_mut().zip(&mut place.seeded.params).zip(values) {
+            for (p, &x) in place.params.iter_mut().zip(&system.params()[slot.params.clone()]) {
                 *p = p.with(lane, x);
-                d.re = *p;
             }
             for (w, &x) in place.weight.iter_mut().zip(&slot.weight) {
                 *w = w.with(lane, x);
             }
-            place.map.set(lane, |l, g| slot.map[l].iter().filter(|e| e.0 == g).map(|e| e.1).sum());
+            let mut map = Mat::zeros(slot.map.len(), self.n);
+            for (l, row) in slot.map.iter().enumerate() {
+                for &(g, c) in row {
+                    map[(l, g)] += c;
+                }
+            }
+            place.map.set(lane, &map);
         }
     }
 
-    /// Phase, speed and (prescribed) acceleration of the spin.
     #[inline(always)]
-    fn spin(&self, t: S, y: &[S]) -> [S; 3] {
+    fn moment(&self, t: S, y: &[S]) -> Moment<S> {
         if self.free {
-            let k = 2 * self.base.n() + self.base.m();
-            return [y[k], y[k + 1], S::zero()];
+            let k = 2 * self.n + self.m;
+            return Moment { phase: y[k], speed: y[k + 1], accel: S::zero(), t };
         }
-        let t = t.to_array();
+        let times = t.to_array();
         let mut out = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             if let SpinLaw::Programme(p) = &self.laws[lane] {
-                let s = p.at(t[lane]);
+                let s = p.at(times[lane]);
                 (out[0][lane], out[1][lane], out[2][lane]) = (s.phase, s.speed, s.accel);
             }
         }
-        [S::load(&out[0]), S::load(&out[1]), S::load(&out[2])]
+        Moment { phase: S::load(&out[0]), speed: S::load(&out[1]), accel: S::load(&out[2]), t }
+    }
+
+    /// Mass matrix, and derivatives of the rates in the accelerations, with the rows at zero acceleration.
+    #[inline(always)]
+    fn assemble(&mut self, at: Moment<S>, y: &[S]) {
+        let (n, rows) = (self.n, self.accel.len());
+        for x in self.mass.iter_mut().chain(&mut self.rate_a) {
+            *x = S::zero();
+        }
+        for place in &mut self.places {
+            let local = place.q.len();
+            place.map.times_in_order(&y[..n], &mut place.q);
+            place.map.times_in_order(&y[n..2 * n], &mut place.v);
+            for l in 0..local {
+                place.a[l] = place.weight[l];
+            }
+            let states = place.states.len();
+            let first = place.states.start - 2 * n;
+            if place.linear {
+                place.blocks.reset(local, states, at.speed);
+                S::enter::<Linear, _>(place.part, &mut LinearArgs { p: &place.params, speed: at.speed, blocks: &mut place.blocks });
+                for j in 0..local {
+                    for k in place.map.span(j) {
+                        let (gj, cj) = place.map.at(k);
+                        for i in 0..local {
+                            let x = place.blocks.mass[(i, j)] * cj;
+                            for k in place.map.span(i) {
+                                let (gi, ci) = place.map.at(k);
+                                self.mass[gi * rows + gj] += ci * x;
+                            }
+                        }
+                        for i in 0..states {
+                            self.rate_a[(first + i) * rows + gj] += place.blocks.state_a[(i, j)] * cj;
+                        }
+                    }
+                }
+            }
+            place.rows(at, y, at.accel, false);
+            if place.inertial {
+                for j in 0..local + usize::from(self.free) {
+                    let mut spin_accel = at.accel;
+                    if j < local {
+                        place.a[j] += S::one();
+                    } else {
+                        spin_accel += S::one();
+                    }
+                    place.rows(at, y, spin_accel, true);
+                    if j < local {
+                        place.a[j] = place.weight[j];
+                    }
+                    let span = if j < local { place.map.span(j) } else { 0..1 };
+                    for k in span {
+                        let (gj, cj) = if j < local { place.map.at(k) } else { (n, S::one()) };
+                        for i in 0..local {
+                            let x = (place.other[i] - place.base[i]) * cj;
+                            for k in place.map.span(i) {
+                                let (gi, ci) = place.map.at(k);
+                                self.mass[gi * rows + gj] += ci * x;
+                            }
+                        }
+                        if self.free {
+                            self.mass[n * rows + gj] += (place.other[local] - place.base[local]) * cj;
+                        }
+                        for i in 0..states {
+                            self.rate_a[(first + i) * rows + gj] += (place.other[local + 1 + i] - place.base[local + 1 + i]) * cj;
+                        }
+                    }
+                }
+            }
+            if place.linear {
+                if self.free {
+                    let (sin, cos) = at.phase.sin_cos();
+                    let z = &y[place.states.clone()];
+                    let point =
+                        At { q: &place.q, v: &place.v, a: &place.a, z, phase: at.phase, speed: at.speed, spin_accel: at.accel, t: at.t };
+                    for i in 0..local {
+                        let x = place.blocks.spin_accel_row(i, &point, (sin, cos));
+                        for k in place.map.span(i) {
+                            let (gi, ci) = place.map.at(k);
+                            self.mass[gi * rows + n] += ci * x;
+                        }
+                    }
+                }
+                place.add_blocks(at, y, at.accel, false);
+            }
+        }
+    }
+
+    /// Sums the rows of all parts, at zero acceleration or at the present ones.
+    #[inline(always)]
+    fn gather(&mut self, at: Moment<S>, y: &[S], present: bool) {
+        let n = self.n;
+        for x in self.force.iter_mut().chain(&mut self.rate) {
+            *x = S::zero();
+        }
+        for place in &mut self.places {
+            let local = place.q.len();
+            if present {
+                let spin_accel = if self.free { self.accel[n] } else { at.accel };
+                place.map.times_in_order(&self.accel[..n], &mut place.a);
+                for l in 0..local {
+                    place.a[l] += place.weight[l];
+                }
+                if place.linear || place.inertial {
+                    place.rows(at, y, spin_accel, true);
+                }
+                if place.linear {
+                    place.add_blocks(at, y, spin_accel, true);
+                }
+            }
+            let rows = if present && (place.linear || place.inertial) { &place.other } else { &place.base };
+            for i in 0..local {
+                for k in place.map.span(i) {
+                    let (g, c) = place.map.at(k);
+                    self.force[g] += c * rows[i];
+                }
+            }
+            if self.free {
+                self.force[n] += rows[local];
+            }
+            for i in 0..place.states.len() {
+                self.rate[place.states.start - 2 * n + i] += rows[local + 1 + i];
+            }
+        }
     }
 
     #[inline(always)]
     pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
-        let (n, m) = (self.base.n(), self.base.m());
+        let (n, m) = (self.n, self.m);
         let rows = self.accel.len();
-        let [phase, speed, spin_accel] = self.spin(t, y);
-        for x in [&mut self.mass, &mut self.force, &mut self.rate, &mut self.rate_a] {
-            for x in x.iter_mut() {
-                *x = S::zero();
-            }
-        }
-        for k in 0..self.places.len() {
-            let place = &mut self.places[k];
-            let slot = &self.base.slots()[place.slot];
-            let local = place.q.len();
-            for l in 0..local {
-                place.q[l] = place.map.add_row(l, &y[..n], S::zero());
-                place.v[l] = place.map.add_row(l, &y[n..2 * n], S::zero());
-            }
-            for x in place.force.iter_mut().chain(&mut place.rate) {
-                *x = S::zero();
-            }
-            let z = &y[2 * n + slot.states.start..2 * n + slot.states.end];
-            let at = At { q: &place.q, v: &place.v, a: &place.weight, z, phase, speed, spin_accel, t };
-            let mut spin = S::zero();
-            match place.way {
-                Way::Blocks => {
-                    self.blocks.reset(local, z.len(), speed);
-                    let mut args = LinearArgs { p: &place.params, speed, blocks: &mut self.blocks };
-                    S::enter::<Linear, _>(&*slot.part, &mut args);
-                    if self.free {
-                        seeded(place, slot, [phase, speed, spin_accel, t], z, true);
-                    }
-                    // the spin row is in place; the rows of the blocks follow
-                    let at = At { q: &place.q, v: &place.v, a: &place.weight, z, phase, speed, spin_accel, t };
-                    self.blocks.residual(&at, &mut place.force[..local], &mut place.rate);
-                    let columns = local + usize::from(self.free);
-                    for i in 0..local {
-                        for j in 0..local {
-                            place.mass[i * columns + j] = self.blocks.mass[(i, j)];
-                        }
-                    }
-                    for i in 0..z.len() {
-                        for j in 0..local {
-                            place.rate_a[i * columns + j] = self.blocks.state_a[(i, j)];
-                        }
-                    }
-                    if self.free {
-                        let turn = phase.sin_cos();
-                        for i in 0..local {
-                            place.mass[i * columns + local] = self.blocks.spin_accel_row(i, &at, turn);
-                        }
-                    }
-                }
-                Way::Plain => {
-                    let out = Rows { force: &mut place.force[..local], rate: &mut place.rate, spin: &mut spin };
-                    let mut args = ResidualArgs { p: &place.params, at, out };
-                    S::enter::<Residual, _>(&*slot.part, &mut args);
-                }
-                Way::Seeded => seeded(place, slot, [phase, speed, spin_accel, t], z, self.free),
-            }
-            // into the rows of the machine
-            let place = &self.places[k];
-            let columns = local + usize::from(self.free);
-            for i in 0..local {
-                for (gi, ci) in place.map.row(i) {
-                    self.force[gi] += ci * place.force[i];
-                    if place.way == Way::Plain {
-                        continue;
-                    }
-                    for j in 0..local {
-                        let x = ci * place.mass[i * columns + j];
-                        for (gj, cj) in place.map.row(j) {
-                            self.mass[gi * rows + gj] += x * cj;
-                        }
-                    }
-                    if self.free {
-                        self.mass[gi * rows + n] += ci * place.mass[i * columns + local];
-                    }
-                }
-            }
-            if self.free {
-                self.force[n] += place.force[local];
-                for j in 0..local {
-                    for (gj, cj) in place.map.row(j) {
-                        self.mass[n * rows + gj] += cj * place.mass[local * columns + j];
-                    }
-                }
-                self.mass[n * rows + n] += place.mass[local * columns + local];
-            }
-            for i in 0..slot.states.len() {
-                let row = slot.states.start + i;
-                self.rate[row] += place.rate[i];
-                if place.way == Way::Plain {
-                    continue;
-                }
-                for j in 0..local {
-                    for (gj, cj) in place.map.row(j) {
-                        self.rate_a[row * rows + gj] += cj * place.rate_a[i * columns + j];
-                    }
-                }
-                if self.free {
-                    self.rate_a[row * rows + n] += place.rate_a[i * columns + local];
-                }
-            }
-        }
+        let at = self.moment(t, y);
+        self.assemble(at, y);
         for i in 0..rows {
-            self.accel[i] = -self.force[i];
+            self.accel[i] = S::zero();
         }
-        eliminate(&mut self.mass, &mut self.accel);
+        // the second round removes what rounding left in the columns of M
+        let mut round = 0;
+        while round < 2 {
+            self.gather(at, y, round == 1);
+            for i in 0..rows * rows {
+                self.factors[i] = self.mass[i];
+            }
+            eliminate(&mut self.factors, &mut self.force);
+            for i in 0..rows {
+                self.accel[i] -= self.force[i];
+            }
+            round += 1;
+        }
         for i in 0..n {
             dy[i] = y[n + i];
             dy[n + i] = self.accel[i];
@@ -266,87 +325,14 @@ impl<'a, S: LaneScalar> General<'a, S> {
         for i in 0..m {
             let mut rate = self.rate[i];
             for j in 0..rows {
-                rate += self.rate_a[i * rows + j] * self.accel[j];
+                rate -= self.rate_a[i * rows + j] * self.force[j];
             }
             dy[2 * n + i] = rate;
         }
         if self.free {
-            dy[2 * n + m] = speed;
+            dy[2 * n + m] = at.speed;
             dy[2 * n + m + 1] = self.accel[n];
         }
-    }
-}
-
-/// A part's rows at zero acceleration with their exact derivatives in the accelerations (and the spin's when `free`).
-#[inline(always)]
-fn seeded<S: LaneScalar>(
-    place: &mut Place<S>,
-    slot: &Slot,
-    [phase, speed, spin_accel, t]: [S; 4],
-    z: &[S],
-    free: bool,
-) {
-    let local = place.q.len();
-    let directions = local + usize::from(free);
-    let s = &mut place.seeded;
-    let lift = |x: S| Dual { re: x, eps: [S::zero(); 8] };
-    for l in 0..local {
-        s.vars[0][l] = lift(place.q[l]);
-        s.vars[1][l] = lift(place.v[l]);
-        s.vars[2][l] = lift(place.weight[l]);
-    }
-    for l in 0..z.len() {
-        s.vars[3][l] = lift(z[l]);
-    }
-    let mut start = 0;
-    while start < directions {
-        let end = directions.min(start + 8);
-        let mut accel = lift(spin_accel);
-        for j in start..end {
-            if j < local {
-                s.vars[2][j].eps[j - start] = S::one();
-            } else {
-                accel.eps[j - start] = S::one();
-            }
-        }
-        for f in s.force.iter_mut().chain(&mut s.rate) {
-            *f = lift(S::zero());
-        }
-        let mut spin = lift(S::zero());
-        let [q, v, a, z8] = &s.vars;
-        let mut args = ResidualArgs {
-            p: &s.params,
-            at: At { q, v, a, z: z8, phase: lift(phase), speed: lift(speed), spin_accel: accel, t: lift(t) },
-            out: Rows { force: &mut s.force, rate: &mut s.rate, spin: &mut spin },
-        };
-        S::enter::<Tangent, _>(&*slot.part, &mut args);
-        for j in start..end {
-            let k = j - start;
-            for i in 0..local {
-                place.mass[i * directions + j] = s.force[i].eps[k];
-            }
-            for i in 0..z.len() {
-                place.rate_a[i * directions + j] = s.rate[i].eps[k];
-            }
-            if free {
-                place.mass[local * directions + j] = spin.eps[k];
-            }
-            if j < local {
-                s.vars[2][j].eps[k] = S::zero();
-            }
-        }
-        if start == 0 {
-            for i in 0..local {
-                place.force[i] = s.force[i].re;
-            }
-            for i in 0..z.len() {
-                place.rate[i] = s.rate[i].re;
-            }
-            if free {
-                place.force[local] = spin.re;
-            }
-        }
-        start = end;
     }
 }
 

@@ -10,13 +10,11 @@
 //! x' = A x + B n(C x) + u0 + uc cos(phase) + us sin(phase)
 //! ```
 //!
-//! with n the nonlinear parts only, one call for each and all lanes; any other motion is evaluated part by part, with its mass matrix by exact
-//! derivatives.
+//! with n the nonlinear parts only, one call for each and all lanes; any other motion is evaluated part by part.
 
 mod constant;
 mod crew;
 mod general;
-mod pattern;
 #[cfg(test)]
 mod tests;
 
@@ -24,7 +22,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{Drive, System};
 use crate::solve::motion::SpinLaw;
-use crew::LaneCrew;
+use crew::{Hands, LaneCrew, Riders};
 pub use laval_num::ensemble::{Ended, Grid, Leg, LegEnd};
 use laval_num::lanes::{Kernel, LaneScalar, Level, dispatch};
 use rayon::prelude::*;
@@ -147,7 +145,16 @@ pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>
     let threads = threads.clamp(1, count.div_ceil(laval_num::lanes::LANES).max(1));
     let next = AtomicUsize::new(range.start);
     let rows = Mutex::new(Vec::with_capacity(count));
-    let sail = || dispatch(settings.level, Sail { voyage, base, form, next: &next, end: range.end, rows: &rows });
+    let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&i| i < range.end);
+    let keep = |index: usize, row: V::Row| {
+        rows.lock().unwrap_or_else(PoisonError::into_inner).push((index, row));
+        voyage.finished();
+    };
+    let (take, keep) = (&take as &(dyn Fn() -> Option<usize> + Sync), &keep as &(dyn Fn(usize, V::Row) + Sync));
+    let sail = || {
+        let mut riders = Riders { voyage, logs: std::array::from_fn(|_| None), take, keep };
+        dispatch(settings.level, Sail { hands: &mut riders, base, form })
+    };
     let whole = if threads == 1 { sail() } else { (0..threads).into_par_iter().map(|_| sail()).reduce(|| true, |a, b| a && b) };
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|r: &(usize, V::Row)| r.0);
@@ -155,30 +162,17 @@ pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>
 }
 
 /// The lanes of one thread.
-struct Sail<'a, V: Voyage> {
-    voyage: &'a V,
+struct Sail<'a> {
+    hands: &'a mut dyn Hands,
     base: &'a System,
     form: Form,
-    next: &'a AtomicUsize,
-    end: usize,
-    rows: &'a Mutex<Vec<(usize, V::Row)>>,
 }
 
-impl<V: Voyage> Kernel for Sail<'_, V> {
+impl Kernel for Sail<'_> {
     type Out = bool;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> bool {
-        let Sail { voyage, base, form, next, end, rows } = self;
-        let take = || {
-            let i = next.fetch_add(1, Ordering::Relaxed);
-            (i < end).then_some(i)
-        };
-        let keep = |index: usize, row: V::Row| {
-            rows.lock().unwrap_or_else(PoisonError::into_inner).push((index, row));
-            voyage.finished();
-        };
-        let mut crew = LaneCrew::<S, V, _, _>::new(voyage, base, form, take, keep);
-        laval_num::ensemble::run(&mut crew)
+        laval_num::ensemble::run(&mut LaneCrew::<S>::new(self.hands, self.base, self.form))
     }
 }
 
