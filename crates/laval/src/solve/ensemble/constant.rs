@@ -123,7 +123,9 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
             dy[i] = y[n + i];
         }
         let dim = y.len();
-        self.terms[..dim].copy_from_slice(y);
+        for i in 0..dim {
+            self.terms[i] = y[i];
+        }
         let (sin, cos) = phase.sin_cos();
         self.terms[dim] = S::one();
         self.terms[dim + 1] = cos;

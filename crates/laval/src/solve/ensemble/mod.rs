@@ -15,8 +15,6 @@
 mod constant;
 mod crew;
 mod general;
-#[cfg(test)]
-mod tests;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
