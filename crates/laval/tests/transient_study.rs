@@ -384,7 +384,7 @@ fn limits_and_cancellation_leave_partial_results() {
     let list = [("duration", number(10.0)), ("speed", number(2000.0))];
     let study = Transient::build(&values(&list), &system, &mut Diagnostics::default()).unwrap();
     let o = study.run(&system, &Context { work_limit: 500, ..Context::quiet("t") }).unwrap();
-    assert_eq!(o.end, End::MaxPoints);
+    assert_eq!(o.end, End::WorkLimit);
     let rows = o.find_table("motion").unwrap().rows();
     assert!(rows > 1 && rows < 2000, "{rows}");
     assert!(finding(&o, "work_limit") > 0.0 && o.work["steps"] + o.work["rejected_steps"] <= 500);

@@ -28,6 +28,42 @@ pub struct NamedStudy {
     pub study: Box<dyn ErasedStudy>,
 }
 
+/// A study, or several for the same reason, that the machine cannot answer.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// Numbers of the studies in [`Loaded::studies`].
+    pub studies: Vec<usize>,
+    /// Why, with the names of the studies, at its place in the file.
+    pub diagnostic: Diagnostic,
+}
+
+impl Loaded {
+    /// Asks every study whether this machine can answer it; one refusal for all that refuse for the same reason.
+    pub fn refusals(&self) -> Vec<Refusal> {
+        let mut out: Vec<Refusal> = Vec::new();
+        for (k, named) in self.studies.iter().enumerate() {
+            let Err(mut diagnostic) = named.study.admit(&self.system) else { continue };
+            if diagnostic.span.is_none() {
+                diagnostic.span = self.spec.study(&named.name).and_then(|b| b.span.clone());
+            }
+            let same = |r: &&mut Refusal| {
+                let d = &r.diagnostic;
+                (d.code, &d.message, &d.span, &d.help) == (diagnostic.code, &diagnostic.message, &diagnostic.span, &diagnostic.help)
+            };
+            match out.iter_mut().find(same) {
+                Some(r) => r.studies.push(k),
+                None => out.push(Refusal { studies: vec![k], diagnostic }),
+            }
+        }
+        for r in &mut out {
+            let names: Vec<String> = r.studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
+            let word = if names.len() == 1 { "study" } else { "studies" };
+            r.diagnostic.message = format!("{word} {}: {}", names.join(", "), r.diagnostic.message);
+        }
+        out
+    }
+}
+
 /// All kinds of parts and studies this library knows.
 pub fn catalog() -> Catalog {
     Catalog {

@@ -17,7 +17,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
         if let Some(reason) = slot.part.refuses_rest(&system.params()[slot.params.clone()]) {
             return Err(Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
                 .at(slot.span.clone())
-                .help("use about = \"turning\", a nonlinear study, or give the part a preload"));
+                .help("ask a nonlinear study or one in time, or give the part a preload"));
         }
     }
     let found = settle(system, Equilibrium::zero(system, Frame::Fixed, speed))?;
@@ -33,7 +33,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
                     format!("the machine has no rest: the force of \"{}\" turns with the rotor", slot.name),
                 )
                 .at(slot.span.clone())
-                .help("use about = \"turning\", or a study of the forced motion"));
+                .help("ask a study of the forced motion"));
             }
         }
     }

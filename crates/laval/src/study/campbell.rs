@@ -9,7 +9,7 @@
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
 use super::modes::THRESHOLD;
-use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -49,7 +49,8 @@ pub(super) fn special(c: &Critical) -> SpecialPoint {
 /// Damping ratio of a mode at its critical speed.
 pub(super) fn damping(c: &Critical) -> f64 {
     let size = c.growth.hypot(c.order * c.speed);
-    if size > 0.0 { -c.growth / size } else { 0.0 }
+    // what Newton's method leaves of a mode without damping is no damping
+    if c.growth.abs() > 1e-10 * size { -c.growth / size } else { 0.0 }
 }
 
 /// Table of critical speeds.
@@ -89,17 +90,10 @@ pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Resu
     let total = speeds.len() as u64;
     let found = sweep(system, &|w| rest(system, w), speeds, |k, solved| {
         context.progress.report(k as u64, total);
-        !context.cancelled() && solved < context.work_limit
+        context.goes_on(solved)
     })?;
     let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
-    let end = if whole {
-        End::Reached
-    } else if context.cancelled() {
-        End::Cancelled
-    } else {
-        End::MaxPoints
-    };
-    Ok((found, end))
+    Ok((found, context.end(whole)))
 }
 
 impl Study for Campbell {
@@ -111,6 +105,10 @@ impl Study for Campbell {
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
         Some(Campbell { speed, orders: orders(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, About::Rest, self.speed.from)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
@@ -157,7 +155,12 @@ impl Study for Campbell {
                 .special_point(special(c));
         }
         if crossings.is_empty() {
-            outcome = outcome.finding(Finding::info("no_critical_speed", "No frequency meets an excitation line in this range."));
+            let text = if end == End::Reached {
+                "No frequency meets an excitation line in this range."
+            } else {
+                "No frequency met an excitation line before the study stopped."
+            };
+            outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
         if let Some((k, (w, m))) = worst {

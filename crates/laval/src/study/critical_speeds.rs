@@ -10,7 +10,7 @@
 //! Sources: `theory/planar-rotor.md` sections 6 and 9.
 
 use super::campbell::{ORDERS, critical_table, damping, follow, orders, special};
-use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -51,6 +51,10 @@ impl Study for CriticalSpeeds {
         Some(CriticalSpeeds { speed, orders: orders(values), margin: values.number("margin").unwrap_or(0.15) })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, About::Rest, self.speed.from)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let state = |w: f64| rest(system, w);
         let (found, mut end) = follow(system, context, &self.speed.linspace(120))?;
@@ -61,11 +65,11 @@ impl Study for CriticalSpeeds {
         let forced = load.iter().any(|f| f.abs() > 0.0) && !bodies.is_empty() && end.is_complete();
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
-            let mut each = |done| !context.cancelled() && done < context.work_limit;
+            let mut each = |done| context.goes_on(done);
             speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
             let response = curve(system, &state, speeds, &at, &mut each)?;
             if !response.complete {
-                end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+                end = context.end(false);
             }
             response.extrema.into_iter().filter(|e| e.maximum).collect()
         } else {
@@ -88,6 +92,7 @@ impl Study for CriticalSpeeds {
                 })
             });
             let beside = match near {
+                Some(p) if p.unbounded => format!("; there the response of {} has no bound", bodies[p.body].name),
                 Some(p) => format!("; the response of {} peaks at {}", bodies[p.body].name, quantity(p.speed, "rad/s")),
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
@@ -147,7 +152,7 @@ impl Study for CriticalSpeeds {
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
             .text("body", "body", peaks.iter().map(|p| bodies[p.body].name.clone()).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
-            .float("amplitude", "m", "semi-major axis of the orbit", peaks.iter().map(|p| p.value).collect())
+            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound", peaks.iter().map(|p| p.value).collect())
             .build()
             .map_err(inconsistent)?;
         let mut panel =

@@ -75,6 +75,14 @@ impl Settings {
     }
 }
 
+/// The motion of this machine can be integrated in the way asked for.
+pub(super) fn admit(motion: &Motion, method: Choice) -> Result<(), Diagnostic> {
+    match motion.refuses_explicit() {
+        Some(d) if method == Choice::Explicit => Err(d),
+        _ => Ok(()),
+    }
+}
+
 /// What a name in a state map means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entry {
@@ -175,8 +183,8 @@ pub(super) fn ended(flight: &Flight) -> (End, Option<Finding>) {
         ode::End::Reached | ode::End::Event { .. } => (End::Reached, None),
         ode::End::Cancelled { .. } => (End::Cancelled, None),
         ode::End::WorkLimit { t } => {
-            let text = "The limit on the number of steps was reached at {}.";
-            (End::MaxPoints, Some(Finding::warning("work_limit", text).value(*t, "s")))
+            let text = "The limit on the number of steps (--work-limit) was reached at {}.";
+            (End::WorkLimit, Some(Finding::warning("work_limit", text).value(*t, "s")))
         }
         ode::End::StepTooSmall { t, .. } => {
             let text = "The integration could not go on at {}: no step, however short, met the tolerance. The motion may run away there.";

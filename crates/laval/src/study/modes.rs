@@ -9,7 +9,7 @@
 //!
 //! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
 
-use super::support::{ABOUT, About, SPEED, hertz, inconsistent, remarks, speed};
+use super::support::{ABOUT, About, ROUNDING, SPEED, admit_eigenvalues, hertz, inconsistent, remarks, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -52,13 +52,19 @@ impl Study for Modes {
         Some(Modes { speed, about: About::read(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, self.about, self.speed)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let about = self.about.find(system, self.speed, None)?;
         let spectrum = modes_about(system, &about, true)?;
         let modes = &spectrum.modes;
+        // beside the largest eigenvalue, what is smaller than this is rounding
+        let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + if m.error.is_nan() { 0.0 } else { m.error });
+        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -109,32 +115,37 @@ impl Study for Modes {
             .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0)
             .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()));
         if let Some((k, m)) = least {
+            let undamped = m.growth().abs() <= rounding;
             let text = format!(
-                "The least damped {}mode is mode {} at {} ({} whirl): damping ratio {{}}.",
+                "The least damped {}mode is mode {} at {} ({} whirl): {}.",
                 if any_unstable { "stable " } else { "" },
                 k + 1,
                 quantity(m.frequency(), "rad/s"),
-                m.whirl.word()
+                m.whirl.word(),
+                if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
-            outcome = outcome.finding(Finding::info("least_damped_mode", text).value(m.damping_ratio(), "").evidence(
-                "growth",
-                m.growth(),
-                "1/s",
-            ));
+            let ratio = if undamped { 0.0 } else { m.damping_ratio() };
+            outcome =
+                outcome.finding(Finding::info("least_damped_mode", text).value(ratio, "").evidence("growth", m.growth(), "1/s").evidence(
+                    "rounding of the eigenvalues",
+                    rounding,
+                    "1/s",
+                ));
         }
         if !any_unstable {
             let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
-            outcome = outcome.finding(
-                Finding::info(
-                    "stable",
-                    format!(
-                        "Stable at {}: no mode grows faster than {}; the largest growth rate is {{}}.",
-                        quantity(self.speed, "rad/s"),
-                        quantity(self.threshold, "1/s")
-                    ),
-                )
-                .value(largest, "1/s"),
-            );
+            let zero = largest.abs() <= rounding;
+            let (at, limit) = (quantity(self.speed, "rad/s"), quantity(self.threshold, "1/s"));
+            let text = if zero {
+                format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
+            } else {
+                format!("Stable at {at}: no mode grows faster than {limit}; the largest growth rate is {{}}.")
+            };
+            outcome = outcome.finding(Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s").evidence(
+                "rounding of the eigenvalues",
+                rounding,
+                "1/s",
+            ));
         }
         if wants_polish(system) {
             let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());

@@ -115,6 +115,11 @@ impl Study for RunUp {
         })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        history::admit(&motion, self.settings.method)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;

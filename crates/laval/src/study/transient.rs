@@ -121,6 +121,11 @@ impl Study for Transient {
         })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let motion = Motion::new(system, Motion::law_of(system, self.speed, self.settings.phase))?;
+        history::admit(&motion, self.settings.method)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
         let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
