@@ -1,6 +1,6 @@
 //! From a [`Spec`] to a machine and its studies, through the registries.
 
-use super::{Axis, Block, Catalog, Spec, read, read_bytes};
+use super::{Axis, Block, Catalog, Spec, held, read_bytes, reader};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::model::field::{Attach, Field, FieldKind, Value};
 use crate::model::part::{At, Rows};
@@ -94,10 +94,10 @@ pub fn catalog() -> Catalog {
 /// ```
 ///
 /// # Errors
-/// All mistakes that could be found, each at its place: those of reading together; when there are none, those of the parts and their
-/// joints; when there are none, those of the studies.
+/// All mistakes that could be found, each at its place: those of reading, and those of all studies when the parts can be read and joined;
+/// otherwise those of reading, or of the parts and their joints.
 pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
-    after_reading(read(text, &catalog()))
+    after_reading(reader::read_usable(text, &catalog()))
 }
 
 /// [`load`] for the bytes of a file; text that is not UTF-8 is one diagnostic.
@@ -105,13 +105,16 @@ pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
 /// # Errors
 /// As [`load`].
 pub fn load_bytes(bytes: &[u8]) -> Result<Loaded, Diagnostics> {
-    after_reading(read_bytes(bytes, &catalog()))
+    match std::str::from_utf8(bytes) {
+        Ok(text) => load(text),
+        Err(_) => after_reading(read_bytes(bytes, &catalog())),
+    }
 }
 
 fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Diagnostics> {
     match spec {
-        Some(spec) if !read.has_errors() => assemble(spec, read),
-        _ => Err(read),
+        Some(spec) => assemble(spec, read),
+        None => Err(read),
     }
 }
 
@@ -120,9 +123,12 @@ fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Di
 /// # Errors
 /// As [`load`].
 pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
-    let mut built = build_parts(&spec, &mut diagnostics);
-    check_joints(&spec, &built, &mut diagnostics);
-    if diagnostics.has_errors() {
+    let mut own = Diagnostics::default();
+    let mut built = build_parts(&spec, &mut own);
+    check_joints(&spec, &built, &mut own);
+    let wrong = own.has_errors();
+    diagnostics.0.append(&mut own.0);
+    if wrong {
         return Err(sorted(diagnostics));
     }
     let inputs = built.drain(..).flatten().collect();
@@ -143,6 +149,7 @@ pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diag
         }
     };
     check_finite(&system, &mut diagnostics);
+    held::check(&system, &mut diagnostics);
     let studies = build_studies(&spec, &system, &mut diagnostics);
     let warnings = sorted(diagnostics);
     if warnings.has_errors() { Err(warnings) } else { Ok(Loaded { spec, system, studies, warnings }) }
@@ -275,7 +282,7 @@ fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) ->
         let kind = registry.iter().find(|k| k.info.kind == block.kind)?;
         let mut own = Diagnostics::default();
         check_names(kind.info.fields.as_slice(), block, system, &mut own);
-        let built = if own.has_errors() { None } else { (kind.build)(&block.values, system, &mut own) };
+        let built = (kind.build)(&block.values, system, &mut own);
         if built.is_none() && !own.has_errors() {
             own.push(Diagnostic::error(
                 "study.incomplete",
@@ -297,11 +304,6 @@ fn check_names(fields: &[Field], block: &Block, system: &System, out: &mut Diagn
             (FieldKind::Coordinate, Some(Value::Text(name))) => coordinate(system, name, span(), out),
             (FieldKind::ParameterPath, Some(Value::Text(path))) if system.param(path).is_none() => {
                 out.push(system.unknown_param(path).at(span()).label("unknown parameter"));
-            }
-            (FieldKind::StateMap, Some(Value::StateMap(entries))) => {
-                for (name, _, place) in entries {
-                    coordinate(system, name.strip_suffix('\'').unwrap_or(name), Some(place.clone()), out);
-                }
             }
             _ => {}
         }

@@ -9,6 +9,12 @@ const MAX_BYTES: usize = 64 << 20;
 
 /// Reads a machine file. All mistakes are reported together, in the order of their places; there is a spec if none is an error.
 pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
+    let (spec, out) = read_usable(text, catalog);
+    (spec.filter(|_| !out.has_errors()), out)
+}
+
+/// As [`read`], but there is also a spec, without the studies concerned, when all mistakes lie inside studies.
+pub(super) fn read_usable(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
     let mut out = Diagnostics::default();
     if text.len() > MAX_BYTES {
         out.push(Diagnostic::error("file.size", format!("the file has {} MB; at most 64 MB are read", text.len() >> 20)));
@@ -24,11 +30,12 @@ pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
     }
     let (table, errors) = DeTable::parse_recoverable(text);
     let root = tree::from_table(table.into_inner());
-    let spec = blocks::read_tree(text, &root, catalog, &mut out);
+    let (spec, usable) = blocks::read_tree(text, &root, catalog, &mut out);
     if !errors.is_empty() {
         syntax::merge(text, &errors, &mut out);
     }
-    finish(spec, out)
+    out.sort_by_place();
+    ((usable && errors.is_empty()).then_some(spec), out)
 }
 
 /// [`read`] for the bytes of a file: text that is not UTF-8 is one diagnostic. Places are those in
@@ -61,11 +68,7 @@ pub fn read_json(value: &serde_json::Value, catalog: &Catalog) -> (Option<Spec>,
         out.push(Diagnostic::error("value.type", format!("a machine is an object with machine, part and study, not {}", node.shape())));
         return (None, out);
     };
-    let spec = blocks::read_tree("", root, catalog, &mut out);
-    finish(spec, out)
-}
-
-fn finish(spec: Spec, mut out: Diagnostics) -> (Option<Spec>, Diagnostics) {
+    let (spec, _) = blocks::read_tree("", root, catalog, &mut out);
     out.sort_by_place();
     let spec = (!out.has_errors()).then_some(spec);
     (spec, out)

@@ -16,6 +16,7 @@ use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::extrema::{Critical, criticals};
+use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Sweep, sweep};
 
@@ -51,6 +52,14 @@ pub(super) fn damping(c: &Critical) -> f64 {
     let size = c.growth.hypot(c.order * c.speed);
     // what Newton's method leaves of a mode without damping is no damping
     if c.growth.abs() > 1e-10 * size { -c.growth / size } else { 0.0 }
+}
+
+/// Damping of a crossing in words.
+pub(super) fn damping_words(c: &Critical) -> String {
+    match damping(c) {
+        0.0 => "undamped".into(),
+        d => format!("damping ratio {}", quantity(d, "")),
+    }
 }
 
 /// Table of critical speeds.
@@ -117,8 +126,17 @@ impl Study for Campbell {
         let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
         let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
         let label = |k: usize| {
-            let whirl = found.branches[k].points.iter().map(|p| p.1.whirl).find(|w| *w != crate::solve::pencil::Whirl::None);
-            format!("{} {}", k + 1, whirl.map_or("", |w| w.word()))
+            // a mode may change its direction on the way
+            let mut words: Vec<&str> =
+                found.branches[k].points.iter().map(|p| p.1.whirl).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
+            words.dedup();
+            let words = match words.as_slice() {
+                [] => "aperiodic".to_string(),
+                [one] => one.to_string(),
+                [first, .., last] if first != last => format!("{first} to {last}"),
+                [first, ..] => format!("mostly {first}"),
+            };
+            format!("{} {words}", k + 1)
         };
         let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= self.threshold + m.error;
         let table = Table::new("modes", "Modes followed over the spin speed")
@@ -145,13 +163,14 @@ impl Study for Campbell {
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
-            let text = format!("Order {} meets a {} mode at {{}}, damping ratio {}.", c.order, c.whirl.word(), quantity(damping(c), ""));
+            let text = format!("Order {} meets a {} mode at {{}}, {}.", c.order, c.whirl.word(), damping_words(c));
             outcome = outcome
-                .finding(Finding::info("critical_speed", text).value(c.speed, "rad/s").evidence("growth", c.growth, "1/s").evidence(
-                    "relative defect of the dynamic stiffness",
-                    c.defect,
-                    "",
-                ))
+                .finding(
+                    Finding::info("critical_speed", text)
+                        .value(c.speed, "rad/s")
+                        .evidence("relative defect of the dynamic stiffness", c.defect, "")
+                        .evidence("growth", c.growth, "1/s"),
+                )
                 .special_point(special(c));
         }
         if crossings.is_empty() {

@@ -9,7 +9,8 @@
 //!
 //! Sources: `theory/planar-rotor.md` sections 6 and 9.
 
-use super::campbell::{ORDERS, critical_table, damping, follow, orders, special};
+use super::campbell::{ORDERS, critical_table, damping, damping_words, follow, orders, special};
+use super::modes::WHIRLS;
 use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -97,12 +98,7 @@ impl Study for CriticalSpeeds {
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
             };
-            let text = format!(
-                "Critical speed of order {} at {{}} ({} whirl, damping ratio {}){beside}.",
-                c.order,
-                c.whirl.word(),
-                quantity(damping(c), "")
-            );
+            let text = format!("Critical speed of order {} at {{}} ({} whirl, {}){beside}.", c.order, c.whirl.word(), damping_words(c));
             let mut finding = Finding::info("critical_speed", text)
                 .value(c.speed, "rad/s")
                 .evidence("relative defect of the dynamic stiffness", c.defect, "")
@@ -134,9 +130,10 @@ impl Study for CriticalSpeeds {
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
                 let text = format!(
-                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}.",
+                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}{}.",
                     quantity(w, "rad/s"),
-                    quantity(c.speed, "rad/s")
+                    quantity(c.speed, "rad/s"),
+                    if c.order == 1.0 { String::new() } else { format!(" (order {})", c.order) }
                 );
                 let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
                 outcome = outcome.finding(finding.value(distance, "").shown_as(100.0 * distance, "%").evidence(
@@ -155,13 +152,15 @@ impl Study for CriticalSpeeds {
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound", peaks.iter().map(|p| p.value).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut panel =
-            Panel::new(Axis::new("damping ratio", "")).mark(Points::new("critical_speeds", "speed", "damping_ratio").group("whirl"));
+        let mut panel = Panel::new(Axis::new("damping ratio", ""))
+            .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
         if let Some(w) = system.machine.speed {
             panel = panel.mark(Rule::x(w, "operating speed"));
         }
         let alt = format!("Damping ratio at each of {} critical speeds.", crossings.len());
-        let figure = Figure::new("critical_speeds", "Critical speeds", alt).x(Axis::new("spin speed", "rad/s")).panel(panel);
+        let figure = Figure::new("critical_speeds", "Critical speeds", alt)
+            .x(Axis::new("spin speed", "rad/s").range(self.speed.from, self.speed.to))
+            .panel(panel);
         outcome.table(critical_table(&crossings)?).table(peak_table).figure(figure).checked().map_err(inconsistent)
     }
 }

@@ -6,8 +6,10 @@ pub mod forced_response;
 mod history;
 pub mod modes;
 pub mod nonlinear_response;
+mod passages;
 pub mod run_up;
 pub mod stability_map;
+mod start;
 pub mod support;
 pub mod transient;
 

@@ -13,9 +13,12 @@ use super::support::{ABOUT, About, ROUNDING, SPEED, admit_eigenvalues, hertz, in
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::part::DofKind;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
-use crate::solve::pencil::{MachineMode, Whirl, modes_about, wants_polish};
+use crate::solve::pencil::{Linearised, MachineMode, Whirl, modes_about, wants_polish};
+use laval_num::complex::C64;
+use laval_num::dense::Mat;
 
 /// See the [module](self).
 pub struct Modes {
@@ -83,6 +86,13 @@ impl Study for Modes {
             )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
         let bodies = system.bodies();
+        let tilts: Vec<bool> = system.coordinates().iter().map(|c| matches!(c.dof.kind, DofKind::TiltX | DofKind::TiltY)).collect();
+        if tilts.contains(&true) {
+            let mass = Linearised::new(system, &about)?.mass;
+            let share = |m: &MachineMode| tilt_share(&mass, &tilts, m);
+            let doc = "share of the tilts in the kinetic energy over a period; NaN where nothing with mass moves";
+            table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
+        }
         for body in &bodies {
             let relative = |m: &MachineMode| {
                 let largest = bodies.iter().map(|b| body_amplitude(m, b.x)).fold(0.0, f64::max);
@@ -165,11 +175,25 @@ impl Study for Modes {
         let alt = format!("{} modes at {}; {}.", modes.len(), quantity(self.speed, "rad/s"), worst_in_words(modes));
         let mut panel = Panel::new(Axis::new("growth rate", "1/s"));
         panel = panel.mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
-        panel = panel.mark(Points::new("modes", "frequency", "growth").group("whirl").filled_where("stable"));
+        panel = panel.mark(Points::new("modes", "frequency", "growth").classes("whirl", WHIRLS).filled_where("stable"));
         let figure = Figure::new("spectrum", "Natural modes", alt).x(Axis::new("frequency", "rad/s")).panel(panel);
         outcome.figure(figure).checked().map_err(inconsistent)
     }
 }
+
+/// Kinetic energy of the tilts over that of all coordinates; what couples a tilt to a displacement counts half for each.
+fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
+    let energy = |i: usize| {
+        let moved: C64 = (0..tilts.len()).map(|j| mode.q[j].scale(mass[(i, j)])).fold(C64::zero(), |a, b| a + b);
+        (mode.q[i].conj() * moved).re
+    };
+    let (tilt, all) =
+        (0..tilts.len()).map(|i| (energy(i), tilts[i])).fold((0.0, 0.0), |(t, a), (e, own)| (t + if own { e } else { 0.0 }, a + e));
+    if all > 0.0 { tilt / all } else { f64::NAN }
+}
+
+/// Directions of whirl as classes of figures.
+pub(super) const WHIRLS: &[&str] = &["forward", "backward", "mixed", "none"];
 
 fn direction(m: &MachineMode) -> &'static str {
     match m.whirl {

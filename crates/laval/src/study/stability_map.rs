@@ -320,16 +320,15 @@ impl StabilityMap {
             .x(speed_axis)
             .panel(
                 Panel::new(Axis::new("growth rate", "1/s"))
-                    .mark(Line::new("map", "speed", "growth"))
+                    .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
                     .mark(Rule::y(self.threshold, "threshold"))
                     .mark(Points::new("peaks", "speed", "growth").name("peak"))
                     .mark(Points::new("boundary", "speed", "growth").name("boundary")),
             )
-            .panel(Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(Line::new(
-                "map",
-                "speed",
-                "frequency",
-            )))
+            .panel(
+                Panel::new(Axis::new("frequency of the strongest mode", "rad/s"))
+                    .mark(Line::new("map", "speed", "frequency").name("its frequency")),
+            )
         };
         Ok(outcome.figure(figure))
     }
