@@ -56,6 +56,14 @@ impl Loaded {
             }
         }
         for r in &mut out {
+            // only some studies can be asked about another state
+            let about = |k: &&usize| self.spec.study(&self.studies[**k].name).is_some_and(|b| b.values.get("about").is_some());
+            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning")
+                && let Some(&k) = r.studies.iter().find(about)
+            {
+                let help = r.diagnostic.help.get_or_insert_default();
+                *help = format!("give study \"{}\" about = \"turning\"; or {help}", self.studies[k].name);
+            }
             let names: Vec<String> = r.studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
             let word = if names.len() == 1 { "study" } else { "studies" };
             r.diagnostic.message = format!("{word} {}: {}", names.join(", "), r.diagnostic.message);
@@ -107,13 +115,13 @@ pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
 pub fn load_bytes(bytes: &[u8]) -> Result<Loaded, Diagnostics> {
     match std::str::from_utf8(bytes) {
         Ok(text) => load(text),
-        Err(_) => after_reading(read_bytes(bytes, &catalog())),
+        Err(_) => Err(read_bytes(bytes, &catalog()).1),
     }
 }
 
-fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Diagnostics> {
+fn after_reading((spec, read): (Option<(Spec, Vec<Block>)>, Diagnostics)) -> Result<Loaded, Diagnostics> {
     match spec {
-        Some(spec) => assemble(spec, read),
+        Some((spec, doubtful)) => assemble_with(spec, &doubtful, read),
         None => Err(read),
     }
 }
@@ -122,7 +130,12 @@ fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Di
 ///
 /// # Errors
 /// As [`load`].
-pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
+pub fn assemble(spec: Spec, diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
+    assemble_with(spec, &[], diagnostics)
+}
+
+/// `doubtful` are studies that could be read in part.
+fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
     let mut own = Diagnostics::default();
     let mut built = build_parts(&spec, &mut own);
     check_joints(&spec, &built, &mut own);
@@ -151,6 +164,12 @@ pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diag
     check_finite(&system, &mut diagnostics);
     held::check(&system, &mut diagnostics);
     let studies = build_studies(&spec, &system, &mut diagnostics);
+    for block in doubtful {
+        let mut own = Diagnostics::default();
+        study::check_starts(&block.values, &system, &mut own);
+        place(&mut own, block);
+        diagnostics.0.append(&mut own.0);
+    }
     let warnings = sorted(diagnostics);
     if warnings.has_errors() { Err(warnings) } else { Ok(Loaded { spec, system, studies, warnings }) }
 }
@@ -423,6 +442,23 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         let tilting = MACHINE
             .replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]")
             .replace("mass = \"2.4 kg\"", "mass = \"2.4 kg\"\ndiametral_inertia = 0.01\npolar_inertia = 0.015");
-        assert_eq!(load(&tilting).unwrap_or_else(|d| panic!("{d:?}")).warnings.0, []);
+        // the position counts; but one bearing holds no disc upright
+        let l = load(&tilting).unwrap_or_else(|d| panic!("{d:?}"));
+        assert_eq!(l.warnings.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.free"]);
+    }
+
+    #[test]
+    fn studies_that_refuse_for_one_reason_are_told_once() {
+        let hertz =
+            "[[part]]\nkind = \"bearing_hertz\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\n";
+        let studies = "[[study]]\nkind = \"modes\"\n[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";
+        let l = load(&format!("{MACHINE}{hertz}{studies}")).unwrap_or_else(|d| panic!("{d:?}"));
+        let r = l.refusals();
+        assert_eq!(r.len(), 1, "{r:?}");
+        assert_eq!(r[0].studies, [1, 2]);
+        assert!(r[0].diagnostic.message.starts_with("studies \"modes\", \"campbell\": "), "{:?}", r[0].diagnostic);
+        // campbell knows no other state
+        assert!(r[0].diagnostic.help.as_deref().is_some_and(|h| h.starts_with("give study \"modes\" about")), "{:?}", r[0].diagnostic);
+        assert!(load(MACHINE).unwrap_or_else(|d| panic!("{d:?}")).refusals().is_empty());
     }
 }

@@ -102,14 +102,21 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
     out
 }
 
+/// Frequency above which no mode can meet an excitation of this frequency on its way through the speeds computed.
+pub fn above(excitation: f64) -> f64 {
+    2.0 * excitation
+}
+
 /// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` is told the spectra computed
 /// so far and stops the search by saying false.
 ///
 /// # Errors
 /// As the spectrum.
 pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn FnMut(u64) -> bool) -> Result<Vec<f64>, Diagnostic> {
-    let speeds = crate::model::field::RangeValue { from, to, points: None }.linspace(60);
-    let found = sweep(system, state, &speeds, |_, solved| each(solved))?;
+    // eigenvalues of a large machine are dear, and between far speeds the sweep halves by itself where shapes mix
+    let points = if system.n() > 40 { 20 } else { 60 };
+    let speeds = crate::model::field::RangeValue { from, to, points: Some(points) }.linspace(points);
+    let found = sweep(system, state, &speeds, above(from.abs().max(to.abs())), |_, solved| each(solved))?;
     let mut out = Vec::new();
     for c in criticals(system, state, &found, &[1.0]) {
         let width = c.growth.abs().max(1e-9 * c.speed.abs());

@@ -94,10 +94,10 @@ pub struct Campbell {
     pub threshold: f64,
 }
 
-/// Modes followed over the speeds of a range, and how the work ended.
-pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Result<(Sweep, End), Diagnostic> {
+/// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
+pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
-    let found = sweep(system, &|w| rest(system, w), speeds, |k, solved| {
+    let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
         context.goes_on(solved)
     })?;
@@ -121,7 +121,7 @@ impl Study for Campbell {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let (found, end) = follow(system, context, &self.speed.linspace(120))?;
+        let (found, end) = follow(system, context, &self.speed.linspace(120), f64::INFINITY)?;
         let crossings = criticals(system, &|w| rest(system, w), &found, &self.orders);
         let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
         let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();

@@ -18,7 +18,7 @@ use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
-use crate::solve::extrema::{criticals, curve, seeds};
+use crate::solve::extrema::{above, criticals, curve, seeds};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 
@@ -58,7 +58,8 @@ impl Study for CriticalSpeeds {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let state = |w: f64| rest(system, w);
-        let (found, mut end) = follow(system, context, &self.speed.linspace(120))?;
+        let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
+        let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let crossings = criticals(system, &state, &found, &self.orders);
         let bodies = system.bodies();
         let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
@@ -98,7 +99,7 @@ impl Study for CriticalSpeeds {
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
             };
-            let text = format!("Critical speed of order {} at {{}} ({} whirl, {}){beside}.", c.order, c.whirl.word(), damping_words(c));
+            let text = format!("Critical speed of order {} at {{}}: {} whirl, {}{beside}.", c.order, c.whirl.word(), damping_words(c));
             let mut finding = Finding::info("critical_speed", text)
                 .value(c.speed, "rad/s")
                 .evidence("relative defect of the dynamic stiffness", c.defect, "")

@@ -104,7 +104,7 @@ mod tests {
     }
     /// A resonance at `at` that leaves a free vibration beating against the forced motion.
     fn beating(t: f64, at: f64, size: f64) -> f64 {
-        let decay = if t > at { (-(t - at) / 12.0).exp() } else { 0.0 };
+        let decay = if t >= at { (-(t - at) / 12.0).exp() } else { 0.0 };
         let beat = 0.5 * (t - at) * (t - at);
         size * (if t < at { bell(t, at, 2.0) } else { decay * (0.55 + 0.45 * beat.cos()) })
     }
@@ -136,10 +136,10 @@ mod tests {
 
     #[test]
     fn an_ellipse_has_no_ripple() {
-        // two maxima a turn, eight windows a turn
-        let windows: Vec<Window> = (0..800)
+        // two maxima a turn, dozens of windows a turn
+        let windows: Vec<Window> = (0..4000)
             .map(|k| {
-                let t = 40.0 + k as f64 * 0.02;
+                let t = 40.0 + k as f64 * 0.002;
                 let amplitude = 1.0 + 0.5 * (2.0 * spin(t).phase).cos();
                 Window { peak: Peak { amplitude, t }, angle: 0.0, last: t }
             })

@@ -57,11 +57,7 @@ impl About {
     /// As [`rest::rest`] and [`turning::turning`].
     pub fn find(self, system: &System, speed: f64, before: Option<&Equilibrium>) -> Result<Equilibrium, Diagnostic> {
         match self {
-            About::Rest => rest::rest(system, speed).map_err(|d| {
-                let turning = matches!(d.code, "rest.refused" | "rest.turning");
-                let help = d.help.clone().unwrap_or_default();
-                if turning { d.help(format!("use about = \"turning\", or {help}")) } else { d }
-            }),
+            About::Rest => rest::rest(system, speed),
             About::Turning => turning::turning(system, speed, before.cloned()),
         }
     }
