@@ -42,6 +42,9 @@ fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<Strin
     // optional keys are remarks in an example; a disc tilts only with them
     let own = if kind.kind == "disc" { body("the part") } else { docs::example("part", kind).replacen('\n', "\nname = \"the part\"\n", 2) };
     let own = own.replacen("[[part]]\nname = \"the part\"\n", "[[part]]\n", 1);
+    // the usual radius of an example is that of the cavity itself
+    let fill = |l: &str| if l.starts_with("fill =") { "fill = { volume_fraction = 0.5 }".to_string() } else { l.to_string() };
+    let own: String = own.lines().map(|l| fill(l) + "\n").collect();
     let text = format!("[machine]\nspeed = \"100 rad/s\"\n{}{}{own}", body("drum"), body("base"));
     let loaded = laval::file::load(&text).ok()?;
     let slot = loaded.system.slots().iter().position(|s| s.name == "the part")?;

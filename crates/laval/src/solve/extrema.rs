@@ -219,7 +219,7 @@ pub fn curve(
             let bracket = (p[0].speed, p[2].speed);
             let tolerance = 1e-10 * bracket.1.abs();
             if let Some((speed, v)) = maximum(|w| value(w).map(|x| sign * x.ln()), bracket.0, bracket.1, tolerance) {
-                let unbounded = up && pole(&value, speed);
+                let unbounded = up && pole(value, speed);
                 found.push(Extremum { body, maximum: up, speed, value: (sign * v).exp(), unbounded, bracket });
             }
         }

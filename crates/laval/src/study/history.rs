@@ -1,6 +1,7 @@
 //! What the studies in time share: their common fields, tables and figures of the motion, energy, and the sentences about them.
 
 use super::Context;
+use super::start::Start;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{Physics, TimeForm};
@@ -76,14 +77,14 @@ pub(super) fn admit(motion: &Motion, method: Choice) -> Result<(), Diagnostic> {
     }
 }
 
-/// Displacement that the tolerance of the integration cannot tell from none, m: typical displacements are 1 mm.
-pub(super) fn negligible(settings: &Settings) -> f64 {
-    1e-3 * settings.absolute
+/// Displacement that the tolerance of the integration cannot tell from none, m: typical displacements are 1 mm, beside the sag.
+pub(super) fn negligible(settings: &Settings, start: &Start) -> f64 {
+    1e-3 * settings.absolute + settings.relative * start.rest.iter().fold(0.0, |m: f64, q| m.max(q.abs()))
 }
 
-/// The largest displacement of a body in a sentence.
-pub(super) fn largest(body: &str, amplitude: f64, settings: &Settings) -> Finding {
-    if amplitude <= negligible(settings) {
+/// The largest displacement of a body in a sentence; up to `still` it is none.
+pub(super) fn largest(body: &str, amplitude: f64, still: f64) -> Finding {
+    if amplitude <= still {
         let text = format!("\"{body}\" does not move from its place of rest, to the tolerance of the integration.");
         return Finding::info("largest_displacement", text).value(0.0, "m");
     }

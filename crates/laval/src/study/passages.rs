@@ -17,12 +17,12 @@ const BEAT: f64 = 1.25 * PI;
 pub(super) fn envelope(windows: &[Window], spin: &dyn Fn(f64) -> Spin) -> Vec<Peak> {
     let peaks: Vec<Peak> = windows.iter().map(|w| w.peak).take_while(|p| p.amplitude.is_finite()).collect();
     let angles: Vec<f64> = peaks.iter().map(|p| spin(p.t).phase).collect();
-    widened(&peaks, &angles, PI)
+    widened(&peaks, &angles, PI, 0)
 }
 
-/// The largest of the neighbours whose angle differs by at most `reach`.
-fn widened(peaks: &[Peak], angles: &[f64], reach: f64) -> Vec<Peak> {
-    let near = |k: usize, i: &usize| (angles[*i] - angles[k]).abs() <= reach;
+/// The largest of the neighbours whose angle differs by at most `reach`, and of so many on either side in any case.
+fn widened(peaks: &[Peak], angles: &[f64], reach: f64, least: usize) -> Vec<Peak> {
+    let near = |k: usize, i: &usize| k.abs_diff(*i) <= least || (angles[*i] - angles[k]).abs() <= reach;
     let larger = |a: Peak, i: usize| if peaks[i].amplitude > a.amplitude { peaks[i] } else { a };
     let one = |k: usize| {
         let left = (0..k).rev().take_while(|i| near(k, i)).fold(peaks[k], larger);
@@ -36,14 +36,9 @@ pub(super) fn passages(envelope: &[Peak], spin: &dyn Fn(f64) -> Spin) -> Vec<usi
     let mut out: Vec<usize> = Vec::new();
     let beats = |stretch: &[Peak], reference: f64| {
         let angles: Vec<f64> = stretch.iter().map(|p| spin(p.t).phase - reference * p.t).collect();
-        widened(stretch, &angles, BEAT)
+        widened(stretch, &angles, BEAT, 1)
     };
-    // the last beat before the record ends is no peak of their envelope
-    let stands = |k: &usize| {
-        let all = beats(envelope, spin(envelope[*k].t).speed);
-        falls(all[..*k].iter().rev(), envelope[*k].amplitude) && falls(all[*k + 1..].iter(), envelope[*k].amplitude)
-    };
-    for k in prominent(envelope).into_iter().filter(stands) {
+    for k in prominent(envelope) {
         let Some(&before) = out.last() else {
             out.push(k);
             continue;
@@ -51,7 +46,9 @@ pub(super) fn passages(envelope: &[Peak], spin: &dyn Fn(f64) -> Spin) -> Vec<usi
         let (a, b) = (envelope[before].amplitude, envelope[k].amplitude);
         let reference = spin(envelope[before].t).speed;
         let stretch = &envelope[before..=k];
-        let saddle = beats(stretch, reference).iter().map(|p| p.amplitude).fold(f64::INFINITY, f64::min);
+        // free vibration decays: what is higher than the peak before it is no beat of that
+        let between = if b > a { stretch.to_vec() } else { beats(stretch, reference) };
+        let saddle = between.iter().map(|p| p.amplitude).fold(f64::INFINITY, f64::min);
         if saddle <= PROMINENT * a.min(b) {
             out.push(k);
         } else if b > a {

@@ -126,6 +126,7 @@ impl Study for RunUp {
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         let start = Start::new(system, self.programme.at(0.0).speed);
         start.write(&self.initial, &mut y);
+        let still = history::negligible(s, &start);
         let outputs = history::spaced(self.t_end, s.points);
         let plan = Plan {
             t_end: self.t_end,
@@ -150,7 +151,7 @@ impl Study for RunUp {
         for f in stopped.into_iter().chain(start.finding) {
             outcome = outcome.finding(f);
         }
-        outcome = self.peaks(system, &flight, outcome);
+        outcome = self.peaks(system, &flight, still, outcome);
         outcome = self.drive(&mut motion, &flight, outcome)?;
         let balance = history::balance(&mut motion, &flight)?;
         if let Some(b) = &balance {
@@ -232,12 +233,12 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 
 impl RunUp {
     /// Largest displacements and the passages through resonances.
-    fn peaks(&self, system: &System, flight: &Flight, mut outcome: Outcome) -> Outcome {
+    fn peaks(&self, system: &System, flight: &Flight, still: f64, mut outcome: Outcome) -> Outcome {
         for ((b, peak), windows) in system.bodies().iter().zip(&flight.peaks).zip(&flight.windows) {
             let speed = self.programme.at(peak.t).speed;
-            let largest = history::largest(&b.name, peak.amplitude, &self.settings);
+            let largest = history::largest(&b.name, peak.amplitude, still);
             outcome = outcome.finding(largest.evidence("at speed", speed, "rad/s").evidence("at time", peak.t, "s"));
-            if peak.amplitude <= history::negligible(&self.settings) {
+            if peak.amplitude <= still {
                 continue;
             }
             let spin = |t: f64| self.programme.at(t);

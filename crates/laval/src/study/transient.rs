@@ -188,14 +188,15 @@ impl Study for Transient {
 impl Transient {
     fn findings(&self, motion: &Motion, flight: &Flight, start: &Start) -> Vec<Finding> {
         let system = motion.system();
+        let still = history::negligible(&self.settings, start);
         let mut out = Vec::new();
         for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
-            out.push(history::largest(&b.name, peak.amplitude, &self.settings).evidence("reached at", peak.t, "s"));
+            out.push(history::largest(&b.name, peak.amplitude, still).evidence("reached at", peak.t, "s"));
         }
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
             let away = (x - start.rest[b.x]).hypot(y - start.rest[b.x + 1]);
-            if away <= history::negligible(&self.settings) {
+            if away <= still {
                 continue;
             }
             let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
@@ -215,7 +216,7 @@ impl Transient {
             |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
         let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
         if let Some((body, windows)) = loudest
-            && last(windows) > history::negligible(&self.settings)
+            && last(windows) > still
         {
             let Some(g) = growth(windows, std::f64::consts::TAU / self.speed.abs()) else {
                 let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
