@@ -77,9 +77,11 @@ pub(super) fn admit(motion: &Motion, method: Choice) -> Result<(), Diagnostic> {
     }
 }
 
-/// Displacement that the tolerance of the integration cannot tell from none, m: typical displacements are 1 mm, beside the sag.
+/// Displacement that the integration cannot tell from none, m: a hundred times the tolerance of one step, for a typical displacement of 1 mm beside the sag.
+/// At rest no error shortens the steps, and they grow to the border of stability, where noise of some tolerances stays alive.
 pub(super) fn negligible(settings: &Settings, start: &Start) -> f64 {
-    1e-3 * settings.absolute + settings.relative * start.rest.iter().fold(0.0, |m: f64, q| m.max(q.abs()))
+    let sag = start.rest.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
+    100.0 * (1e-3 * settings.absolute + settings.relative * sag)
 }
 
 /// The largest displacement of a body in a sentence; up to `still` it is none.

@@ -90,8 +90,12 @@ mod tests {
     fn spin(t: f64) -> Spin {
         Spin { phase: 0.5 * t * t, speed: t, accel: 1.0 }
     }
+    /// The largest in each window of 0.1 s: beats that are faster do not show.
     fn sampled(amplitude: impl Fn(f64) -> f64) -> Vec<Peak> {
-        (0..1000).map(|k| 0.1 * k as f64).map(|t| Peak { amplitude: amplitude(t), t }).collect()
+        let probe = |t: f64| Peak { amplitude: amplitude(t), t };
+        let largest = |a: Peak, b: Peak| if b.amplitude > a.amplitude { b } else { a };
+        let window = |k: usize| (0..50).map(|i| probe(0.1 * k as f64 + 0.002 * i as f64)).fold(Peak::default(), largest);
+        (0..1000).map(window).collect()
     }
     fn speeds(e: &[Peak]) -> Vec<f64> {
         passages(e, &spin).into_iter().map(|k| spin(e[k].t).speed).collect()
