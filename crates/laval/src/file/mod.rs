@@ -12,6 +12,7 @@ pub mod writer;
 
 mod blocks;
 mod declared;
+mod held;
 mod syntax;
 mod tree;
 mod values;
@@ -19,7 +20,7 @@ mod values;
 #[cfg(test)]
 mod tests;
 
-pub use assemble::{Loaded, NamedStudy, assemble, catalog, load, load_bytes};
+pub use assemble::{Loaded, NamedStudy, Refusal, assemble, catalog, load, load_bytes};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{write, write_json};
