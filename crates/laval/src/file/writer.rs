@@ -174,6 +174,20 @@ pub fn write_json(spec: &Spec) -> Json {
     json!({ "machine": machine, "part": blocks(&spec.parts), "study": blocks(&spec.studies) })
 }
 
+/// All in a file that settles the numbers of one study: the machine without its title, the parts, and the study without its name.
+pub fn canonical(spec: &Spec, study: &str) -> Json {
+    let mut all = write_json(&Spec { machine: spec.machine.clone(), parts: spec.parts.clone(), studies: spec.study(study).cloned().into_iter().collect() });
+    if let Some(machine) = all["machine"].as_object_mut() {
+        machine.shift_remove("name");
+    }
+    let mut study = all["study"][0].take();
+    if let Some(study) = study.as_object_mut() {
+        study.shift_remove("name");
+    }
+    all["study"] = study;
+    all
+}
+
 fn json_value(name: &str, value: &Value, values: &Values) -> Json {
     let point = |a: &Attach| match &a.body {
         None => json!("ground"),
