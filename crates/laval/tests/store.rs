@@ -57,7 +57,8 @@ impl Progress for Told {
 }
 
 fn plan() -> Plan {
-    let columns = vec![Column::float("x", "m", "end of an orbit"), Column::int("steps", "", "number of steps"), Column::text("why", "cause")];
+    let columns =
+        vec![Column::float("x", "m", "end of an orbit"), Column::int("steps", "", "number of steps"), Column::text("why", "cause")];
     Plan { study: "orbits".into(), columns, rows: ROWS, chunk: CHUNK, level: "base".into() }
 }
 

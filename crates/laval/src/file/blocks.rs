@@ -1,7 +1,7 @@
 //! The blocks of a file: which exist, their kinds, names and keys.
 
 use super::tree::{Data, Entry, Node, get};
-use super::values::{Context, clip, suggestion};
+use super::values::{Context, StudyTable, clip, suggestion};
 use super::{Axis, Block, Catalog, MACHINE_FIELDS, MachineBlock, Spec};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
@@ -34,25 +34,27 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     }
     let names: Vec<(String, &'static str)> = parts_raw.iter().map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
     let machine = read_machine(text, root, catalog, &names, out);
-    let mut blocks = |raw: Vec<Raw>| -> Vec<Block> {
-        let read = |b: Raw| {
+    let studies: Vec<StudyTable> =
+        studies_raw.iter().map(|b| StudyTable { name: &b.name, info: b.info, table: b.table, span: b.span.clone() }).collect();
+    let mut blocks = |raw: &[Raw]| -> Vec<Block> {
+        let read = |b: &Raw| {
             let info = b.info?;
             let mut values = Values::default();
             values.span = b.span.clone();
-            let mut cx = Context { text, catalog, parts: &names, out, who: &b.who };
+            let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
             read_fields(&mut cx, &info.fields, &["kind", "name"], b.table, b.span.clone(), &mut values);
             Some(Block {
                 kind: info.kind,
-                name: b.name,
+                name: b.name.clone(),
                 values,
-                span: b.span,
+                span: b.span.clone(),
                 kind_span: get(b.table, "kind").and_then(|e| e.node.span.clone()),
                 name_span: get(b.table, "name").and_then(|e| e.node.span.clone()),
             })
         };
-        raw.into_iter().filter_map(read).collect()
+        raw.iter().filter_map(read).collect()
     };
-    Spec { machine, parts: blocks(parts_raw), studies: blocks(studies_raw) }
+    Spec { machine, parts: blocks(&parts_raw), studies: blocks(&studies_raw) }
 }
 
 fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
@@ -167,7 +169,7 @@ fn gather<'n, 'a>(root: &'n [Entry<'a>], what: &'static str, known: &'n [KindInf
     blocks
 }
 
-fn read_kind<'n>(
+pub(super) fn read_kind<'n>(
     table: &[Entry],
     span: Option<Span>,
     what: &str,
@@ -239,7 +241,7 @@ pub(super) fn valid_name(t: &str) -> bool {
     t.len() <= MAX_NAME && t.starts_with(|c: char| c.is_ascii_alphanumeric()) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
 }
 
-fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
+pub(super) fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
     for e in table {
         if implicit.contains(&e.key.as_ref()) {
             continue;
@@ -307,7 +309,7 @@ fn read_machine(text: &str, root: &[Entry], catalog: &Catalog, parts: &[(String,
         }
     };
     let mut values = Values::default();
-    let mut cx = Context { text, catalog, parts, out, who: "[machine]" };
+    let mut cx = Context { text, catalog, parts, studies: &[], out, who: "[machine]" };
     read_fields(&mut cx, MACHINE_FIELDS, &[], table, e.node.span.clone(), &mut values);
     MachineBlock {
         name: values.text("name").unwrap_or_default().to_string(),

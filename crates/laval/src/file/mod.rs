@@ -12,6 +12,7 @@ pub mod writer;
 
 mod blocks;
 mod declared;
+mod nested;
 mod syntax;
 mod tree;
 mod values;

@@ -49,7 +49,7 @@ pub use parquet::parquet;
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
-pub use write::{Format, WriteError, write, folders};
+pub use write::{Format, WriteError, folders, write};
 
 use crate::outcome::Outcome;
 

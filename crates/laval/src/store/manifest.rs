@@ -144,10 +144,7 @@ mod tests {
         assert_eq!((a.input_hash.clone(), a.differences(&b)), (b.input_hash, vec![]));
         let c = manifest(json!({"a": 1.5, "part": [{"name": "drum", "mass": 2.0000000000000004, "speed": "x"}]}));
         assert_ne!(a.input_hash, c.input_hash);
-        assert_eq!(
-            a.differences(&c),
-            ["part.drum.mass was 2.0, now 2.0000000000000004", "part.drum.speed was not given, now \"x\""]
-        );
+        assert_eq!(a.differences(&c), ["part.drum.mass was 2.0, now 2.0000000000000004", "part.drum.speed was not given, now \"x\""]);
     }
 
     #[test]

@@ -149,11 +149,13 @@ impl Study for Campbell {
         for c in &crossings {
             let text = format!("Order {} meets a {} mode at {{}}, damping ratio {}.", c.order, c.whirl.word(), quantity(damping(c), ""));
             outcome = outcome
-                .finding(Finding::info("critical_speed", text).value(c.speed, "rad/s").evidence("growth", c.growth, "1/s").evidence(
-                    "relative defect of the dynamic stiffness",
-                    c.defect,
-                    "",
-                ))
+                .finding(
+                    Finding::info("critical_speed", text)
+                        .of(format!("order {} {}", c.order, c.whirl.word()))
+                        .value(c.speed, "rad/s")
+                        .evidence("growth", c.growth, "1/s")
+                        .evidence("relative defect of the dynamic stiffness", c.defect, ""),
+                )
                 .special_point(special(c));
         }
         if crossings.is_empty() {

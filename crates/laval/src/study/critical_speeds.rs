@@ -99,6 +99,7 @@ impl Study for CriticalSpeeds {
                 quantity(damping(c), "")
             );
             let mut finding = Finding::info("critical_speed", text)
+                .of(format!("order {} {}", c.order, c.whirl.word()))
                 .value(c.speed, "rad/s")
                 .evidence("relative defect of the dynamic stiffness", c.defect, "")
                 .evidence("last Newton step", c.step, "rad/s");

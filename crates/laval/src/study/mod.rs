@@ -10,6 +10,7 @@ pub mod run_up;
 pub mod stability_map;
 pub mod support;
 pub mod transient;
+pub mod uncertainty;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
@@ -140,6 +141,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
+        kind::<uncertainty::Uncertainty>(),
     ]
 }
 

@@ -248,6 +248,7 @@ impl RunUp {
             let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
             outcome = outcome.finding(
                 Finding::info("largest_displacement", text)
+                    .of(&b.name)
                     .value(peak.amplitude, "m")
                     .evidence("at speed", speed, "rad/s")
                     .evidence("at time", peak.t, "s"),
@@ -263,6 +264,7 @@ impl RunUp {
                 outcome = outcome
                     .finding(
                         Finding::info("peak", text)
+                            .of(&b.name)
                             .value(at, "rad/s")
                             .evidence("amplitude", p.amplitude, "m")
                             .evidence("at time", p.t, "s"),

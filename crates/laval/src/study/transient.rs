@@ -183,16 +183,22 @@ impl Transient {
         let mut out = Vec::new();
         for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
             let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
-            out.push(Finding::info("largest_displacement", text).value(peak.amplitude, "m").evidence("reached at", peak.t, "s"));
+            out.push(Finding::info("largest_displacement", text).of(&b.name).value(peak.amplitude, "m").evidence(
+                "reached at",
+                peak.t,
+                "s",
+            ));
         }
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
             let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
-            out.push(Finding::info("end_state", text).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence(
-                "t",
-                flight.run.t,
-                "s",
-            ));
+            out.push(
+                Finding::info("end_state", text).of(&b.name).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence(
+                    "t",
+                    flight.run.t,
+                    "s",
+                ),
+            );
         }
         if system.machine.drive == Drive::Free {
             let speed = motion.spin(flight.run.t, &flight.state).speed;
