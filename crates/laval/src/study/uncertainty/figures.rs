@@ -107,7 +107,7 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
     }
     for (j, (kind, values)) in bars.kinds.iter().enumerate() {
         let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
-        let (mut at, mut centre, mut end) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut at, mut centre) = (Vec::new(), Vec::new());
         for (p, v) in values.iter().enumerate() {
             let top = (k - p) as f64 + 0.4 - j as f64 * each;
             x.extend([0.0, v.value, f64::NAN]);
@@ -115,7 +115,6 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
             high.extend([top; 3]);
             at.extend([v.low, v.high, f64::NAN]);
             centre.extend([top - 0.5 * each; 3]);
-            end.push((v.value, top - 0.5 * each));
         }
         let table = format!("{what} {name} {kind}");
         let shape = Table::new(&table, format!("Bars of the figure: {kind} of {name}"))
@@ -126,7 +125,9 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
             .float("centre", "", "middle of the bar", centre)
             .build()
             .map_err(inconsistent)?;
-        panel = panel.mark(Band::between(&table, "x", "low", "high").name(*kind)).mark(Line::new(&table, "interval", "centre"));
+        panel = panel
+            .mark(Band::between(&table, "x", "low", "high").name(*kind))
+            .mark(Line::new(&table, "interval", "centre").name("95 % interval"));
         outcome = outcome.table(shape);
     }
     let alt = format!("{} of {name}: one bar for each of {k} parameters.", bars.title);

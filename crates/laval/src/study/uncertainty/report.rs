@@ -253,7 +253,7 @@ fn sensitivity(
         let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
         if let Some((p, i)) = most {
             let text = format!(
-                "{name} depends most on {}: its total index is {{}}, {} of it alone.",
+                "{name} depends most on {}: total index {{}}, first-order index {}.",
                 study.parameters[p].path,
                 significant(i.first.value)
             );
