@@ -5,7 +5,6 @@
 #![warn(missing_docs)]
 
 mod check;
-mod hash;
 mod input;
 mod new;
 mod progress;

@@ -1,13 +1,14 @@
 //! `laval run`.
 
-use crate::hash::sha256;
 use crate::input::{self, Input};
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
 use laval::diagnostic::{Diagnostic, Diagnostics, nearest};
-use laval::file::{Loaded, NamedStudy};
+use laval::file::{self, Loaded, NamedStudy};
+use laval::hash::sha256;
 use laval::outcome::{End, Finding, Outcome};
 use laval::report::{self, Format, Provenance, Report, WriteError};
+use laval::store::Keep;
 use laval::study::Context;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -31,6 +32,9 @@ pub struct Args {
     /// End each study after this many steps
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     work_limit: Option<u64>,
+    /// Remove what the folder holds of long studies and start them anew, instead of going on with them
+    #[arg(long)]
+    fresh: bool,
     /// Print nothing but what is wrong
     #[arg(long, short)]
     quiet: bool,
@@ -189,7 +193,14 @@ impl<'a> Run<'a> {
 
     fn study(&mut self, named: &NamedStudy) {
         let bar = Bar::new(&named.name, self.args.quiet);
-        let context = Context { name: &named.name, cancel: &CANCEL, progress: &bar, work_limit: self.args.work_limit.unwrap_or(u64::MAX) };
+        let keep = self.keep(named);
+        let context = Context {
+            name: &named.name,
+            cancel: &CANCEL,
+            progress: &bar,
+            work_limit: self.args.work_limit.unwrap_or(u64::MAX),
+            keep: keep.as_ref(),
+        };
         let result = guarded(|| named.study.run(&self.loaded.system, &context));
         bar.finish();
         let outcome = match result {
@@ -208,6 +219,15 @@ impl<'a> Run<'a> {
         let mut one = Report { outcomes: vec![outcome], ..Report::default() };
         self.paragraph(&report::terminal(&one, terminal::findings()));
         self.report.outcomes.append(&mut one.outcomes);
+    }
+
+    /// Where a long study keeps its rows.
+    fn keep(&self, named: &NamedStudy) -> Option<Keep> {
+        let names = self.loaded.spec.studies.iter().map(|b| b.name.as_str());
+        let folders = report::folders(names.clone());
+        let at = names.into_iter().position(|n| n == named.name)?;
+        let input = file::canonical(&self.loaded.spec, &named.name);
+        Some(Keep { folder: self.dir.join(&folders[at]), input, fresh: self.args.fresh })
     }
 
     fn paragraph(&mut self, text: &str) {

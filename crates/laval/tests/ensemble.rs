@@ -70,6 +70,7 @@ fn alone(m: &Member, outputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
         outputs,
         windows: 1,
         kick: None,
+        rest: &[],
         max_steps: u64::MAX,
         cancel: &|| false,
         progress: &|_| {},

@@ -396,7 +396,7 @@ fn limits_and_cancellation_leave_partial_results() {
             self.0.store(true, Ordering::Relaxed);
         }
     }
-    let context = Context { name: "t", cancel: &stop, progress: &Stops(&stop), work_limit: u64::MAX };
+    let context = Context { name: "t", cancel: &stop, progress: &Stops(&stop), work_limit: u64::MAX, keep: None };
     let o = study.run(&system, &context).unwrap();
     assert_eq!(o.end, End::Cancelled);
     assert!(o.find_table("motion").unwrap().rows() > 1);

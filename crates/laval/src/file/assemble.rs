@@ -2,11 +2,11 @@
 
 use super::{Axis, Block, Catalog, Spec, held, read_bytes, reader};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
-use crate::model::field::{Attach, Field, FieldKind, Value};
+use crate::model::field::{Attach, Field, FieldKind, Value, Values};
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Drive, Machine, PartInput, System, Workspace};
 use crate::parts;
-use crate::study::{self, ErasedStudy};
+use crate::study::{self, ErasedStudy, StudyKind};
 
 /// A machine file that has been read and assembled.
 pub struct Loaded {
@@ -300,7 +300,7 @@ fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) ->
     let mut one = |block: &Block| {
         let kind = registry.iter().find(|k| k.info.kind == block.kind)?;
         let mut own = Diagnostics::default();
-        check_names(kind.info.fields.as_slice(), block, system, &mut own);
+        check_names(kind.info.fields.as_slice(), &block.values, &registry, system, &mut own);
         let built = (kind.build)(&block.values, system, &mut own);
         if built.is_none() && !own.has_errors() {
             own.push(Diagnostic::error(
@@ -316,13 +316,24 @@ fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) ->
 }
 
 /// Coordinates and parameters that a study names exist.
-fn check_names(fields: &[Field], block: &Block, system: &System, out: &mut Diagnostics) {
+fn check_names(fields: &[Field], values: &Values, registry: &[StudyKind], system: &System, out: &mut Diagnostics) {
     for field in fields {
-        let span = || block.values.span_of(field.name);
-        match (field.kind, block.values.get(field.name)) {
+        let span = || values.span_of(field.name);
+        match (field.kind, values.get(field.name)) {
             (FieldKind::Coordinate, Some(Value::Text(name))) => coordinate(system, name, span(), out),
             (FieldKind::ParameterPath, Some(Value::Text(path))) if system.param(path).is_none() => {
                 out.push(system.unknown_param(path).at(span()).label("unknown parameter"));
+            }
+            (FieldKind::Tolerances, Some(Value::Tolerances(list))) => {
+                for t in list.iter().filter(|t| system.param(&t.parameter).is_none()) {
+                    out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label("unknown parameter"));
+                }
+            }
+            // one that is named is checked where it stands
+            (FieldKind::Study, Some(Value::Study(inner))) if inner.name.is_none() => {
+                if let Some(kind) = registry.iter().find(|k| k.info.kind == inner.kind) {
+                    check_names(&kind.info.fields, &inner.values, registry, system, out);
+                }
             }
             _ => {}
         }

@@ -1,7 +1,7 @@
 //! The blocks of a file: which exist, their kinds, names and keys.
 
 use super::tree::{Data, Entry, Node, get};
-use super::values::{Context, clip, suggestion};
+use super::values::{Context, StudyTable, clip, suggestion};
 use super::{Axis, Block, Catalog, MACHINE_FIELDS, MachineBlock, Spec};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
@@ -34,21 +34,23 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     }
     let names: Vec<(String, &'static str)> = parts_raw.iter().map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
     let machine = read_machine(text, root, catalog, &names, out);
-    let blocks = |raw: Vec<Raw>, out: &mut Diagnostics| -> (Vec<Block>, Vec<Block>) {
+    let studies: Vec<StudyTable> =
+        studies_raw.iter().map(|b| StudyTable { name: &b.name, info: b.info, table: b.table, span: b.span.clone() }).collect();
+    let blocks = |raw: &[Raw], out: &mut Diagnostics| -> (Vec<Block>, Vec<Block>) {
         let mut doubtful = Vec::new();
-        let mut read = |b: Raw| {
+        let mut read = |b: &Raw| {
             let info = b.info?;
             let before = out.0.len();
             let mut values = Values::default();
             values.span = b.span.clone();
-            let mut cx = Context { text, catalog, parts: &names, out, who: &b.who };
+            let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
             read_fields(&mut cx, &info.fields, &["kind", "name"], b.table, b.span.clone(), &mut values);
             let sound = !out.0[before..].iter().any(|d| d.severity == Severity::Error);
             let block = Block {
                 kind: info.kind,
-                name: b.name,
+                name: b.name.clone(),
                 values,
-                span: b.span,
+                span: b.span.clone(),
                 kind_span: get(b.table, "kind").and_then(|e| e.node.span.clone()),
                 name_span: get(b.table, "name").and_then(|e| e.node.span.clone()),
             };
@@ -58,12 +60,12 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
             doubtful.push(block);
             None
         };
-        let sound = raw.into_iter().filter_map(&mut read).collect();
+        let sound = raw.iter().filter_map(&mut read).collect();
         (sound, doubtful)
     };
-    let (parts, _) = blocks(parts_raw, out);
+    let (parts, _) = blocks(&parts_raw, out);
     let usable = !out.has_errors();
-    let (studies, doubtful) = blocks(studies_raw, out);
+    let (studies, doubtful) = blocks(&studies_raw, out);
     (Spec { machine, parts, studies }, doubtful, usable)
 }
 
@@ -179,7 +181,7 @@ fn gather<'n, 'a>(root: &'n [Entry<'a>], what: &'static str, known: &'n [KindInf
     blocks
 }
 
-fn read_kind<'n>(
+pub(super) fn read_kind<'n>(
     table: &[Entry],
     span: Option<Span>,
     what: &str,
@@ -251,7 +253,7 @@ pub(super) fn valid_name(t: &str) -> bool {
     t.len() <= MAX_NAME && t.starts_with(|c: char| c.is_ascii_alphanumeric()) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
 }
 
-fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
+pub(super) fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
     for e in table {
         if implicit.contains(&e.key.as_ref()) {
             continue;
@@ -319,7 +321,7 @@ fn read_machine(text: &str, root: &[Entry], catalog: &Catalog, parts: &[(String,
         }
     };
     let mut values = Values::default();
-    let mut cx = Context { text, catalog, parts, out, who: "[machine]" };
+    let mut cx = Context { text, catalog, parts, studies: &[], out, who: "[machine]" };
     read_fields(&mut cx, MACHINE_FIELDS, &[], table, e.node.span.clone(), &mut values);
     MachineBlock {
         name: values.text("name").unwrap_or_default().to_string(),

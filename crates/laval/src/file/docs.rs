@@ -2,7 +2,7 @@
 
 use super::values::bounds_text;
 use super::writer::quoted;
-use crate::model::field::{Bounds, Field, FieldKind, KindInfo};
+use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
 use crate::units::{describe, examples, write_number, write_si};
 use std::fmt::Write as _;
 
@@ -81,6 +81,8 @@ fn example_value(f: &Field) -> String {
             format!("{{ {} }}", columns.join(", "))
         }
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+        FieldKind::Study => "{ kind = \"modes\", speed = \"3000 rpm\" }".into(),
+        FieldKind::Tolerances => "[{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }]".into(),
     }
 }
 
@@ -140,6 +142,15 @@ pub fn takes(f: &Field) -> String {
             format!("columns of equal length {{ {} }}", each.join("; "))
         }
         FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+        FieldKind::Study => "the name of another study of the file, or a whole one: { kind = \"modes\", .. }".into(),
+        FieldKind::Tolerances => {
+            let each: Vec<String> = DISTRIBUTIONS.iter().map(|d| format!("\"{}\" ({})", d.0, d.1)).collect();
+            let distributions = each.join(", ");
+            format!(
+                "a list of {{ parameter = .., distribution = .., .. }}; distributions {distributions}; numbers in the unit of the parameter, or in % \
+                 of its value in the machine"
+            )
+        }
     }
 }
 

@@ -233,7 +233,7 @@ pub enum BandPlace {
     X(f64, f64),
     /// Between two values of y, the whole width.
     Y(f64, f64),
-    /// Between two curves: table, x, lower and upper column.
+    /// Between two curves: table, x, lower and upper column; NaN breaks it.
     Between(String, String, String, String),
 }
 

@@ -51,7 +51,7 @@ pub use renew::renew;
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
-pub use write::{Format, WriteError, write};
+pub use write::{Format, WriteError, folders, write};
 
 use crate::outcome::Outcome;
 

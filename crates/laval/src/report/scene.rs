@@ -256,10 +256,10 @@ impl Build<'_> {
                 }
                 Mark::Band(m) => {
                     let tint = self.tints;
-                    let outline = self.outline(m, fx, fy);
-                    if !outline.is_empty() {
+                    let outlines = self.outlines(m, fx, fy);
+                    if !outlines.is_empty() {
                         self.tints += 1;
-                        view.bands.push(BandView { outline, tint });
+                        view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint }));
                         if !m.name.is_empty() {
                             self.entry(&m.name, Colour::Slot(tint), Glyph::Tint(tint));
                         }
@@ -312,17 +312,20 @@ impl Build<'_> {
         view
     }
 
-    fn outline(&self, band: &Band, fx: f64, fy: f64) -> Vec<(f64, f64)> {
+    /// Outlines of the pieces of a band; NaN separates them.
+    fn outlines(&self, band: &Band, fx: f64, fy: f64) -> Vec<Vec<(f64, f64)>> {
         const INF: f64 = f64::INFINITY;
         match &band.place {
-            BandPlace::X(a, b) if !(a.is_nan() || b.is_nan()) => vec![(a * fx, -INF), (b * fx, -INF), (b * fx, INF), (a * fx, INF)],
-            BandPlace::Y(a, b) if !(a.is_nan() || b.is_nan()) => vec![(-INF, a * fy), (INF, a * fy), (INF, b * fy), (-INF, b * fy)],
+            BandPlace::X(a, b) if !(a.is_nan() || b.is_nan()) => vec![vec![(a * fx, -INF), (b * fx, -INF), (b * fx, INF), (a * fx, INF)]],
+            BandPlace::Y(a, b) if !(a.is_nan() || b.is_nan()) => vec![vec![(-INF, a * fy), (INF, a * fy), (INF, b * fy), (-INF, b * fy)]],
             BandPlace::X(..) | BandPlace::Y(..) => Vec::new(),
             BandPlace::Between(table, x, low, high) => {
                 let (xs, lo, hi) = (self.values(table, x, fx), self.values(table, low, fy), self.values(table, high, fy));
+                let rows: Vec<usize> = (0..xs.len()).collect();
                 let fits = |i: &usize| xs[*i].is_finite() && lo[*i].is_finite() && hi[*i].is_finite();
-                let rows: Vec<usize> = (0..xs.len()).filter(fits).collect();
-                rows.iter().map(|i| (xs[*i], lo[*i])).chain(rows.iter().rev().map(|i| (xs[*i], hi[*i]))).collect()
+                let around =
+                    |r: &[usize]| r.iter().map(|i| (xs[*i], lo[*i])).chain(r.iter().rev().map(|i| (xs[*i], hi[*i]))).collect::<Vec<_>>();
+                rows.chunk_by(|a, b| fits(a) == fits(b)).filter(|r| fits(&r[0])).map(around).collect()
             }
         }
     }

@@ -115,12 +115,9 @@ pub(super) struct Names {
 
 impl Names {
     pub fn new(report: &Report) -> Names {
-        // a study of that name would share the folder of the figures
-        let mut folders = HashSet::from(["figures".to_string()]);
         let mut drawings = HashSet::new();
         let (mut tables, mut figures) = (Vec::new(), Vec::new());
-        for o in &report.outcomes {
-            let folder = unique(&mut folders, &file_name(&o.name));
+        for (o, folder) in report.outcomes.iter().zip(folders(report.outcomes.iter().map(|o| o.name.as_str()))) {
             let mut files = HashSet::new();
             tables.push(o.tables.iter().map(|t| format!("{folder}/{}", unique(&mut files, &file_name(t.name())))).collect());
             figures.push(
@@ -140,6 +137,17 @@ impl Names {
     pub fn figure(&self, study: usize, figure: usize) -> &str {
         &self.figures[study][figure]
     }
+}
+
+/// The folders of studies of these names, unique also on systems that ignore case.
+///
+/// ```
+/// assert_eq!(laval::report::folders(["slow run", "slow-run", "figures"]), ["slow-run", "slow-run-2", "figures-2"]);
+/// ```
+pub fn folders<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    // a study of that name would share the folder of the figures
+    let mut taken = HashSet::from(["figures".to_string()]);
+    names.into_iter().map(|n| unique(&mut taken, &file_name(n))).collect()
 }
 
 fn unique(taken: &mut HashSet<String>, name: &str) -> String {

@@ -167,6 +167,7 @@ impl Study for Campbell {
             outcome = outcome
                 .finding(
                     Finding::info("critical_speed", text)
+                        .of(format!("order {} {}", c.order, c.whirl.word()))
                         .value(c.speed, "rad/s")
                         .evidence("relative defect of the dynamic stiffness", c.defect, "")
                         .evidence("growth", c.growth, "1/s"),

@@ -101,6 +101,7 @@ impl Study for CriticalSpeeds {
             };
             let text = format!("Critical speed of order {} at {{}}: {} whirl, {}{beside}.", c.order, c.whirl.word(), damping_words(c));
             let mut finding = Finding::info("critical_speed", text)
+                .of(format!("order {} {}", c.order, c.whirl.word()))
                 .value(c.speed, "rad/s")
                 .evidence("relative defect of the dynamic stiffness", c.defect, "")
                 .evidence("last Newton step", c.step, "rad/s");

@@ -88,10 +88,10 @@ pub(super) fn negligible(settings: &Settings, start: &Start) -> f64 {
 pub(super) fn largest(body: &str, amplitude: f64, still: f64) -> Finding {
     if amplitude <= still {
         let text = format!("\"{body}\" does not move from its place of rest, to the tolerance of the integration.");
-        return Finding::info("largest_displacement", text).value(0.0, "m");
+        return Finding::info("largest_displacement", text).of(body).value(0.0, "m");
     }
     let text = format!("The largest displacement of \"{body}\" from rest is {{}}.");
-    Finding::info("largest_displacement", text).value(amplitude, "m")
+    Finding::info("largest_displacement", text).of(body).value(amplitude, "m")
 }
 
 /// Equally spaced times from 0 to `t_end`, both included.

@@ -12,17 +12,25 @@ pub mod stability_map;
 mod start;
 pub mod support;
 pub mod transient;
+pub mod uncertainty;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
+use crate::store::{Host, Keep};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Told how far a study is.
 pub trait Progress: Sync {
     /// `done` of `total` units of work (`total` 0: unknown).
     fn report(&self, done: u64, total: u64);
+    /// `done` of `total` are there from an earlier run; they say nothing of the rate.
+    fn restored(&self, done: u64, total: u64) {
+        self.report(done, total);
+    }
+    /// A remark that the outcome does not hold, because it does not depend on it.
+    fn note(&self, _text: &str) {}
 }
 
 /// No progress display.
@@ -42,6 +50,8 @@ pub struct Context<'a> {
     pub progress: &'a dyn Progress,
     /// Most steps (integration steps, continuation points, grid points) before the study ends by itself.
     pub work_limit: u64,
+    /// Where a long study keeps its rows; `None` keeps them in memory.
+    pub keep: Option<&'a Keep>,
 }
 
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -49,7 +59,7 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 impl Context<'static> {
     /// Runs to the end, silently.
     pub fn quiet(name: &'static str) -> Self {
-        Context { name, cancel: &NEVER, progress: &Silent, work_limit: u64::MAX }
+        Context { name, cancel: &NEVER, progress: &Silent, work_limit: u64::MAX, keep: None }
     }
 }
 
@@ -71,6 +81,27 @@ impl Context<'_> {
             (false, true) => End::Cancelled,
             (false, false) => End::WorkLimit,
         }
+    }
+}
+
+impl Host for Context<'_> {
+    fn keep(&self) -> Option<&Keep> {
+        self.keep
+    }
+    fn cancelled(&self) -> bool {
+        Context::cancelled(self)
+    }
+    fn report(&self, done: u64, total: u64) {
+        self.progress.report(done, total);
+    }
+    fn restored(&self, done: u64, total: u64) {
+        self.progress.restored(done, total);
+    }
+    fn note(&self, text: &str) {
+        self.progress.note(text);
+    }
+    fn most_rows(&self) -> u64 {
+        self.work_limit
     }
 }
 
@@ -141,6 +172,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
+        kind::<uncertainty::Uncertainty>(),
     ]
 }
 

@@ -250,7 +250,7 @@ impl RunUp {
                 let (before, after) = (beside(Box::new((0..i).rev())), beside(Box::new(i + 1..seen.len())));
                 let at = self.programme.at(p.t).speed;
                 let text = format!("\"{}\" passes a resonance: its envelope peaks at {{}}.", b.name);
-                let finding = Finding::info("peak", text).value(at, "rad/s").evidence("amplitude", p.amplitude, "m");
+                let finding = Finding::info("peak", text).of(&b.name).value(at, "rad/s").evidence("amplitude", p.amplitude, "m");
                 let point = SpecialPoint::new("peak", at, (before.min(after), before.max(after))).status(Status::Bracketed);
                 outcome =
                     outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, "m"));

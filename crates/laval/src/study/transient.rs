@@ -200,7 +200,7 @@ impl Transient {
                 continue;
             }
             let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
-            let finding = Finding::info("end_state", text).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
+            let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
             out.push(finding.evidence("t", flight.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
