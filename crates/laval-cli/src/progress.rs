@@ -1,5 +1,6 @@
 //! How far a study is, shown when it takes longer than a second and somebody watches.
 
+use crate::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use laval::study::Progress;
 use std::io::{self, IsTerminal};
@@ -23,7 +24,7 @@ impl Bar {
         Bar { name: name.to_string(), start: Instant::now(), watched: !quiet && io::stderr().is_terminal(), bar: OnceLock::new() }
     }
 
-    fn begin(&self, total: u64) -> ProgressBar {
+    fn begin(&self, done: u64, total: u64) -> ProgressBar {
         let bar = if total > 0 { ProgressBar::new(total) } else { ProgressBar::new_spinner() };
         let template = if total > 0 {
             "{prefix}  {wide_bar} {pos}/{len}  {per_sec}  {eta} left"
@@ -35,6 +36,10 @@ impl Bar {
         }
         bar.set_prefix(self.name.clone());
         bar.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+        // the rate counts from here: what is done already took another time, or another run
+        bar.set_position(done);
+        bar.tick();
+        bar.reset_eta();
         bar.with_elapsed(self.start.elapsed())
     }
 
@@ -49,11 +54,27 @@ impl Bar {
 impl Progress for Bar {
     fn report(&self, done: u64, total: u64) {
         if self.watched && self.start.elapsed() > PATIENCE {
-            let bar = self.bar.get_or_init(|| self.begin(total));
+            let bar = self.bar.get_or_init(|| self.begin(done, total));
             if total > 0 {
                 bar.set_length(total);
             }
             bar.set_position(done);
+        }
+    }
+
+    fn restored(&self, done: u64, total: u64) {
+        self.report(done, total);
+        if let Some(bar) = self.bar.get() {
+            bar.tick();
+            bar.reset_eta();
+        }
+    }
+
+    fn note(&self, text: &str) {
+        let say = || terminal::complain(&format!("{}: {text}\n", self.name));
+        match self.bar.get() {
+            Some(bar) => bar.suspend(say),
+            None => say(),
         }
     }
 }

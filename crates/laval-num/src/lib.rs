@@ -1,5 +1,5 @@
 //! Numerics for the dynamics of machines: scalars with exact derivatives and lanes, small dense algebra, Newton's method,
-//! continuation, time integration, eigenproblems, polynomials and Fourier sampling. It knows nothing of rotors.
+//! continuation, time integration, eigenproblems, polynomials, Fourier sampling, and sampling of uncertain inputs. It knows nothing of rotors.
 #![warn(missing_docs)]
 
 pub mod complex;
@@ -7,10 +7,12 @@ pub mod continuation;
 pub mod dense;
 pub mod dual;
 pub mod eig;
+pub mod ensemble;
 pub mod fourier;
 pub mod interpolate;
 pub mod lanes;
 pub mod newton;
 pub mod ode;
 pub mod poly;
+pub mod sampling;
 pub mod scalar;

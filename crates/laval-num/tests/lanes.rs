@@ -1,7 +1,7 @@
 //! Lanes of every level of this processor against `f64`, bit for bit.
 
 use laval_num::dual::Dual;
-use laval_num::lanes::{Entry, Family, Generic, Kernel, LANES, LaneScalar, Level, Slots, dispatch};
+use laval_num::lanes::{Apply, Entry, Family, Kernel, LANES, LaneScalar, Level, Slots, dispatch};
 use laval_num::scalar::Scalar;
 
 /// xorshift64*, so that every run sees the same numbers.
@@ -228,18 +228,16 @@ impl Law for Hertz {
         r[1] += f * s + q[1].atan2(q[0]);
     }
 }
-/// A law on its way to being erased: the blanket implementation needs a type of this crate.
-struct Erasing<L>(L);
-impl<L: Law> Generic<Plain> for Erasing<L> {
+impl<L: Law> Apply<L> for Plain {
     #[inline(always)]
-    fn call<S: Scalar>(&self, args: &mut Force<'_, S>) {
-        self.0.residual(args.q, args.r);
+    fn apply<S: Scalar>(law: &L, args: &mut Force<'_, S>) {
+        law.residual(args.q, args.r);
     }
 }
-impl<L: Law> Generic<Gradient> for Erasing<L> {
+impl<L: Law> Apply<L> for Gradient {
     #[inline(always)]
-    fn call<S: Scalar>(&self, args: &mut Force<'_, Dual<S, 2>>) {
-        self.0.residual(args.q, args.r);
+    fn apply<S: Scalar>(law: &L, args: &mut Force<'_, Dual<S, 2>>) {
+        law.residual(args.q, args.r);
     }
 }
 trait Erased: Slots<Plain> + Slots<Gradient> {}
@@ -265,7 +263,7 @@ impl Kernel for Call<'_> {
 
 #[test]
 fn erased_slots_give_the_same_bits() {
-    let law: Box<dyn Erased> = Box::new(Erasing(Hertz { stiffness: 3.7 }));
+    let law: Box<dyn Erased> = Box::new(Hertz { stiffness: 3.7 });
     let mut random = Random(13);
     for _ in 0..2_000 {
         let (x, y) = (random.eight(), random.eight());

@@ -41,12 +41,14 @@ pub use laval_num;
 
 pub mod diagnostic;
 pub mod file;
+pub mod hash;
 pub mod model;
 pub mod outcome;
 pub mod parts;
 pub mod report;
 pub mod separation;
 pub mod solve;
+pub mod store;
 pub mod study;
 pub mod units;
 pub mod validation;

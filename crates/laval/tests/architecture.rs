@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Module, and the modules of this crate it may use besides itself. `units` and `diagnostic` are open to all.
+/// Module, and the modules of this crate it may use besides itself. `units`, `diagnostic` and `hash` are open to all.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
     ("diagnostic", &[]),
@@ -12,12 +12,14 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("solve", &["model"]),
     ("separation", &["model"]),
     ("outcome", &[]),
-    ("study", &["model", "solve", "separation", "outcome"]),
+    ("hash", &[]),
+    ("store", &["outcome"]),
+    ("study", &["model", "solve", "separation", "outcome", "store"]),
     ("report", &["outcome"]),
     ("file", &["model", "parts", "study"]),
     ("validation", &["file", "study", "outcome", "report"]),
 ];
-const OPEN: &[&str] = &["units", "diagnostic"];
+const OPEN: &[&str] = &["units", "diagnostic", "hash"];
 
 /// A source file of the crate: its module, its path, and its code without comments and unit tests.
 struct Source {

@@ -106,7 +106,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
         let work_limit = [1, 2, 7, 60, 300][r.below(5)];
         let left = if r.below(8) == 0 { r.below(20) as u64 } else { u64::MAX };
         let progress = CancelAfter { left: AtomicU64::new(left), cancel: &cancel };
-        let context = Context { name: &named.name, cancel: &cancel, progress: &progress, work_limit };
+        let context = Context { name: &named.name, cancel: &cancel, progress: &progress, work_limit, keep: None };
         let what = |e: String| format!("study {} under the limit {work_limit}: {e}", named.study.kind());
         match guarded(|| Ok(named.study.run(&loaded.system, &context))).map_err(what)? {
             Ok(outcome) => {

@@ -114,16 +114,16 @@ pub trait Family: 'static {
     type Args<'a, S: Scalar>;
 }
 
-/// A function written once for all scalars, to be erased: every `T: Generic<F>` is a `dyn Slots<F>`.
+/// A function on `T` written once for all scalars, to be erased: with `F: Apply<T>`, every `T` is a `dyn Slots<F>`.
 ///
-/// Another crate implements it for a wrapper of its own, `impl<P: Part> Generic<Values> for Erasing<P>`, since a blanket
-/// implementation over all `P: Part` is not allowed there.
-pub trait Generic<F: Family> {
+/// The trait is implemented by the marker, so that another crate can erase every type of a trait of its own:
+/// `impl<P: Part> Apply<P> for Values`.
+pub trait Apply<T: ?Sized>: Family {
     /// The function. Must be `#[inline(always)]`, as must what it calls (see [`Kernel`]).
-    fn call<S: Scalar>(&self, args: &mut F::Args<'_, S>);
+    fn apply<S: Scalar>(of: &T, args: &mut Self::Args<'_, S>);
 }
 
-/// The object-safe face of [`Generic`]: one slot per scalar and level, each compiled with the instructions of its level.
+/// The object-safe face of [`Apply`]: one slot per scalar and level, each compiled with the instructions of its level.
 ///
 /// Generic code holding a `&dyn Slots<F>` calls [`Entry::enter`]. A part that also gives derivatives is a
 /// `trait Erased: Slots<Values> + Slots<Derivatives>`.
@@ -146,22 +146,22 @@ pub trait Slots<F: Family> {
     unsafe fn avx512(&self, args: &mut F::Args<'_, LanesAvx512>);
 }
 
-impl<F: Family, T: Generic<F>> Slots<F> for T {
+impl<F: Apply<T>, T> Slots<F> for T {
     fn scalar(&self, args: &mut F::Args<'_, f64>) {
-        self.call::<f64>(args);
+        F::apply::<f64>(self, args);
     }
     fn base(&self, args: &mut F::Args<'_, LanesBase>) {
-        self.call::<LanesBase>(args);
+        F::apply::<LanesBase>(self, args);
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     unsafe fn avx2(&self, args: &mut F::Args<'_, LanesAvx2>) {
-        self.call::<LanesAvx2>(args);
+        F::apply::<LanesAvx2>(self, args);
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,avx512f,avx512dq")]
     unsafe fn avx512(&self, args: &mut F::Args<'_, LanesAvx512>) {
-        self.call::<LanesAvx512>(args);
+        F::apply::<LanesAvx512>(self, args);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Eight members at once: lanes for every processor level, chosen at run time.
 //!
 //! A computation written over [`LaneScalar`] (or plain [`Scalar`]) is a [`Kernel`]; [`dispatch`] enters it once with the lane type of
-//! the level, and everything inside is inlined there. An object that must be erased implements [`Generic`] and is called through the
-//! slots of [`Slots`].
+//! the level, and everything inside is inlined there. A function of an object that must be erased is an
+//! [`Apply`], called through the slots of [`Slots`].
 //!
 //! The width is eight at every level and no operation is fused, so lanes, levels and `f64` agree bit for bit (any NaN counts as NaN).
 
@@ -13,12 +13,14 @@ mod level;
 pub mod math;
 mod pow;
 mod reg;
+mod sparse;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use level::{Entry, Family, Generic, Kernel, Level, Slots, dispatch};
+pub use level::{Apply, Entry, Family, Kernel, Level, Slots, dispatch};
 pub use pow::pow_pos;
 pub use reg::Reg;
+pub use sparse::Sparse;
 
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

@@ -63,7 +63,7 @@ pub struct Crossing {
 /// Narrows a bracket of a zero of `g` to a few roundings of t, `ga` and `gb` having opposite signs (`gb` may be zero). `None` if g is NaN.
 ///
 /// Interpolation, truncation, projection (Oliveira, Takahashi 2021): superlinear, and never more evaluations than bisection plus one.
-pub(super) fn bracket(mut a: f64, mut ga: f64, mut b: f64, mut gb: f64, mut g: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
+pub(crate) fn bracket(mut a: f64, mut ga: f64, mut b: f64, mut gb: f64, mut g: impl FnMut(f64) -> f64) -> Option<(f64, f64)> {
     let tol = 2.0 * f64::EPSILON * a.abs().max(b.abs());
     let width = (b - a).abs();
     let mut r = tol * 2f64.powf((width / (2.0 * tol)).log2().ceil().max(0.0) + 1.0);

@@ -19,11 +19,11 @@
 mod control;
 mod dop853;
 mod driver;
-mod event;
+pub(crate) mod event;
 mod radau;
 mod step;
 mod system;
-mod tableau;
+pub mod tableau;
 #[cfg(test)]
 mod tests;
 

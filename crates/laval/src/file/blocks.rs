@@ -1,9 +1,9 @@
 //! The blocks of a file: which exist, their kinds, names and keys.
 
 use super::tree::{Data, Entry, Node, get};
-use super::values::{Context, clip, suggestion};
+use super::values::{Context, StudyTable, clip, suggestion};
 use super::{Axis, Block, Catalog, MACHINE_FIELDS, MachineBlock, Spec};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
 use std::collections::BTreeMap;
 
@@ -20,8 +20,8 @@ struct Raw<'n, 'a> {
     who: String,
 }
 
-/// Reads the whole tree.
-pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut Diagnostics) -> Spec {
+/// Reads the whole tree. The studies are those without mistakes, the others stand beside; the flag says that nothing else has any.
+pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut Diagnostics) -> (Spec, Vec<Block>, bool) {
     let known = |key: &str| TOP.contains(&key) || catalog.blocks.iter().any(|b| b.word == key);
     for e in root.iter().filter(|e| !known(e.key.as_ref())) {
         unknown_table(e, catalog, out);
@@ -41,28 +41,45 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     let named = parts_raw.iter().chain(extras_raw.iter().flat_map(|e| &e.1));
     let names: Vec<(String, &'static str)> = named.map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
     let machine = read_machine(text, root, catalog, &names, out);
-    let mut blocks = |raw: Vec<Raw>| -> Vec<Block> {
-        let read = |b: Raw| {
+    let studies: Vec<StudyTable> =
+        studies_raw.iter().map(|b| StudyTable { name: &b.name, info: b.info, table: b.table, span: b.span.clone() }).collect();
+    let blocks = |raw: &[Raw], out: &mut Diagnostics| -> (Vec<Block>, Vec<Block>) {
+        let mut doubtful = Vec::new();
+        let mut read = |b: &Raw| {
             let info = b.info?;
+            let before = out.0.len();
             let mut values = Values::default();
             values.span = b.span.clone();
-            let mut cx = Context { text, catalog, parts: &names, out, who: &b.who };
+            let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
             let once = catalog.blocks.iter().any(|x| !x.several && x.word == info.kind);
             let implicit: &[&str] = if once { &[] } else { &["kind", "name"] };
             read_fields(&mut cx, &info.fields, implicit, b.table, b.span.clone(), &mut values);
-            Some(Block {
+            let sound = !out.0[before..].iter().any(|d| d.severity == Severity::Error);
+            let block = Block {
                 kind: info.kind,
-                name: b.name,
+                name: b.name.clone(),
                 values,
-                span: b.span,
+                span: b.span.clone(),
                 kind_span: get(b.table, "kind").and_then(|e| e.node.span.clone()),
                 name_span: get(b.table, "name").and_then(|e| e.node.span.clone()),
-            })
+            };
+            if sound {
+                return Some(block);
+            }
+            doubtful.push(block);
+            None
         };
-        raw.into_iter().filter_map(read).collect()
+        let sound = raw.iter().filter_map(&mut read).collect();
+        (sound, doubtful)
     };
-    let extras = extras_raw.into_iter().flat_map(|(word, raw)| blocks(raw).into_iter().map(move |b| (word, b))).collect();
-    Spec { machine, parts: blocks(parts_raw), studies: blocks(studies_raw), extras }
+    let (parts, _) = blocks(&parts_raw, out);
+    let mut extras = Vec::new();
+    for (word, raw) in &extras_raw {
+        extras.extend(blocks(raw, out).0.into_iter().map(|b| (*word, b)));
+    }
+    let usable = !out.has_errors();
+    let (studies, doubtful) = blocks(&studies_raw, out);
+    (Spec { machine, parts, studies, extras }, doubtful, usable)
 }
 
 /// A block that exists once, in single brackets.
@@ -188,7 +205,7 @@ fn gather<'n, 'a>(root: &'n [Entry<'a>], what: &'static str, known: &'n [KindInf
     blocks
 }
 
-fn read_kind<'n>(
+pub(super) fn read_kind<'n>(
     table: &[Entry],
     span: Option<Span>,
     what: &str,
@@ -260,7 +277,7 @@ pub(super) fn valid_name(t: &str) -> bool {
     t.len() <= MAX_NAME && t.starts_with(|c: char| c.is_ascii_alphanumeric()) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
 }
 
-fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
+pub(super) fn read_fields(cx: &mut Context, fields: &[Field], implicit: &[&str], table: &[Entry], span: Option<Span>, values: &mut Values) {
     for e in table {
         if implicit.contains(&e.key.as_ref()) {
             continue;
@@ -328,7 +345,7 @@ fn read_machine(text: &str, root: &[Entry], catalog: &Catalog, parts: &[(String,
         }
     };
     let mut values = Values::default();
-    let mut cx = Context { text, catalog, parts, out, who: "[machine]" };
+    let mut cx = Context { text, catalog, parts, studies: &[], out, who: "[machine]" };
     read_fields(&mut cx, MACHINE_FIELDS, &[], table, e.node.span.clone(), &mut values);
     MachineBlock {
         name: values.text("name").unwrap_or_default().to_string(),

@@ -69,5 +69,5 @@ pub(super) fn check_declaration(kind: &str, f: &Field, out: &mut Diagnostics) {
     }
     let catalog = Catalog::default();
     let who = format!("{kind}.{}", f.name);
-    Context { text: "", catalog: &catalog, parts: &[], out, who: &who }.default(f, &mut Values::default());
+    Context { text: "", catalog: &catalog, parts: &[], studies: &[], out, who: &who }.default(f, &mut Values::default());
 }

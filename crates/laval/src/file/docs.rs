@@ -2,7 +2,7 @@
 
 use super::values::bounds_text;
 use super::writer::quoted;
-use crate::model::field::{Bounds, Field, FieldKind, KindInfo};
+use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
 use crate::units::{describe, examples, write_number, write_si};
 use std::fmt::Write as _;
 
@@ -82,6 +82,8 @@ fn example_value(f: &Field) -> String {
         }
         FieldKind::Named { unit, bounds } => of(unit, &bounds),
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+        FieldKind::Study => "{ kind = \"modes\", speed = \"3000 rpm\" }".into(),
+        FieldKind::Tolerances => "[{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }]".into(),
     }
 }
 
@@ -90,10 +92,13 @@ pub fn example_line(f: &Field) -> String {
     format!("{} = {}", f.name, example_value(f))
 }
 
-/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part` or `study`. Optional fields
+/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part`, `study` or `machine`. Optional fields
 /// with a default are shown as remarks.
 pub fn example(what: &str, kind: &KindInfo) -> String {
-    let mut out = format!("[[{what}]]\nkind = {}\n", quoted(kind.kind));
+    let mut out = match what {
+        "machine" => "[machine]\n".to_string(),
+        _ => format!("[[{what}]]\nkind = {}\n", quoted(kind.kind)),
+    };
     for f in kind.fields.iter().filter(|f| f.required) {
         let _ = writeln!(out, "{}", example_line(f));
     }
@@ -139,6 +144,15 @@ pub fn takes(f: &Field) -> String {
         }
         FieldKind::Named { unit, bounds } => format!("{}; one value, or {{ name = .., name = .. }}", number(unit, &bounds)),
         FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
+        FieldKind::Study => "the name of another study of the file, or a whole one: { kind = \"modes\", .. }".into(),
+        FieldKind::Tolerances => {
+            let each: Vec<String> = DISTRIBUTIONS.iter().map(|d| format!("\"{}\" ({})", d.0, d.1)).collect();
+            let distributions = each.join(", ");
+            format!(
+                "a list of {{ parameter = .., distribution = .., .. }}; distributions {distributions}; numbers in the unit of the parameter, or in % \
+                 of its value in the machine"
+            )
+        }
     }
 }
 
@@ -194,6 +208,15 @@ pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
         let _ = writeln!(out, "  {line}");
     }
     out
+}
+
+/// The `[machine]` block in the form of a kind, for [`text`] and [`markdown`] with `what` = `machine`.
+pub fn machine() -> KindInfo {
+    KindInfo {
+        kind: "machine",
+        doc: "What belongs to the machine as a whole. A file has this block once, with single brackets; every key may be left out.",
+        fields: super::MACHINE_FIELDS.to_vec(),
+    }
 }
 
 /// Documentation in Markdown; `what` is `part` or `study`.

@@ -12,6 +12,8 @@ pub mod writer;
 
 mod blocks;
 mod declared;
+mod held;
+mod nested;
 mod syntax;
 mod tree;
 mod values;
@@ -19,10 +21,10 @@ mod values;
 #[cfg(test)]
 mod tests;
 
-pub use assemble::{Loaded, NamedStudy, assemble, catalog, load, load_bytes};
+pub use assemble::{Loaded, NamedStudy, Refusal, assemble, catalog, load, load_bytes};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
-pub use writer::{write, write_json};
+pub use writer::{canonical, write, write_json};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{BlockInfo, Bounds, Field, FieldKind, KindInfo, Values};

@@ -2,7 +2,7 @@
 
 use super::docs::takes;
 use super::{Catalog, MACHINE_FIELDS};
-use crate::model::field::{Bounds, Field, FieldKind, KindInfo};
+use crate::model::field::{AMOUNTS, Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
 use crate::units::{describe, examples};
 use serde_json::{Map, Value as Json, json};
 
@@ -195,5 +195,19 @@ fn field(f: &Field) -> Json {
             json!({ "anyOf": [one, { "type": "object" }] })
         }
         FieldKind::StateMap => json!({ "type": "object" }),
+        FieldKind::Study => {
+            let kind = json!({ "type": "object", "properties": { "kind": { "type": "string" } }, "required": ["kind"] });
+            json!({ "anyOf": [{ "type": "string", "minLength": 1 }, kind] })
+        }
+        FieldKind::Tolerances => {
+            let mut o = Map::new();
+            o.insert("parameter".into(), json!({ "type": "string", "minLength": 1 }));
+            let words: Vec<Json> = DISTRIBUTIONS.iter().map(|w| json!({ "const": w.0, "description": w.1 })).collect();
+            o.insert("distribution".into(), json!({ "oneOf": words }));
+            for a in AMOUNTS {
+                o.insert((*a).into(), quantity("", &any));
+            }
+            json!({ "type": "array", "items": table(o, &["parameter", "distribution"]), "minItems": 1 })
+        }
     }
 }

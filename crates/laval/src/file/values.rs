@@ -3,7 +3,7 @@
 use super::tree::{Data, Entry, Node, get};
 use super::{Catalog, parameter_of, parameters_of};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
-use crate::model::field::{Attach, Bounds, Field, FieldKind, RangeValue, Value, Values};
+use crate::model::field::{Attach, Bounds, Field, FieldKind, KindInfo, RangeValue, Value, Values};
 use crate::units::{self, UnitError};
 use std::collections::BTreeMap;
 
@@ -16,12 +16,22 @@ pub(super) struct Context<'a> {
     pub catalog: &'a Catalog,
     /// Name and kind of every part in the file (kind empty when it is unknown).
     pub parts: &'a [(String, &'static str)],
+    /// The studies in the file, for those that refer to one.
+    pub studies: &'a [StudyTable<'a>],
     pub out: &'a mut Diagnostics,
     /// The block in messages: `disc "drum"`.
     pub who: &'a str,
 }
 
-fn subject(who: &str, field: &str) -> String {
+/// A study before its values are read.
+pub(super) struct StudyTable<'a> {
+    pub name: &'a str,
+    pub info: Option<&'a KindInfo>,
+    pub table: &'a [Entry<'a>],
+    pub span: Option<Span>,
+}
+
+pub(super) fn subject(who: &str, field: &str) -> String {
     if field.is_empty() { who.to_string() } else { format!("{who}: {field}") }
 }
 
@@ -83,7 +93,7 @@ impl Context<'_> {
         self.error(e.code, span, message, label, e.help);
     }
 
-    fn wrong_type(&mut self, field: &str, node: &Node, wanted: &str, help: impl Into<Option<String>>) {
+    pub(super) fn wrong_type(&mut self, field: &str, node: &Node, wanted: &str, help: impl Into<Option<String>>) {
         let message = format!("{}: {wanted} is needed, not {}", subject(self.who, field), node.shape());
         self.error("value.type", node.span.clone(), message, node.shape(), help);
     }
@@ -168,7 +178,7 @@ impl Context<'_> {
     }
 
     /// Reports keys of a small table that are not among `allowed`.
-    fn check_keys(&mut self, field: &str, table: &[Entry], allowed: &[&str]) -> bool {
+    pub(super) fn check_keys(&mut self, field: &str, table: &[Entry], allowed: &[&str]) -> bool {
         let mut fine = true;
         for e in table.iter().filter(|e| !allowed.contains(&e.key.as_ref())) {
             fine = false;
@@ -273,7 +283,7 @@ impl Context<'_> {
     }
 
     /// A quantity of unknown dimension: SI value and, unless it is a bare number, its SI unit.
-    fn any_quantity(&mut self, field: &str, node: &Node) -> Option<(f64, Option<String>)> {
+    pub(super) fn any_quantity(&mut self, field: &str, node: &Node) -> Option<(f64, Option<String>)> {
         match &node.data {
             Data::Text(t) => match units::read_any(t) {
                 Ok((x, u)) => Some((x, Some(u.dimension.si_text()))),
@@ -294,7 +304,7 @@ impl Context<'_> {
     /// Whether a parameter path names a scalar of a part of this file; reports it when not. The inner `None`: the part has other
     /// mistakes, nothing can be said.
     #[allow(clippy::option_option)]
-    fn parameter(&mut self, field: &str, node: &Node, path: &str) -> Option<Option<(&'static str, Bounds)>> {
+    pub(super) fn parameter(&mut self, field: &str, node: &Node, path: &str) -> Option<Option<(&'static str, Bounds)>> {
         let (block, rest) = path.split_once('.').unwrap_or((path, ""));
         let found = self.parts.iter().find(|p| p.0 == block).map(|p| p.1);
         let Some(kind) = found else {
@@ -317,7 +327,7 @@ impl Context<'_> {
         None
     }
 
-    fn text_value(&mut self, field: &str, node: &Node, what: &str) -> Option<String> {
+    pub(super) fn text_value(&mut self, field: &str, node: &Node, what: &str) -> Option<String> {
         match node.text() {
             Some(t) => Some(t.to_string()),
             None => {
@@ -578,6 +588,8 @@ impl Context<'_> {
                 *given_units = Some(unit_texts);
                 fine.then_some(Value::StateMap(out))
             }
+            FieldKind::Study => self.inner_study(name, node).map(|s| Value::Study(Box::new(s))),
+            FieldKind::Tolerances => self.tolerances(name, node).map(Value::Tolerances),
         }
     }
 

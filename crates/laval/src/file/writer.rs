@@ -2,7 +2,7 @@
 //! exact: reading it gives the same spec.
 
 use super::{Axis, Block, Catalog, Spec, parameter_in};
-use crate::model::field::{Attach, Field, FieldKind, KindInfo, RangeValue, Value, Values};
+use crate::model::field::{Amount, Attach, Field, FieldKind, KindInfo, RangeValue, Tolerance, Value, Values};
 use crate::units::{write_number, write_si};
 use serde_json::{Map, Value as Json, json};
 use std::fmt::Write as _;
@@ -110,6 +110,28 @@ impl Writer<'_> {
                 });
                 format!("{{ {} }}", each.collect::<Vec<_>>().join(", "))
             }
+            Value::Study(inner) => match &inner.name {
+                Some(name) => quoted(name),
+                None => {
+                    let fields = self.catalog.study(inner.kind).map_or(&[][..], |k| &k.fields);
+                    let each = fields.iter().filter_map(|f| {
+                        let v = inner.values.get(f.name)?;
+                        Some(format!(", {} = {}", f.name, self.value(Some(f), f.name, v, &inner.values)))
+                    });
+                    format!("{{ kind = {}{} }}", quoted(inner.kind), each.collect::<String>())
+                }
+            },
+            Value::Tolerances(list) => {
+                let one = |t: &Tolerance| {
+                    let amount = |(name, a): &(&str, Amount)| match a {
+                        Amount::Absolute(x) => format!(", {name} = {}", quantity(*x, self.parameter_unit(&t.parameter))),
+                        Amount::Percent(x) => format!(", {name} = \"{} %\"", write_number(*x)),
+                    };
+                    let amounts: String = t.amounts.iter().map(amount).collect();
+                    format!("{{ parameter = {}, distribution = {}{amounts} }}", quoted(&t.parameter), quoted(t.distribution))
+                };
+                format!("[{}]", list.iter().map(one).collect::<Vec<_>>().join(", "))
+            }
         }
     }
 
@@ -165,6 +187,11 @@ fn axis_word(a: Axis) -> &'static str {
 
 /// The JSON form: the keys of the file, numbers in SI units (initial values as texts with their unit).
 pub fn write_json(spec: &Spec) -> Json {
+    to_json(spec, false)
+}
+
+/// With `whole`, a study that another one names is written in full.
+fn to_json(spec: &Spec, whole: bool) -> Json {
     let m = &spec.machine;
     let mut machine = Map::new();
     machine.insert("name".into(), json!(m.name));
@@ -179,7 +206,7 @@ pub fn write_json(spec: &Spec) -> Json {
             o.insert("name".into(), json!(b.name));
             for name in b.values.names() {
                 if let Some(v) = b.values.get(name) {
-                    o.insert(name.into(), json_value(name, v, &b.values));
+                    o.insert(name.into(), json_value(name, v, &b.values, whole));
                 }
             }
             Json::Object(o)
@@ -203,7 +230,29 @@ pub fn write_json(spec: &Spec) -> Json {
     out
 }
 
-fn json_value(name: &str, value: &Value, values: &Values) -> Json {
+/// All in a file that settles the numbers of one study: the machine without its title, the parts, and the study without its name.
+pub fn canonical(spec: &Spec, study: &str) -> Json {
+    let mut all = to_json(
+        &Spec {
+            machine: spec.machine.clone(),
+            parts: spec.parts.clone(),
+            studies: spec.study(study).cloned().into_iter().collect(),
+            extras: spec.extras.clone(),
+        },
+        true,
+    );
+    if let Some(machine) = all["machine"].as_object_mut() {
+        machine.shift_remove("name");
+    }
+    let mut study = all["study"][0].take();
+    if let Some(study) = study.as_object_mut() {
+        study.shift_remove("name");
+    }
+    all["study"] = study;
+    all
+}
+
+fn json_value(name: &str, value: &Value, values: &Values, whole: bool) -> Json {
     let point = |a: &Attach| match &a.body {
         None => json!("ground"),
         Some(b) if a.position == 0.0 => json!(b),
@@ -237,6 +286,36 @@ fn json_value(name: &str, value: &Value, values: &Values) -> Json {
             Json::Object(o)
         }
         Value::Columns(c) => json!(c),
+        Value::Study(inner) => {
+            let mut o = Map::new();
+            o.insert("kind".into(), json!(inner.kind));
+            for name in inner.values.names() {
+                if let Some(v) = inner.values.get(name) {
+                    o.insert(name.into(), json_value(name, v, &inner.values, whole));
+                }
+            }
+            // the name of a study that is in the file suffices, but not where it stands alone
+            match &inner.name {
+                Some(name) if !whole => json!(name),
+                _ => Json::Object(o),
+            }
+        }
+        Value::Tolerances(list) => {
+            let one = |t: &Tolerance| {
+                let mut o = Map::new();
+                o.insert("parameter".into(), json!(t.parameter));
+                o.insert("distribution".into(), json!(t.distribution));
+                for (name, a) in &t.amounts {
+                    let v = match a {
+                        Amount::Absolute(x) => json!(x),
+                        Amount::Percent(x) => json!(format!("{} %", write_number(*x))),
+                    };
+                    o.insert((*name).into(), v);
+                }
+                Json::Object(o)
+            };
+            Json::Array(list.iter().map(one).collect())
+        }
         Value::StateMap(entries) => {
             let units = values.units_of(name);
             let mut o = Map::new();

@@ -82,6 +82,63 @@ pub enum FieldKind {
     Named { unit: &'static str, bounds: Bounds },
     /// Initial values by coordinate or rate: `{ "drum.x" = "1 mm", "drum.x'" = "0.1 m/s" }`.
     StateMap,
+    /// Another study: the name of one in the file, or a whole one: `{ kind = "modes", count = 4 }`.
+    Study,
+    /// Uncertain parameters: `[{ parameter = "drum.mass", distribution = "normal", deviation = "2 %" }]`.
+    Tolerances,
+}
+
+/// Distributions of an uncertain parameter.
+pub const DISTRIBUTIONS: &[Word] = &[
+    ("normal", "deviation: standard deviation; mean unless it is the value of the machine"),
+    ("log_normal", "the same, for what cannot be negative: its logarithm is normal"),
+    ("uniform", "from and to, or tolerance: half the width about the value of the machine"),
+    ("triangular", "the same, most probable at mode, the value of the machine unless given"),
+];
+/// Numbers of the distributions of an uncertain parameter.
+pub const AMOUNTS: &[&str] = &["mean", "deviation", "from", "to", "tolerance", "mode"];
+
+/// A number in the unit of a parameter, or a share of the parameter's value in the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Amount {
+    /// SI.
+    Absolute(f64),
+    /// `"2 %"` of the parameter's value in the machine, as 2.
+    Percent(f64),
+}
+
+/// One uncertain parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Its path.
+    pub parameter: String,
+    /// One of [`DISTRIBUTIONS`].
+    pub distribution: &'static str,
+    /// What was given of [`AMOUNTS`].
+    pub amounts: Vec<(&'static str, Amount)>,
+    /// Place in the file.
+    pub span: Option<Span>,
+}
+
+impl Tolerance {
+    /// A number of the distribution, for a machine in which the parameter has this value.
+    pub fn amount(&self, name: &str, nominal: f64) -> Option<f64> {
+        self.amounts.iter().find(|a| a.0 == name).map(|a| match a.1 {
+            Amount::Absolute(x) => x,
+            Amount::Percent(x) => 0.01 * x * nominal,
+        })
+    }
+}
+
+/// A study inside a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InnerStudy {
+    /// The study of the file it was named by.
+    pub name: Option<String>,
+    /// The word of its kind.
+    pub kind: &'static str,
+    /// Its values.
+    pub values: Values,
 }
 
 /// One declared key of a part or a study.
@@ -188,6 +245,10 @@ pub enum Value {
     Columns(BTreeMap<&'static str, Vec<f64>>),
     /// [`FieldKind::StateMap`]; the entries of a [`FieldKind::Named`] that is not one number.
     StateMap(Vec<(String, f64, Span)>),
+    /// [`FieldKind::Study`].
+    Study(Box<InnerStudy>),
+    /// [`FieldKind::Tolerances`].
+    Tolerances(Vec<Tolerance>),
 }
 
 /// The values of one block, by field name, each with its place in the file.
@@ -226,8 +287,11 @@ impl Values {
         self.span = None;
         for (value, span) in self.map.values_mut() {
             *span = None;
-            if let Value::StateMap(entries) = value {
-                entries.iter_mut().for_each(|e| e.2 = 0..0);
+            match value {
+                Value::StateMap(entries) => entries.iter_mut().for_each(|e| e.2 = 0..0),
+                Value::Study(inner) => inner.values.forget_spans(),
+                Value::Tolerances(list) => list.iter_mut().for_each(|t| t.span = None),
+                _ => {}
             }
         }
     }
@@ -333,6 +397,20 @@ impl Values {
             Some(Value::Number(x)) => vec![(None, *x)],
             Some(Value::StateMap(entries)) => entries.iter().map(|e| (Some(e.0.as_str()), e.1)).collect(),
             _ => Vec::new(),
+        }
+    }
+    /// A study inside this one.
+    pub fn study(&self, name: &str) -> Option<&InnerStudy> {
+        match self.get(name)? {
+            Value::Study(x) => Some(x),
+            _ => None,
+        }
+    }
+    /// Uncertain parameters.
+    pub fn tolerances(&self, name: &str) -> Option<&[Tolerance]> {
+        match self.get(name)? {
+            Value::Tolerances(x) => Some(x),
+            _ => None,
         }
     }
     /// Initial values.

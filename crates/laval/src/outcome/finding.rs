@@ -18,6 +18,8 @@ use super::number::quantity;
 pub struct Finding {
     /// Stable machine name, such as `first_critical_speed`.
     pub id: String,
+    /// What it speaks of among others of the same id: a body, a whirl direction, an order; empty when the id says it.
+    pub subject: String,
     /// The sentence; `{}` stands for the value.
     pub text: String,
     /// The number, in SI units.
@@ -79,7 +81,16 @@ impl Evidence {
 
 impl Finding {
     fn new(level: Level, id: impl Into<String>, text: impl Into<String>) -> Self {
-        Finding { id: id.into(), text: text.into(), value: None, unit: String::new(), shown: None, evidence: Vec::new(), level }
+        Finding {
+            id: id.into(),
+            subject: String::new(),
+            text: text.into(),
+            value: None,
+            unit: String::new(),
+            shown: None,
+            evidence: Vec::new(),
+            level,
+        }
     }
 
     /// A result.
@@ -95,6 +106,12 @@ impl Finding {
     /// A result outside the validity of its model.
     pub fn invalid(id: impl Into<String>, text: impl Into<String>) -> Self {
         Self::new(Level::Invalid, id, text)
+    }
+
+    /// Says what it speaks of, so that it is found again in the outcome of another machine: `of("drum")`.
+    pub fn of(mut self, subject: impl Into<String>) -> Self {
+        self.subject = subject.into();
+        self
     }
 
     /// The number and its unit (SI; empty unit for a pure number).

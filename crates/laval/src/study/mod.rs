@@ -9,22 +9,32 @@ pub mod limits;
 pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
+mod passages;
 pub mod run_up;
 pub mod separation;
 pub mod stability_map;
+mod start;
 pub mod support;
 pub mod transient;
+pub mod uncertainty;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
 use crate::model::system::System;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
+use crate::store::{Host, Keep};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Told how far a study is.
 pub trait Progress: Sync {
     /// `done` of `total` units of work (`total` 0: unknown).
     fn report(&self, done: u64, total: u64);
+    /// `done` of `total` are there from an earlier run; they say nothing of the rate.
+    fn restored(&self, done: u64, total: u64) {
+        self.report(done, total);
+    }
+    /// A remark that the outcome does not hold, because it does not depend on it.
+    fn note(&self, _text: &str) {}
 }
 
 /// No progress display.
@@ -44,6 +54,8 @@ pub struct Context<'a> {
     pub progress: &'a dyn Progress,
     /// Most steps (integration steps, continuation points, grid points) before the study ends by itself.
     pub work_limit: u64,
+    /// Where a long study keeps its rows; `None` keeps them in memory.
+    pub keep: Option<&'a Keep>,
 }
 
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -51,7 +63,7 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 impl Context<'static> {
     /// Runs to the end, silently.
     pub fn quiet(name: &'static str) -> Self {
-        Context { name, cancel: &NEVER, progress: &Silent, work_limit: u64::MAX }
+        Context { name, cancel: &NEVER, progress: &Silent, work_limit: u64::MAX, keep: None }
     }
 }
 
@@ -59,6 +71,41 @@ impl Context<'_> {
     /// The user asked to stop.
     pub fn cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
+    }
+
+    /// May a study go on that has done so much work?
+    pub fn goes_on(&self, done: u64) -> bool {
+        !self.cancelled() && done < self.work_limit
+    }
+
+    /// The end of a study that did all it was asked, or stopped because [`goes_on`](Self::goes_on) said no.
+    pub fn end(&self, complete: bool) -> End {
+        match (complete, self.cancelled()) {
+            (true, _) => End::Reached,
+            (false, true) => End::Cancelled,
+            (false, false) => End::WorkLimit,
+        }
+    }
+}
+
+impl Host for Context<'_> {
+    fn keep(&self) -> Option<&Keep> {
+        self.keep
+    }
+    fn cancelled(&self) -> bool {
+        Context::cancelled(self)
+    }
+    fn report(&self, done: u64, total: u64) {
+        self.progress.report(done, total);
+    }
+    fn restored(&self, done: u64, total: u64) {
+        self.progress.restored(done, total);
+    }
+    fn note(&self, text: &str) {
+        self.progress.note(text);
+    }
+    fn most_rows(&self) -> u64 {
+        self.work_limit
     }
 }
 
@@ -73,6 +120,13 @@ pub trait Study: Send + Sync + Sized + 'static {
 
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
+    /// Whether this machine can answer the question at all, found out in a few milliseconds: `laval check` asks it, and so does a run before it begins.
+    ///
+    /// # Errors
+    /// Why it cannot, naming the part.
+    fn admit(&self, _: &System) -> Result<(), Diagnostic> {
+        Ok(())
+    }
     /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -81,6 +135,11 @@ pub trait Study: Send + Sync + Sized + 'static {
 pub trait ErasedStudy: Send + Sync {
     /// The word in the file.
     fn kind(&self) -> &'static str;
+    /// Whether this machine can answer it.
+    ///
+    /// # Errors
+    /// As [`Study::admit`].
+    fn admit(&self, system: &System) -> Result<(), Diagnostic>;
     /// Runs it.
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -88,6 +147,9 @@ pub trait ErasedStudy: Send + Sync {
 impl<T: Study> ErasedStudy for T {
     fn kind(&self) -> &'static str {
         T::KIND
+    }
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        Study::admit(self, system)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         Study::run(self, system, context)
@@ -116,6 +178,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<run_up::RunUp>(),
         kind::<separation::Separation>(),
         kind::<operating_window::OperatingWindow>(),
+        kind::<uncertainty::Uncertainty>(),
     ]
 }
 
@@ -139,6 +202,13 @@ pub fn blocks() -> Vec<BlockKind> {
         BlockKind { info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION), check: duty::check_suspension },
         BlockKind { info: one("limits", limits::DOC, limits::FIELDS), check: limits::check },
     ]
+}
+
+/// Says what is wrong with the coordinates and states that a study names, also when it cannot be built.
+pub fn check_starts(values: &Values, system: &System, diagnostics: &mut Diagnostics) {
+    for field in ["initial", "kick"] {
+        start::state_map(values, field, system, diagnostics);
+    }
 }
 
 /// The registry entry of a study.

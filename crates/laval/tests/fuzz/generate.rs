@@ -319,6 +319,33 @@ impl Sources {
                 let (path, unit, bounds) = self.path(r, names);
                 range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
             }
+            FieldKind::Study => {
+                let kinds = [
+                    "modes\", speed = 100.0",
+                    "critical_speeds\", speed = { from = 1.0, to = 900.0, points = 9 }",
+                    "uncertainty\"",
+                    "mode\"",
+                ];
+                if r.chance(20) { "\"modes\"".into() } else { format!("{{ kind = \"{} }}", r.of(&kinds)) }
+            }
+            FieldKind::Tolerances => {
+                let each: Vec<String> = (0..1 + r.below(2))
+                    .map(|_| {
+                        let path = self.path(r, names).0;
+                        let how = r.of(&[
+                            "\"normal\", deviation = \"2 %\"",
+                            "\"uniform\", tolerance = \"5 %\"",
+                            "\"log_normal\", deviation = \"300 %\"",
+                            "\"triangular\", from = \"90 %\", to = \"120 %\"",
+                            "\"normal\", tolerance = 1",
+                            "\"uniform\", from = 3, to = -1e300",
+                            "\"cauchy\"",
+                        ]);
+                        format!("{{ parameter = \"{path}\", distribution = {how} }}")
+                    })
+                    .collect();
+                format!("[{}]", each.join(", "))
+            }
             FieldKind::Columns(declared) => {
                 let rows = 1 + r.below(4);
                 let mut each = Vec::new();

@@ -203,6 +203,19 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
         FieldKind::StateMap => prop::collection::vec(number(Bounds::within(1e6)), 0..4)
             .prop_map(|v| Value::StateMap(v.into_iter().enumerate().map(|(i, x)| (format!("drum.x{i}"), x, 0..0)).collect()))
             .boxed(),
+        FieldKind::Study => (1i64..1000)
+            .prop_map(|n| {
+                let mut values = Values::default();
+                values.set("count", Value::Integer(n), None);
+                Value::Study(Box::new(InnerStudy { name: None, kind: "modes", values }))
+            })
+            .boxed(),
+        FieldKind::Tolerances => (number(Bounds::within(1e6)), number(Bounds::within(10.0)))
+            .prop_map(|(a, b)| {
+                let amounts = vec![("mean", Amount::Absolute(a)), ("deviation", Amount::Percent(b))];
+                Value::Tolerances(vec![Tolerance { parameter: "drum.mass".into(), distribution: "normal", amounts, span: None }])
+            })
+            .boxed(),
     }
 }
 

@@ -5,7 +5,7 @@ mod mistakes;
 mod outputs;
 
 use super::*;
-use crate::model::field::{Attach, RangeValue, Value};
+use crate::model::field::{Amount, Attach, InnerStudy, RangeValue, Tolerance, Value};
 
 const LAWS: &[(&str, &str)] = &[("per_axis", "each direction by itself"), ("isotropic", "by the distance")];
 type Alternative = (&'static str, &'static str, Bounds, &'static str);

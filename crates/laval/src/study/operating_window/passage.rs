@@ -47,6 +47,7 @@ impl Passage {
                 absolute: 1e-9,
                 outputs: &outputs,
                 windows: WINDOWS,
+                rest: &[],
                 kick: None,
                 max_steps: context.work_limit.min(20_000_000),
                 cancel: &|| context.cancelled(),

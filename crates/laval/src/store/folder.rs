@@ -1,0 +1,252 @@
+//! The folder of a study: chunk files, manifest, lock.
+
+use super::cells::{Cells, Column};
+use super::manifest::{Entry, FORMAT, Manifest};
+use super::{Host, Keep, Plan, parquet};
+use crate::diagnostic::Diagnostic;
+use crate::hash::sha256;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, Write};
+use std::path::{Path, PathBuf};
+
+const MANIFEST: &str = "manifest.json";
+const LOCK: &str = ".lock";
+
+/// An open, locked folder.
+pub struct Folder {
+    path: PathBuf,
+    manifest: Manifest,
+    /// Held while the folder is open; the system releases it when the process ends, however it ends.
+    lock: File,
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // the number of a process that has ended misleads nobody, so a failure here may pass
+        let _ = self.lock.set_len(0);
+    }
+}
+
+impl Folder {
+    /// Opens or makes the folder, checks that it belongs to this input, and keeps the chunks that are sound.
+    pub fn open(keep: &Keep, plan: &Plan, host: &dyn Host) -> Result<Folder, Diagnostic> {
+        let path = keep.folder.clone();
+        fs::create_dir_all(&path).map_err(|e| {
+            Diagnostic::error("store.folder", format!("cannot make the folder {}: {e}", path.display())).help("name another one with --out")
+        })?;
+        let lock = lock(&path)?;
+        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, lock };
+        folder.clean(keep.fresh)?;
+        if let Some(old) = folder.read_manifest()? {
+            folder.belongs(&old)?;
+            folder.manifest.level = old.level;
+            folder.manifest.chunks = old.chunks;
+        }
+        folder.verify(plan, host)?;
+        folder.write_manifest()?;
+        Ok(folder)
+    }
+
+    fn file(&self, index: usize) -> PathBuf {
+        self.path.join(name_of(index))
+    }
+
+    /// Removes unfinished files; with `fresh` everything this store has written.
+    fn clean(&self, fresh: bool) -> Result<(), Diagnostic> {
+        // the manifest last: killed in between, it names chunks that are missing, and those are computed again
+        let mut names = Vec::new();
+        for entry in fs::read_dir(&self.path).map_err(|e| self.unreadable(&self.path, &e))? {
+            let name = entry.map_err(|e| self.unreadable(&self.path, &e))?.file_name();
+            let Some(name) = name.to_str() else { continue };
+            let ours = index_of(name.trim_end_matches(".part")).is_some();
+            if (ours && (fresh || name.ends_with(".part"))) || name == "manifest.json.part" {
+                names.push(name.to_string());
+            }
+        }
+        if fresh && self.path.join(MANIFEST).exists() {
+            names.push(MANIFEST.into());
+        }
+        for name in names {
+            let path = self.path.join(name);
+            fs::remove_file(&path).map_err(|e| Diagnostic::error("store.write", format!("cannot remove {}: {e}", path.display())))?;
+        }
+        Ok(())
+    }
+
+    fn read_manifest(&self) -> Result<Option<Manifest>, Diagnostic> {
+        let path = self.path.join(MANIFEST);
+        let text = match fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(self.unreadable(&path, &e)),
+        };
+        let wrong = |why: String| {
+            Diagnostic::error("store.manifest", format!("{} is no manifest of this program: {why}", path.display()))
+                .help("give the results another folder with --out, or start anew with --fresh (which removes what the folder holds)")
+        };
+        let value: serde_json::Value = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+        let format = value.get("format").and_then(serde_json::Value::as_u64);
+        if format != Some(u64::from(FORMAT)) {
+            let found = format.map_or("none".to_string(), |f| f.to_string());
+            return Err(wrong(format!("its format is {found}, this program writes format {FORMAT}")));
+        }
+        serde_json::from_value(value).map(Some).map_err(|e| wrong(e.to_string()))
+    }
+
+    fn belongs(&self, old: &Manifest) -> Result<(), Diagnostic> {
+        const SHOWN: usize = 4;
+        if old.input_hash == self.manifest.input_hash {
+            return Ok(());
+        }
+        let mut all = old.differences(&self.manifest);
+        let more = all.len().saturating_sub(SHOWN);
+        all.truncate(SHOWN);
+        if all.is_empty() {
+            all.push("the order of its blocks".into());
+        }
+        if more > 0 {
+            all.push(format!("and {more} more"));
+        }
+        let message = format!("{} holds results of another input: {}", self.path.display(), all.join("; "));
+        Err(Diagnostic::error("store.changed", message)
+            .help("give the new results another folder with --out, or start anew with --fresh (which removes the old ones)"))
+    }
+
+    /// Keeps the chunks whose files are sound: those of the manifest by their checksums, and those written just before a kill by their mark.
+    fn verify(&mut self, plan: &Plan, host: &dyn Host) -> Result<(), Diagnostic> {
+        let listed = std::mem::take(&mut self.manifest.chunks);
+        for index in 0..plan.chunks() {
+            let path = self.file(index);
+            let entry = listed.iter().find(|e| e.chunk == index);
+            let bytes = match fs::read(&path) {
+                Ok(bytes) => Some(bytes),
+                Err(e) if e.kind() == io::ErrorKind::NotFound => None,
+                Err(e) => return Err(self.unreadable(&path, &e)),
+            };
+            let sum = bytes.map(|b| sha256(&b));
+            let sound = match (&sum, entry) {
+                (None, None) => continue,
+                (None, Some(_)) => Err("missing"),
+                (Some(sum), Some(e)) if *sum == e.sha256 => Ok(()),
+                (Some(_), Some(_)) => Err("damaged"),
+                (Some(_), None) => match self.read(index, &plan.columns) {
+                    Ok((cells, mark)) if mark == self.mark(index) && cells.iter().all(|c| c.len() == plan.range(index).len()) => Ok(()),
+                    _ => Err("not of this study"),
+                },
+            };
+            match (sound, sum) {
+                (Ok(()), Some(sha256)) => self.manifest.chunks.push(Entry { chunk: index, file: name_of(index), sha256 }),
+                (Ok(()), None) => {}
+                (Err(why), _) => {
+                    let rows = plan.range(index);
+                    host.note(&format!("{} is {why}: rows {} to {} are computed again", path.display(), rows.start, rows.end - 1));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub fn has(&self, index: usize) -> bool {
+        self.manifest.chunks.binary_search_by_key(&index, |e| e.chunk).is_ok()
+    }
+
+    fn mark(&self, index: usize) -> String {
+        format!("{} chunk {index}", self.manifest.input_hash)
+    }
+
+    /// Writes a chunk, then the manifest that names it.
+    pub fn put(&mut self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<(), Diagnostic> {
+        let bytes = parquet::encode(columns, cells, &self.mark(index))
+            .map_err(|e| Diagnostic::error("store.write", format!("chunk {index} cannot be written as Parquet: {e}")))?;
+        let path = self.file(index);
+        write_whole(&path, &bytes).map_err(|e| self.unwritable(&path, &e))?;
+        let at = self.manifest.chunks.partition_point(|e| e.chunk < index);
+        self.manifest.chunks.insert(at, Entry { chunk: index, file: name_of(index), sha256: sha256(&bytes) });
+        self.write_manifest()
+    }
+
+    pub fn read(&self, index: usize, columns: &[Column]) -> Result<(Vec<Cells>, String), Diagnostic> {
+        let path = self.file(index);
+        parquet::decode(&path, columns).map_err(|e| Diagnostic::error("store.read", format!("cannot read {}: {e}", path.display())))
+    }
+
+    fn write_manifest(&self) -> Result<(), Diagnostic> {
+        let path = self.path.join(MANIFEST);
+        let text = self.manifest.text().map_err(|e| Diagnostic::error("store.write", format!("the manifest cannot be written: {e}")))?;
+        // a chunk that no manifest names yet is found by its mark: it is kept too
+        write_whole(&path, text.as_bytes()).map_err(|e| self.unwritable(&path, &e))
+    }
+
+    fn unwritable(&self, path: &Path, e: &io::Error) -> Diagnostic {
+        let kept = self.manifest.chunks.len();
+        let all = self.manifest.rows.div_ceil(self.manifest.chunk_rows);
+        let message = format!("cannot write {}: {e}; {kept} of {all} chunks are complete and kept", path.display());
+        Diagnostic::error("store.write", message).help("make room or mend the folder, then run the same command: it continues from there")
+    }
+
+    fn unreadable(&self, path: &Path, e: &io::Error) -> Diagnostic {
+        Diagnostic::error("store.read", format!("cannot read {}: {e}", path.display())).help("name another folder with --out")
+    }
+}
+
+fn name_of(index: usize) -> String {
+    format!("chunk-{index:06}.parquet")
+}
+
+fn index_of(name: &str) -> Option<usize> {
+    let digits = name.strip_prefix("chunk-")?.strip_suffix(".parquet")?;
+    if digits.len() >= 6 && digits.bytes().all(|b| b.is_ascii_digit()) { digits.parse().ok() } else { None }
+}
+
+/// Takes the folder for this process.
+fn lock(folder: &Path) -> Result<File, Diagnostic> {
+    let path = folder.join(LOCK);
+    let failed = |e: io::Error| {
+        Diagnostic::error("store.folder", format!("cannot write {}: {e}", path.display()))
+            .help("mend the permissions of the folder, or name another one with --out")
+    };
+    let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
+    match file.try_lock() {
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => {
+            let mut who = String::new();
+            // only a courtesy: without the number the message still says what is wrong
+            let _ = file.read_to_string(&mut who);
+            let who = if who.trim().is_empty() { String::new() } else { format!(" (number {})", who.trim()) };
+            let message = format!("another process{who} is working in {}", folder.display());
+            return Err(Diagnostic::error("store.locked", message).help("wait until it has ended, or name another folder with --out"));
+        }
+        // a file system without locks: nothing can be held, and nothing is gained by refusing
+        Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
+        Err(TryLockError::Error(e)) => return Err(failed(e)),
+    }
+    let number = std::process::id().to_string();
+    file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(number.as_bytes())).map_err(failed)?;
+    Ok(file)
+}
+
+/// A file that is whole or not there, also after a kill or a loss of power.
+fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let part = PathBuf::from(part);
+    let write = || {
+        let mut file = File::create(&part)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        drop(file);
+        fs::rename(&part, path)
+    };
+    if let Err(e) = write() {
+        // the reason of the failure matters, not that of the clean-up
+        let _ = fs::remove_file(&part);
+        return Err(e);
+    }
+    // the name itself; not every system can do this to a folder
+    if let Some(folder) = path.parent()
+        && let Ok(folder) = File::open(folder)
+    {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}

@@ -1,0 +1,303 @@
+//! Results of long studies: computed in chunks, written as they come, continued after a kill.
+//!
+//! A study is a number of rows, each computed from its index alone. Rows come in chunks; each chunk is one Parquet file, written under a
+//! temporary name, flushed to the disk and renamed, and then named in `manifest.json`. Whatever happens, the folder holds whole chunks only,
+//! and the same study in the same folder computes what is missing: its files are then those of the undisturbed run, byte for byte. A folder of
+//! another input is refused, with what differs.
+//!
+//! Without a folder ([`Host::keep`]) chunks stay in memory.
+//!
+//! ```
+//! use laval::store::{self, Cells, Column, Plan};
+//! use laval::study::Context;
+//!
+//! # fn main() -> Result<(), laval::diagnostic::Diagnostic> {
+//! let plan = Plan { study: "squares".into(), columns: vec![Column::float("square", "", "i^2")], rows: 1000, chunk: 64, level: "base".into() };
+//! let results = store::run(plan, &Context::quiet("squares"), |rows, _| {
+//!     Ok(Some(vec![Cells::Float(rows.map(|i| (i * i) as f64).collect())]))
+//! })?;
+//! assert!(results.complete());
+//! let mut sum = 0.0;
+//! for chunk in results.chunks() {
+//!     let chunk = chunk?;
+//!     sum += (0..chunk.rows.len()).map(|i| chunk.cells[0].number(i)).sum::<f64>();
+//! }
+//! assert_eq!(sum, 332_833_500.0);
+//! # Ok(()) }
+//! ```
+
+mod cells;
+#[cfg(feature = "parquet")]
+mod folder;
+#[cfg(feature = "parquet")]
+mod manifest;
+#[cfg(feature = "parquet")]
+mod parquet;
+
+pub use cells::{Cells, Column, Kind};
+
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{End, Finding};
+#[cfg(feature = "parquet")]
+use folder::Folder;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Most chunks of a study: the manifest names each of them and is written anew after each.
+const MOST_CHUNKS: usize = 20_000;
+
+/// Where results are kept, and for which input.
+#[derive(Clone, Debug)]
+pub struct Keep {
+    /// The folder of the study; made when missing.
+    pub folder: PathBuf,
+    /// All that settles the numbers (machine and settings, in SI units), and nothing else.
+    pub input: serde_json::Value,
+    /// Remove what the folder holds of a study and start anew.
+    pub fresh: bool,
+}
+
+/// What surrounds a run: where to keep results, whom to tell, when to stop.
+pub trait Host: Sync {
+    /// Where to keep results; `None` keeps them in memory.
+    fn keep(&self) -> Option<&Keep>;
+    /// The user asked to stop.
+    fn cancelled(&self) -> bool;
+    /// `done` of `total` rows.
+    fn report(&self, done: u64, total: u64);
+    /// `done` of `total` rows are there from an earlier run; they say nothing of the rate.
+    fn restored(&self, done: u64, total: u64);
+    /// A remark that the result does not hold, because it does not depend on it.
+    fn note(&self, text: &str);
+    /// Most rows; chunks that begin beyond are left out.
+    fn most_rows(&self) -> u64;
+}
+
+/// What is computed: how many rows of which columns.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// Kind of the study.
+    pub study: String,
+    /// The columns.
+    pub columns: Vec<Column>,
+    /// Number of rows.
+    pub rows: usize,
+    /// Rows of a chunk: what memory holds, and what a kill can lose.
+    pub chunk: usize,
+    /// Lane level used, for the manifest.
+    pub level: String,
+}
+
+impl Plan {
+    fn chunks(&self) -> usize {
+        self.rows.div_ceil(self.chunk)
+    }
+
+    fn range(&self, index: usize) -> Range<usize> {
+        index * self.chunk..((index + 1) * self.chunk).min(self.rows)
+    }
+
+    fn check(&self) -> Result<(), Diagnostic> {
+        let wrong = |message: String| Err(Diagnostic::error("store.plan", message));
+        if self.rows == 0 || self.chunk == 0 || self.columns.is_empty() {
+            return wrong("a study needs at least one row, one row in a chunk, and one column".into());
+        }
+        if self.chunks() > MOST_CHUNKS {
+            return wrong(format!("{} rows in chunks of {} are more than {MOST_CHUNKS} chunks", self.rows, self.chunk));
+        }
+        match self.columns.iter().enumerate().find(|(i, c)| self.columns[..*i].iter().any(|o| o.name == c.name)) {
+            Some((_, c)) => wrong(format!("two columns are named \"{}\"", c.name)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Counts rows while a chunk is computed, from any thread.
+pub struct Rows<'a> {
+    host: &'a dyn Host,
+    done: AtomicU64,
+    total: u64,
+}
+
+impl Rows<'_> {
+    /// `n` more rows are done.
+    pub fn add(&self, n: u64) {
+        let done = self.done.fetch_add(n, Ordering::Relaxed) + n;
+        self.host.report(done.min(self.total), self.total);
+    }
+    /// The user asked to stop.
+    pub fn cancelled(&self) -> bool {
+        self.host.cancelled()
+    }
+    fn set(&self, done: u64) {
+        self.done.store(done, Ordering::Relaxed);
+        self.host.report(done, self.total);
+    }
+}
+
+enum Place {
+    Memory(Vec<Option<Vec<Cells>>>),
+    #[cfg(feature = "parquet")]
+    Folder(Folder),
+}
+
+impl Place {
+    fn open(host: &dyn Host, plan: &Plan) -> Result<Place, Diagnostic> {
+        match host.keep() {
+            None => Ok(Place::Memory(vec![None; plan.chunks()])),
+            #[cfg(feature = "parquet")]
+            Some(keep) => Folder::open(keep, plan, host).map(Place::Folder),
+            #[cfg(not(feature = "parquet"))]
+            Some(_) => Err(Diagnostic::error("store.parquet", "this build cannot write Parquet, which long studies are kept in")),
+        }
+    }
+
+    fn has(&self, index: usize) -> bool {
+        match self {
+            Place::Memory(chunks) => chunks[index].is_some(),
+            #[cfg(feature = "parquet")]
+            Place::Folder(folder) => folder.has(index),
+        }
+    }
+
+    fn put(&mut self, index: usize, plan: &Plan, cells: Vec<Cells>) -> Result<(), Diagnostic> {
+        match self {
+            Place::Memory(chunks) => {
+                chunks[index] = Some(cells);
+                Ok(())
+            }
+            #[cfg(feature = "parquet")]
+            Place::Folder(folder) => folder.put(index, &plan.columns, &cells),
+        }
+    }
+
+    fn read(&self, index: usize, plan: &Plan) -> Result<Vec<Cells>, Diagnostic> {
+        match self {
+            Place::Memory(chunks) => Ok(chunks[index].clone().unwrap_or_default()),
+            #[cfg(feature = "parquet")]
+            Place::Folder(folder) => folder.read(index, &plan.columns).map(|r| r.0),
+        }
+    }
+}
+
+/// Computes the rows that are not there yet, chunk by chunk.
+///
+/// `compute` gets the rows of one chunk and returns its columns, which must depend on the rows' indices alone (not on threads, order, or time);
+/// `None` when it was stopped in between: the chunk is then dropped and the run ends.
+///
+/// # Errors
+/// When the folder cannot be written, is in use, or holds results of another input; and whatever `compute` returns. Chunks written
+/// until then are kept.
+pub fn run(
+    plan: Plan,
+    host: &dyn Host,
+    mut compute: impl FnMut(Range<usize>, &Rows) -> Result<Option<Vec<Cells>>, Diagnostic>,
+) -> Result<Results, Diagnostic> {
+    plan.check()?;
+    let mut place = Place::open(host, &plan)?;
+    let present = (0..plan.chunks()).filter(|&i| place.has(i)).map(|i| plan.range(i).len() as u64).sum();
+    let rows = Rows { host, done: AtomicU64::new(present), total: plan.rows as u64 };
+    if present > 0 {
+        host.restored(present, rows.total);
+    }
+    let mut done = present;
+    let mut end = End::Reached;
+    for index in 0..plan.chunks() {
+        if place.has(index) {
+            continue;
+        }
+        let range = plan.range(index);
+        if host.cancelled() || range.start as u64 >= host.most_rows() {
+            end = if host.cancelled() { End::Cancelled } else { End::MaxPoints };
+            break;
+        }
+        let count = range.len();
+        let Some(cells) = compute(range, &rows)? else {
+            end = End::Cancelled;
+            break;
+        };
+        cells::check(&plan.columns, count, &cells)?;
+        place.put(index, &plan, cells)?;
+        done += count as u64;
+        rows.set(done);
+    }
+    let kept = host.keep().is_some();
+    Ok(Results { plan, place, done, end, kept })
+}
+
+/// What a run has computed or found; the folder stays locked while it lives.
+pub struct Results {
+    plan: Plan,
+    place: Place,
+    done: u64,
+    end: End,
+    kept: bool,
+}
+
+/// One chunk read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chunk {
+    /// Its rows.
+    pub rows: Range<usize>,
+    /// Its columns, in the order of the plan.
+    pub cells: Vec<Cells>,
+}
+
+impl Results {
+    /// How the run ended.
+    pub fn end(&self) -> End {
+        self.end.clone()
+    }
+    /// Whether all rows are there.
+    pub fn complete(&self) -> bool {
+        self.done == self.plan.rows as u64
+    }
+    /// Number of rows that are there.
+    pub fn done(&self) -> u64 {
+        self.done
+    }
+    /// The columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.plan.columns
+    }
+    /// Position of a column.
+    pub fn position(&self, column: &str) -> Option<usize> {
+        self.plan.columns.iter().position(|c| c.name == column)
+    }
+
+    /// The chunks that are there, in order, one in memory at a time.
+    pub fn chunks(&self) -> impl Iterator<Item = Result<Chunk, Diagnostic>> + '_ {
+        let present = (0..self.plan.chunks()).filter(|&i| self.place.has(i));
+        present.map(|i| Ok(Chunk { rows: self.plan.range(i), cells: self.place.read(i, &self.plan)? }))
+    }
+
+    /// One column of numbers, over all rows that are there; NaN where there is none.
+    ///
+    /// # Errors
+    /// When a chunk cannot be read.
+    pub fn numbers(&self, column: &str) -> Result<Vec<f64>, Diagnostic> {
+        let Some(c) = self.position(column) else {
+            return Err(Diagnostic::error("store.columns", format!("there is no column \"{column}\"")));
+        };
+        let mut out = Vec::with_capacity(usize::try_from(self.done).unwrap_or_default());
+        for chunk in self.chunks() {
+            let chunk = chunk?;
+            out.extend((0..chunk.rows.len()).map(|i| chunk.cells[c].number(i)));
+        }
+        Ok(out)
+    }
+
+    /// What a run that ended early owes its reader: how far it came, and how it goes on.
+    pub fn remark(&self) -> Option<Finding> {
+        if self.complete() {
+            return None;
+        }
+        let how = if self.kept { "; the same command continues from there" } else { "" };
+        Some(
+            Finding::warning("incomplete", format!("Only {{}} of {} rows were computed{how}.", self.plan.rows))
+                .value(self.done as f64, "")
+                .evidence("rows asked for", self.plan.rows as f64, ""),
+        )
+    }
+}

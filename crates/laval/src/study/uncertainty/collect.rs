@@ -1,0 +1,148 @@
+//! One sample: what a machine's study says in numbers, under names that are the same in every sample.
+
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{End, Level, Outcome};
+use crate::study::{Context, ErasedStudy};
+use serde_json::{Map, Value as Json, json};
+
+/// A number of an outcome.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// Id and subject of the finding, or kind of the special point, and which of several of that name in rising order.
+    pub label: String,
+    /// The number, SI.
+    pub value: f64,
+    /// Its unit.
+    pub unit: String,
+}
+
+/// What one sample gave.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sample {
+    /// Numbers, and whether one of them lies outside the validity of a model.
+    Found(Vec<Quantity>, bool),
+    /// No machine or no result, and why.
+    Failed(String),
+    /// Stopped by the user.
+    Stopped,
+}
+
+/// The numbers of an outcome. Several of one name are told apart by their order: numbers of findings by value, special points by place.
+pub fn quantities(outcome: &Outcome) -> Vec<Quantity> {
+    let mut all: Vec<Quantity> = Vec::new();
+    for f in &outcome.findings {
+        let Some(value) = f.value else { continue };
+        let label = if f.subject.is_empty() { f.id.clone() } else { format!("{} {}", f.id, f.subject) };
+        all.push(Quantity { label, value, unit: f.unit.clone() });
+    }
+    let unit = outcome.parameter.as_ref().map_or(String::new(), |p| p.unit.clone());
+    // points that a finding speaks of are there already
+    for p in outcome.special_points.iter().filter(|p| !outcome.findings.iter().any(|f| f.id == p.kind)) {
+        all.push(Quantity { label: p.kind.clone(), value: p.at, unit: unit.clone() });
+    }
+    let labels: Vec<String> = all.iter().map(|q| q.label.clone()).collect();
+    let mut out = all.clone();
+    for (i, label) in labels.iter().enumerate() {
+        let mut same: Vec<usize> = (0..all.len()).filter(|&j| labels[j] == *label).collect();
+        let place = same.iter().position(|&j| j == i).unwrap_or(0);
+        same.sort_by(|&a, &b| all[a].value.total_cmp(&all[b].value));
+        let q = &all[same[place]];
+        out[i] = Quantity { label: if place == 0 { label.clone() } else { format!("{label} #{}", place + 1) }, ..q.clone() };
+    }
+    out
+}
+
+/// Runs the study on one machine.
+pub fn sample(study: &dyn ErasedStudy, machine: Result<crate::model::system::System, Diagnostic>, context: &Context) -> Sample {
+    let said = |d: Diagnostic| Sample::Failed(format!("{}: {}", d.code, d.message));
+    let machine = match machine {
+        Ok(machine) => machine,
+        Err(d) => return said(d),
+    };
+    match study.run(&machine, context) {
+        Err(d) => said(d),
+        Ok(o) if o.end == End::Cancelled => Sample::Stopped,
+        // what it has found is not what it would have found
+        Ok(o) if !o.end.is_complete() => Sample::Failed(format!("{}: {}", o.end.word(), o.end_in_words())),
+        Ok(o) => Sample::Found(quantities(&o), o.findings.iter().any(|f| f.level == Level::Invalid)),
+    }
+}
+
+/// Quantities as a text that reads back to the same numbers.
+pub fn encode(list: &[Quantity]) -> String {
+    let object: Map<String, Json> = list.iter().map(|q| (q.label.clone(), json!([q.value, q.unit]))).collect();
+    Json::Object(object).to_string()
+}
+
+/// See [`encode`].
+pub fn decode(text: &str) -> Vec<Quantity> {
+    let Ok(Json::Object(object)) = serde_json::from_str(text) else { return Vec::new() };
+    let one = |(label, v): (String, Json)| Some(Quantity { value: v.get(0)?.as_f64()?, unit: v.get(1)?.as_str()?.to_string(), label });
+    object.into_iter().filter_map(one).collect()
+}
+
+/// A message without its numbers, so that the same cause at different values is one cause.
+pub fn cause(message: &str) -> String {
+    let mut out = String::new();
+    let mut word = String::new();
+    let flush = |word: &mut String, out: &mut String| {
+        let core = word.trim_matches(|c: char| matches!(c, '(' | ')' | ',' | ';' | ':' | '"') || c == '.');
+        if core.parse::<f64>().is_ok() && core.contains(|c: char| c.is_ascii_digit()) {
+            out.push_str(&word.replacen(core, "..", 1));
+        } else {
+            out.push_str(word);
+        }
+        word.clear();
+    };
+    for c in message.chars() {
+        if c.is_whitespace() {
+            flush(&mut word, &mut out);
+            out.push(c);
+        } else {
+            word.push(c);
+        }
+    }
+    flush(&mut word, &mut out);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outcome::{Finding, SpecialPoint};
+
+    #[test]
+    fn names_do_not_depend_on_the_order_of_findings() {
+        let f = |value, of: &str| Finding::info("peak", "").of(of).value(value, "m");
+        let fold = |at| SpecialPoint::new("fold", at, (at, at));
+        let outcome = |findings: Vec<Finding>, folds: [f64; 2]| {
+            let mut o = Outcome::new("k", "n").over("speed", "rad/s").special_point(SpecialPoint::new("peak", 1.0, (1.0, 1.0)));
+            o.findings = findings;
+            o.special_points.extend(folds.map(fold));
+            let mut q: Vec<(String, f64, String)> = quantities(&o).into_iter().map(|q| (q.label, q.value, q.unit)).collect();
+            q.sort_by(|a, b| a.0.cmp(&b.0));
+            q
+        };
+        let a = outcome(vec![f(2.0, "drum"), f(5.0, "base"), f(1.0, "drum")], [7.0, 6.0]);
+        let b = outcome(vec![f(1.0, "drum"), f(2.0, "drum"), f(5.0, "base"), Finding::info("x", "")], [6.0, 7.0]);
+        assert_eq!(a, b);
+        let names: Vec<(&str, f64)> = a.iter().map(|q| (q.0.as_str(), q.1)).collect();
+        assert_eq!(names, [("fold", 6.0), ("fold #2", 7.0), ("peak base", 5.0), ("peak drum", 1.0), ("peak drum #2", 2.0)]);
+    }
+
+    #[test]
+    fn text_and_back_to_the_last_bit() {
+        let q = vec![
+            Quantity { label: "a \"b\"".into(), value: 0.1 + 0.2, unit: "N/m".into() },
+            Quantity { label: "c".into(), value: -5e-324, unit: String::new() },
+        ];
+        assert_eq!(decode(&encode(&q)), q);
+    }
+
+    #[test]
+    fn one_cause_whatever_the_number() {
+        assert_eq!(cause("\"drum\": mass = -0.25 kg is not admissible"), "\"drum\": mass = .. kg is not admissible");
+        assert_eq!(cause("no rest at 1e3 rad/s (3, 4)."), "no rest at .. rad/s (.., ..).");
+        assert_eq!(cause("order-2 of \"disc-2\""), "order-2 of \"disc-2\"");
+    }
+}
