@@ -270,7 +270,7 @@ fn mistakes_are_told() {
     one(&base.replace("[suspension]", "[suspensoin]"), "file.unknown_table");
     one(&base.replace("viscosity = \"1 mPa s\"", ""), "suspension.viscosity");
     one(&base.replace("kind = \"tubular_bowl\"", "kind = \"tubular\""), "kind.unknown");
-    one(&base.replace("from = \"20 rad/s\"", "from = \"-20 rad/s\""), "operating_window.speed");
+    one(&base.replace("from = \"20 rad/s\"", "from = \"0 rad/s\""), "operating_window.speed");
     one(&base.replace("start = \"slowest\"", "uncertain = { suspension.viscosty = 0.1 }"), "parameter.unknown");
     one(&CUPS.replace("on = \"rotor\"", "on = \"rotr\""), "body.missing");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"3 g\", 0]"), "cup.count");

@@ -92,10 +92,10 @@ fn trajectories() {
         for (got, at) in [(x, 3), (v, 6)] {
             let want: Vec<f64> = (0..3).map(|k| number(row[at + k])).collect();
             let size = want.iter().fold(0.0f64, |m, w| m.max(w.abs()));
-            // positions come out of a difference of the hinge's size
+            // positions come out of a difference of the hinge's size; what starts at rest is zero to rounding in the table too
             let size = if at == 3 { size.max(c.steady.hinge) } else { size };
             for k in 0..3 {
-                assert!((got[k] - want[k]).abs() <= 1e-13 * size.max(1e-3), "{} {} {k}: {} {}", row[0], row[1], got[k], want[k]);
+                assert!((got[k] - want[k]).abs() <= 1e-13 * size.max(1e-2), "{} {} {k}: {} {}", row[0], row[1], got[k], want[k]);
             }
         }
     }

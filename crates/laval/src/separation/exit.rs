@@ -122,13 +122,13 @@ pub fn first_exit(path: &impl Path, vessel: &impl Vessel, horizon: f64) -> Optio
     }
     let pace = path.pace();
     let mut search = Search::start(path, vessel)?;
-    let mut t = 1e-3 / pace.transient;
+    let mut t = 0.1 / pace.transient;
     if t > 0.0 && t.is_finite() {
-        while t < horizon / SAMPLES && t < 50.0 / pace.transient {
+        while t < horizon / SAMPLES && t < 30.0 / pace.transient {
             if let Some(e) = search.to(t) {
                 return Some(e);
             }
-            t *= 2.5;
+            t *= 3.0;
         }
     }
     let mut from = search.t;
