@@ -410,6 +410,9 @@ impl Found<'_> {
         let n = self.exits.len() as f64;
         let (mut surface, mut low, mut high, mut share) = (vec![], vec![], vec![], vec![]);
         for s in [Surface::Wall, Surface::Bottom, Surface::Free] {
+            if !self.exits.iter().flatten().any(|e| e.surface == s) {
+                continue;
+            }
             let (a, b) = if s == Surface::Wall { (from, to) } else { (0.0, radius) };
             for k in 0..BINS {
                 let edge = |k: usize| a + (b - a) * k as f64 / BINS as f64;
@@ -598,7 +601,7 @@ impl Found<'_> {
             if out.find_table("released").is_some_and(|t| t.column("static tilt").is_some()) {
                 tilt = tilt.mark(Line::new("released", "time", "static tilt").name("equilibrium at the speed of the moment"));
             }
-            let along = Panel::new(Axis::new("along the cup", "mm").factor(1e3)).mark(Line::new("released", "time", "y"));
+            let along = Panel::new(Axis::new("along the cup", "mm").factor(1e3)).mark(place("y"));
             let across = Panel::new(Axis::new("across", "mm").factor(1e3)).mark(place("x")).mark(place("z"));
             let alt = "Place of the particle released, over time, and the tilt of its cup.";
             out = out.figure(
