@@ -141,8 +141,8 @@ impl Path for Closed {
         let faded = self.lam2.re * t;
         if faded > -745.0 {
             let e2 = self.c2 * self.lam2.scale(t).exp();
-            w = w + e2;
-            dw = dw + e2 * self.lam2;
+            w += e2;
+            dw += e2 * self.lam2;
         }
         let gone = -(-self.two_n * t).exp_m1();
         let v = self.height + self.settling * t + self.excess * gone / self.two_n;

@@ -76,8 +76,8 @@ impl Ring {
             let polar = mass * r * r + share * (radial + own_x);
             load.polar += polar;
             load.diametral += 0.5 * polar + mass * v * v + share * axial;
-            load.unbalance = load.unbalance + direction.scale(mass * r);
-            load.couple = load.couple + direction.scale(mass * r * v + share * self.coupled(own_x, own_y, own_xy, s, co));
+            load.unbalance += direction.scale(mass * r);
+            load.couple += direction.scale(mass * r * v + share * self.coupled(own_x, own_y, own_xy, s, co));
         }
         if load.mass > 0.0 {
             load.height /= load.mass;

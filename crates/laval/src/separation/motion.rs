@@ -235,6 +235,9 @@ enum Leaves {
     Nothing,
 }
 
+/// What an event watches.
+type Gauge<'a> = dyn Fn(f64, &[f64]) -> f64 + 'a;
+
 struct Leg<'a> {
     t: f64,
     y: [f64; STATES],
@@ -260,7 +263,7 @@ impl Leg<'_> {
         let (reynolds, threshold) = (self.reynolds, equations.threshold);
         let re = move |_: f64, y: &[f64]| reynolds(y) - threshold;
         let falling = |g| Event::new(g).direction(Direction::Falling).terminal();
-        let mut events = vec![falling(&wall as &dyn Fn(f64, &[f64]) -> f64), falling(&bottom), falling(&free)];
+        let mut events = vec![falling(&wall as &Gauge), falling(&bottom), falling(&free)];
         if equations.j.medium.drag == Drag::SchillerNaumann {
             let way = if equations.turbulent { Direction::Falling } else { Direction::Rising };
             events.push(Event::new(&re).direction(way).terminal());
@@ -289,7 +292,7 @@ impl Leg<'_> {
         match run.end {
             End::Reached => Ok(Leaves::Nothing),
             End::Event { index, t } => {
-                let all: [&dyn Fn(f64, &[f64]) -> f64; 4] = [&wall, &bottom, &free, &re];
+                let all: [&Gauge; 4] = [&wall, &bottom, &free, &re];
                 let g = |y: &[f64; STATES]| all[index](0.0, y);
                 let (t, y) = polish(method, equations, &self.control(&vessel), start, t, g)?;
                 (self.t, self.y) = (t, y);
