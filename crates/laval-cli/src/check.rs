@@ -20,7 +20,7 @@ pub struct Args {
 pub fn check(args: &Args) -> u8 {
     match Input::read(&args.file) {
         Ok(input) => {
-            let loaded = input.load();
+            let loaded = input.check();
             if args.json { as_json(&loaded, &input.text()) } else { in_words(&loaded, &input) }
         }
         Err(d) if args.json => as_json(&Err(Diagnostics(vec![d])), ""),

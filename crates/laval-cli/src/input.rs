@@ -48,6 +48,19 @@ impl Input {
         file::load_bytes(&self.bytes)
     }
 
+    /// As [`load`](Self::load), where a study that the machine cannot answer is a mistake too.
+    pub fn check(&self) -> Result<Loaded, Diagnostics> {
+        let loaded = self.load()?;
+        let refusals = loaded.refusals();
+        if refusals.is_empty() {
+            return Ok(loaded);
+        }
+        let mut all = loaded.warnings;
+        all.0.extend(refusals.into_iter().map(|r| r.diagnostic));
+        all.sort_by_place();
+        Err(all)
+    }
+
     /// The name by which results refer to the file: its folder and name, which do not depend on where the folder lies.
     pub fn name(&self) -> String {
         let mut parts: Vec<String> = self.path.components().rev().take(2).filter_map(named).collect();

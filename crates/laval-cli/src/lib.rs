@@ -66,7 +66,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => cli.command,
         Err(e) => return usage(&e),
     };
-    guarded(|| match &command {
+    let code = guarded(|| match &command {
         Command::Run(args) => run::run(args),
         Command::Check(args) => check::check(args),
         Command::New(args) => new::new(args),
@@ -75,15 +75,15 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Schema => show::schema(),
         Command::Validate(args) => validate::validate(args),
     })
-    .unwrap_or(FAILED)
+    .unwrap_or(FAILED);
+    if code == DONE && terminal::lost() { WRONG } else { code }
 }
 
 /// Help and version are answers; anything else is a wrong request.
 fn usage(e: &clap::Error) -> u8 {
-    // a closed pipe is the reader's wish
-    let _ = e.print();
+    terminal::tell(e.print());
     match e.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => DONE,
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion if !terminal::lost() => DONE,
         _ => WRONG,
     }
 }

@@ -160,6 +160,9 @@ impl<'a> Run<'a> {
             input::complain(&d.help("name another one with --out"));
             return WRONG;
         }
+        // all that is refused is said at once, before anything long begins
+        let refusals = self.loaded.refusals();
+        self.input.complain(&Diagnostics(refusals.iter().map(|r| r.diagnostic.clone()).collect()));
         let mut written = Instant::now();
         let last = self.loaded.studies.len() - 1;
         for (i, study) in self.loaded.studies.iter().enumerate() {
@@ -168,7 +171,10 @@ impl<'a> Run<'a> {
                 terminal::complain(&format!("not run: {}\n", left.join(", ")));
                 break;
             }
-            self.study(study);
+            match refusals.iter().find(|r| r.studies.contains(&i)) {
+                Some(r) => self.refused(study, &r.diagnostic),
+                None => self.study(study),
+            }
             if i < last && written.elapsed() > KEEP_EVERY {
                 if let Err(code) = self.write() {
                     return code;
@@ -182,7 +188,7 @@ impl<'a> Run<'a> {
         };
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
         self.paragraph(&format!("{}\n", page.unwrap_or_else(|| self.dir.clone()).display()));
-        if self.code == DONE && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }
+        if self.code != FAILED && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }
     }
 
     fn study(&mut self, named: &NamedStudy) {
@@ -200,11 +206,8 @@ impl<'a> Run<'a> {
         let outcome = match result {
             Some(Ok(outcome)) => outcome,
             Some(Err(d)) => {
-                let outcome = refused(named, &d);
-                self.refuse(named, d);
-                self.code = self.code.max(WRONG);
-                self.report.outcomes.push(outcome);
-                return;
+                let d = self.complain(named, d);
+                return self.refused(named, &d);
             }
             None => {
                 terminal::complain(&format!("laval: study \"{}\" has no result\n", named.name));
@@ -234,17 +237,26 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Says why a study was refused, at its place in the file.
-    fn refuse(&self, named: &NamedStudy, mut d: Diagnostic) {
+    /// A refusal as it stands in the report.
+    fn refused(&mut self, named: &NamedStudy, d: &Diagnostic) {
+        let outcome = Outcome::new(named.study.kind(), &named.name).end(End::Refused);
+        self.report.outcomes.push(outcome.finding(Finding::warning("refused", d.to_string())));
+        self.code = self.code.max(WRONG);
+    }
+
+    /// Says why a study was refused on the way, at its place in the file.
+    fn complain(&self, named: &NamedStudy, mut d: Diagnostic) -> Diagnostic {
         if d.span.is_none() {
             d.span = self.loaded.spec.study(&named.name).and_then(|b| b.span.clone());
         }
         d.message = format!("study \"{}\": {}", named.name, d.message);
-        self.input.complain(&Diagnostics(vec![d]));
+        self.input.complain(&Diagnostics(vec![d.clone()]));
+        d
     }
 
     fn write(&self) -> Result<Vec<PathBuf>, u8> {
-        report::write(&self.dir, &self.report, &self.formats).map_err(|e| {
+        let studies: Vec<&str> = self.loaded.spec.studies.iter().map(|s| s.name.as_str()).collect();
+        report::renew(&self.dir, &self.report, &self.formats, &studies).map_err(|e| {
             terminal::complain(&format!("laval: {e}\n"));
             match e {
                 WriteError::Io { .. } => WRONG,
@@ -252,9 +264,4 @@ impl<'a> Run<'a> {
             }
         })
     }
-}
-
-/// A refusal as it stands in the report.
-fn refused(named: &NamedStudy, d: &Diagnostic) -> Outcome {
-    Outcome::new(named.study.kind(), &named.name).end(End::Refused).finding(Finding::warning("refused", d.to_string()))
 }

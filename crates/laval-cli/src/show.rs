@@ -14,7 +14,15 @@ pub struct Args {
 
 /// `laval parts`.
 pub fn parts(args: &Args) -> u8 {
-    show("part", "parts", &catalog().parts, args)
+    if args.kind.as_deref() == Some("machine") {
+        terminal::print(&docs::text("machine", &docs::machine(), terminal::width()));
+        return DONE;
+    }
+    let code = show("part", "parts", &catalog().parts, args);
+    if args.kind.is_none() {
+        terminal::print("laval parts machine documents the [machine] block.\n");
+    }
+    code
 }
 
 /// `laval studies`.

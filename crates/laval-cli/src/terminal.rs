@@ -3,13 +3,32 @@
 use laval::file::Form;
 use laval::report::Terminal;
 use std::io::{self, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 use terminal_size::{Width, terminal_size_of};
 
-/// Prints results. A closed pipe (`laval parts | head`) ends the output quietly.
+/// Standard output took not all it was given.
+static LOST: AtomicBool = AtomicBool::new(false);
+
+/// Prints results. A closed pipe (`laval parts | head`) ends the output quietly; any other failure is told once, and [`lost`] says so.
 pub fn print(text: &str) {
     let mut out = io::stdout().lock();
-    // nobody is left to be told when standard output is gone
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    tell(written);
+}
+
+/// Remembers and tells that standard output could not be written.
+pub fn tell(written: io::Result<()>) {
+    if let Err(e) = written
+        && e.kind() != io::ErrorKind::BrokenPipe
+        && !LOST.swap(true, Ordering::Relaxed)
+    {
+        complain(&format!("laval: cannot write to standard output: {e}\n"));
+    }
+}
+
+/// Something printed was lost.
+pub fn lost() -> bool {
+    LOST.load(Ordering::Relaxed)
 }
 
 /// Prints a message to standard error.

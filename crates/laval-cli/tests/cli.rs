@@ -272,6 +272,52 @@ fn a_refused_study_leaves_the_others() {
 }
 
 #[test]
+fn check_says_what_a_run_would_refuse() {
+    let dir = Dir::new("admit");
+    let hertz = "[[part]]\nkind = \"bearing_hertz\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\n";
+    let more = "[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n[[study]]\nkind = \"critical_speeds\"\nspeed = { from = 1, to = 100 }\n";
+    dir.file("pump.toml", format!("{SMALL}{more}{hertz}"));
+    let said = dir.laval(["check", "pump.toml"]);
+    said.refused(&["studies \"campbell\", \"critical_speeds\"", "no stiffness at rest"]);
+    assert_eq!(said.err.matches("no stiffness at rest").count(), 1, "{}", said.err);
+    let json: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
+    assert_eq!((&json["ok"], json["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
+    // a run says it once as well, and does the rest
+    let run = dir.laval(["run", "pump.toml"]);
+    assert_eq!((run.code, run.err.matches("no stiffness at rest").count()), (1, 1), "{}", run.err);
+    assert!(run.out.starts_with("response\n"), "{}", run.out);
+}
+
+#[test]
+fn results_of_a_study_that_is_gone_are_removed() {
+    let dir = Dir::new("stale");
+    let modes = "[[study]]\nkind = \"modes\"\nname = \"small motions\"\n";
+    dir.file("pump.toml", format!("{SMALL}{modes}"));
+    dir.laval(["run", "pump.toml"]).done();
+    assert!(dir.0.join("out/pump/small-motions/modes.csv").is_file());
+    dir.file("out/pump/small-motions/notes.txt", "mine");
+    // not asked for, but still in the file
+    dir.laval(["run", "pump.toml", "--only", "response"]).done();
+    assert!(dir.0.join("out/pump/small-motions/modes.csv").is_file());
+    dir.file("pump.toml", SMALL);
+    dir.laval(["run", "pump.toml"]).done();
+    let left: Vec<String> =
+        tree(&dir.0.join("out/pump")).iter().map(|f| f.0.display().to_string()).filter(|f| f.contains("small")).collect();
+    assert_eq!(left, ["small-motions/notes.txt"]);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn output_that_is_lost_is_a_failure() {
+    let dir = Dir::new("full");
+    for args in [&["schema"][..], &["parts"], &["--help"], &["new", "rigid-rotor", "--out", "-"]] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let said = Said::of(&dir.command(args).stdout(full).output().unwrap());
+        assert_eq!(said.code, 1, "{args:?}: {}", said.err);
+    }
+}
+
+#[test]
 fn a_work_limit_ends_a_study_early_and_says_so() {
     let dir = Dir::new("limit");
     dir.file("pump.toml", SMALL);

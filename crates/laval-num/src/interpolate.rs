@@ -87,6 +87,7 @@ impl Interpolant {
     }
 
     /// Value and d value / d x at `x`; the slope is 0 outside and, at a knot, that of the interval before it.
+    #[inline(always)]
     pub fn value_and_slope<S: Scalar>(&self, x: S) -> (S, S) {
         // 0 * x lets NaN through where there is no interval
         let (mut y, mut slope) = (S::cst(self.first.1) + x.scale(0.0), x.scale(0.0));
@@ -94,7 +95,7 @@ impl Interpolant {
             let u = x - S::cst(p.start);
             let over = u - S::cst(p.width);
             let t = over.select_pos(S::cst(p.width), u.pos());
-            let [c1, c2, c3] = p.c.map(S::cst);
+            let (c1, c2, c3) = (S::cst(p.c[0]), S::cst(p.c[1]), S::cst(p.c[2]));
             y += t * (c1 + t * (c2 + t * c3));
             let inside = c1 + t * (c2.scale(2.0) + t * c3.scale(3.0));
             slope += over.select_pos(S::zero(), u.select_pos(inside, S::zero()));

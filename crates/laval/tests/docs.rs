@@ -13,9 +13,14 @@ fn page(name: &str, title: &str, intro: &str, kinds: &[laval::model::field::Kind
         text.push_str(docs::markdown(what, k).trim_end());
         text.push('\n');
     }
+    current(name, &text);
+}
+
+/// The page is this text; or becomes it.
+fn current(name: &str, text: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name);
     if std::env::var_os("LAVAL_WRITE_DOCS").is_some() {
-        std::fs::write(&path, &text).unwrap();
+        std::fs::write(&path, text).unwrap();
     }
     let found = std::fs::read_to_string(&path).unwrap_or_default().replace('\r', "");
     assert!(found == text, "docs/{name} is not what the registry says: run LAVAL_WRITE_DOCS=1 cargo test -p laval --test docs");
@@ -28,4 +33,63 @@ fn pages_of_parts_and_studies_are_current() {
     page("parts.md", "Parts", intro, &c.parts, "part");
     let intro = "Every key of every kind of study, as `laval studies KIND` prints it.";
     page("studies.md", "Studies", intro, &c.studies, "study");
+}
+
+/// What a part adds to the machine that can be named: its coordinates and internal states.
+fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<String>)> {
+    let body =
+        |name: &str| format!("[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = 1\ndiametral_inertia = 0.01\npolar_inertia = 0.015\n");
+    // optional keys are remarks in an example; a disc tilts only with them
+    let own = if kind.kind == "disc" { body("the part") } else { docs::example("part", kind).replacen('\n', "\nname = \"the part\"\n", 2) };
+    let own = own.replacen("[[part]]\nname = \"the part\"\n", "[[part]]\n", 1);
+    // the usual radius of an example is that of the cavity itself
+    let fill = |l: &str| if l.starts_with("fill =") { "fill = { volume_fraction = 0.5 }".to_string() } else { l.to_string() };
+    let own: String = own.lines().map(|l| fill(l) + "\n").collect();
+    let text = format!("[machine]\nspeed = \"100 rad/s\"\n{}{}{own}", body("drum"), body("base"));
+    let loaded = laval::file::load(&text).ok()?;
+    let slot = loaded.system.slots().iter().position(|s| s.name == "the part")?;
+    let of = |list: &[laval::model::system::GlobalDof]| {
+        list.iter()
+            .filter(|c| c.slot == slot)
+            .map(|c| format!("{} [{}]", c.name.rsplit('.').next().unwrap_or_default(), c.dof.unit))
+            .collect()
+    };
+    Some((of(loaded.system.coordinates()), of(loaded.system.states())))
+}
+
+#[test]
+fn page_of_the_machine_file_is_current() {
+    let c = catalog();
+    let mut text = String::from(
+        "# The machine file\n\nA file is [TOML](https://toml.io): one `[machine]`, then any number of `[[part]]` and `[[study]]` blocks in any order. Each part has\n\
+         a `kind` ([parts](parts.md)) and may have a `name`, by which others attach to it; each study has a `kind` ([studies](studies.md)) and may have a `name`,\n\
+         which becomes its folder of results. Without a name a block is called after its kind, then kind-2, kind-3 ...\n\n\
+         Values with a unit are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\
+         the two lateral directions is one value or `{ x = .., y = .. }`. `laval check FILE` says all that is wrong, each at its place, and which studies\n\
+         this machine cannot answer.\n\n",
+    );
+    text.push_str(docs::markdown("machine", &docs::machine()).replacen("## `machine`", "## `[machine]`", 1).trim_end());
+    text.push_str(
+        "\n\nA vertical axis is the default: weight then acts along the shaft and bends nothing. A horizontal machine sags under its weight, and motions are\n\
+         measured from there.\n\n## Names of coordinates and states\n\nThe keys `initial` and `kick` of the studies in time name a coordinate as `\"part.coordinate\"`, its rate with a mark\n\
+         (`\"drum.x'\"`), an internal state as `\"part.state\"`:\n\n```toml\ninitial = { \"drum.x\" = \"0.1 mm\", \"drum.x'\" = \"20 mm/s\" }\nkick = { \"drum.y'\" = \"0.1 m/s\" }\n```\n\n\
+         Displacements are counted from the undeflected place; what is not named starts at rest.\n\n| kind | coordinates | internal states |\n| --- | --- | --- |\n",
+    );
+    let mut seen = Vec::new();
+    for kind in &c.parts {
+        // an example of required keys alone is not always a whole part
+        let Some((coordinates, states)) = named(kind).filter(|n| !n.0.is_empty() || !n.1.is_empty()) else { continue };
+        seen.push(kind.kind);
+        let cell = |list: &[String]| {
+            list.iter()
+                .map(|n| format!("`{}`", n.replace(" [", "` [").trim_end_matches('`')))
+                .collect::<Vec<_>>()
+                .join(", ")
+                .replace("]`", "]")
+        };
+        text.push_str(&format!("| `{}` | {} | {} |\n", kind.kind, cell(&coordinates), cell(&states)));
+    }
+    assert_eq!(seen, ["disc", "foundation", "liquid"], "the kinds with coordinates or states of their own");
+    text.push_str("\nA disc has tilts when it is given a `diametral_inertia`. All other parts join bodies and have none of their own.\n");
+    current("machine-file.md", &text);
 }

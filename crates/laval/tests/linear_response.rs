@@ -128,3 +128,71 @@ fn critical_speed_of_a_gyroscopic_tilt() {
     }
     assert_eq!(speeds.len(), 4);
 }
+
+/// The response, found in x and y, satisfies the characteristic equations, written apart in forward and backward coordinates.
+#[test]
+fn the_response_satisfies_the_characteristic_equations() {
+    use laval::solve::characteristic::Characteristic;
+    use laval::solve::rest::rest;
+    use laval_num::complex::c;
+    let system = Planar { fill: 0.6, delta: 3.0, ..Planar::default() }.build();
+    for speed in [60.0, 700.0, 2100.0] {
+        let found = at_speed(&system, speed).unwrap().unwrap();
+        let mut t = Characteristic::new(&system, &rest(&system, speed).unwrap());
+        let (mut m, mut d) = Default::default();
+        t.at(c(0.0, speed), &mut m, &mut d);
+        let (_, mut load) = t.loads();
+        t.sectors().polarise(&mut load);
+        let mut x = found.x.clone();
+        t.sectors().polarise(&mut x);
+        let size = load.iter().map(|f| f.abs()).fold(0.0, f64::max);
+        for (a, b) in m.mul_vec(&x).iter().zip(&load) {
+            assert!((*a - *b).abs() < 1e-9 * size, "{speed}: {a:?} {b:?}");
+        }
+    }
+}
+
+/// A pole is said to be one, and no number stands for it; a damping ratio of 1e-7 is a resonance like any other.
+#[test]
+fn an_undamped_resonance_has_no_amplitude() {
+    let rotor = |damping: f64| {
+        Builder::new("rotor")
+            .part("disc", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-5, ..DiscFamily::defaults() })
+            .part(
+                "spring",
+                BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::ground())),
+                BearingCubicParams { stiffness: [2e5; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+            )
+            .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [damping; 2] })
+            .build()
+            .unwrap()
+    };
+    let (w, undamped) = (1e5f64.sqrt(), run(&rotor(0.0), 10.0, 600.0));
+    let f = undamped.findings.iter().find(|f| f.id == "undamped_resonance").unwrap();
+    assert!((f.value.unwrap() - w).abs() < 1e-7 * w, "{f:?}");
+    assert!(f.evidence.iter().all(|e| e.what != "amplitude"));
+    assert!(!undamped.findings.iter().any(|f| f.id == "largest_resonance"));
+    let (at, amplitude) = first(&undamped, "disc", "resonance");
+    assert!((at - w).abs() < 1e-7 * w && amplitude.is_nan());
+    let t = undamped.find_table("response").unwrap();
+    let largest = (0..t.rows()).filter_map(|k| t.column("amplitude.disc").unwrap().number(k)).fold(0.0, f64::max);
+    assert!(largest < 100.0, "{largest}");
+    // amplitude e/(2 D) at the resonance
+    let damped = run(&rotor(2.0 * 1e-7 * (2e5f64 * 2.0).sqrt()), 10.0, 600.0);
+    let (_, amplitude) = first(&damped, "disc", "resonance");
+    assert!((amplitude / (1e-5 / 2e-7) - 1.0).abs() < 1e-5, "{amplitude}");
+    assert!(!damped.findings.iter().any(|f| f.id == "undamped_resonance"));
+}
+
+/// Stopped early, a study claims only what it computed, and names the limit.
+#[test]
+fn stopped_early_nothing_is_claimed_of_the_rest() {
+    let system = Planar::default().build();
+    let context = Context { work_limit: 3, ..Context::quiet("response") };
+    let study = ForcedResponse { speed: RangeValue { from: 50.0, to: 4000.0, points: None } };
+    let out = study.run(&system, &context).unwrap();
+    assert_eq!(out.end, laval::outcome::End::WorkLimit);
+    assert!(out.end_in_words().contains("--work-limit"));
+    let f = out.findings.iter().find(|f| f.id == "no_resonance").unwrap();
+    assert!(f.text.contains("before the study stopped"), "{f:?}");
+}

@@ -656,6 +656,7 @@ fn memory_needs_the_implicit_method() {
         absolute: 1e-6,
         outputs: &[0.0, 0.01, 0.02],
         windows: 10,
+        rest: &[],
         kick: None,
         max_steps: 10_000,
         cancel: &|| false,

@@ -141,6 +141,7 @@ fn flight(motion: &mut Motion, y: &[f64], t_end: f64, windows: usize, tolerance:
         absolute: tolerance,
         outputs: &[],
         windows,
+        rest: &[],
         kick: None,
         max_steps: u64::MAX,
         cancel: &|| false,
@@ -175,7 +176,7 @@ fn growth_from_time_is_the_eigenvalue() {
         y[0] = 1e-4;
         // by half time all else is below the growing mode by exp(-25)
         let f = flight(&mut m, &y, 50.0 / rate, 200, 1e-11);
-        let g = growth(&f.windows[0]).unwrap();
+        let g = growth(&f.windows[0], std::f64::consts::TAU / speed).unwrap();
         assert!((g.rate - rate).abs() < 1e-6 * rate, "{chi} {fill} {speed}: {} {rate} {:e}", g.rate, g.uncertainty);
         assert!((g.frequency - frequency).abs() < 1e-6 * frequency, "{} {frequency}", g.frequency);
         assert!(g.uncertainty < 1e-5 * rate, "{:e}", g.uncertainty);
@@ -384,7 +385,7 @@ fn limits_and_cancellation_leave_partial_results() {
     let list = [("duration", number(10.0)), ("speed", number(2000.0))];
     let study = Transient::build(&values(&list), &system, &mut Diagnostics::default()).unwrap();
     let o = study.run(&system, &Context { work_limit: 500, ..Context::quiet("t") }).unwrap();
-    assert_eq!(o.end, End::MaxPoints);
+    assert_eq!(o.end, End::WorkLimit);
     let rows = o.find_table("motion").unwrap().rows();
     assert!(rows > 1 && rows < 2000, "{rows}");
     assert!(finding(&o, "work_limit") > 0.0 && o.work["steps"] + o.work["rejected_steps"] <= 500);

@@ -1,7 +1,7 @@
 //! One step of the explicit method of order 8 in eight lanes.
 
 use super::Crew;
-use crate::lanes::{LANES, LaneBits, LaneScalar};
+use crate::lanes::{LaneBits, LaneScalar};
 use crate::ode::tableau::{self as t8, Row};
 
 const STAGES: usize = 16;
@@ -109,7 +109,7 @@ impl<S: LaneScalar> Dop853<S> {
     #[inline(always)]
     fn stages<C: Crew<S>>(&mut self, crew: &mut C, from: usize, to: usize) {
         let (n, h) = (self.n, self.h);
-        let (w, y, k) = (&mut self.w, &self.y0, &mut self.k);
+        let (w, y, y1, k) = (&mut self.w, &self.y0, &mut self.y1, &mut self.k);
         for i in from..=to {
             match i {
                 1 => combine(w, y, h, k, &t8::A1),
@@ -123,12 +123,14 @@ impl<S: LaneScalar> Dop853<S> {
                 9 => combine(w, y, h, k, &t8::A9),
                 10 => combine(w, y, h, k, &t8::A10),
                 11 => combine(w, y, h, k, &t8::A11),
+                12 => combine(y1, y, h, k, &t8::B),
                 13 => combine(w, y, h, k, &t8::A13),
                 14 => combine(w, y, h, k, &t8::A14),
                 _ => combine(w, y, h, k, &t8::A15),
             }
-            let t = if i == 11 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
-            crew.rhs(t, w, &mut k[i * n..(i + 1) * n]);
+            let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
+            let state = if i == 12 { &*y1 } else { &*w };
+            crew.rhs(t, state, &mut k[i * n..(i + 1) * n]);
         }
     }
 
@@ -137,50 +139,64 @@ impl<S: LaneScalar> Dop853<S> {
     #[inline(always)]
     pub fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: u8) -> S {
         let n = self.n;
-        crew.rhs(t0, &self.y0, &mut self.rows[..n]);
-        for j in 0..n {
-            self.k[j] = super::lanes_of(fresh, self.rows[j], self.k[j]);
+        let mut h0 = S::zero();
+        for round in 0..2 {
+            // a single place where the right side is inlined
+            let state = if round == 0 { &self.y0 } else { &self.w };
+            crew.rhs(t0 + h0, state, &mut self.rows[..n]);
+            if round == 1 {
+                break;
+            }
+            for j in 0..n {
+                self.k[j] = super::lanes_of(fresh, self.rows[j], self.k[j]);
+            }
+            h0 = self.euler_step(t1 - t0);
+            for j in 0..n {
+                self.w[j] = self.y0[j] + h0 * self.k[j];
+            }
         }
-        let (mut d0, mut d1) = (S::zero(), S::zero());
+        let d1 = self.size(&self.k[..n]);
         for j in 0..n {
-            let scale = self.absolute[j] + self.relative[j] * self.y0[j].abs();
-            d0 += nonzero_ratio(self.y0[j], scale).square();
-            d1 += nonzero_ratio(self.k[j], scale).square();
+            self.w[j] = self.rows[j] - self.k[j];
         }
-        let count = S::cst(n.max(1) as f64);
-        let (d0, d1) = ((d0 / count).sqrt(), (d1 / count).sqrt());
-        let tiny = S::cst(1e-5);
-        let small = S::select(d0.lt(tiny), S::one(), S::select(d1.lt(tiny), S::one(), S::zero()));
-        let span = t1 - t0;
-        let guess = small.select_pos(S::cst(1e-6), (d0 / d1).scale(0.01));
-        let h0 = S::select(guess.lt(span), guess, span);
-        for j in 0..n {
-            self.w[j] = self.y0[j] + h0 * self.k[j];
-        }
-        crew.rhs(t0 + h0, &self.w, &mut self.rows[..n]);
-        let mut d2 = S::zero();
-        for j in 0..n {
-            let scale = self.absolute[j] + self.relative[j] * self.y0[j].abs();
-            d2 += nonzero_ratio(self.rows[j] - self.k[j], scale).square();
-        }
-        let d2 = (d2 / count).sqrt() / h0;
+        let d2 = self.size(&self.w) / h0;
         let d = S::select(d1.lt(d2), d2, d1);
         let floor = S::cst(1e-6);
         let flat = h0.scale(1e-3);
         let flat = S::select(flat.lt(floor), floor, flat);
         let h1 = S::select(d.le(S::cst(1e-15)), flat, eighth_root(S::cst(0.01) / d));
         let h = S::select(h1.lt(h0.scale(100.0)), h1, h0.scale(100.0));
+        let span = t1 - t0;
         let h = S::select(h.lt(span), h, span);
         // a derivative that is not finite stays one
         h + d1.scale(0.0)
+    }
+
+    /// Length of an Euler step that changes the state by about a hundredth.
+    #[inline(always)]
+    fn euler_step(&self, span: S) -> S {
+        let (d0, d1, tiny) = (self.size(&self.y0), self.size(&self.k[..self.n]), S::cst(1e-5));
+        let small = S::select(d0.lt(tiny), S::one(), S::select(d1.lt(tiny), S::one(), S::zero()));
+        let guess = small.select_pos(S::cst(1e-6), (d0 / d1).scale(0.01));
+        S::select(guess.lt(span), guess, span)
+    }
+
+    /// rms of x over the tolerances at the start.
+    #[inline(always)]
+    fn size(&self, x: &[S]) -> S {
+        let mut sum = S::zero();
+        for j in 0..self.n {
+            let scale = self.absolute[j] + self.relative[j] * self.y0[j].abs();
+            sum += nonzero_ratio(x[j], scale).square();
+        }
+        (sum / S::cst(self.n.max(1) as f64)).sqrt()
     }
 
     /// Tries the step of every lane from `t0` to `t1 = t0 + h`.
     #[inline(always)]
     pub fn attempt<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, h: S) -> Attempt<S> {
         (self.t0, self.t1, self.h) = (t0, t1, h);
-        self.stages(crew, 1, 11);
-        combine(&mut self.y1, &self.y0, h, &self.k, &t8::B);
+        self.stages(crew, 1, 12);
         let (error, finite) = self.error();
         let accepted = S::bits(error.lt(S::one()));
         let factor = S::cst(SAFETY) / eighth_root(error);
@@ -217,13 +233,6 @@ impl<S: LaneScalar> Dop853<S> {
         // 0/0 is no error; a NaN of the states stays
         let norm = S::select(e5.le(S::zero()), S::zero(), norm);
         (norm, finite.finite())
-    }
-
-    /// f at the end of the step.
-    #[inline(always)]
-    pub fn finish<C: Crew<S>>(&mut self, crew: &mut C) {
-        let n = self.n;
-        crew.rhs(self.t1, &self.y1, &mut self.k[12 * n..13 * n]);
     }
 
     /// The interpolant of order 7 over the step.
@@ -283,11 +292,9 @@ impl<S: LaneScalar> Dop853<S> {
             self.k.copy_within(12 * n..13 * n, 0);
             return;
         }
-        let flags: [f64; LANES] = std::array::from_fn(|i| if accepted >> i & 1 == 1 { 1.0 } else { 0.0 });
-        let mask = S::zero().lt(S::load(&flags));
         for j in 0..n {
-            self.y0[j] = S::select(mask, self.y1[j], self.y0[j]);
-            self.k[j] = S::select(mask, self.k[12 * n + j], self.k[j]);
+            self.y0[j] = super::lanes_of(accepted, self.y1[j], self.y0[j]);
+            self.k[j] = super::lanes_of(accepted, self.k[12 * n + j], self.k[j]);
         }
     }
 }

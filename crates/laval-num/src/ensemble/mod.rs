@@ -202,52 +202,35 @@ pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
         // a step cut short by the end says nothing against the length proposed before
         let kept = S::select(last, S::select(h.lt(proposed), proposed, h), proposed);
         let rejected = r.active & !accepted;
+        r.next = if accepted == u8::MAX { kept } else { lanes_of(accepted, kept, proposed) };
+        r.repeated = rejected;
+        let mut stopped = 0;
         if accepted != 0 {
-            method.finish(crew);
             let wanted = accepted & r.wants_inside(t1, crew.events());
             if wanted != 0 {
                 method.dense(crew);
+                stopped = r.inside(wanted, t1, crew, &mut method, &mut inside);
             }
-            r.next = lanes_of(accepted, kept, proposed);
-            let (ends, (t0, t1)) = (S::bits(last).0, (r.t.to_array(), t1.to_array()));
-            // lane by lane: outputs, events, ends of legs
-            let mut stopped = 0;
-            for lane in each(wanted) {
-                if let Some(t) = inside.look(lane, crew, &mut r, &method, t0[lane], t1[lane]) {
-                    stopped |= 1 << lane;
-                    r.t = r.t.with(lane, t);
-                    method.set_state(lane, inside.state());
-                }
-            }
-            r.t = lanes_of(accepted & !stopped, S::load(&t1), r.t);
-            method.advance(accepted & !stopped);
-            for lane in each(accepted) {
-                r.steps[lane] += 1;
-            }
-            for lane in each(stopped) {
-                r.end(lane, LegEnd::Event(inside.crossing(lane)), crew, &mut method, &mut inside);
-            }
-            for lane in each(accepted & ends & !stopped) {
-                r.end(lane, LegEnd::Reached, crew, &mut method, &mut inside);
-            }
-        } else {
-            r.next = proposed;
+            let advanced = accepted & !stopped;
+            r.t = if advanced == u8::MAX { t1 } else { lanes_of(advanced, t1, r.t) };
+            method.advance(advanced);
         }
-        r.repeated = rejected;
-        if rejected != 0 {
-            let too_small = rejected & S::bits(h_used.le(r.shortest)).0;
-            for lane in each(rejected) {
-                r.rejected[lane] += 1;
-                if too_small >> lane & 1 == 1 {
-                    let cause = if attempt.finite.get(lane) { Cause::Error } else { Cause::NotFinite };
-                    r.end(lane, LegEnd::StepTooSmall(cause), crew, &mut method, &mut inside);
-                }
-            }
+        let full = r.count(accepted, rejected);
+        let ends = S::bits(last).0 & accepted & !stopped;
+        let too_small = if rejected == 0 { 0 } else { rejected & S::bits(h_used.le(r.shortest)).0 };
+        if stopped | ends | too_small | full == 0 {
+            continue;
         }
-        for lane in each(r.active & !r.fresh) {
-            if r.steps[lane] + r.rejected[lane] >= r.legs[lane].max_steps {
-                r.end(lane, LegEnd::WorkLimit, crew, &mut method, &mut inside);
-            }
+        for lane in each(stopped | ends | too_small | full) {
+            let bit = 1 << lane;
+            let end = match () {
+                () if stopped & bit != 0 => LegEnd::Event(inside.crossing(lane)),
+                () if ends & bit != 0 => LegEnd::Reached,
+                () if too_small & bit == 0 => LegEnd::WorkLimit,
+                () if attempt.finite.get(lane) => LegEnd::StepTooSmall(Cause::Error),
+                () => LegEnd::StepTooSmall(Cause::NotFinite),
+            };
+            r.end(lane, end, crew, &mut method, &mut inside);
         }
     }
     true
@@ -323,6 +306,32 @@ impl<S: LaneScalar> Roster<S> {
         }
     }
 
+    /// Counts steps; the lanes whose limit is reached.
+    #[inline(always)]
+    fn count(&mut self, accepted: u8, rejected: u8) -> u8 {
+        let mut full = 0;
+        for lane in 0..LANES {
+            self.steps[lane] += u64::from(accepted >> lane & 1);
+            self.rejected[lane] += u64::from(rejected >> lane & 1);
+            full |= u8::from(self.steps[lane] + self.rejected[lane] >= self.legs[lane].max_steps) << lane;
+        }
+        full & (accepted | rejected)
+    }
+
+    /// Outputs and events of the step in the lanes `wanted`; the lanes in which a crossing ends the leg, put to their time and state.
+    fn inside<C: Crew<S>>(&mut self, wanted: u8, t1: S, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) -> u8 {
+        let (t0, t1) = (self.t.to_array(), t1.to_array());
+        let mut stopped = 0;
+        for lane in each(wanted) {
+            if let Some(t) = inside.look(lane, crew, self, method, t0[lane], t1[lane]) {
+                stopped |= 1 << lane;
+                self.t = self.t.with(lane, t);
+                method.set_state(lane, inside.state());
+            }
+        }
+        stopped
+    }
+
     /// Lanes in which an output or an event may lie before `t1`.
     fn wants_inside(&self, t1: S, events: usize) -> u8 {
         if events > 0 { u8::MAX } else { S::bits(S::load(&self.next_output).le(t1)).0 }
@@ -332,8 +341,26 @@ impl<S: LaneScalar> Roster<S> {
 /// Lanes of `a` where the bits are set, of `b` elsewhere.
 #[inline(always)]
 fn lanes_of<S: LaneScalar>(bits: u8, a: S, b: S) -> S {
-    let flags: [f64; LANES] = std::array::from_fn(|i| if bits >> i & 1 == 1 { 1.0 } else { 0.0 });
-    S::select(S::zero().lt(S::load(&flags)), a, b)
+    S::select(S::zero().lt(S::load(&FLAGS[bits as usize])), a, b)
+}
+
+/// One where a bit is set.
+static FLAGS: [[f64; LANES]; 256] = flags();
+
+const fn flags() -> [[f64; LANES]; 256] {
+    let mut table = [[0.0; LANES]; 256];
+    let mut bits = 0;
+    while bits < 256 {
+        let mut lane = 0;
+        while lane < LANES {
+            if bits >> lane & 1 == 1 {
+                table[bits][lane] = 1.0;
+            }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    table
 }
 
 /// No growth of the step right after a rejection.

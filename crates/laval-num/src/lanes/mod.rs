@@ -13,12 +13,14 @@ mod level;
 pub mod math;
 mod pow;
 mod reg;
+mod sparse;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
 pub use level::{Apply, Entry, Family, Kernel, Level, Slots, dispatch};
 pub use pow::pow_pos;
 pub use reg::Reg;
+pub use sparse::Sparse;
 
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};

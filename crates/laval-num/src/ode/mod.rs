@@ -23,7 +23,7 @@ pub(crate) mod event;
 mod radau;
 mod step;
 mod system;
-pub(crate) mod tableau;
+pub mod tableau;
 #[cfg(test)]
 mod tests;
 

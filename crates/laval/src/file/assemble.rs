@@ -1,6 +1,6 @@
 //! From a [`Spec`] to a machine and its studies, through the registries.
 
-use super::{Axis, Block, Catalog, Spec, read, read_bytes};
+use super::{Axis, Block, Catalog, Spec, held, read_bytes, reader};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::model::field::{Attach, Field, FieldKind, Value, Values};
 use crate::model::part::{At, Rows};
@@ -26,6 +26,50 @@ pub struct NamedStudy {
     pub name: String,
     /// The study.
     pub study: Box<dyn ErasedStudy>,
+}
+
+/// A study, or several for the same reason, that the machine cannot answer.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// Numbers of the studies in [`Loaded::studies`].
+    pub studies: Vec<usize>,
+    /// Why, with the names of the studies, at its place in the file.
+    pub diagnostic: Diagnostic,
+}
+
+impl Loaded {
+    /// Asks every study whether this machine can answer it; one refusal for all that refuse for the same reason.
+    pub fn refusals(&self) -> Vec<Refusal> {
+        let mut out: Vec<Refusal> = Vec::new();
+        for (k, named) in self.studies.iter().enumerate() {
+            let Err(mut diagnostic) = named.study.admit(&self.system) else { continue };
+            if diagnostic.span.is_none() {
+                diagnostic.span = self.spec.study(&named.name).and_then(|b| b.span.clone());
+            }
+            let same = |r: &&mut Refusal| {
+                let d = &r.diagnostic;
+                (d.code, &d.message, &d.span, &d.help) == (diagnostic.code, &diagnostic.message, &diagnostic.span, &diagnostic.help)
+            };
+            match out.iter_mut().find(same) {
+                Some(r) => r.studies.push(k),
+                None => out.push(Refusal { studies: vec![k], diagnostic }),
+            }
+        }
+        for r in &mut out {
+            // only some studies can be asked about another state
+            let about = |k: &&usize| self.spec.study(&self.studies[**k].name).is_some_and(|b| b.values.get("about").is_some());
+            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning")
+                && let Some(&k) = r.studies.iter().find(about)
+            {
+                let help = r.diagnostic.help.get_or_insert_default();
+                *help = format!("give study \"{}\" about = \"turning\"; or {help}", self.studies[k].name);
+            }
+            let names: Vec<String> = r.studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
+            let word = if names.len() == 1 { "study" } else { "studies" };
+            r.diagnostic.message = format!("{word} {}: {}", names.join(", "), r.diagnostic.message);
+        }
+        out
+    }
 }
 
 /// All kinds of parts and studies this library knows.
@@ -58,10 +102,10 @@ pub fn catalog() -> Catalog {
 /// ```
 ///
 /// # Errors
-/// All mistakes that could be found, each at its place: those of reading together; when there are none, those of the parts and their
-/// joints; when there are none, those of the studies.
+/// All mistakes that could be found, each at its place: those of reading, and those of all studies when the parts can be read and joined;
+/// otherwise those of reading, or of the parts and their joints.
 pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
-    after_reading(read(text, &catalog()))
+    after_reading(reader::read_usable(text, &catalog()))
 }
 
 /// [`load`] for the bytes of a file; text that is not UTF-8 is one diagnostic.
@@ -69,13 +113,16 @@ pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
 /// # Errors
 /// As [`load`].
 pub fn load_bytes(bytes: &[u8]) -> Result<Loaded, Diagnostics> {
-    after_reading(read_bytes(bytes, &catalog()))
+    match std::str::from_utf8(bytes) {
+        Ok(text) => load(text),
+        Err(_) => Err(read_bytes(bytes, &catalog()).1),
+    }
 }
 
-fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Diagnostics> {
+fn after_reading((spec, read): (Option<(Spec, Vec<Block>)>, Diagnostics)) -> Result<Loaded, Diagnostics> {
     match spec {
-        Some(spec) if !read.has_errors() => assemble(spec, read),
-        _ => Err(read),
+        Some((spec, doubtful)) => assemble_with(spec, &doubtful, read),
+        None => Err(read),
     }
 }
 
@@ -83,10 +130,18 @@ fn after_reading((spec, read): (Option<Spec>, Diagnostics)) -> Result<Loaded, Di
 ///
 /// # Errors
 /// As [`load`].
-pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
-    let mut built = build_parts(&spec, &mut diagnostics);
-    check_joints(&spec, &built, &mut diagnostics);
-    if diagnostics.has_errors() {
+pub fn assemble(spec: Spec, diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
+    assemble_with(spec, &[], diagnostics)
+}
+
+/// `doubtful` are studies that could be read in part.
+fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
+    let mut own = Diagnostics::default();
+    let mut built = build_parts(&spec, &mut own);
+    check_joints(&spec, &built, &mut own);
+    let wrong = own.has_errors();
+    diagnostics.0.append(&mut own.0);
+    if wrong {
         return Err(sorted(diagnostics));
     }
     let inputs = built.drain(..).flatten().collect();
@@ -107,7 +162,14 @@ pub fn assemble(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diag
         }
     };
     check_finite(&system, &mut diagnostics);
+    held::check(&system, &mut diagnostics);
     let studies = build_studies(&spec, &system, &mut diagnostics);
+    for block in doubtful {
+        let mut own = Diagnostics::default();
+        study::check_starts(&block.values, &system, &mut own);
+        place(&mut own, block);
+        diagnostics.0.append(&mut own.0);
+    }
     let warnings = sorted(diagnostics);
     if warnings.has_errors() { Err(warnings) } else { Ok(Loaded { spec, system, studies, warnings }) }
 }
@@ -239,7 +301,7 @@ fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) ->
         let kind = registry.iter().find(|k| k.info.kind == block.kind)?;
         let mut own = Diagnostics::default();
         check_names(kind.info.fields.as_slice(), &block.values, &registry, system, &mut own);
-        let built = if own.has_errors() { None } else { (kind.build)(&block.values, system, &mut own) };
+        let built = (kind.build)(&block.values, system, &mut own);
         if built.is_none() && !own.has_errors() {
             own.push(Diagnostic::error(
                 "study.incomplete",
@@ -271,11 +333,6 @@ fn check_names(fields: &[Field], values: &Values, registry: &[StudyKind], system
             (FieldKind::Study, Some(Value::Study(inner))) if inner.name.is_none() => {
                 if let Some(kind) = registry.iter().find(|k| k.info.kind == inner.kind) {
                     check_names(&kind.info.fields, &inner.values, registry, system, out);
-                }
-            }
-            (FieldKind::StateMap, Some(Value::StateMap(entries))) => {
-                for (name, _, place) in entries {
-                    coordinate(system, name.strip_suffix('\'').unwrap_or(name), Some(place.clone()), out);
                 }
             }
             _ => {}
@@ -396,6 +453,23 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         let tilting = MACHINE
             .replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]")
             .replace("mass = \"2.4 kg\"", "mass = \"2.4 kg\"\ndiametral_inertia = 0.01\npolar_inertia = 0.015");
-        assert_eq!(load(&tilting).unwrap_or_else(|d| panic!("{d:?}")).warnings.0, []);
+        // the position counts; but one bearing holds no disc upright
+        let l = load(&tilting).unwrap_or_else(|d| panic!("{d:?}"));
+        assert_eq!(l.warnings.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.free"]);
+    }
+
+    #[test]
+    fn studies_that_refuse_for_one_reason_are_told_once() {
+        let hertz =
+            "[[part]]\nkind = \"bearing_hertz\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\n";
+        let studies = "[[study]]\nkind = \"modes\"\n[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";
+        let l = load(&format!("{MACHINE}{hertz}{studies}")).unwrap_or_else(|d| panic!("{d:?}"));
+        let r = l.refusals();
+        assert_eq!(r.len(), 1, "{r:?}");
+        assert_eq!(r[0].studies, [1, 2]);
+        assert!(r[0].diagnostic.message.starts_with("studies \"modes\", \"campbell\": "), "{:?}", r[0].diagnostic);
+        // campbell knows no other state
+        assert!(r[0].diagnostic.help.as_deref().is_some_and(|h| h.starts_with("give study \"modes\" about")), "{:?}", r[0].diagnostic);
+        assert!(load(MACHINE).unwrap_or_else(|d| panic!("{d:?}")).refusals().is_empty());
     }
 }

@@ -3,7 +3,7 @@
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, StudyTable, clip, suggestion};
 use super::{Axis, Block, Catalog, MACHINE_FIELDS, MachineBlock, Spec};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
 use std::collections::BTreeMap;
 
@@ -20,8 +20,8 @@ struct Raw<'n, 'a> {
     who: String,
 }
 
-/// Reads the whole tree.
-pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut Diagnostics) -> Spec {
+/// Reads the whole tree. The studies are those without mistakes, the others stand beside; the flag says that nothing else has any.
+pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut Diagnostics) -> (Spec, Vec<Block>, bool) {
     for e in root.iter().filter(|e| !TOP.contains(&e.key.as_ref())) {
         unknown_table(e, catalog, out);
     }
@@ -36,25 +36,37 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
     let machine = read_machine(text, root, catalog, &names, out);
     let studies: Vec<StudyTable> =
         studies_raw.iter().map(|b| StudyTable { name: &b.name, info: b.info, table: b.table, span: b.span.clone() }).collect();
-    let mut blocks = |raw: &[Raw]| -> Vec<Block> {
-        let read = |b: &Raw| {
+    let blocks = |raw: &[Raw], out: &mut Diagnostics| -> (Vec<Block>, Vec<Block>) {
+        let mut doubtful = Vec::new();
+        let mut read = |b: &Raw| {
             let info = b.info?;
+            let before = out.0.len();
             let mut values = Values::default();
             values.span = b.span.clone();
             let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
             read_fields(&mut cx, &info.fields, &["kind", "name"], b.table, b.span.clone(), &mut values);
-            Some(Block {
+            let sound = !out.0[before..].iter().any(|d| d.severity == Severity::Error);
+            let block = Block {
                 kind: info.kind,
                 name: b.name.clone(),
                 values,
                 span: b.span.clone(),
                 kind_span: get(b.table, "kind").and_then(|e| e.node.span.clone()),
                 name_span: get(b.table, "name").and_then(|e| e.node.span.clone()),
-            })
+            };
+            if sound {
+                return Some(block);
+            }
+            doubtful.push(block);
+            None
         };
-        raw.iter().filter_map(read).collect()
+        let sound = raw.iter().filter_map(&mut read).collect();
+        (sound, doubtful)
     };
-    Spec { machine, parts: blocks(&parts_raw), studies: blocks(&studies_raw) }
+    let (parts, _) = blocks(&parts_raw, out);
+    let usable = !out.has_errors();
+    let (studies, doubtful) = blocks(&studies_raw, out);
+    (Spec { machine, parts, studies }, doubtful, usable)
 }
 
 fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {

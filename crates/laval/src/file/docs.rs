@@ -91,10 +91,13 @@ pub fn example_line(f: &Field) -> String {
     format!("{} = {}", f.name, example_value(f))
 }
 
-/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part` or `study`. Optional fields
+/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part`, `study` or `machine`. Optional fields
 /// with a default are shown as remarks.
 pub fn example(what: &str, kind: &KindInfo) -> String {
-    let mut out = format!("[[{what}]]\nkind = {}\n", quoted(kind.kind));
+    let mut out = match what {
+        "machine" => "[machine]\n".to_string(),
+        _ => format!("[[{what}]]\nkind = {}\n", quoted(kind.kind)),
+    };
     for f in kind.fields.iter().filter(|f| f.required) {
         let _ = writeln!(out, "{}", example_line(f));
     }
@@ -194,6 +197,15 @@ pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
         let _ = writeln!(out, "  {line}");
     }
     out
+}
+
+/// The `[machine]` block in the form of a kind, for [`text`] and [`markdown`] with `what` = `machine`.
+pub fn machine() -> KindInfo {
+    KindInfo {
+        kind: "machine",
+        doc: "What belongs to the machine as a whole. A file has this block once, with single brackets; every key may be left out.",
+        fields: super::MACHINE_FIELDS.to_vec(),
+    }
 }
 
 /// Documentation in Markdown; `what` is `part` or `study`.

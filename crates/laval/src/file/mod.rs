@@ -12,6 +12,7 @@ pub mod writer;
 
 mod blocks;
 mod declared;
+mod held;
 mod nested;
 mod syntax;
 mod tree;
@@ -20,7 +21,7 @@ mod values;
 #[cfg(test)]
 mod tests;
 
-pub use assemble::{Loaded, NamedStudy, assemble, catalog, load, load_bytes};
+pub use assemble::{Loaded, NamedStudy, Refusal, assemble, catalog, load, load_bytes};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{canonical, write, write_json};

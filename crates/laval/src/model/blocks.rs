@@ -33,6 +33,7 @@ impl<S: Scalar> Grid<S> {
         s
     }
     /// Adds `[[re, -im], [im, re]]` at rows `i, i+1` and columns `j, j+1`: multiplication of `x + i y` by the complex number `re + i im`.
+    #[inline(always)]
     pub fn add_complex(&mut self, i: usize, j: usize, re: S, im: S) {
         self[(i, j)] += re;
         self[(i, j + 1)] += -im;
@@ -197,6 +198,7 @@ impl<S: Scalar> Default for Blocks<S> {
 
 impl<S: Scalar> Blocks<S> {
     /// All zero for `n` coordinates and `m` internal states other than memory, at `speed`; keeps its allocations.
+    #[inline(always)]
     pub fn reset(&mut self, n: usize, m: usize, speed: S) {
         self.speed = speed;
         for g in [
@@ -224,7 +226,21 @@ impl<S: Scalar> Blocks<S> {
         }
     }
 
+    /// Derivative of force row `i` with respect to the spin acceleration, at a point.
+    #[inline(always)]
+    pub fn spin_accel_row(&self, i: usize, at: &super::part::At<S>, (sin, cos): (S, S)) -> S {
+        let mut r = -(self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
+        for (j, &q) in at.q.iter().enumerate() {
+            r += self.spin_accel_stiffness[(i, j)] * q;
+        }
+        for j in 0..self.state.rows() {
+            r += self.spin_accel_state_force[(i, j)] * at.z[j];
+        }
+        r
+    }
+
     /// The force rows and state rates at a point, added to `force` and `rate`.
+    #[inline(always)]
     pub fn residual(&self, at: &super::part::At<S>, force: &mut [S], rate: &mut [S]) {
         let (n, m) = (self.mass.rows(), self.state.rows());
         let (sin, cos) = at.phase.sin_cos();

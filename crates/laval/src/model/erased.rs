@@ -1,6 +1,7 @@
 //! Parts composed at run time: the object-safe face of [`Part`], one method slot per scalar, filled by one blanket implementation.
 
 use super::blocks::Blocks;
+use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
 use super::part::{At, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
 use laval_num::complex::Complex;
@@ -16,7 +17,7 @@ macro_rules! erased {
     ($( $scalar:ty: $residual:ident $linear:ident $impedance:ident $energy:ident; )*) => {
         /// A part with its type forgotten. Parameters arrive as consecutive scalars.
         #[allow(missing_docs)]
-        pub trait Erased: Send + Sync {
+        pub trait Erased: InLanes + Send + Sync {
             fn kind(&self) -> &'static str;
             fn layout(&self) -> Layout;
             fn physics(&self) -> Physics;

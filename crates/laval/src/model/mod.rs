@@ -4,6 +4,7 @@ pub mod builder;
 pub mod conformance;
 pub mod erased;
 pub mod field;
+pub mod lanes;
 pub mod linear;
 pub mod params;
 pub mod part;

@@ -15,6 +15,8 @@ pub struct Figure {
     pub x: Axis,
     /// The panels from top to bottom.
     pub panels: Vec<Panel>,
+    /// A length along x is as long along y: for orbits, which would not be round otherwise. Both axes have the same unit.
+    pub equal: bool,
 }
 
 /// One panel: a y axis and marks, drawn in order (heat maps and bands always lie below).
@@ -175,6 +177,9 @@ pub struct Points {
     pub y: String,
     /// Column whose values choose colour and shape.
     pub group: Option<String>,
+    /// Values of `group` that always have the same colour and shape, whichever of them occur: the first, the second, ... Their sizes differ, so that
+    /// markers of two classes at one place are both seen.
+    pub classes: &'static [&'static str],
     /// Flag column: filled markers where true, open ones elsewhere.
     pub filled_where: Option<String>,
     /// Name in the legend.
@@ -184,13 +189,19 @@ pub struct Points {
 impl Points {
     /// Markers at columns `x`, `y`.
     pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>) -> Self {
-        Points { table: table.into(), x: x.into(), y: y.into(), group: None, filled_where: None, name: String::new() }
+        Points { table: table.into(), x: x.into(), y: y.into(), group: None, classes: &[], filled_where: None, name: String::new() }
     }
 
     /// Colour and shape by this column.
     pub fn group(mut self, column: impl Into<String>) -> Self {
         self.group = Some(column.into());
         self
+    }
+
+    /// Colour and shape by this column, the same for each of these values in every figure.
+    pub fn classes(mut self, column: impl Into<String>, classes: &'static [&'static str]) -> Self {
+        self.classes = classes;
+        self.group(column)
     }
 
     /// Filled where this flag column is true, open elsewhere.
@@ -344,7 +355,13 @@ impl Panel {
 impl Figure {
     /// A figure without panels. `alt` tells what it shows to a reader who cannot see it.
     pub fn new(name: impl Into<String>, title: impl Into<String>, alt: impl Into<String>) -> Self {
-        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new() }
+        Figure { name: name.into(), title: title.into(), alt: alt.into(), x: Axis::new("", ""), panels: Vec::new(), equal: false }
+    }
+
+    /// Draws x and y to one scale.
+    pub fn equal(mut self) -> Self {
+        self.equal = true;
+        self
     }
 
     /// Sets the x axis.

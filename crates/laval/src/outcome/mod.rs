@@ -194,7 +194,8 @@ impl Outcome {
             }
             End::Cancelled => "The study was cancelled; what was done is shown.".into(),
             End::Refused => "The study was refused: this machine cannot answer it.".into(),
-            End::MaxPoints => "The study stopped early: it reached the largest number of points allowed.".into(),
+            End::MaxPoints => "The study stopped early: it reached the largest number of points allowed (max_points, --work-limit).".into(),
+            End::WorkLimit => "The study stopped early: it reached the limit on its work (--work-limit); what was done is shown.".into(),
         }
     }
 }
@@ -232,10 +233,13 @@ pub enum End {
     Refused,
     /// The largest number of points was computed before the end was reached.
     MaxPoints,
+    /// The steps allowed for the run (`--work-limit`) were used up before the end was reached.
+    WorkLimit,
 }
 
 impl End {
-    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `cancelled`, `refused`, `max_points`.
+    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `cancelled`, `refused`, `max_points`,
+    /// `work_limit`.
     pub fn word(&self) -> &'static str {
         match self {
             End::Reached => "reached",
@@ -244,6 +248,7 @@ impl End {
             End::Cancelled => "cancelled",
             End::Refused => "refused",
             End::MaxPoints => "max_points",
+            End::WorkLimit => "work_limit",
         }
     }
 

@@ -43,13 +43,11 @@ impl BearingCubic {
     pub fn isotropic(link: Link) -> Self {
         BearingCubic { link, isotropic: true }
     }
+    #[inline(always)]
     fn force<S: Scalar>(&self, p: &BearingCubicParams<S>, d: &[S]) -> [S; 2] {
         let r2 = d[0] * d[0] + d[1] * d[1];
-        let f = |i: usize| {
-            let square = if self.isotropic { r2 } else { d[i] * d[i] };
-            (p.stiffness[i] + p.cubic_stiffness[i] * square) * d[i]
-        };
-        [f(0), f(1)]
+        let (x2, y2) = if self.isotropic { (r2, r2) } else { (d[0] * d[0], d[1] * d[1]) };
+        [(p.stiffness[0] + p.cubic_stiffness[0] * x2) * d[0], (p.stiffness[1] + p.cubic_stiffness[1] * y2) * d[1]]
     }
 }
 
@@ -92,6 +90,7 @@ impl Part for BearingCubic {
     fn uses(&self) -> Uses {
         Uses { velocity: false, acceleration: false, spin: false }
     }
+    #[inline(always)]
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let f = self.force(p, at.q);
         out.force[0] += f[0];

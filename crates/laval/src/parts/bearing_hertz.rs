@@ -46,13 +46,18 @@ impl BearingHertz {
     pub fn per_axis(link: Link) -> Self {
         BearingHertz { link, radial: false }
     }
+    #[inline(always)]
     fn force<S: Scalar>(&self, p: &BearingHertzParams<S>, d: &[S]) -> [S; 2] {
         if self.radial {
             let r = d[0].norm2(d[1]);
             let factor = p.coefficient * (r - p.clearance).pow_pos(1.5) / r.select_pos(r, S::one());
             [factor * d[0], factor * d[1]]
         } else {
-            [d[0], d[1]].map(|d| p.coefficient * ((d - p.clearance).pow_pos(1.5) - (-d - p.clearance).pow_pos(1.5)))
+            let mut force = [d[0], d[1]];
+            for f in &mut force {
+                *f = p.coefficient * ((*f - p.clearance).pow_pos(1.5) - (-*f - p.clearance).pow_pos(1.5));
+            }
+            force
         }
     }
 }
@@ -96,6 +101,7 @@ impl Part for BearingHertz {
     fn uses(&self) -> Uses {
         Uses { velocity: false, acceleration: false, spin: false }
     }
+    #[inline(always)]
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let f = self.force(p, at.q);
         out.force[0] += f[0];

@@ -114,6 +114,7 @@ impl BearingLinear {
     pub fn tabulated(link: Link, table: Table) -> Self {
         BearingLinear { link, table: Some(table) }
     }
+    #[inline(always)]
     fn coefficients<S: Scalar>(&self, p: &BearingLinearParams<S>, speed: S) -> Coefficients<S> {
         match &self.table {
             None => Coefficients { value: [p.kxx, p.kxy, p.kyx, p.kyy, p.cxx, p.cxy, p.cyx, p.cyy], slope: [S::zero(); 8] },
@@ -131,6 +132,7 @@ impl BearingLinear {
 }
 
 /// `(x, y) -> (a x + b y, c x + d y)`.
+#[inline(always)]
 fn apply<S: Scalar>(k: &[S], x: &[S]) -> [S; 2] {
     [k[0] * x[0] + k[1] * x[1], k[2] * x[0] + k[3] * x[1]]
 }
@@ -197,6 +199,7 @@ impl Part for BearingLinear {
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, speed: S, b: &mut Blocks<S>) {
         let k = self.coefficients(p, speed).value;
         for i in 0..2 {

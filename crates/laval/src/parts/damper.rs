@@ -39,6 +39,7 @@ impl Damper {
     pub fn rotating(link: Link) -> Self {
         Damper { link, rotating: true }
     }
+    #[inline(always)]
     fn slip<S: Scalar>(&self, at: &At<S>) -> Complex<S> {
         let v = c(at.v[0], at.v[1]);
         if self.rotating { v - c(at.q[0], at.q[1]).mul_i().scale(at.speed) } else { v }
@@ -78,6 +79,7 @@ impl Part for Damper {
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         for i in 0..2 {
             b.damping[(i, i)] = p.damping[i];
@@ -87,6 +89,7 @@ impl Part for Damper {
             b.circulatory[(1, 0)] = -p.damping[0];
         }
     }
+    #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         if self.rotating { -(p.damping[0] * (c(at.q[0], at.q[1]).conj() * self.slip(at)).im) } else { S::zero() }
     }

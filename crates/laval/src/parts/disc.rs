@@ -56,6 +56,7 @@ impl Disc {
 }
 
 /// Rotating vector `amplitude exp(i (phase + offset))` as its factors on cos and sin of the phase, for the x row and the y row.
+#[inline(always)]
 fn rotating<S: Scalar>(amplitude: S, offset: S) -> [[S; 2]; 2] {
     let (s, co) = offset.sin_cos();
     [[amplitude * co, -(amplitude * s)], [amplitude * s, amplitude * co]]
@@ -63,6 +64,7 @@ fn rotating<S: Scalar>(amplitude: S, offset: S) -> [[S; 2]; 2] {
 
 impl Disc {
     /// Adds a force that turns with the rotor, `(k W^2 - i kappa W') r exp(i phase)`, on two rows with lever arms.
+    #[inline(always)]
     fn add_rotating<S: Scalar>(b: &mut Blocks<S>, rows: [(usize, S); 2], r: [[S; 2]; 2], k: S, kappa: S) {
         let w2 = b.speed * b.speed;
         for (axis, &(row, lever)) in rows.iter().enumerate() {
@@ -76,6 +78,7 @@ impl Disc {
     }
 
     /// Centre-of-mass motion `x' + h beta', y' - h alpha'` of rates or accelerations.
+    #[inline(always)]
     fn centre<S: Scalar>(&self, h: S, d: &[S]) -> Complex<S> {
         if self.tilts { c(d[0] + h * d[3], d[1] - h * d[2]) } else { c(d[0], d[1]) }
     }
@@ -104,6 +107,7 @@ impl Part for Disc {
         Physics::Linear
     }
 
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
         let one = S::one();
         b.mass[(0, 0)] = p.mass;
@@ -129,6 +133,7 @@ impl Part for Disc {
         }
     }
 
+    #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let u = p.mass * p.eccentricity + p.unbalance;
         let turning = Complex::cis(at.phase + p.eccentricity_phase).scale(u);
@@ -140,10 +145,9 @@ impl Part for Disc {
             let t = Complex::cis(at.phase + p.skew_phase).scale(p.skew);
             let (theta, rate, accel) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]), c(at.a[2], at.a[3]));
             let (c1, c2) = (a - cp.scale(0.5), cp.scale(-0.5));
-            let re = |z: Complex<S>, w: Complex<S>| (z.conj() * w).re;
-            r += c1 * re(accel, t.mul_i());
-            r += c2 * (at.spin_accel * re(theta, t) + at.speed * re(rate, t)).scale(2.0);
-            r += c2 * at.speed * at.speed * re(theta, t.mul_i());
+            r += c1 * (accel.conj() * t.mul_i()).re;
+            r += c2 * (at.spin_accel * (theta.conj() * t).re + at.speed * (rate.conj() * t).re).scale(2.0);
+            r += c2 * at.speed * at.speed * (theta.conj() * t.mul_i()).re;
         }
         r
     }
@@ -197,6 +201,7 @@ impl Part for Disc {
 }
 
 impl Disc {
+    #[inline(always)]
     fn spin_inertia<S: Scalar>(&self, p: &DiscParams<S>) -> S {
         let u = p.mass * p.eccentricity + p.unbalance;
         let skew = if self.tilts { (p.diametral_inertia - p.polar_inertia) * p.skew * p.skew } else { S::zero() };

@@ -42,6 +42,7 @@ impl Part for Foundation {
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         for i in 0..2 {
             b.mass[(i, i)] = p.mass;

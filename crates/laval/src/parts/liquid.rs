@@ -67,12 +67,14 @@ impl Liquid {
     pub fn new(attach: Attach, fill: Fill) -> Self {
         Liquid { attach, fill }
     }
+    #[inline(always)]
     fn coefficients<S: Scalar>(p: &LiquidParams<S>) -> Coefficients<S> {
         let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
         let column = p.cavity_height * p.density;
         Coefficients { full: (r2 * column).scale(PI), void: (s2 * column).scale(PI), g: (r2 - s2) / (r2 + s2) }
     }
     /// Surface displacement and its rate.
+    #[inline(always)]
     fn surface<S: Scalar>(at: &At<S>) -> (Complex<S>, Complex<S>) {
         let (beta, eta) = (c(at.z[0], at.z[1]), c(at.z[2], at.z[3]));
         (eta, eta.mul_i().scale(at.speed) - beta)
@@ -151,6 +153,7 @@ impl Part for Liquid {
         Physics::Linear
     }
 
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, w: S, b: &mut Blocks<S>) {
         let Coefficients { full, void, g } = Self::coefficients(p);
         let (zero, one) = (S::zero(), S::one());
@@ -178,6 +181,7 @@ impl Part for Liquid {
         }
     }
 
+    #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         self.polar_inertia(p) * at.spin_accel
     }
@@ -246,6 +250,7 @@ impl Part for Liquid {
 }
 
 impl Liquid {
+    #[inline(always)]
     fn polar_inertia<S: Scalar>(&self, p: &LiquidParams<S>) -> S {
         let Coefficients { full, void, .. } = Self::coefficients(p);
         let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());

@@ -59,11 +59,13 @@ impl ShaftLumped {
     fn size(&self) -> usize {
         if self.tilts { 4 } else { 2 }
     }
+    #[inline(always)]
     fn matrix<S: Scalar>(p: &ShaftLumpedParams<S>) -> [[S; 4]; 4] {
         let (o, kc, kt, kxy) = (S::zero(), p.coupling, p.tilt_stiffness, p.cross_stiffness);
         [[p.stiffness[0], kxy, o, kc], [kxy, p.stiffness[1], -kc, o], [o, -kc, kt, o], [kc, o, o, kt]]
     }
     /// `K x` over the coordinates it acts on.
+    #[inline(always)]
     fn apply<S: Scalar>(&self, k: &[[S; 4]; 4], x: &[S]) -> [S; 4] {
         let mut f = [S::zero(); 4];
         for (f, row) in f.iter_mut().zip(k).take(self.size()) {
@@ -74,6 +76,7 @@ impl ShaftLumped {
         f
     }
     /// `R x`: a quarter turn of each pair.
+    #[inline(always)]
     fn quarter<S: Scalar>(&self, x: &[S]) -> [S; 4] {
         let mut r = [S::zero(); 4];
         for i in (0..self.size()).step_by(2) {
@@ -82,18 +85,27 @@ impl ShaftLumped {
         r
     }
     /// Rate seen in rotor axes and the damping force on it.
+    #[inline(always)]
     fn slip<S: Scalar>(&self, p: &ShaftLumpedParams<S>, at: &At<S>) -> ([S; 4], [S; 4]) {
         let mut slip = self.quarter(at.q);
         for (s, &v) in slip.iter_mut().zip(at.v) {
             *s = v - at.speed * *s;
         }
-        let force = self.apply(&Self::matrix(p), &slip).map(|f| f * p.material_damping);
+        let mut force = self.apply(&Self::matrix(p), &slip);
+        for f in &mut force {
+            *f *= p.material_damping;
+        }
         (slip, force)
     }
 }
 
+#[inline(always)]
 fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
-    a.iter().zip(b).fold(S::zero(), |s, (&a, &b)| s + a * b)
+    let mut s = S::zero();
+    for (&a, &b) in a.iter().zip(b) {
+        s += a * b;
+    }
+    s
 }
 
 impl Part for ShaftLumped {
@@ -123,6 +135,7 @@ impl Part for ShaftLumped {
     fn physics(&self) -> Physics {
         Physics::Linear
     }
+    #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let k = Self::matrix(p);
         for (i, row) in k.iter().enumerate().take(self.size()) {
@@ -137,6 +150,7 @@ impl Part for ShaftLumped {
             }
         }
     }
+    #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         if self.damped { -dot(&self.quarter(at.q), &self.slip(p, at).1) } else { S::zero() }
     }

@@ -47,6 +47,7 @@ impl Stop {
     pub fn new(link: Link) -> Self {
         Stop { link }
     }
+    #[inline(always)]
     fn contact<S: Scalar>(p: &StopParams<S>, at: &At<S>) -> Contact<S> {
         let r = at.q[0].norm2(at.q[1]);
         let inverse = S::one() / r.select_pos(r, S::one());
@@ -80,6 +81,7 @@ impl Part for Stop {
     fn uses(&self) -> Uses {
         Uses { velocity: true, acceleration: false, spin: false }
     }
+    #[inline(always)]
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let c = Self::contact(p, at);
         out.force[0] += c.force * c.direction[0];

@@ -76,7 +76,7 @@ fn end(o: &Outcome) -> Value {
             end["at"] = number(at);
             end["residual"] = number(residual);
         }
-        End::Reached | End::Cancelled | End::MaxPoints | End::Refused => {}
+        End::Reached | End::Cancelled | End::MaxPoints | End::WorkLimit | End::Refused => {}
     }
     end["text"] = json!(o.end_in_words());
     end

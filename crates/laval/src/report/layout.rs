@@ -8,6 +8,8 @@ pub(super) const TICK: f64 = 11.0;
 pub(super) const LABEL: f64 = 12.0;
 pub(super) const TITLE: f64 = 14.0;
 const ROW: f64 = 14.0;
+/// Side of a square panel.
+const LARGEST_SQUARE: f64 = 440.0;
 /// Most rows of labels above a panel; what does not fit is listed in the legend.
 const MOST_ROWS: usize = 5;
 
@@ -133,6 +135,7 @@ impl Layout {
         let label_space = if rights > 0.0 { rights + 8.0 } else { 0.0 };
         let right = (label_space + bar_room).max(18.0).ceil();
         let pw = (w - x0 - right).max(60.0);
+        let (pw, ph) = if scene.equal { (pw.min(LARGEST_SQUARE), pw.min(LARGEST_SQUARE)) } else { (pw, ph) };
         let x_ticks = x_ticks(scene, pw);
 
         let mut y = if title { 30.0 } else { 4.0 };

@@ -32,6 +32,7 @@ mod page;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod payload;
+mod renew;
 mod scene;
 mod svg;
 mod terminal;
@@ -46,6 +47,7 @@ pub use json::{SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
+pub use renew::renew;
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};

@@ -9,6 +9,8 @@ pub(super) struct Scene {
     pub x: AxisView,
     pub panels: Vec<PanelView>,
     pub legend: Vec<Entry>,
+    /// Square panels: x and y to one scale.
+    pub equal: bool,
 }
 
 pub(super) struct PanelView {
@@ -69,6 +71,9 @@ pub(super) enum Glyph {
     Contour,
 }
 
+/// Shapes from here on belong to classes: their sizes differ.
+pub(super) const CLASS: usize = 10;
+
 /// Most groups that get a colour of the palette; more get the ramp.
 const PALETTE_GROUPS: usize = 7;
 
@@ -77,9 +82,16 @@ impl Scene {
         figure.check(tables)?;
         let mut build = Build { figure, tables, legend: Vec::new(), names: Vec::new(), tints: 0 };
         let mut drafts: Vec<PanelView> = figure.panels.iter().map(|p| build.panel(p)).collect();
-        let x = x_axis(&figure.x, &drafts);
+        let mut x = x_axis(&figure.x, &drafts);
         for (draft, panel) in drafts.iter_mut().zip(&figure.panels) {
             draft.y = y_axis(&panel.y, draft, &x);
+        }
+        if figure.equal {
+            let span = drafts.iter().map(|d| d.y.hi - d.y.lo).fold(x.hi - x.lo, f64::max);
+            for a in drafts.iter_mut().map(|d| &mut d.y).chain([&mut x]) {
+                let middle = 0.5 * (a.lo + a.hi);
+                *a = AxisView::new(&a.label, &a.unit, a.log, middle - 0.5 * span, middle + 0.5 * span);
+            }
         }
         let mut legend = build.legend;
         // a single unnamed curve needs no legend
@@ -87,7 +99,7 @@ impl Scene {
             legend.clear();
             drafts.iter_mut().flat_map(|d| &mut d.series).for_each(|s| s.entry = None);
         }
-        Ok(Scene { x, panels: drafts, legend })
+        Ok(Scene { x, panels: drafts, legend, equal: figure.equal })
     }
 
     /// Whether there is anything to see.
@@ -216,10 +228,16 @@ impl Build<'_> {
                 Mark::Points(m) => {
                     let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
                     let filled = self.flags(&m.table, m.filled_where.as_ref()).map(<[bool]>::to_vec);
-                    let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
+                    let mut groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
                     let of = groups.len();
-                    for (shape, g) in groups.into_iter().enumerate() {
-                        let colour = self.colour(&g.name, shape, of);
+                    let place = |g: &Group| m.classes.iter().position(|c| *c == g.name);
+                    groups.sort_by_key(|g| place(g).unwrap_or(usize::MAX));
+                    for class in m.classes {
+                        self.colour(class, 0, 1);
+                    }
+                    for (k, g) in groups.into_iter().enumerate() {
+                        let colour = self.colour(&g.name, k, of);
+                        let shape = place(&g).map_or(k, |c| CLASS + c);
                         let sides = [false, true].map(|open| {
                             let fits = |i: &&usize| filled.as_ref().is_none_or(|f| f[**i]) != open;
                             g.rows.iter().filter(fits).map(|i| (xs[*i], ys[*i])).collect::<Vec<_>>()
@@ -272,6 +290,8 @@ impl Build<'_> {
                     }
                     let axis = axis_view(&m.colours, range);
                     let contour = m.contour.map(|c| c * m.colours.factor);
+                    // a level that no cell reaches has no curve to explain
+                    let contour = contour.filter(|c| values.iter().any(|v| v < c) && values.iter().any(|v| v >= c));
                     if let Some(level) = contour {
                         let label = format!(
                             "{} = {} {}",

@@ -2,7 +2,7 @@
 
 use super::colour::Colour;
 use super::layout::{LABEL, Layout, PanelBox, TICK, TITLE, is_line};
-use super::scene::{Entry, Glyph, Kind, PanelView, Scene, Series};
+use super::scene::{CLASS, Entry, Glyph, Kind, PanelView, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
 use crate::outcome::{Figure, OutcomeError, Table};
@@ -256,7 +256,7 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
                     r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="2.4" stroke-linecap="round" d="{d}"/>"#
                 );
             } else {
-                let d: String = kept.iter().map(|q| marker(shape, q.0, q.1, 4.2)).collect();
+                let d: String = kept.iter().map(|q| marker(shape, q.0, q.1)).collect();
                 let style = marker_style(&hex, open);
                 let _ = write!(s, r#"<path class="s {class} {}" data-s="{index}"{key} {style} d="{d}"/>"#, if open { "mo" } else { "mf" });
             }
@@ -275,9 +275,10 @@ fn marker_style(hex: &str, open: bool) -> String {
     }
 }
 
-/// Outline of a marker: circle, square, triangle, diamond, cross-shaped star.
-fn marker(shape: usize, x: f64, y: f64, r: f64) -> String {
+/// Outline of a marker: circle, square, triangle, diamond, triangle on its tip. Classes that share a place lie on each other, the smaller above.
+fn marker(shape: usize, x: f64, y: f64) -> String {
     let p = |v: f64| px(v);
+    let r = if shape >= CLASS { 5.6 - (shape - CLASS) as f64 } else { 4.2 };
     match shape % 5 {
         0 => format!("M{} {}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 -{d} 0z", p(x - r), p(y), d = 2.0 * r),
         1 => format!("M{} {}h{d}v{d}h-{d}z", p(x - 0.88 * r), p(y - 0.88 * r), d = px(1.76 * r)),
@@ -332,7 +333,7 @@ fn legend(s: &mut String, k: usize, e: &Entry, x: f64, y: f64, text: &str) {
                 r#"<path class="{class} {}" {} d="{}"/>"#,
                 if open { "mo" } else { "mf" },
                 marker_style(&hex, open),
-                marker(shape, x + 12.0, m, 4.2)
+                marker(shape, x + 12.0, m)
             );
         }
         _ => {}

@@ -170,6 +170,19 @@ fn unique(taken: &mut HashSet<String>, name: &str) -> String {
 /// [`WriteError::Io`] with the path when a file cannot be written (the files before it are kept); [`WriteError::Outcome`], before
 /// anything is written, when an outcome contradicts itself.
 pub fn write(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<PathBuf>, WriteError> {
+    Ok(write_all(dir, report, formats)?.into_iter().map(|w| dir.join(w.name)).collect())
+}
+
+/// A file that was written.
+pub(super) struct Written {
+    /// Relative to the folder, with `/`.
+    pub name: String,
+    /// Number of its study; `None` for what belongs to all.
+    pub study: Option<usize>,
+    pub content: Vec<u8>,
+}
+
+pub(super) fn write_all(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<Written>, WriteError> {
     for o in &report.outcomes {
         for f in &o.figures {
             f.check(&o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
@@ -181,61 +194,63 @@ pub fn write(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<Path
     for (i, o) in report.outcomes.iter().enumerate() {
         for (k, t) in o.tables.iter().enumerate() {
             if wants(Format::Csv) {
-                out.file(&format!("{}.csv", names.table(i, k)), csv(t).as_bytes())?;
+                out.file(&format!("{}.csv", names.table(i, k)), Some(i), csv(t).into_bytes())?;
             }
             #[cfg(feature = "parquet")]
             if wants(Format::Parquet) {
                 let name = format!("{}.parquet", names.table(i, k));
                 match super::parquet(t) {
-                    Ok(bytes) => out.file(&name, &bytes)?,
+                    Ok(bytes) => out.file(&name, Some(i), bytes)?,
                     Err(e) => return Err(out.failed(dir.join(name), io::Error::other(e))),
                 }
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
             let text = svg::draw(f, &o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
-            out.file(&format!("{}.svg", names.figure(i, k)), text.as_bytes())?;
+            out.file(&format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes())?;
         }
     }
     if wants(Format::Json) {
-        out.file("results.json", json(report).as_bytes())?;
+        out.file("results.json", None, json(report).into_bytes())?;
     }
     if wants(Format::Html) {
         let text = html::page(report, wants(Format::Csv)).map_err(|(study, source)| WriteError::Outcome { study, source })?;
-        out.file("report.html", text.as_bytes())?;
+        out.file("report.html", None, text.into_bytes())?;
     }
     Ok(out.written)
 }
 
 struct Writer<'a> {
     dir: &'a Path,
-    written: Vec<PathBuf>,
+    written: Vec<Written>,
 }
 
 impl Writer<'_> {
-    fn failed(&mut self, path: PathBuf, source: io::Error) -> WriteError {
-        WriteError::Io { path, source, written: std::mem::take(&mut self.written) }
+    fn failed(&self, path: PathBuf, source: io::Error) -> WriteError {
+        WriteError::Io { path, source, written: self.written.iter().map(|w| self.dir.join(&w.name)).collect() }
     }
 
-    fn file(&mut self, name: &str, content: &[u8]) -> Result<(), WriteError> {
-        let path = self.dir.join(name);
-        if let Some(folder) = path.parent()
-            && let Err(e) = fs::create_dir_all(folder)
-        {
-            let folder = folder.to_path_buf();
-            return Err(self.failed(folder, e));
-        }
-        let mut part = path.clone().into_os_string();
-        part.push(format!(".part{}", std::process::id()));
-        let part = PathBuf::from(part);
-        if let Err(e) = fs::write(&part, content).and_then(|()| fs::rename(&part, &path)) {
-            // the reason of the failure matters, not that of the clean-up
-            let _ = fs::remove_file(&part);
-            return Err(self.failed(path, e));
-        }
-        self.written.push(path);
+    fn file(&mut self, name: &str, study: Option<usize>, content: Vec<u8>) -> Result<(), WriteError> {
+        place(self.dir, name, &content).map_err(|(path, e)| self.failed(path, e))?;
+        self.written.push(Written { name: name.into(), study, content });
         Ok(())
     }
+}
+
+/// Writes a file into a folder, whole or not at all; the path that failed, and why.
+pub(super) fn place(dir: &Path, name: &str, content: &[u8]) -> Result<(), (PathBuf, io::Error)> {
+    let path = dir.join(name);
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(|e| (folder.to_path_buf(), e))?;
+    }
+    let mut part = path.clone().into_os_string();
+    part.push(format!(".part{}", std::process::id()));
+    let part = PathBuf::from(part);
+    fs::write(&part, content).and_then(|()| fs::rename(&part, &path)).map_err(|e| {
+        // the reason of the failure matters, not that of the clean-up
+        let _ = fs::remove_file(&part);
+        (path, e)
+    })
 }
 
 #[cfg(test)]

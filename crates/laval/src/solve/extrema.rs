@@ -7,6 +7,7 @@ use super::scalar::maximum;
 use super::sweep::{Sweep, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
+use laval_num::complex::c;
 
 /// A maximum or minimum of a body's amplitude.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +18,10 @@ pub struct Extremum {
     pub maximum: bool,
     /// Spin speed, rad/s.
     pub speed: f64,
-    /// Amplitude, m.
+    /// Amplitude, m; NaN for a maximum that is [`unbounded`](Self::unbounded).
     pub value: f64,
+    /// A pole: the amplitude grows without bound, nothing dissipates.
+    pub unbounded: bool,
     /// Interval that holds it.
     pub bracket: (f64, f64),
 }
@@ -99,14 +102,21 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
     out
 }
 
+/// Frequency above which no mode can meet an excitation of this frequency on its way through the speeds computed.
+pub fn above(excitation: f64) -> f64 {
+    2.0 * excitation
+}
+
 /// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` is told the spectra computed
 /// so far and stops the search by saying false.
 ///
 /// # Errors
 /// As the spectrum.
 pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn FnMut(u64) -> bool) -> Result<Vec<f64>, Diagnostic> {
-    let speeds = crate::model::field::RangeValue { from, to, points: None }.linspace(60);
-    let found = sweep(system, state, &speeds, |_, solved| each(solved))?;
+    // eigenvalues of a large machine are dear, and between far speeds the sweep halves by itself where shapes mix
+    let points = if system.n() > 40 { 20 } else { 60 };
+    let speeds = crate::model::field::RangeValue { from, to, points: Some(points) }.linspace(points);
+    let found = sweep(system, state, &speeds, above(from.abs().max(to.abs())), |_, solved| each(solved))?;
     let mut out = Vec::new();
     for c in criticals(system, state, &found, &[1.0]) {
         let width = c.growth.abs().max(1e-9 * c.speed.abs());
@@ -122,6 +132,21 @@ pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn F
 const DEPTH: usize = 24;
 /// Bend of the logarithm of an amplitude at which an interval is halved.
 const BEND: f64 = 0.05;
+
+/// Amplitude over the largest one that is rounding.
+const STILL: f64 = 1e-12;
+/// Damping ratio below which a resonance counts as undamped: its width is that of rounding.
+const NARROW: f64 = 1e-9;
+
+/// The amplitude still grows as 1/distance where a resonance of damping ratio [`NARROW`] is already round.
+fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
+    let beside = |d: f64| Some(value(speed - d * speed)?.max(value(speed + d * speed)?));
+    match (beside(10.0 * NARROW), beside(1e3 * NARROW)) {
+        (Some(near), Some(far)) => near > 30.0 * far,
+        (None, _) => true,
+        _ => false,
+    }
+}
 
 /// Response over given speeds and between them, with the extrema of the amplitudes at coordinates `at`; `each` stops the work by saying false.
 ///
@@ -175,7 +200,13 @@ pub fn curve(
         out.points.push(r);
         right.pop();
     }
+    let largest = |i: usize| out.points.iter().map(|r| r.major(i)).fold(0.0, f64::max);
+    let loudest = at.iter().map(|&i| largest(i)).fold(0.0, f64::max);
     for (body, &i) in at.iter().enumerate() {
+        // a body that moves by rounding alone has no resonance
+        if largest(i) <= STILL * loudest {
+            continue;
+        }
         let value = |w: f64| response(system, state, w).ok().flatten().map(|r| r.major(i));
         let mut found: Vec<Extremum> = Vec::new();
         for p in out.points.windows(3) {
@@ -188,7 +219,8 @@ pub fn curve(
             let bracket = (p[0].speed, p[2].speed);
             let tolerance = 1e-10 * bracket.1.abs();
             if let Some((speed, v)) = maximum(|w| value(w).map(|x| sign * x.ln()), bracket.0, bracket.1, tolerance) {
-                found.push(Extremum { body, maximum: up, speed, value: (sign * v).exp(), bracket });
+                let unbounded = up && pole(value, speed);
+                found.push(Extremum { body, maximum: up, speed, value: (sign * v).exp(), unbounded, bracket });
             }
         }
         // a shallow minimum between two resonances is no antiresonance, a ripple of rounding no resonance
@@ -206,6 +238,13 @@ pub fn curve(
             })
             .collect();
         out.extrema.extend(found.into_iter().zip(deep).filter_map(|(e, keep)| keep.then_some(e)));
+    }
+    // beside a pole the numbers are what rounding makes of infinity
+    for e in out.extrema.iter_mut().filter(|e| e.unbounded) {
+        e.value = f64::NAN;
+        for p in out.points.iter_mut().filter(|p| (p.speed - e.speed).abs() <= 1e3 * NARROW * e.speed) {
+            p.x.fill(c(f64::NAN, f64::NAN));
+        }
     }
     Ok(out)
 }

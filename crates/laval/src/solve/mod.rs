@@ -1,6 +1,7 @@
 //! Solving: equilibria, spectra, responses, motions. An analysis knows the system and no concrete part.
 
 pub mod characteristic;
+pub mod ensemble;
 pub mod extrema;
 pub mod harmonic;
 pub mod locate;

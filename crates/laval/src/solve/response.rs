@@ -1,12 +1,16 @@
 //! Linear synchronous response: `T(i W) X = F` with the forces that turn with the rotor.
 
-use super::characteristic::Characteristic;
+use super::characteristic::{Characteristic, Equilibrium, Frame, nonlinear_states};
 use super::locate::State;
 use super::sectors::{circular, imaginary};
 use crate::diagnostic::Diagnostic;
+use crate::model::blocks::Grid;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::At;
 use crate::model::system::System;
-use laval_num::complex::C64;
-use laval_num::dense::{Lu, Mat, Singular};
+use crate::model::tangent::{Tangent, TangentScratch};
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Field, Lu, Mat};
 
 /// Complex amplitudes `X` of the motion `Re(X exp(i phase))` over the unknowns of the characteristic matrix, in x and y.
 #[derive(Clone, Debug)]
@@ -36,25 +40,59 @@ impl Response {
 /// # Errors
 /// As the state.
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
-    let mut t = Characteristic::new(system, &state(speed)?);
-    let (mut m, mut d) = (Mat::default(), Mat::default());
-    t.at(imaginary(speed), &mut m, &mut d);
-    let (_, mut load) = t.loads();
-    t.sectors().polarise(&mut load);
-    let size = load.iter().map(|z| z.abs()).fold(0.0, f64::max);
-    let solved: Result<Vec<C64>, Singular> = Lu::new(&m).map(|lu| {
-        let mut x = load.clone();
-        lu.solve(&mut x);
-        // one refinement
-        let mut r: Vec<C64> = m.mul_vec(&x).iter().zip(&load).map(|(a, b)| *b - *a).collect();
-        lu.solve(&mut r);
-        x.iter().zip(&r).map(|(x, r)| *x + *r).collect()
-    });
-    let Ok(mut x) = solved else { return Ok(None) };
-    if !x.iter().all(|z| z.is_finite()) {
-        return Ok(None);
+    let about = state(speed)?;
+    Ok(if about.frame == Frame::Fixed && nonlinear_states(system).is_empty() {
+        let (m, load) = fixed(system, &about);
+        solve(&m, load, speed)
+    } else {
+        let mut t = Characteristic::new(system, &about);
+        let (mut m, mut d) = (Mat::default(), Mat::default());
+        t.at(imaginary(speed), &mut m, &mut d);
+        let (_, mut load) = t.loads();
+        t.sectors().polarise(&mut load);
+        solve(&m, load, speed).map(|mut r| {
+            t.sectors().restore(&mut r.x);
+            r
+        })
+    })
+}
+
+/// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes.
+fn fixed(system: &System, about: &Equilibrium) -> (Mat<C64>, Vec<C64>) {
+    let (n, speed, s) = (system.n(), about.speed, c(0.0, about.speed));
+    let (mut model, mut scratch, mut grid) = (LinearModel::default(), LinearScratch::default(), Grid::empty());
+    system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
+    system.dynamic_stiffness(system.params(), &model, Form::Frequency, s, &mut grid, &mut scratch);
+    let mut matrix = Mat::from_fn(grid.rows(), grid.cols(), |i, j| grid[(i, j)]);
+    if system.slots().iter().any(|s| !s.is_linear()) {
+        let zero = vec![0.0; n];
+        let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
+        for j in 0..n {
+            for i in 0..n {
+                matrix[(i, j)] += c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]);
+            }
+        }
     }
-    let residual = m.mul_vec(&x).iter().zip(&load).map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
-    t.sectors().restore(&mut x);
-    Ok(Some(Response { speed, x, residual: if size > 0.0 { residual / size } else { residual } }))
+    let b = &model.blocks;
+    let load = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { C64::ZERO }).collect();
+    (matrix, load)
+}
+
+/// Solves with one refinement.
+fn solve(m: &Mat<C64>, load: Vec<C64>, speed: f64) -> Option<Response> {
+    let size = load.iter().map(|z| z.abs()).fold(0.0, f64::max);
+    let lu = Lu::new(m).ok()?;
+    let rest = |x: &[C64]| m.mul_vec(x).iter().zip(&load).map(|(a, b)| *b - *a).collect::<Vec<C64>>();
+    let mut x = load.clone();
+    lu.solve(&mut x);
+    let mut r = rest(&x);
+    lu.solve(&mut r);
+    x.iter_mut().zip(&r).for_each(|(x, r)| *x += *r);
+    if !x.iter().all(|z| z.is_finite()) {
+        return None;
+    }
+    let residual = rest(&x).iter().map(|r| r.abs()).fold(0.0, f64::max);
+    Some(Response { speed, x, residual: if size > 0.0 { residual / size } else { residual } })
 }

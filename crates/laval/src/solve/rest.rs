@@ -17,7 +17,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
         if let Some(reason) = slot.part.refuses_rest(&system.params()[slot.params.clone()]) {
             return Err(Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
                 .at(slot.span.clone())
-                .help("use about = \"turning\", a nonlinear study, or give the part a preload"));
+                .help("ask a nonlinear study or one in time, or give the part a preload"));
         }
     }
     let found = settle(system, Equilibrium::zero(system, Frame::Fixed, speed))?;
@@ -33,7 +33,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
                     format!("the machine has no rest: the force of \"{}\" turns with the rotor", slot.name),
                 )
                 .at(slot.span.clone())
-                .help("use about = \"turning\", or a study of the forced motion"));
+                .help("ask a study of the forced motion"));
             }
         }
     }
@@ -53,10 +53,14 @@ fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec
 
 /// Residual over the unknowns of the characteristic matrix.
 fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinates: &Sectors, x: &[f64]) -> Vec<f64> {
-    let (mut k, mut d) = (Mat::default(), Mat::default());
-    t.linear_at(C64::zero(), &mut k, &mut d);
-    t.sectors().restore_matrix(t.sectors(), &mut k);
-    let mut r = real_part(&k).mul_vec(x);
+    let mut r = if x.iter().all(|&x| x == 0.0) {
+        vec![0.0; x.len()]
+    } else {
+        let (mut k, mut d) = (Mat::default(), Mat::default());
+        t.linear_at(C64::zero(), &mut k, &mut d);
+        t.sectors().restore_matrix(t.sectors(), &mut k);
+        real_part(&k).mul_vec(x)
+    };
     let (constant, turning) = t.loads();
     for (i, r) in r.iter_mut().enumerate() {
         *r -= constant[i] + if at.frame == Frame::Turning { turning[i].re } else { 0.0 };

@@ -114,7 +114,7 @@ fn symmetric(s: &Spectrum) -> bool {
 /// # Errors
 /// As the spectrum at any speed.
 pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut each: impl FnMut(u64) -> bool) -> Result<Row, Diagnostic> {
-    let found = sweep(system, state, speeds, |_, solved| each(solved))?;
+    let found = sweep(system, state, speeds, f64::INFINITY, |_, solved| each(solved))?;
     let mut out = Row { stopped: found.points.last().is_none_or(|p| Some(&p.0) != speeds.last()), ..Row::default() };
     let mut all: Vec<(f64, Spectrum)> = found.points;
     // between two speeds where two modes pass each other lies an interaction that the grid may miss
@@ -177,7 +177,7 @@ fn narrow(
 ) -> Result<(Vec<(f64, Spectrum)>, u64), Diagnostic> {
     let (mut out, mut solved) = (Vec::new(), 0);
     for _ in 0..8 {
-        let inner = sweep(system, state, &[lo, at, hi], |_, more| each(solved + more))?;
+        let inner = sweep(system, state, &[lo, at, hi], f64::INFINITY, |_, more| each(solved + more))?;
         solved += inner.solved;
         let next = inner.passings.first().copied();
         out.extend(inner.points);

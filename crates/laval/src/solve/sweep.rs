@@ -57,6 +57,8 @@ const DEPTH: usize = 7;
 struct Follower<'a> {
     system: &'a System,
     state: State<'a>,
+    /// Largest frequency followed, rad/s.
+    limit: f64,
     /// Told of the speed of the grid and of the spectra computed so far; says whether to go on.
     each: &'a mut dyn FnMut(usize, u64) -> bool,
     /// Speed of the grid under way.
@@ -104,7 +106,8 @@ impl Follower<'_> {
         let ambiguous = trial.iter().any(|m| m.ambiguous);
         let middle = 0.5 * (from + to);
         if ambiguous && depth < DEPTH && from < middle && middle < to && (self.each)(self.place, self.out.solved) {
-            let between = self::spectrum(self.system, self.state, middle)?.1;
+            let mut between = self::spectrum(self.system, self.state, middle)?.1;
+            band(&mut between, self.limit);
             self.out.solved += 1;
             self.advance(from, middle, between, depth + 1)?;
             return self.advance(middle, to, spectrum, depth + 1);
@@ -148,20 +151,56 @@ impl Follower<'_> {
     }
 }
 
-/// Follows all modes over the speeds (ascending). Before every spectrum `each` is told the number of the speed and of the spectra computed so
+/// Leaves only modes whose frequency is at most `limit` in size.
+fn band(spectrum: &mut Spectrum, limit: f64) {
+    if limit.is_infinite() {
+        return;
+    }
+    let mut places: Vec<Vec<Option<usize>>> = Vec::new();
+    for f in &mut spectrum.families {
+        let mut next = 0;
+        places.push(
+            f.modes
+                .iter()
+                .map(|m| {
+                    let inside = m.value.im.abs() <= limit;
+                    next += usize::from(inside);
+                    inside.then(|| next - 1)
+                })
+                .collect(),
+        );
+        f.modes.retain(|m| m.value.im.abs() <= limit);
+    }
+    spectrum.modes.retain_mut(|m| match places[m.place.0][m.place.1] {
+        Some(place) => {
+            m.place.1 = place;
+            true
+        }
+        None => false,
+    });
+}
+
+/// Follows all modes with frequencies up to `limit` (rad/s) over the speeds (ascending): what lies above it is not compared, and cannot be confused. Before every spectrum `each` is told the number of the speed and of the spectra computed so
 /// far, and stops the work by saying false.
 ///
 /// # Errors
 /// As [`modes_about`] at any speed.
-pub fn sweep(system: &System, state: State, speeds: &[f64], mut each: impl FnMut(usize, u64) -> bool) -> Result<Sweep, Diagnostic> {
+pub fn sweep(
+    system: &System,
+    state: State,
+    speeds: &[f64],
+    limit: f64,
+    mut each: impl FnMut(usize, u64) -> bool,
+) -> Result<Sweep, Diagnostic> {
     let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
-    let mut f = Follower { system, state, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
+    let mut f = Follower { system, state, limit, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
     for (k, &speed) in speeds.iter().enumerate() {
         f.place = k;
         if !(f.each)(k, f.out.solved) {
             break;
         }
-        let s = spectrum(system, state, speed)?.1;
+        let mut s = spectrum(system, state, speed)?.1;
+        band(&mut s, limit);
         f.out.solved += 1;
         if k == 0 {
             f.start(speed, s);

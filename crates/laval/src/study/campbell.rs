@@ -9,13 +9,14 @@
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
 use super::modes::THRESHOLD;
-use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::extrema::{Critical, criticals};
+use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Sweep, sweep};
 
@@ -49,7 +50,16 @@ pub(super) fn special(c: &Critical) -> SpecialPoint {
 /// Damping ratio of a mode at its critical speed.
 pub(super) fn damping(c: &Critical) -> f64 {
     let size = c.growth.hypot(c.order * c.speed);
-    if size > 0.0 { -c.growth / size } else { 0.0 }
+    // what Newton's method leaves of a mode without damping is no damping
+    if c.growth.abs() > 1e-10 * size { -c.growth / size } else { 0.0 }
+}
+
+/// Damping of a crossing in words.
+pub(super) fn damping_words(c: &Critical) -> String {
+    match damping(c) {
+        0.0 => "undamped".into(),
+        d => format!("damping ratio {}", quantity(d, "")),
+    }
 }
 
 /// Table of critical speeds.
@@ -84,22 +94,15 @@ pub struct Campbell {
     pub threshold: f64,
 }
 
-/// Modes followed over the speeds of a range, and how the work ended.
-pub(super) fn follow(system: &System, context: &Context, speeds: &[f64]) -> Result<(Sweep, End), Diagnostic> {
+/// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
+pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
-    let found = sweep(system, &|w| rest(system, w), speeds, |k, solved| {
+    let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
-        !context.cancelled() && solved < context.work_limit
+        context.goes_on(solved)
     })?;
     let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
-    let end = if whole {
-        End::Reached
-    } else if context.cancelled() {
-        End::Cancelled
-    } else {
-        End::MaxPoints
-    };
-    Ok((found, end))
+    Ok((found, context.end(whole)))
 }
 
 impl Study for Campbell {
@@ -113,14 +116,27 @@ impl Study for Campbell {
         Some(Campbell { speed, orders: orders(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, About::Rest, self.speed.from)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let (found, end) = follow(system, context, &self.speed.linspace(120))?;
+        let (found, end) = follow(system, context, &self.speed.linspace(120), f64::INFINITY)?;
         let crossings = criticals(system, &|w| rest(system, w), &found, &self.orders);
         let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
         let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
         let label = |k: usize| {
-            let whirl = found.branches[k].points.iter().map(|p| p.1.whirl).find(|w| *w != crate::solve::pencil::Whirl::None);
-            format!("{} {}", k + 1, whirl.map_or("", |w| w.word()))
+            // a mode may change its direction on the way
+            let mut words: Vec<&str> =
+                found.branches[k].points.iter().map(|p| p.1.whirl).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
+            words.dedup();
+            let words = match words.as_slice() {
+                [] => "aperiodic".to_string(),
+                [one] => one.to_string(),
+                [first, .., last] if first != last => format!("{first} to {last}"),
+                [first, ..] => format!("mostly {first}"),
+            };
+            format!("{} {words}", k + 1)
         };
         let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= self.threshold + m.error;
         let table = Table::new("modes", "Modes followed over the spin speed")
@@ -147,19 +163,24 @@ impl Study for Campbell {
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
-            let text = format!("Order {} meets a {} mode at {{}}, damping ratio {}.", c.order, c.whirl.word(), quantity(damping(c), ""));
+            let text = format!("Order {} meets a {} mode at {{}}, {}.", c.order, c.whirl.word(), damping_words(c));
             outcome = outcome
                 .finding(
                     Finding::info("critical_speed", text)
                         .of(format!("order {} {}", c.order, c.whirl.word()))
                         .value(c.speed, "rad/s")
-                        .evidence("growth", c.growth, "1/s")
-                        .evidence("relative defect of the dynamic stiffness", c.defect, ""),
+                        .evidence("relative defect of the dynamic stiffness", c.defect, "")
+                        .evidence("growth", c.growth, "1/s"),
                 )
                 .special_point(special(c));
         }
         if crossings.is_empty() {
-            outcome = outcome.finding(Finding::info("no_critical_speed", "No frequency meets an excitation line in this range."));
+            let text = if end == End::Reached {
+                "No frequency meets an excitation line in this range."
+            } else {
+                "No frequency met an excitation line before the study stopped."
+            };
+            outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
         if let Some((k, (w, m))) = worst {

@@ -9,15 +9,16 @@
 //!
 //! Sources: `theory/planar-rotor.md` sections 6 and 9.
 
-use super::campbell::{ORDERS, critical_table, damping, follow, orders, special};
-use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::campbell::{ORDERS, critical_table, damping, damping_words, follow, orders, special};
+use super::modes::WHIRLS;
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
-use crate::solve::extrema::{criticals, curve, seeds};
+use crate::solve::extrema::{above, criticals, curve, seeds};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 
@@ -51,9 +52,14 @@ impl Study for CriticalSpeeds {
         Some(CriticalSpeeds { speed, orders: orders(values), margin: values.number("margin").unwrap_or(0.15) })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, About::Rest, self.speed.from)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let state = |w: f64| rest(system, w);
-        let (found, mut end) = follow(system, context, &self.speed.linspace(120))?;
+        let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
+        let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let crossings = criticals(system, &state, &found, &self.orders);
         let bodies = system.bodies();
         let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
@@ -61,11 +67,11 @@ impl Study for CriticalSpeeds {
         let forced = load.iter().any(|f| f.abs() > 0.0) && !bodies.is_empty() && end.is_complete();
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
-            let mut each = |done| !context.cancelled() && done < context.work_limit;
+            let mut each = |done| context.goes_on(done);
             speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
             let response = curve(system, &state, speeds, &at, &mut each)?;
             if !response.complete {
-                end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+                end = context.end(false);
             }
             response.extrema.into_iter().filter(|e| e.maximum).collect()
         } else {
@@ -88,16 +94,12 @@ impl Study for CriticalSpeeds {
                 })
             });
             let beside = match near {
+                Some(p) if p.unbounded => format!("; there the response of {} has no bound", bodies[p.body].name),
                 Some(p) => format!("; the response of {} peaks at {}", bodies[p.body].name, quantity(p.speed, "rad/s")),
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
             };
-            let text = format!(
-                "Critical speed of order {} at {{}} ({} whirl, damping ratio {}){beside}.",
-                c.order,
-                c.whirl.word(),
-                quantity(damping(c), "")
-            );
+            let text = format!("Critical speed of order {} at {{}}: {} whirl, {}{beside}.", c.order, c.whirl.word(), damping_words(c));
             let mut finding = Finding::info("critical_speed", text)
                 .of(format!("order {} {}", c.order, c.whirl.word()))
                 .value(c.speed, "rad/s")
@@ -130,9 +132,10 @@ impl Study for CriticalSpeeds {
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
                 let text = format!(
-                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}.",
+                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}{}.",
                     quantity(w, "rad/s"),
-                    quantity(c.speed, "rad/s")
+                    quantity(c.speed, "rad/s"),
+                    if c.order == 1.0 { String::new() } else { format!(" (order {})", c.order) }
                 );
                 let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
                 outcome = outcome.finding(finding.value(distance, "").shown_as(100.0 * distance, "%").evidence(
@@ -148,16 +151,18 @@ impl Study for CriticalSpeeds {
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
             .text("body", "body", peaks.iter().map(|p| bodies[p.body].name.clone()).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
-            .float("amplitude", "m", "semi-major axis of the orbit", peaks.iter().map(|p| p.value).collect())
+            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound", peaks.iter().map(|p| p.value).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut panel =
-            Panel::new(Axis::new("damping ratio", "")).mark(Points::new("critical_speeds", "speed", "damping_ratio").group("whirl"));
+        let mut panel = Panel::new(Axis::new("damping ratio", ""))
+            .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
         if let Some(w) = system.machine.speed {
             panel = panel.mark(Rule::x(w, "operating speed"));
         }
         let alt = format!("Damping ratio at each of {} critical speeds.", crossings.len());
-        let figure = Figure::new("critical_speeds", "Critical speeds", alt).x(Axis::new("spin speed", "rad/s")).panel(panel);
+        let figure = Figure::new("critical_speeds", "Critical speeds", alt)
+            .x(Axis::new("spin speed", "rad/s").range(self.speed.from, self.speed.to))
+            .panel(panel);
         outcome.table(critical_table(&crossings)?).table(peak_table).figure(figure).checked().map_err(inconsistent)
     }
 }

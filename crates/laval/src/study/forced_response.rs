@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::pencil::time_forms;
@@ -46,19 +46,24 @@ impl Study for ForcedResponse {
         Some(ForcedResponse { speed })
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let state = |w: f64| rest(system, w);
-        let bodies = system.bodies();
-        let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
-        let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let (_, load) = Characteristic::new(system, &rest(system, self.speed.to)?).loads();
         if load.iter().all(|f| f.abs() == 0.0) {
             return Err(Diagnostic::error("forced_response.no_unbalance", "nothing forces this machine at the spin speed")
                 .help("give a disc an eccentricity, an unbalance or a skew"));
         }
+        Ok(())
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let state = |w: f64| rest(system, w);
+        let bodies = system.bodies();
+        let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
         let mut speeds = self.speed.linspace(400);
         let mut each = |done: u64| {
             context.progress.report(done, 0);
-            !context.cancelled() && done < context.work_limit
+            context.goes_on(done)
         };
         // eigenvalues tell where a narrow resonance hides; a machine without time form has none to tell
         let known = time_forms(system).is_ok();
@@ -66,13 +71,6 @@ impl Study for ForcedResponse {
             speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
         }
         let found: Curve = curve(system, &state, speeds, &at, &mut each)?;
-        let end = if found.complete {
-            End::Reached
-        } else if context.cancelled() {
-            End::Cancelled
-        } else {
-            End::MaxPoints
-        };
         let points = &found.points;
         let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
@@ -94,24 +92,35 @@ impl Study for ForcedResponse {
                 .float(format!("backward.{n}"), "m", "backward amplitude", column(&|r| r.circles(b.x).1.abs()))
                 .float(format!("backward_phase.{n}"), "rad", "angle of the backward amplitude", column(&|r| r.circles(b.x).1.arg()));
         }
-        for ((part, what, unit), values) in observed(system, &state, points)? {
+        let seen = observed(system, &state, points)?;
+        for ((part, what, unit), values) in seen.quantities {
             table = table.float(format!("{what}.{part}"), unit, "largest value over a turn", values);
         }
+        table = table.float("validity", "", "largest use of a part's validity over a turn; above 1 is outside", seen.validity);
         let residual = points.iter().map(|r| r.residual).fold(0.0, f64::max);
-        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("solutions", found.solved);
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete)).work("solutions", found.solved);
         let name = |e: &Extremum| bodies[e.body].name.clone();
         let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
         if let Some(e) = peaks.first() {
-            let text = format!("The largest resonance is at {{}}: {} moves {}.", name(e), quantity(e.value, "m"));
-            outcome = outcome.finding(
+            let so_far = if found.complete { "" } else { " found before the study stopped" };
+            let finding = if e.unbounded {
+                let text = format!("Nothing dissipates at the resonance{so_far} at {{}}: there {} moves without bound.", name(e));
+                Finding::warning("undamped_resonance", text)
+            } else {
+                let text = format!("The largest resonance{so_far} is at {{}}: {} moves {}.", name(e), quantity(e.value, "m"));
                 Finding::info("largest_resonance", text)
-                    .value(e.speed, "rad/s")
-                    .evidence("amplitude", e.value, "m")
-                    .evidence("residual", residual, ""),
-            );
+            };
+            let finding = finding.value(e.speed, "rad/s").evidence("amplitude", e.value, "m").evidence("residual", residual, "");
+            outcome = outcome.finding(finding);
         } else {
-            outcome = outcome.finding(Finding::info("no_resonance", "No body has a resonance inside the range of speeds."));
+            let text = if found.complete {
+                "No body has a resonance inside the range of speeds."
+            } else {
+                "No resonance was found before the study stopped."
+            };
+            outcome = outcome.finding(Finding::info("no_resonance", text));
         }
         for e in &found.extrema {
             let kind = if e.maximum { "resonance" } else { "antiresonance" };
@@ -127,10 +136,23 @@ impl Study for ForcedResponse {
                 "A part is given in the frequency domain only, so that no eigenvalues guided the search: resonances narrower than the step of speeds may be missed.",
             ));
         }
-        if let Some(f) = found.singular.first() {
-            outcome = outcome.finding(
-                Finding::warning("undamped_resonance", "The response is infinite at {}: nothing dissipates there.").value(*f, "rad/s"),
-            );
+        // other poles than the one already named
+        let mut poles: Vec<f64> =
+            found.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed).chain(found.singular.iter().copied()).collect();
+        poles.sort_by(f64::total_cmp);
+        poles.dedup_by(|b, a| (*b - *a).abs() <= 1e-6 * a.abs());
+        let named = peaks.first().filter(|e| e.unbounded).map(|e| e.speed);
+        for w in poles.into_iter().filter(|w| named.is_none_or(|n| (n - w).abs() > 1e-6 * n.abs())) {
+            let text = "The response grows without bound at {}: nothing dissipates there.";
+            outcome = outcome.finding(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
+        }
+        for u in &seen.outside {
+            let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);
+            let text = if u.ratio.is_finite() { text } else { text.replace("{}, above 1", "no finite value") };
+            let finding = Finding::invalid("validity", text);
+            let finding = if u.ratio.is_finite() { finding.value(u.ratio, "") } else { finding };
+            outcome = outcome
+                .finding(finding.evidence("at", u.speed, "rad/s").evidence("outside from", u.from, "rad/s").evidence("to", u.to, "rad/s"));
         }
         for f in remarks(system, &state(self.speed.from)?) {
             outcome = outcome.finding(f);
@@ -143,7 +165,12 @@ impl Study for ForcedResponse {
                 found.extrema.iter().map(|e| if e.maximum { "resonance" } else { "antiresonance" }.into()).collect(),
             )
             .float("speed", "rad/s", "spin speed", found.extrema.iter().map(|e| e.speed).collect())
-            .float("amplitude", "m", "semi-major axis of the orbit", found.extrema.iter().map(|e| e.value).collect())
+            .float(
+                "amplitude",
+                "m",
+                "semi-major axis of the orbit; NaN where it has no bound",
+                found.extrema.iter().map(|e| e.value).collect(),
+            )
             .build()
             .map_err(inconsistent)?;
         let (mut amplitude, mut phase) = (
@@ -156,6 +183,9 @@ impl Study for ForcedResponse {
         }
         amplitude = amplitude.mark(Points::new("extrema", "speed", "amplitude").group("kind"));
         let alt = match peaks.first() {
+            Some(e) if e.unbounded => {
+                format!("Amplitudes of {} bodies over spin speed, without bound at {}.", bodies.len(), quantity(e.speed, "rad/s"))
+            }
             Some(e) => format!(
                 "Amplitudes of {} bodies over spin speed; the largest resonance is at {}.",
                 bodies.len(),
@@ -168,15 +198,38 @@ impl Study for ForcedResponse {
     }
 }
 
-type Observations = BTreeMap<(String, &'static str, &'static str), Vec<f64>>;
+/// What the parts show along the response.
+struct Seen {
+    /// Part, quantity and unit, with the largest value over a turn at every speed.
+    quantities: BTreeMap<(String, &'static str, &'static str), Vec<f64>>,
+    /// Largest use of validity at every speed.
+    validity: Vec<f64>,
+    /// Statements of validity that do not hold throughout.
+    outside: Vec<Outside>,
+}
 
-/// Quantities that linear parts show, at their largest over one turn. Nonlinear parts would show the force of a law the motion does not know.
+/// A statement of validity that is left.
+struct Outside {
+    slot: usize,
+    part: String,
+    what: &'static str,
+    /// Largest use, and the speed where it occurs, rad/s.
+    ratio: f64,
+    speed: f64,
+    /// First and last speed outside, rad/s.
+    from: f64,
+    to: f64,
+}
+
+/// Quantities that linear parts show, at their largest over one turn, and the use of every part's validity. The observed force of a nonlinear part would
+/// be that of a law the motion does not know; its validity is a matter of the motion itself.
 fn observed(
     system: &System,
     state: &dyn Fn(f64) -> Result<crate::solve::characteristic::Equilibrium, Diagnostic>,
     points: &[Response],
-) -> Result<Observations, Diagnostic> {
-    let mut out = Observations::new();
+) -> Result<Seen, Diagnostic> {
+    let mut out = BTreeMap::new();
+    let (mut validity, mut outside) = (vec![0.0f64; points.len()], Vec::<Outside>::new());
     let mut ws = Workspace::default();
     let n = system.n();
     for (row, r) in points.iter().enumerate() {
@@ -194,20 +247,50 @@ fn observed(
                 z[k] += real(*x);
             }
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: turning.arg(), speed: r.speed, spin_accel: 0.0, t: 0.0 };
+            for (k, u) in system.validity(&at, &mut ws) {
+                // the amplitude beside a pole is not a number
+                if !r.x.iter().all(|x| x.is_finite()) {
+                    validity[row] = f64::NAN;
+                    continue;
+                }
+                if !(validity[row].is_nan() || u.ratio <= validity[row]) {
+                    validity[row] = if u.ratio.is_finite() { u.ratio } else { f64::NAN };
+                }
+                if u.ratio <= 1.0 {
+                    continue;
+                }
+                match outside.iter_mut().find(|o| o.slot == k && o.what == u.what) {
+                    Some(o) => {
+                        o.to = r.speed;
+                        if !(u.ratio <= o.ratio) {
+                            (o.ratio, o.speed) = (u.ratio, r.speed);
+                        }
+                    }
+                    None => outside.push(Outside {
+                        slot: k,
+                        part: system.slots()[k].name.clone(),
+                        what: u.what,
+                        ratio: u.ratio,
+                        speed: r.speed,
+                        from: r.speed,
+                        to: r.speed,
+                    }),
+                }
+            }
             for (slot, o) in system.observe(&at, &mut ws) {
                 let slot = &system.slots()[slot];
                 // the amplitude of a body is in its own columns; eliminated states are not at hand
                 if slot.physics != crate::model::part::Physics::Linear || slot.memory > 0 || o.name == "displacement" {
                     continue;
                 }
-                let column = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
+                let column: &mut Vec<f64> = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
                 if o.value.abs() > column[row] || o.value.is_nan() {
                     column[row] = o.value.abs();
                 }
             }
         }
     }
-    Ok(out)
+    Ok(Seen { quantities: out, validity, outside })
 }
 
 /// Response at one speed, for callers that want no table.

@@ -1,7 +1,8 @@
 //! What the studies in time share: their common fields, tables and figures of the motion, energy, and the sentences about them.
 
 use super::Context;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use super::start::Start;
+use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
@@ -38,13 +39,6 @@ pub(super) const ABSOLUTE: Field = Field::optional(
 /// `points`.
 pub(super) const POINTS: Field =
     Field::optional("points", FieldKind::Integer { min: 2, max: 1_000_000 }, "2000", "number of output times, equally spaced");
-/// `initial`.
-pub(super) const INITIAL: Field = Field::optional(
-    "initial",
-    FieldKind::StateMap,
-    "",
-    "start: displacements, rates (with ') and internal states by name; all others are zero",
-);
 /// `phase`.
 pub(super) const PHASE: Field =
     Field::optional("phase", FieldKind::Quantity { unit: "rad", bounds: Bounds::within(1e6) }, "0 rad", "spin angle at the start");
@@ -75,93 +69,29 @@ impl Settings {
     }
 }
 
-/// What a name in a state map means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Entry {
-    Coordinate(usize),
-    Rate(usize),
-    State(usize),
-}
-
-/// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).
-fn entry(system: &System, name: &str) -> Option<Entry> {
-    if let Some(coordinate) = name.strip_suffix('\'') {
-        return system.coordinate(coordinate).map(Entry::Rate);
-    }
-    system.coordinate(name).map(Entry::Coordinate).or_else(|| system.states().iter().position(|s| s.name == name).map(Entry::State))
-}
-
-/// Largest displacement, rate or internal state a motion may start with, in SI units: beyond it energies leave the range of numbers.
-const LARGEST_START: f64 = 1e9;
-
-/// Reads a state map; says all that is wrong.
-pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
-    let mut out: Vec<(Entry, f64)> = Vec::new();
-    for (name, value, span) in values.state_map(field).unwrap_or_default() {
-        let Some(found) = entry(system, name) else {
-            diagnostics.push(
-                Diagnostic::error("state.unknown", format!("there is no coordinate or state \"{name}\""))
-                    .at(span.clone())
-                    .help(nearest(system, name)),
-            );
-            continue;
-        };
-        if !(value.abs() <= LARGEST_START) {
-            let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
-            diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
-        }
-        if out.iter().any(|(e, _)| *e == found) {
-            diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
-        }
-        out.push((found, *value));
-    }
-    out
-}
-
-fn nearest(system: &System, name: &str) -> String {
-    let all = system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
-    let (part, rate) = (name.split('.').next().unwrap_or_default(), if name.ends_with('\'') { "'" } else { "" });
-    let own: Vec<&str> = all.clone().filter(|n| n.split('.').next() == Some(part)).collect();
-    if !own.is_empty() {
-        return format!("\"{part}\" has {}", own.iter().take(12).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", "));
-    }
-    let plain = name.trim_end_matches('\'');
-    match all.map(|n| (distance(n, plain), n)).min() {
-        Some((d, best)) if d <= 3 => format!("did you mean \"{best}{rate}\"?"),
-        _ => {
-            let list: Vec<String> =
-                system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
-            format!("this machine has {}", list.join(", "))
-        }
+/// The motion of this machine can be integrated in the way asked for.
+pub(super) fn admit(motion: &Motion, method: Choice) -> Result<(), Diagnostic> {
+    match motion.refuses_explicit() {
+        Some(d) if method == Choice::Explicit => Err(d),
+        _ => Ok(()),
     }
 }
 
-/// Number of edits between two words.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut corner = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let change = corner + usize::from(x != *y);
-            corner = row[j + 1];
-            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
+/// Displacement that the integration cannot tell from none, m: a hundred times the tolerance of one step, for a typical displacement of 1 mm beside the sag.
+/// At rest no error shortens the steps, and they grow to the border of stability, where noise of some tolerances stays alive.
+pub(super) fn negligible(settings: &Settings, start: &Start) -> f64 {
+    let sag = start.rest.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
+    100.0 * (1e-3 * settings.absolute + settings.relative * sag)
 }
 
-/// Writes entries into a state.
-pub(super) fn apply(entries: &[(Entry, f64)], system: &System, y: &mut [f64]) {
-    let n = system.n();
-    for &(e, x) in entries {
-        match e {
-            Entry::Coordinate(i) => y[i] = x,
-            Entry::Rate(i) => y[n + i] = x,
-            Entry::State(i) => y[2 * n + i] = x,
-        }
+/// The largest displacement of a body in a sentence; up to `still` it is none.
+pub(super) fn largest(body: &str, amplitude: f64, still: f64) -> Finding {
+    if amplitude <= still {
+        let text = format!("\"{body}\" does not move from its place of rest, to the tolerance of the integration.");
+        return Finding::info("largest_displacement", text).of(body).value(0.0, "m");
     }
+    let text = format!("The largest displacement of \"{body}\" from rest is {{}}.");
+    Finding::info("largest_displacement", text).of(body).value(amplitude, "m")
 }
 
 /// Equally spaced times from 0 to `t_end`, both included.
@@ -175,8 +105,8 @@ pub(super) fn ended(flight: &Flight) -> (End, Option<Finding>) {
         ode::End::Reached | ode::End::Event { .. } => (End::Reached, None),
         ode::End::Cancelled { .. } => (End::Cancelled, None),
         ode::End::WorkLimit { t } => {
-            let text = "The limit on the number of steps was reached at {}.";
-            (End::MaxPoints, Some(Finding::warning("work_limit", text).value(*t, "s")))
+            let text = "The limit on the number of steps (--work-limit) was reached at {}.";
+            (End::WorkLimit, Some(Finding::warning("work_limit", text).value(*t, "s")))
         }
         ode::End::StepTooSmall { t, .. } => {
             let text = "The integration could not go on at {}: no step, however short, met the tolerance. The motion may run away there.";
@@ -404,7 +334,7 @@ pub(super) fn motion_figures(system: &System, mut outcome: Outcome) -> Outcome {
     let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
     let mut lateral =
         Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
-    let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane.").x(mm("x"));
+    let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane, to scale.").x(mm("x")).equal();
     let mut plane = Panel::new(mm("y"));
     for b in &bodies {
         let (x, y) = (&system.coordinates()[b.x].name, &system.coordinates()[b.x + 1].name);

@@ -6,8 +6,10 @@ pub mod forced_response;
 mod history;
 pub mod modes;
 pub mod nonlinear_response;
+mod passages;
 pub mod run_up;
 pub mod stability_map;
+mod start;
 pub mod support;
 pub mod transient;
 pub mod uncertainty;
@@ -15,7 +17,7 @@ pub mod uncertainty;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::store::{Host, Keep};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -66,6 +68,20 @@ impl Context<'_> {
     pub fn cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
     }
+
+    /// May a study go on that has done so much work?
+    pub fn goes_on(&self, done: u64) -> bool {
+        !self.cancelled() && done < self.work_limit
+    }
+
+    /// The end of a study that did all it was asked, or stopped because [`goes_on`](Self::goes_on) said no.
+    pub fn end(&self, complete: bool) -> End {
+        match (complete, self.cancelled()) {
+            (true, _) => End::Reached,
+            (false, true) => End::Cancelled,
+            (false, false) => End::WorkLimit,
+        }
+    }
 }
 
 impl Host for Context<'_> {
@@ -100,6 +116,13 @@ pub trait Study: Send + Sync + Sized + 'static {
 
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
+    /// Whether this machine can answer the question at all, found out in a few milliseconds: `laval check` asks it, and so does a run before it begins.
+    ///
+    /// # Errors
+    /// Why it cannot, naming the part.
+    fn admit(&self, _: &System) -> Result<(), Diagnostic> {
+        Ok(())
+    }
     /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -108,6 +131,11 @@ pub trait Study: Send + Sync + Sized + 'static {
 pub trait ErasedStudy: Send + Sync {
     /// The word in the file.
     fn kind(&self) -> &'static str;
+    /// Whether this machine can answer it.
+    ///
+    /// # Errors
+    /// As [`Study::admit`].
+    fn admit(&self, system: &System) -> Result<(), Diagnostic>;
     /// Runs it.
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -115,6 +143,9 @@ pub trait ErasedStudy: Send + Sync {
 impl<T: Study> ErasedStudy for T {
     fn kind(&self) -> &'static str {
         T::KIND
+    }
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        Study::admit(self, system)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         Study::run(self, system, context)
@@ -143,6 +174,13 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<run_up::RunUp>(),
         kind::<uncertainty::Uncertainty>(),
     ]
+}
+
+/// Says what is wrong with the coordinates and states that a study names, also when it cannot be built.
+pub fn check_starts(values: &Values, system: &System, diagnostics: &mut Diagnostics) {
+    for field in ["initial", "kick"] {
+        start::state_map(values, field, system, diagnostics);
+    }
 }
 
 /// The registry entry of a study.

@@ -9,13 +9,16 @@
 //!
 //! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
 
-use super::support::{ABOUT, About, SPEED, hertz, inconsistent, remarks, speed};
+use super::support::{ABOUT, About, ROUNDING, SPEED, admit_eigenvalues, hertz, inconsistent, remarks, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::part::DofKind;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
-use crate::solve::pencil::{MachineMode, Whirl, modes_about, wants_polish};
+use crate::solve::pencil::{Linearised, MachineMode, Whirl, modes_about, wants_polish};
+use laval_num::complex::C64;
+use laval_num::dense::Mat;
 
 /// See the [module](self).
 pub struct Modes {
@@ -52,13 +55,19 @@ impl Study for Modes {
         Some(Modes { speed, about: About::read(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, self.about, self.speed)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let about = self.about.find(system, self.speed, None)?;
         let spectrum = modes_about(system, &about, true)?;
         let modes = &spectrum.modes;
+        // beside the largest eigenvalue, what is smaller than this is rounding
+        let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + if m.error.is_nan() { 0.0 } else { m.error });
+        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -77,6 +86,13 @@ impl Study for Modes {
             )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
         let bodies = system.bodies();
+        let tilts: Vec<bool> = system.coordinates().iter().map(|c| matches!(c.dof.kind, DofKind::TiltX | DofKind::TiltY)).collect();
+        if tilts.contains(&true) {
+            let mass = Linearised::new(system, &about)?.mass;
+            let share = |m: &MachineMode| tilt_share(&mass, &tilts, m);
+            let doc = "share of the tilts in the kinetic energy over a period; NaN where nothing with mass moves";
+            table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
+        }
         for body in &bodies {
             let relative = |m: &MachineMode| {
                 let largest = bodies.iter().map(|b| body_amplitude(m, b.x)).fold(0.0, f64::max);
@@ -109,32 +125,37 @@ impl Study for Modes {
             .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0)
             .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()));
         if let Some((k, m)) = least {
+            let undamped = m.growth().abs() <= rounding;
             let text = format!(
-                "The least damped {}mode is mode {} at {} ({} whirl): damping ratio {{}}.",
+                "The least damped {}mode is mode {} at {} ({} whirl): {}.",
                 if any_unstable { "stable " } else { "" },
                 k + 1,
                 quantity(m.frequency(), "rad/s"),
-                m.whirl.word()
+                m.whirl.word(),
+                if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
-            outcome = outcome.finding(Finding::info("least_damped_mode", text).value(m.damping_ratio(), "").evidence(
-                "growth",
-                m.growth(),
-                "1/s",
-            ));
+            let ratio = if undamped { 0.0 } else { m.damping_ratio() };
+            outcome =
+                outcome.finding(Finding::info("least_damped_mode", text).value(ratio, "").evidence("growth", m.growth(), "1/s").evidence(
+                    "rounding of the eigenvalues",
+                    rounding,
+                    "1/s",
+                ));
         }
         if !any_unstable {
             let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
-            outcome = outcome.finding(
-                Finding::info(
-                    "stable",
-                    format!(
-                        "Stable at {}: no mode grows faster than {}; the largest growth rate is {{}}.",
-                        quantity(self.speed, "rad/s"),
-                        quantity(self.threshold, "1/s")
-                    ),
-                )
-                .value(largest, "1/s"),
-            );
+            let zero = largest.abs() <= rounding;
+            let (at, limit) = (quantity(self.speed, "rad/s"), quantity(self.threshold, "1/s"));
+            let text = if zero {
+                format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
+            } else {
+                format!("Stable at {at}: no mode grows faster than {limit}; the largest growth rate is {{}}.")
+            };
+            outcome = outcome.finding(Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s").evidence(
+                "rounding of the eigenvalues",
+                rounding,
+                "1/s",
+            ));
         }
         if wants_polish(system) {
             let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());
@@ -154,11 +175,25 @@ impl Study for Modes {
         let alt = format!("{} modes at {}; {}.", modes.len(), quantity(self.speed, "rad/s"), worst_in_words(modes));
         let mut panel = Panel::new(Axis::new("growth rate", "1/s"));
         panel = panel.mark(Rule::y(self.threshold, if self.threshold == 0.0 { "unstable above" } else { "threshold" }));
-        panel = panel.mark(Points::new("modes", "frequency", "growth").group("whirl").filled_where("stable"));
+        panel = panel.mark(Points::new("modes", "frequency", "growth").classes("whirl", WHIRLS).filled_where("stable"));
         let figure = Figure::new("spectrum", "Natural modes", alt).x(Axis::new("frequency", "rad/s")).panel(panel);
         outcome.figure(figure).checked().map_err(inconsistent)
     }
 }
+
+/// Kinetic energy of the tilts over that of all coordinates; what couples a tilt to a displacement counts half for each.
+fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
+    let energy = |i: usize| {
+        let moved: C64 = (0..tilts.len()).map(|j| mode.q[j].scale(mass[(i, j)])).fold(C64::zero(), |a, b| a + b);
+        (mode.q[i].conj() * moved).re
+    };
+    let (tilt, all) =
+        (0..tilts.len()).map(|i| (energy(i), tilts[i])).fold((0.0, 0.0), |(t, a), (e, own)| (t + if own { e } else { 0.0 }, a + e));
+    if all > 0.0 { tilt / all } else { f64::NAN }
+}
+
+/// Directions of whirl as classes of figures.
+pub(super) const WHIRLS: &[&str] = &["forward", "backward", "mixed", "none"];
 
 fn direction(m: &MachineMode) -> &'static str {
     match m.whirl {

@@ -9,7 +9,9 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapter 2; envelope against speed as in every text on passage through resonance.
 
-use super::history::{self, ABSOLUTE, Columns, Entry, INITIAL, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::history::{self, ABSOLUTE, Columns, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::passages::{envelope, passages};
+use super::start::{self, Entry, INITIAL, Start};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Grid;
@@ -19,14 +21,11 @@ use crate::model::part::At;
 use crate::model::system::{Drive, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
-use crate::solve::motion::flight::{Flight, Plan, Window, fly};
+use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
-
-/// A peak of the envelope stands out when it falls to this fraction of itself on both sides.
-const PROMINENT: f64 = 0.7;
 
 /// See the [module](self).
 pub struct RunUp {
@@ -97,7 +96,7 @@ impl Study for RunUp {
                     .help("use a transient study, or take the free drive away"),
             );
         }
-        let initial = history::state_map(values, "initial", system, diagnostics);
+        let initial = start::state_map(values, "initial", system, diagnostics);
         let settings = Settings::read(values);
         let made = programme(values, system, settings.phase, diagnostics);
         if diagnostics.0.len() > before {
@@ -115,12 +114,19 @@ impl Study for RunUp {
         })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        history::admit(&motion, self.settings.method)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
-        history::apply(&self.initial, system, &mut y);
+        let start = Start::new(system, self.programme.at(0.0).speed);
+        start.write(&self.initial, &mut y);
+        let still = history::negligible(s, &start);
         let outputs = history::spaced(self.t_end, s.points);
         let plan = Plan {
             t_end: self.t_end,
@@ -129,6 +135,7 @@ impl Study for RunUp {
             absolute: s.absolute,
             outputs: &outputs,
             windows: self.windows,
+            rest: &start.rest,
             kick: None,
             max_steps: context.work_limit,
             cancel: &|| context.cancelled(),
@@ -141,10 +148,10 @@ impl Study for RunUp {
             other => other,
         };
         let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
-        if let Some(f) = stopped {
+        for f in stopped.into_iter().chain(start.finding) {
             outcome = outcome.finding(f);
         }
-        outcome = self.peaks(system, &flight, outcome);
+        outcome = self.peaks(system, &flight, still, outcome);
         outcome = self.drive(&mut motion, &flight, outcome)?;
         let balance = history::balance(&mut motion, &flight)?;
         if let Some(b) = &balance {
@@ -224,56 +231,29 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
     }
 }
 
-/// Peaks of an envelope that stand out on both sides: indices.
-fn prominent(amplitudes: &[f64]) -> Vec<usize> {
-    let mut out = Vec::new();
-    let falls = |mut side: Box<dyn Iterator<Item = &f64> + '_>, top: f64| {
-        side.find_map(|&a| if a > top || a.is_nan() { Some(false) } else { (a < PROMINENT * top).then_some(true) })
-    };
-    for (i, &top) in amplitudes.iter().enumerate() {
-        let left = falls(Box::new(amplitudes[..i].iter().rev()), top);
-        let right = falls(Box::new(amplitudes[i + 1..].iter()), top);
-        if left == Some(true) && right == Some(true) && top > 0.0 {
-            out.push(i);
-        }
-    }
-    out
-}
-
 impl RunUp {
     /// Largest displacements and the passages through resonances.
-    fn peaks(&self, system: &System, flight: &Flight, mut outcome: Outcome) -> Outcome {
+    fn peaks(&self, system: &System, flight: &Flight, still: f64, mut outcome: Outcome) -> Outcome {
         for ((b, peak), windows) in system.bodies().iter().zip(&flight.peaks).zip(&flight.windows) {
             let speed = self.programme.at(peak.t).speed;
-            let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
-            outcome = outcome.finding(
-                Finding::info("largest_displacement", text)
-                    .of(&b.name)
-                    .value(peak.amplitude, "m")
-                    .evidence("at speed", speed, "rad/s")
-                    .evidence("at time", peak.t, "s"),
-            );
-            let filled: Vec<&Window> = windows.iter().filter(|w| w.peak.amplitude.is_finite()).collect();
-            let amplitudes: Vec<f64> = filled.iter().map(|w| w.peak.amplitude).collect();
-            for i in prominent(&amplitudes) {
-                let p = filled[i].peak;
-                let speed = |k: usize| self.programme.at(filled[k].peak.t).speed;
-                let (a, b_) = (speed(i.saturating_sub(1)), speed((i + 1).min(filled.len() - 1)));
+            let largest = history::largest(&b.name, peak.amplitude, still);
+            outcome = outcome.finding(largest.evidence("at speed", speed, "rad/s").evidence("at time", peak.t, "s"));
+            if peak.amplitude <= still {
+                continue;
+            }
+            let spin = |t: f64| self.programme.at(t);
+            let seen = envelope(windows, &spin);
+            for i in passages(&seen, &spin) {
+                let p = seen[i];
+                let speed = |k: usize| self.programme.at(seen[k].t).speed;
+                let beside = |mut k: Box<dyn Iterator<Item = usize>>| k.find(|&k| seen[k].t != p.t).map_or(speed(i), speed);
+                let (before, after) = (beside(Box::new((0..i).rev())), beside(Box::new(i + 1..seen.len())));
                 let at = self.programme.at(p.t).speed;
-                let text = format!("The envelope of \"{}\" peaks at {{}}.", b.name);
-                outcome = outcome
-                    .finding(
-                        Finding::info("peak", text)
-                            .of(&b.name)
-                            .value(at, "rad/s")
-                            .evidence("amplitude", p.amplitude, "m")
-                            .evidence("at time", p.t, "s"),
-                    )
-                    .special_point(SpecialPoint::new("peak", at, (a.min(b_), a.max(b_))).status(Status::Bracketed).evidence(
-                        "amplitude",
-                        p.amplitude,
-                        "m",
-                    ));
+                let text = format!("\"{}\" passes a resonance: its envelope peaks at {{}}.", b.name);
+                let finding = Finding::info("peak", text).of(&b.name).value(at, "rad/s").evidence("amplitude", p.amplitude, "m");
+                let point = SpecialPoint::new("peak", at, (before.min(after), before.max(after))).status(Status::Bracketed);
+                outcome =
+                    outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, "m"));
             }
         }
         outcome
@@ -325,7 +305,8 @@ impl RunUp {
         if bodies.is_empty() {
             return Ok(outcome);
         }
-        let count = (0..self.windows).take_while(|&k| flight.windows[0][k].last.is_finite()).count();
+        let seen: Vec<_> = flight.windows.iter().map(|w| envelope(w, &|t| self.programme.at(t))).collect();
+        let count = seen.first().map_or(0, Vec::len);
         let middle: Vec<f64> = (0..count).map(|k| self.t_end * (k as f64 + 0.5) / self.windows as f64).collect();
         let speeds: Vec<f64> = middle.iter().map(|&t| self.programme.at(t).speed).collect();
         let mut linear = LinearResponse::new(system);
@@ -336,12 +317,13 @@ impl RunUp {
         let mut figure = Figure::new(
             "envelope",
             "Envelope against speed",
-            "Largest displacement of each body in short windows of time, against the spin speed.",
+            "Largest displacement of each body from rest within a turn, against the spin speed.",
         )
         .x(Axis::new("speed", "rad/s"));
         for (k, b) in bodies.iter().enumerate() {
-            let amplitude = |i: usize| flight.windows[k][i].peak.amplitude;
-            columns.add(format!("{} amplitude", b.name), "m", "largest |x + i y| in the window", (0..count).map(amplitude).collect());
+            let amplitude = |i: usize| seen[k][i].amplitude;
+            let doc = "largest distance from rest in the window and within half a turn of it";
+            columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
             let mut panel = Panel::new(Axis::new(&b.name, "mm").factor(1e3))
                 .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
             if let Some(q) = &quasi {
@@ -409,17 +391,5 @@ impl<'a> LinearResponse<'a> {
         lu.solve(&mut x);
         // forward and backward parts turn against each other: their radii add up once a turn
         bodies.iter().map(|b| 0.5 * ((x[b.x] + x[b.x + 1].mul_i()).abs() + (x[b.x] - x[b.x + 1].mul_i()).abs())).collect()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::prominent;
-
-    #[test]
-    fn prominent_peaks_only() {
-        assert_eq!(prominent(&[1.0, 2.0, 1.9, 2.1, 1.0, 0.5, 3.0, 0.1]), [3, 6]);
-        assert_eq!(prominent(&[1.0, 2.0, 3.0]), Vec::<usize>::new());
-        assert_eq!(prominent(&[1.0, f64::NAN, 3.0, 1.0]), Vec::<usize>::new());
     }
 }

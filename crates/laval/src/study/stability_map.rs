@@ -10,12 +10,12 @@
 //! Sources: `theory/planar-rotor.md` section 6.
 
 use super::modes::THRESHOLD;
-use super::support::{ABOUT, About, SPEED_RANGE, inconsistent, range, remarks};
+use super::support::{ABOUT, About, SPEED_RANGE, admit_eigenvalues, beyond_rounding, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::{Axis, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::outcome::{Axis, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::stability::{Row, row};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -73,6 +73,16 @@ impl Study for StabilityMap {
         })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        admit_eigenvalues(system, self.about, self.speed.from)?;
+        let Some((path, range)) = &self.parameter else { return Ok(()) };
+        for x in [range.from, range.to] {
+            let changed = system.with(&[(path, x)]).map_err(|d| refused(path, x, d))?;
+            admit_eigenvalues(&changed, self.about, self.speed.from)?;
+        }
+        Ok(())
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let speeds = self.speed.linspace(200);
         let values: Vec<Option<f64>> = match &self.parameter {
@@ -91,7 +101,7 @@ impl Study for StabilityMap {
                 let first = (k * speeds.len()) as u64;
                 let mut each = |solved: u64| {
                     context.progress.report(done.fetch_add(1, Ordering::Relaxed).min(total), total);
-                    !context.cancelled() && first + solved < context.work_limit
+                    context.goes_on(first + solved)
                 };
                 if context.cancelled() {
                     return Ok(Row { stopped: true, ..Row::default() });
@@ -109,14 +119,7 @@ impl Study for StabilityMap {
             .collect::<Result<_, Diagnostic>>()?;
         context.progress.report(total, total);
         let stopped = rows.len() < values.len() || rows.iter().any(|r| r.stopped);
-        let end = if !stopped {
-            End::Reached
-        } else if context.cancelled() {
-            End::Cancelled
-        } else {
-            End::MaxPoints
-        };
-        let mut outcome = self.report(system, context, &values, &rows)?.end(end);
+        let mut outcome = self.report(system, context, &values, &rows, !stopped)?;
         for f in remarks(system, &self.about.find(system, speeds[0], None)?) {
             outcome = outcome.finding(f);
         }
@@ -131,7 +134,14 @@ fn refused(path: &str, x: f64, d: Diagnostics) -> Diagnostic {
 }
 
 impl StabilityMap {
-    fn report(&self, system: &System, context: &Context, values: &[Option<f64>], rows: &[Row]) -> Result<Outcome, Diagnostic> {
+    fn report(
+        &self,
+        system: &System,
+        context: &Context,
+        values: &[Option<f64>],
+        rows: &[Row],
+        complete: bool,
+    ) -> Result<Outcome, Diagnostic> {
         let (name, unit) = match &self.parameter {
             Some((path, _)) => {
                 let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
@@ -191,7 +201,8 @@ impl StabilityMap {
             .map_err(inconsistent)?;
 
         let solved: u64 = rows.iter().map(|r| r.solved).sum();
-        let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").work("eigenproblems", solved);
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(complete)).work("eigenproblems", solved);
         for &(k, e) in &edges {
             let kind = if e.onset { "instability_onset" } else { "instability_end" };
             let status = if e.located { Status::Located } else { Status::Bracketed };
@@ -217,6 +228,7 @@ impl StabilityMap {
             outcome = outcome.special_point(point);
         }
         let with = |k: usize| if two { format!(" at {name} = {}", quantity(value(k), unit)) } else { String::new() };
+        let sizes = rows.iter().flat_map(|r| &r.samples).map(|s| s.size).fold(0.0, f64::max);
         let highest = peaks.iter().map(|&(k, p)| (k, p.speed, p.value)).chain(cells.iter().map(|c| (c.0, c.1.speed, c.1.value)));
         let highest = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re));
         let limit = quantity(self.threshold, "1/s");
@@ -233,16 +245,28 @@ impl StabilityMap {
                     ),
                 )
             } else {
-                Finding::info("stable", format!("Nowhere does a mode grow faster than {limit}; the largest growth rate is {{}}."))
+                let computed = if complete { "" } else { " before the study stopped" };
+                let largest = if beyond_rounding(s.re, sizes) == 0.0 { "zero to rounding" } else { "{}" };
+                let text =
+                    format!("No mode grows faster than {limit} at any point computed{computed}; the largest growth rate is {largest}.");
+                Finding::info("stable", text)
             };
-            outcome = outcome.finding(finding.value(s.re, "1/s").evidence("speed", speed, "rad/s"));
+            outcome = outcome.finding(
+                finding.value(if unstable { s.re } else { beyond_rounding(s.re, sizes) }, "1/s").evidence("speed", speed, "rad/s"),
+            );
         }
         if !two {
-            let (first, last) = (self.speed.from.min(self.speed.to), self.speed.from.max(self.speed.to));
+            let samples = rows.first().map_or(&[][..], |r| &r.samples);
+            let (first, last) = (self.speed.from, samples.last().map_or(self.speed.from, |s| s.speed));
+            let (whole, range_end) = if complete {
+                ("", "the end of the range".to_string())
+            } else {
+                (", where the study stopped", format!("{}, where the study stopped", quantity(last, "rad/s")))
+            };
             // an unstable start has no onset inside the range
             let start = match edges.first() {
                 Some(e) if !e.1.onset => Some(quantity(e.1.speed, "rad/s")),
-                None if unstable => Some(quantity(last, "rad/s")),
+                None if unstable => Some(quantity(last, "rad/s") + whole),
                 _ => None,
             };
             if let Some(until) = start {
@@ -250,10 +274,8 @@ impl StabilityMap {
                 outcome = outcome.finding(Finding::warning("unstable_range", text).value(first, "rad/s"));
             }
             for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
-                let until = edges
-                    .get(w + 1)
-                    .map(|n| format!(" to {}", quantity(n.1.speed, "rad/s")))
-                    .unwrap_or_else(|| " to the end of the range".into());
+                let until =
+                    edges.get(w + 1).map(|n| format!(" to {}", quantity(n.1.speed, "rad/s"))).unwrap_or_else(|| format!(" to {range_end}"));
                 outcome = outcome.finding(
                     Finding::warning("unstable_range", format!("Unstable from {{}}{until}: growth above {limit}."))
                         .value(e.1.speed, "rad/s")
@@ -298,16 +320,15 @@ impl StabilityMap {
             .x(speed_axis)
             .panel(
                 Panel::new(Axis::new("growth rate", "1/s"))
-                    .mark(Line::new("map", "speed", "growth"))
+                    .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
                     .mark(Rule::y(self.threshold, "threshold"))
                     .mark(Points::new("peaks", "speed", "growth").name("peak"))
                     .mark(Points::new("boundary", "speed", "growth").name("boundary")),
             )
-            .panel(Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(Line::new(
-                "map",
-                "speed",
-                "frequency",
-            )))
+            .panel(
+                Panel::new(Axis::new("frequency of the strongest mode", "rad/s"))
+                    .mark(Line::new("map", "speed", "frequency").name("its frequency")),
+            )
         };
         Ok(outcome.figure(figure))
     }

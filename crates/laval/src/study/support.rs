@@ -2,16 +2,26 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
-use crate::model::system::System;
-use crate::outcome::{Finding, OutcomeError};
-use crate::solve::characteristic::Equilibrium;
+use crate::model::part::At;
+use crate::model::system::{System, Workspace};
+use crate::outcome::{Finding, OutcomeError, quantity};
+use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::time_forms;
 use crate::solve::{rest, turning};
 
-/// Bounds of a spin speed, rad/s.
-pub const SPEED: FieldKind = FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e6) };
-/// A range of spin speeds.
-pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e6) };
+/// Bounds of a spin speed, rad/s. Coefficients of bearings are given for one sense of turning, that of the axes: a machine that turns the other way is
+/// described by its mirror image.
+pub const SPEED: FieldKind = FieldKind::Quantity { unit: "rad/s", bounds: Bounds::up_to(1e6) };
+/// A range of spin speeds; bounds as [`SPEED`].
+pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bounds::up_to(1e6) };
+
+/// Share of the largest eigenvalue, or of the largest amplitude, that a number must exceed to be more than rounding.
+pub const ROUNDING: f64 = 1e-13;
+
+/// `x`, or zero where it does not stand out from rounding beside a number of that `size`.
+pub fn beyond_rounding(x: f64, size: f64) -> f64 {
+    if x.abs() <= ROUNDING * size { 0.0 } else { x }
+}
 
 const ABOUT_WORDS: &[Word] = &[
     ("rest", "the static equilibrium, seen in fixed axes"),
@@ -51,6 +61,15 @@ impl About {
             About::Turning => turning::turning(system, speed, before.cloned()),
         }
     }
+}
+
+/// Eigenvalues can be had: there is a state to linearise about, and every part has a form with finitely many of them.
+///
+/// # Errors
+/// As [`About::find`] and [`time_forms`].
+pub fn admit_eigenvalues(system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
+    about.find(system, speed, None)?;
+    time_forms(system).map(drop)
 }
 
 /// The spin speed: the field `speed`, or the machine's own.
@@ -107,6 +126,7 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
             .evidence("last Newton step over typical size", about.last_step, ""),
         );
     }
+    out.extend(outside(system, about));
     for (name, error) in time_forms(system).unwrap_or_default() {
         out.push(
             Finding::info(
@@ -115,6 +135,25 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
             )
             .evidence("relative error of the fit", error, ""),
         );
+    }
+    out
+}
+
+/// Parts that are outside the validity of their model at the state itself, before anything vibrates.
+fn outside(system: &System, about: &Equilibrium) -> Vec<Finding> {
+    let sectors = coordinate_sectors(system);
+    let (v, a) = (about.velocity(&sectors), about.acceleration(&sectors));
+    let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
+    let uses = system.validity(&at, &mut Workspace::default());
+    let mut out = Vec::new();
+    for (slot, u) in uses.iter().filter(|(_, u)| !(u.ratio <= 1.0)) {
+        let (part, speed) = (&system.slots()[*slot].name, quantity(about.speed, "rad/s"));
+        let text = format!("At {speed} \"{part}\" is outside its model, even undisturbed: {}", u.what);
+        out.push(if u.ratio.is_finite() {
+            Finding::invalid("validity", text + " is {}, above 1.").value(u.ratio, "")
+        } else {
+            Finding::invalid("validity", text + " is without bound.")
+        });
     }
     out
 }

@@ -8,7 +8,8 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapter 2 (transients by direct integration).
 
-use super::history::{self, ABSOLUTE, Entry, INITIAL, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::history::{self, ABSOLUTE, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::start::{self, Entry, INITIAL, Start};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -73,9 +74,9 @@ impl Study for Transient {
                     .help("add speed = \"3000 rpm\" to [machine] or to the study"),
             );
         }
-        let initial = history::state_map(values, "initial", system, diagnostics);
+        let initial = start::state_map(values, "initial", system, diagnostics);
         let mut change = vec![0.0; system.n()];
-        let kicks = history::state_map(values, "kick", system, diagnostics);
+        let kicks = start::state_map(values, "kick", system, diagnostics);
         for &(e, x) in &kicks {
             match e {
                 Entry::Rate(i) => change[i] = x,
@@ -121,12 +122,18 @@ impl Study for Transient {
         })
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let motion = Motion::new(system, Motion::law_of(system, self.speed, self.settings.phase))?;
+        history::admit(&motion, self.settings.method)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
         let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
         let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
-        history::apply(&self.initial, system, &mut y);
+        let start = Start::new(system, self.speed);
+        start.write(&self.initial, &mut y);
         if let Some(k) = motion.spin_start() {
             (y[k], y[k + 1]) = (s.phase, self.speed);
         }
@@ -144,6 +151,7 @@ impl Study for Transient {
             absolute: s.absolute,
             outputs: &outputs,
             windows: WINDOWS,
+            rest: &start.rest,
             kick: self.kick.clone(),
             max_steps: context.work_limit,
             cancel: &|| context.cancelled(),
@@ -152,7 +160,7 @@ impl Study for Transient {
         let flight = fly(&mut motion, &y, &plan)?;
         let (end, stopped) = history::ended(&flight);
         let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
-        for finding in stopped.into_iter().chain(self.findings(&motion, &flight)) {
+        for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &flight, &start)) {
             outcome = outcome.finding(finding);
         }
         let balance = history::balance(&mut motion, &flight)?;
@@ -178,27 +186,22 @@ impl Study for Transient {
 }
 
 impl Transient {
-    fn findings(&self, motion: &Motion, flight: &Flight) -> Vec<Finding> {
+    fn findings(&self, motion: &Motion, flight: &Flight, start: &Start) -> Vec<Finding> {
         let system = motion.system();
+        let still = history::negligible(&self.settings, start);
         let mut out = Vec::new();
         for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
-            let text = format!("The largest displacement of \"{}\" is {{}}.", b.name);
-            out.push(Finding::info("largest_displacement", text).of(&b.name).value(peak.amplitude, "m").evidence(
-                "reached at",
-                peak.t,
-                "s",
-            ));
+            out.push(history::largest(&b.name, peak.amplitude, still).evidence("reached at", peak.t, "s"));
         }
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
+            let away = (x - start.rest[b.x]).hypot(y - start.rest[b.x + 1]);
+            if away <= still {
+                continue;
+            }
             let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
-            out.push(
-                Finding::info("end_state", text).of(&b.name).value(x.hypot(y), "m").evidence("x", x, "m").evidence("y", y, "m").evidence(
-                    "t",
-                    flight.run.t,
-                    "s",
-                ),
-            );
+            let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
+            out.push(finding.evidence("t", flight.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
             let speed = motion.spin(flight.run.t, &flight.state).speed;
@@ -213,8 +216,13 @@ impl Transient {
             |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
         let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
         if let Some((body, windows)) = loudest
-            && let Some(g) = growth(windows)
+            && last(windows) > still
         {
+            let Some(g) = growth(windows, std::f64::consts::TAU / self.speed.abs()) else {
+                let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
+                out.push(Finding::info("no_growth_rate", text));
+                return out;
+            };
             let clear = g.rate.abs() > 3.0 * g.uncertainty;
             let how = match (clear, g.rate > 0.0) {
                 (true, true) => "grows at",

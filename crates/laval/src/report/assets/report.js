@@ -99,7 +99,7 @@ function linePath(xs, ys, X, Y, x0, x1) {
 }
 
 function markerPath(shape, x, y) {
-  const r = 4.2, M = (a, b) => "M" + f1(a) + " " + f1(b), L = (a, b) => "L" + f1(a) + " " + f1(b);
+  const r = shape >= 10 ? 5.6 - (shape - 10) : 4.2, M = (a, b) => "M" + f1(a) + " " + f1(b), L = (a, b) => "L" + f1(a) + " " + f1(b);
   switch (shape % 5) {
     case 0: return `${M(x - r, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
     case 1: return M(x - 3.7, y - 3.7) + "h7.4v7.4h-7.4z";

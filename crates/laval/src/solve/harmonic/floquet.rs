@@ -220,7 +220,7 @@ impl Stability {
     }
 
     fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
-        self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unjudged::Failed(format!("eigenvalues: {e:?}")))
+        self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unjudged::Failed(format!("eigenvalues: {e}")))
     }
 
     /// Constant part of A and the input of nonlinear forces, scaled.

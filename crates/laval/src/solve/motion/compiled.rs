@@ -11,15 +11,15 @@ use laval_num::ode::Failure;
 use laval_num::scalar::Scalar;
 
 /// The machine at one speed. Rows are the accelerations, then the rates of the linear parts' states without memory.
-pub(super) struct Compiled {
-    model: LinearModel<f64>,
+pub(in crate::solve) struct Compiled {
+    pub model: LinearModel<f64>,
     /// Columns of the rows' dependence on (q, v, linear states): summing column by column lets the rows go in parallel.
-    columns: Mat,
+    pub columns: Mat,
     /// Constant, cosine and sine of the phase.
-    forcing: [Vec<f64>; 3],
+    pub forcing: [Vec<f64>; 3],
     /// Coordinates that nonlinear parts and memory act on, and the rows' answer to a force on each.
-    touched: Vec<usize>,
-    answers: Mat,
+    pub touched: Vec<usize>,
+    pub answers: Mat,
     sum: Vec<f64>,
     nonlinear: bool,
     force: Vec<f64>,
@@ -80,7 +80,7 @@ impl Compiled {
     }
 
     /// Fills `accel` and `rate` of `out`.
-    pub fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
+    pub(super) fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
         let n = system.n();
         let at = point(system, t, spin, y, &out.zero);
         out.rate.fill(0.0);

@@ -14,6 +14,7 @@ use laval_num::ode::{
     Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate,
 };
 use std::cell::RefCell;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Which method integrates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +42,8 @@ pub struct Plan<'p> {
     pub outputs: &'p [f64],
     /// Number of equal windows of the envelope.
     pub windows: usize,
+    /// Coordinates at rest, from which displacements are measured; zero when empty.
+    pub rest: &'p [f64],
     /// A sudden change of velocities: when, and of each coordinate.
     pub kick: Option<(f64, Vec<f64>)>,
     /// Most steps.
@@ -54,7 +57,7 @@ pub struct Plan<'p> {
 /// Largest displacement of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak {
-    /// |x + i y|, m.
+    /// |x + i y| from rest, m.
     pub amplitude: f64,
     /// When, s.
     pub t: f64,
@@ -63,7 +66,7 @@ pub struct Peak {
 /// One window of the envelope of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// Largest displacement in it; NaN when nothing was computed there.
+    /// Largest displacement from rest in it; NaN when nothing was computed there.
     pub peak: Peak,
     /// Angle the displacement vector has turned through since the start, at `last`, rad.
     pub angle: f64,
@@ -361,6 +364,8 @@ fn spin_of(system: &System, law: &SpinLaw, t: f64, y: &[f64]) -> Spin {
 /// Follows one body.
 struct Track {
     x: usize,
+    /// Its place of rest.
+    rest: [f64; 2],
     peak: Peak,
     windows: Vec<Window>,
     angle: f64,
@@ -396,6 +401,7 @@ impl<'a> Watch<'a> {
         let empty = Window { peak: Peak { amplitude: f64::NAN, t: f64::NAN }, angle: f64::NAN, last: f64::NAN };
         let track = |x: usize| Track {
             x,
+            rest: [x, x + 1].map(|i| plan.rest.get(i).copied().unwrap_or(0.0)),
             peak: Peak::default(),
             windows: vec![empty; plan.windows],
             angle: 0.0,
@@ -423,7 +429,7 @@ impl<'a> Watch<'a> {
 
     fn start(&mut self, y: &[f64]) {
         for track in &mut self.tracks {
-            track.last = [y[track.x], y[track.x + 1]];
+            track.last = track.place(y);
             track.probe(0.0, track.last, self.t_end);
         }
     }
@@ -452,6 +458,10 @@ impl<'a> Watch<'a> {
 }
 
 impl Track {
+    /// Displacement from rest.
+    fn place(&self, y: &[f64]) -> [f64; 2] {
+        [y[self.x] - self.rest[0], y[self.x + 1] - self.rest[1]]
+    }
     fn probe(&mut self, t: f64, [x, y]: [f64; 2], t_end: f64) {
         let [px, py] = self.last;
         let turned = (px * y - py * x).atan2(px * x + py * y);
@@ -495,7 +505,7 @@ impl Observer for Watch<'_> {
             let t = if p == PROBES { step.t1 } else { step.t0 + (step.t1 - step.t0) * (p as f64 / PROBES as f64) };
             step.eval(t, &mut y);
             for track in &mut self.tracks {
-                track.probe(t, [y[track.x], y[track.x + 1]], self.t_end);
+                track.probe(t, track.place(&y), self.t_end);
             }
         }
         step.eval_derivative(step.t1, &mut self.dy);
@@ -530,22 +540,38 @@ pub struct Growth {
     pub from: f64,
 }
 
-/// Log-slope of the window peaks over the second half of a flight; `None` when there are fewer than eight usable windows.
-pub fn growth(windows: &[Window]) -> Option<Growth> {
+/// Log-slope of the envelope over the second half of a flight. Its points are the largest displacements of half turns of the displacement; of windows,
+/// where the displacement keeps its direction through four turns of the spin (each of `turn`, s). `None` when there are fewer than eight.
+pub fn growth(windows: &[Window], turn: f64) -> Option<Growth> {
     let filled = windows.iter().take_while(|w| w.last.is_finite()).count();
     let used: Vec<&Window> =
         windows[filled / 2..filled].iter().filter(|w| w.peak.amplitude > 0.0 && w.peak.amplitude.is_finite()).collect();
-    if used.len() < 8 {
+    let (a, b) = (*used.first()?, *used.last()?);
+    let mut peaks: Vec<Peak> = Vec::new();
+    if (b.angle - a.angle).abs() < FRAC_PI_2 && b.last - a.last > 4.0 * turn {
+        peaks.extend(used.iter().map(|w| w.peak));
+    } else {
+        let (mut begun, mut largest) = (a.angle, Peak::default());
+        for w in &used {
+            if w.peak.amplitude > largest.amplitude {
+                largest = w.peak;
+            }
+            if (w.angle - begun).abs() >= PI {
+                peaks.push(largest);
+                (begun, largest) = (w.angle, Peak::default());
+            }
+        }
+    }
+    if peaks.len() < 8 {
         return None;
     }
-    let points: Vec<(f64, f64)> = used.iter().map(|w| (w.peak.t, w.peak.amplitude.ln())).collect();
+    let points: Vec<(f64, f64)> = peaks.iter().map(|p| (p.t, p.amplitude.ln())).collect();
     let (rate, error) = slope(&points);
     let half = points.len() / 2;
     let (first, second) = (slope(&points[..half]).0, slope(&points[half..]).0);
     let spread = [(first - rate).abs(), (second - rate).abs(), 2.0 * error]
         .into_iter()
         .fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m });
-    let (a, b) = (used[0], used[used.len() - 1]);
     Some(Growth { rate, uncertainty: spread, frequency: (b.angle - a.angle) / (b.last - a.last), from: a.peak.t })
 }
 

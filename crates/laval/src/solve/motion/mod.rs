@@ -14,7 +14,7 @@
 //! A machine of constant mass at constant speed is compiled once: its linear parts become one dense matrix, and only nonlinear parts and
 //! memory states are evaluated at every call.
 
-mod compiled;
+pub(super) mod compiled;
 mod direct;
 pub mod flight;
 mod stiff;

@@ -1,0 +1,217 @@
+//! The sweep benchmark: 200 speeds 25, 50 .. 5000 rad/s of the planar machine on cubic bearings, 250 forcing periods each from rest, relative
+//! tolerance 1e-8, absolute 1e-11, in microseconds of one core per speed and period.
+//!
+//! The machine comes from a file and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
+//! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare.sh` adds other programs on the same work.
+//!
+//! `cargo bench -p laval --bench sweep [-- source]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each.
+
+mod kernel;
+
+use laval::model::system::System;
+use laval::solve::ensemble::{self, Ended, Form, Leg, Next, Settings, Start, Voyage};
+use laval::solve::motion::{Motion, SpinLaw};
+use laval::solve::programme::Programme;
+use laval_num::lanes::Level;
+use laval_num::ode::{Control, Dop853, integrate};
+use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
+use std::time::Instant;
+
+/// A case of the benchmark: damping of the rotor (N s/m) and eccentricity (m).
+#[derive(Clone, Copy)]
+pub struct Case {
+    name: &'static str,
+    damping: f64,
+    eccentricity: f64,
+    /// Converged end states: speed, x and y of the rotor after 250 periods, m.
+    converged: &'static [(f64, f64, f64)],
+}
+
+const CASES: [Case; 2] = [
+    Case {
+        name: "A",
+        damping: 42.0,
+        eccentricity: 1e-3,
+        converged: &[
+            (275.0, -9.0107751689e-5, 6.675835849e-7),
+            (1775.0, 1.36026417963e-3, 4.8356411572e-4),
+            (2775.0, 9.70244253793e-3, -1.90103807740e-3),
+            (4775.0, -1.34170302347e-3, -2.80175434056e-3),
+        ],
+    },
+    Case {
+        name: "B",
+        damping: 420.0,
+        eccentricity: 1e-5,
+        converged: &[(2275.0, -4.59068183905e-5, -1.11014124666e-4), (4775.0, -1.25694543483e-5, -3.3576859092e-6)],
+    },
+];
+
+fn machine(case: Case) -> Option<System> {
+    let text = include_str!("machine.toml").replace("@DAMPING@", &case.damping.to_string());
+    let text = text.replace("@ECCENTRICITY@", &case.eccentricity.to_string());
+    match laval::file::load(&text) {
+        Ok(loaded) => Some(loaded.system),
+        Err(d) => {
+            println!("{d:?}");
+            None
+        }
+    }
+}
+
+/// From rest at each speed.
+struct FromRest {
+    system: Arc<System>,
+    speeds: Vec<f64>,
+    /// Seconds at a speed.
+    span: fn(f64) -> f64,
+    tolerance: f64,
+}
+
+/// State at the end, and steps.
+type Row = (Vec<f64>, u64);
+
+impl Voyage for FromRest {
+    type Log = ();
+    type Row = Row;
+    fn start(&self, index: usize) -> Result<Start<()>, Row> {
+        let speed = self.speeds[index];
+        let n = 2 * self.system.n() + self.system.m();
+        Ok(Start {
+            system: self.system.clone(),
+            law: SpinLaw::Programme(Programme::constant(speed, 0.0)),
+            y: vec![0.0; n],
+            relative: self.tolerance,
+            absolute: vec![self.tolerance * 1e-3; n],
+            leg: Leg::new(0.0, (self.span)(speed)),
+            log: (),
+        })
+    }
+    fn ended(&self, _: usize, (): &mut (), ended: &Ended, y: &mut [f64]) -> Next<Row> {
+        Next::Done((y.to_vec(), ended.steps + ended.rejected))
+    }
+}
+
+const PERIODS: f64 = 250.0;
+
+fn periods(speed: f64) -> f64 {
+    PERIODS * TAU / speed
+}
+
+fn deviation(case: Case, speeds: &[f64], ends: &[Row]) -> f64 {
+    let mut worst = 0.0f64;
+    for &(speed, x, y) in case.converged {
+        let Some(k) = speeds.iter().position(|&s| s == speed) else { return f64::NAN };
+        let d = ((ends[k].0[0] - x).powi(2) + (ends[k].0[1] - y).powi(2)).sqrt() / x.hypot(y);
+        worst = if d <= worst { worst } else { d };
+    }
+    worst
+}
+
+/// Time this thread has spent on a processor, s, which others on the machine do not disturb; the wall clock where the system does not tell.
+fn clock() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    let start = START.get_or_init(Instant::now);
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |t| t * 1e-9)
+}
+
+/// Least time of some runs, s, and the last result.
+fn least<T>(clock: fn() -> f64, runs: usize, mut f: impl FnMut() -> T) -> (f64, T) {
+    let (mut best, mut last) = (f64::INFINITY, None);
+    for _ in 0..runs {
+        let start = clock();
+        let result = f();
+        best = best.min(clock() - start);
+        last = Some(result);
+    }
+    (best, last.unwrap_or_else(f))
+}
+
+fn wall() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    START.get_or_init(Instant::now).elapsed().as_secs_f64()
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    println!("processor: {}, lanes: {}", processor(), Level::best().name());
+    let speeds: Vec<f64> = (1..=200).map(|i| 25.0 * f64::from(i)).collect();
+    let work = speeds.len() as f64 * PERIODS;
+    for case in CASES {
+        let Some(system) = machine(case) else { return };
+        let system = Arc::new(system);
+        println!("case {}: damping {} N s/m, eccentricity {} m", case.name, case.damping, case.eccentricity);
+        let by_hand = kernel::Machine { damping: case.damping, eccentricity: case.eccentricity };
+        let (hand, ends) = least(clock, 5, || by_hand.sweep(Level::best(), &speeds, periods, 1e-8, 1e-11));
+        report("by hand, lanes", hand, work, None, deviation(case, &speeds, &ends), &ends);
+        for level in Level::supported() {
+            let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
+            let (time, ends) = least(clock, 5, || {
+                let settings = Settings { level, threads: 1 };
+                ensemble::run(&voyage, &system, Form::of(&system, true), 0..speeds.len(), settings).unwrap_or_default()
+            });
+            report(&format!("ensemble, {}", level.name()), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
+        }
+        let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
+        let (time, ends) = least(wall, 3, || {
+            ensemble::run(&voyage, &system, Form::of(&system, true), 0..speeds.len(), Settings::default()).unwrap_or_default()
+        });
+        let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+        report(&format!("ensemble, {threads} threads"), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
+        let (time, ends) = least(clock, 1, || one_by_one(&system, &speeds));
+        report("one member at a time", time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
+        let fine = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-12 };
+        let ends = ensemble::run(&fine, &system, Form::of(&system, true), 0..speeds.len(), Settings::default()).unwrap_or_default();
+        println!("    at tolerance 1e-12: deviation from the converged states {:.1e}", deviation(case, &speeds, &ends));
+    }
+    if arguments.iter().any(|a| a == "source") {
+        source_study();
+    }
+}
+
+/// 5000 speeds, 25 s each, from rest.
+fn source_study() {
+    let case = CASES[0];
+    let Some(system) = machine(case) else { return };
+    let system = Arc::new(system);
+    let speeds: Vec<f64> = (1..=5000).map(f64::from).collect();
+    println!("the complete study of the source: 5000 speeds, 25 s each, case A, one core");
+    let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: |_| 25.0, tolerance: 1e-8 };
+    let settings = Settings { level: Level::best(), threads: 1 };
+    let (time, ends) = least(clock, 1, || ensemble::run(&voyage, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default());
+    let steps: u64 = ends.iter().map(|e| e.1).sum();
+    println!("    ensemble: {time:.1} s, {steps} steps");
+    let by_hand = kernel::Machine { damping: case.damping, eccentricity: case.eccentricity };
+    let (time, ends) = least(clock, 1, || by_hand.sweep(Level::best(), &speeds, |_| 25.0, 1e-8, 1e-11));
+    let steps: u64 = ends.iter().map(|e| e.1).sum();
+    println!("    by hand:  {time:.1} s, {steps} steps");
+}
+
+fn one_by_one(system: &System, speeds: &[f64]) -> Vec<Row> {
+    let mut method = Dop853::new();
+    let mut rows = Vec::new();
+    for &speed in speeds {
+        let Ok(mut motion) = Motion::new(system, SpinLaw::Programme(Programme::constant(speed, 0.0))) else { continue };
+        let mut y = vec![0.0; 2 * system.n() + system.m()];
+        let run = integrate(&mut method, &mut motion, 0.0, &mut y, periods(speed), &Control::new(1e-8, 1e-11), &mut ());
+        rows.push((y, run.work.steps + run.work.rejected));
+    }
+    rows
+}
+
+fn report(what: &str, time: f64, work: f64, hand: Option<f64>, deviation: f64, ends: &[Row]) {
+    let steps: u64 = ends.iter().map(|e| e.1).sum();
+    let per_step = time * 1e9 / steps as f64;
+    let ratio = hand.map_or(String::new(), |h| format!(", {:.2} of by hand", time / h));
+    println!("    {what:24} {:7.2} us per speed and period{ratio}, {per_step:.0} ns a step, deviation {deviation:.1e}", time * 1e6 / work);
+}
+
+fn processor() -> String {
+    std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|t| t.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split(':').nth(1)).map(|s| s.trim().to_string()))
+        .unwrap_or_else(|| std::env::consts::ARCH.to_string())
+}

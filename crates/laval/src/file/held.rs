@@ -1,0 +1,178 @@
+//! Remarks on a machine that can be computed but probably is not meant: motions that nothing holds, values without effect.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::{At, Physics, PortKind};
+use crate::model::system::{Slot, System};
+use crate::model::tangent::{Tangent, TangentScratch};
+use laval_num::dense::Mat;
+
+/// Warns of coordinates without any stiffness and of tilt stiffness on bodies that do not tilt.
+pub(super) fn check(system: &System, out: &mut Diagnostics) {
+    for slot in system.slots() {
+        tilt_without_effect(system, slot, out);
+    }
+    let free = free(system);
+    for (k, slot) in system.slots().iter().enumerate() {
+        let own = |i: &&usize| system.coordinates()[**i].slot == k;
+        let names: Vec<&str> = free.iter().filter(own).map(|&i| system.coordinates()[i].name.rsplit('.').next().unwrap_or("")).collect();
+        if names.is_empty() {
+            continue;
+        }
+        let message =
+            format!("nothing holds \"{}\" in {}: it can move away, alone or with the bodies it is joined to", slot.name, names.join(", "));
+        out.push(
+            Diagnostic::warning("body.free", message)
+                .at(slot.span.clone())
+                .help("join it to \"ground\" or to a foundation with a bearing or a shaft; a damper holds nothing in place"),
+        );
+    }
+}
+
+/// A stiffness against tilt between points of which none can tilt.
+fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
+    let mut first = 0;
+    let mut tilts = Vec::new();
+    for port in &slot.layout.ports {
+        if port.kind == PortKind::PointAndTilt {
+            tilts.extend([first + 2, first + 3]);
+        }
+        first += port.kind.size();
+    }
+    if tilts.is_empty() || tilts.iter().any(|&i| !slot.map[i].is_empty()) {
+        return;
+    }
+    let params = system.param_slots()[slot.params.clone()].iter().zip(&system.params()[slot.params.clone()]);
+    for (p, _) in params.filter(|(p, x)| p.unit == "N m/rad" && **x != 0.0) {
+        let message = format!("{} of \"{}\" has no effect: what it is joined to does not tilt", p.name, slot.name);
+        out.push(
+            Diagnostic::warning("part.no_tilt", message).at(slot.span.clone()).help("give a disc its diametral_inertia to let it tilt"),
+        );
+    }
+}
+
+/// Stiffness relative to the largest that counts as none.
+const NONE: f64 = 1e-11;
+
+/// Coordinates left over when all stiffness is used up: one for each motion that costs no force.
+fn free(system: &System) -> Vec<usize> {
+    let n = system.n();
+    // a part given in the frequency domain says nothing about forces at rest
+    if n == 0 || system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(_))) {
+        return Vec::new();
+    }
+    let speed = system.machine.speed.unwrap_or(100.0);
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+    system.linear(system.params(), speed, Form::Time, &mut model, &mut scratch);
+    let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
+    let mut k = Mat::from_fn(n, n, |i, j| model.blocks.stiffness[(i, j)]);
+    let (zero, z) = (vec![0.0; n], vec![0.0; system.m()]);
+    // a law may have no stiffness at rest, or on one side only
+    for side in [-1.0, 0.0, 1.0] {
+        let q: Vec<f64> = typical.iter().enumerate().map(|(i, t)| side * t / (1.0 + 0.1 * i as f64)).collect();
+        let at = At { q: &q, v: &zero, a: &zero, z: &z, phase: 0.3, speed, spin_accel: 0.0, t: 0.0 };
+        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+        system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
+        for i in 0..n {
+            for j in 0..n {
+                k[(i, j)] += t.q[(i, j)];
+            }
+        }
+    }
+    for i in 0..n {
+        for j in 0..n {
+            k[(i, j)] *= typical[i] * typical[j];
+        }
+    }
+    unpivoted(k)
+}
+
+/// Columns that elimination with complete pivoting leaves; the later of equals, so that a body far from the ground is named last.
+fn unpivoted(mut k: Mat) -> Vec<usize> {
+    let n = k.rows();
+    // a soft mount beside a stiff bearing is no free motion: rows and columns by their own size
+    let size: Vec<f64> = (0..n).map(|i| (0..n).map(|j| k[(i, j)].abs().max(k[(j, i)].abs())).fold(0.0, f64::max)).collect();
+    for i in 0..n {
+        for j in 0..n {
+            if size[i] > 0.0 && size[j] > 0.0 {
+                k[(i, j)] /= (size[i] * size[j]).sqrt();
+            }
+        }
+    }
+    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = ((0..n).collect(), (0..n).collect());
+    loop {
+        let best = rows.iter().flat_map(|&i| columns.iter().map(move |&j| (i, j))).max_by(|a, b| k[*a].abs().total_cmp(&k[*b].abs()));
+        let Some((i, j)) = best.filter(|&p| k[p].abs() > NONE) else { break };
+        rows.retain(|&r| r != i);
+        columns.retain(|&c| c != j);
+        for &r in &rows {
+            let f = k[(r, j)] / k[(i, j)];
+            for &c in &columns {
+                k[(r, c)] -= f * k[(i, c)];
+            }
+        }
+    }
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::load;
+
+    const DISC: &str = "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1\n";
+    fn warnings(rest: &str) -> Vec<String> {
+        load(&format!("{DISC}{rest}")).unwrap_or_else(|d| panic!("{d:?}")).warnings.0.into_iter().map(|d| d.message).collect()
+    }
+    fn shaft(between: &str, more: &str) -> String {
+        format!("[[part]]\nkind = \"shaft_lumped\"\nbetween = {between}\nstiffness = \"1e5 N/m\"\n{more}")
+    }
+
+    #[test]
+    fn what_nothing_holds_is_told() {
+        let damper = "[[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = 1\n";
+        let w = warnings(damper);
+        assert!(w.len() == 1 && w[0].contains("nothing holds \"d\" in x, y"), "{w:?}");
+        // two bodies joined to each other only: one motion each way
+        let second = "[[part]]\nkind = \"disc\"\nname = \"e\"\nmass = 1\n";
+        let w = warnings(&format!("{second}{}", shaft("[\"d\", \"e\"]", "")));
+        assert!(w.len() == 1 && w[0].contains("in x, y"), "{w:?}");
+        let held = format!("{second}{}{}", shaft("[\"d\", \"e\"]", ""), shaft("[\"e\", \"ground\"]", ""));
+        assert_eq!(warnings(&held), Vec::<String>::new());
+    }
+
+    #[test]
+    fn soft_mounts_and_laws_without_stiffness_at_rest_hold() {
+        let soft = "[[part]]\nkind = \"foundation\"\nname = \"f\"\nmass = 100\nstiffness = \"1 N/m\"\n";
+        let stiff = "[[part]]\nkind = \"shaft_lumped\"\nbetween = [\"d\", \"f\"]\nstiffness = \"1e9 N/m\"\n";
+        assert_eq!(warnings(&format!("{soft}{stiff}")), Vec::<String>::new());
+        let stop = "[[part]]\nkind = \"stop\"\nbetween = [\"d\", \"ground\"]\nstiffness = \"1e6 N/m\"\ngap = \"0.2 mm\"\n";
+        assert_eq!(warnings(stop), Vec::<String>::new());
+    }
+
+    #[test]
+    fn tilt_stiffness_on_a_disc_that_does_not_tilt() {
+        let w = warnings(&shaft("[\"d\", \"ground\"]", "tilt_stiffness = \"1e4 N m/rad\"\n"));
+        assert!(w.len() == 1 && w[0].contains("tilt_stiffness") && w[0].contains("no effect"), "{w:?}");
+        let tilting = format!(
+            "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1\ndiametral_inertia = 0.01\n\
+             polar_inertia = 0.015\n{}",
+            shaft("[\"d\", \"ground\"]", "tilt_stiffness = \"1e4 N m/rad\"\n")
+        );
+        assert_eq!(load(&tilting).unwrap_or_else(|d| panic!("{d:?}")).warnings.0, []);
+    }
+
+    #[test]
+    fn mistakes_of_studies_come_together_with_those_of_reading_others() {
+        let text = format!(
+            "{DISC}{}[[study]]\nkind = \"modes\"\nspeed = \"3 kg\"\n[[study]]\nkind = \"transient\"\nduration = \"1 s\"\n\
+             initial = {{ \"d.q\" = \"1 mm\" }}\nkick = {{ \"d.x\" = \"1 mm\" }}\nkick_time = \"2 s\"\n",
+            shaft("[\"d\", \"ground\"]", "")
+        );
+        let d = load(&text).err().expect("mistakes");
+        let codes: Vec<&str> = d.0.iter().map(|d| d.code).collect();
+        assert_eq!(codes.len(), 4, "{d:?}");
+        for code in ["coordinate.unknown", "transient.kick", "transient.kick_time"] {
+            assert!(codes.contains(&code), "{codes:?}");
+        }
+    }
+}

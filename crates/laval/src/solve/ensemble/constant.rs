@@ -1,0 +1,156 @@
+//! Members of constant mass at constant speeds: the linear parts as one sparse matrix of lanes, and a call for each nonlinear part.
+
+use crate::model::erased::Erased;
+use crate::model::lanes::{Residual, ResidualArgs};
+use crate::model::part::{At, Rows};
+use crate::model::system::System;
+use crate::solve::motion::compiled::Compiled;
+use laval_num::dense::Mat;
+use laval_num::lanes::{LaneScalar, Sparse};
+use laval_num::ode::Failure;
+use std::ops::Range;
+
+/// A nonlinear part in its place.
+struct Law<'a, S> {
+    slot: usize,
+    part: &'a dyn Erased,
+    params: Vec<S>,
+    /// Local coordinates and (if it reads them) rates, from the state.
+    map: Sparse<S>,
+    local: Vec<S>,
+    /// What the weight adds to local accelerations.
+    weight: Vec<S>,
+    /// Where its forces stand among the terms of the rows.
+    first: usize,
+    /// Its states in y.
+    states: Range<usize>,
+}
+
+/// Eight members, ready to be evaluated.
+///
+/// Every row of the machine is one sum over the terms (y, 1, cos(phase), sin(phase), forces of the nonlinear parts): what is known last comes
+/// last.
+pub(super) struct Constant<'a, S> {
+    n: usize,
+    /// Index in dy of each row: accelerations, then the states of linear parts.
+    target: Vec<usize>,
+    rows: Sparse<S>,
+    terms: Vec<S>,
+    laws: Vec<Law<'a, S>>,
+    speed: S,
+    phase: S,
+}
+
+impl<'a, S: LaneScalar> Constant<'a, S> {
+    pub fn new(base: &'a System) -> Self {
+        let (n, m) = (base.n(), base.m());
+        let states = base.linear_states(crate::model::linear::Form::Time);
+        let target: Vec<usize> = (n..2 * n).chain(states.iter().map(|z| 2 * n + z)).collect();
+        let zeros = |len: usize| vec![S::zero(); len];
+        let mut laws = Vec::new();
+        let mut first = 2 * n + m + 3;
+        for (k, slot) in base.slots().iter().enumerate().filter(|(_, s)| !s.is_linear()) {
+            let local = slot.map.len();
+            let read = if slot.uses.velocity { 2 * local } else { local };
+            laws.push(Law {
+                slot: k,
+                part: &*slot.part,
+                params: zeros(slot.params.len()),
+                map: Sparse::new(read, 2 * n),
+                local: zeros(2 * local),
+                weight: zeros(local),
+                first,
+                states: 2 * n + slot.states.start..2 * n + slot.states.end,
+            });
+            first += local;
+        }
+        Constant { n, rows: Sparse::new(target.len(), first), target, terms: zeros(first), laws, speed: S::zero(), phase: S::zero() }
+    }
+
+    /// Puts a member into a lane.
+    pub fn load(&mut self, lane: usize, system: &System, speed: f64, phase: f64) -> Result<(), Failure> {
+        let compiled = Compiled::new(system, speed)?;
+        let (n, dim) = (self.n, 2 * self.n + system.m());
+        let rows = self.target.len();
+        let mut full = Mat::zeros(rows, self.terms.len());
+        let constant = dim;
+        for i in 0..rows {
+            for j in 0..2 * n {
+                full[(i, j)] = compiled.columns[(j, i)];
+            }
+            for (k, &z) in compiled.model.states.iter().enumerate() {
+                full[(i, 2 * n + z)] = compiled.columns[(2 * n + k, i)];
+            }
+            for (k, forcing) in compiled.forcing.iter().enumerate() {
+                full[(i, constant + k)] = forcing[i];
+            }
+        }
+        for law in &mut self.laws {
+            let slot = &system.slots()[law.slot];
+            for (p, &x) in law.params.iter_mut().zip(&system.params()[slot.params.clone()]) {
+                *p = p.with(lane, x);
+            }
+            for (w, &x) in law.weight.iter_mut().zip(&slot.weight) {
+                *w = w.with(lane, x);
+            }
+            let local = slot.map.len();
+            let mut map = Mat::zeros(if slot.uses.velocity { 2 * local } else { local }, 2 * n);
+            for (l, row) in slot.map.iter().enumerate() {
+                for &(g, c) in row {
+                    map[(l, g)] += c;
+                    if slot.uses.velocity {
+                        map[(local + l, n + g)] += c;
+                    }
+                    let Some(k) = compiled.touched.iter().position(|&t| t == g) else { continue };
+                    for i in 0..rows {
+                        full[(i, law.first + l)] += c * compiled.answers[(k, i)];
+                    }
+                }
+            }
+            law.map.set(lane, &map);
+        }
+        self.rows.set(lane, &full);
+        self.speed = self.speed.with(lane, speed);
+        self.phase = self.phase.with(lane, phase);
+        Ok(())
+    }
+
+    #[inline(always)]
+    pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
+        let n = self.n;
+        let phase = self.phase + self.speed * t;
+        for i in 0..n {
+            dy[i] = y[n + i];
+        }
+        let dim = y.len();
+        for i in 0..dim {
+            self.terms[i] = y[i];
+        }
+        let (sin, cos) = phase.sin_cos();
+        self.terms[dim] = S::one();
+        self.terms[dim + 1] = cos;
+        self.terms[dim + 2] = sin;
+        for law in &mut self.laws {
+            let read = law.map.rows();
+            law.map.times_in_order(&y[..2 * n], &mut law.local[..read]);
+            let local = law.weight.len();
+            let force = &mut self.terms[law.first..law.first + local];
+            for f in force.iter_mut() {
+                *f = S::zero();
+            }
+            let rate = &mut dy[law.states.clone()];
+            for r in rate.iter_mut() {
+                *r = S::zero();
+            }
+            let mut spin = S::zero();
+            let (q, v) = law.local.split_at(local);
+            let mut args = ResidualArgs {
+                p: &law.params,
+                at: At { q, v, a: &law.weight, z: &y[law.states.clone()], phase, speed: self.speed, spin_accel: S::zero(), t },
+                out: Rows { force, rate, spin: &mut spin },
+            };
+            S::enter::<Residual, _>(law.part, &mut args);
+        }
+        self.rows.times(&self.terms, &self.target, dy);
+    }
+}

@@ -1,0 +1,173 @@
+//! Where a motion in time starts: at rest, sagged under weight where the axis lies, and what the file says otherwise.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, FieldKind, Values};
+use crate::model::part::{At, Rows};
+use crate::model::system::{Axis, System, Workspace};
+use crate::outcome::Finding;
+use crate::solve::rest::rest;
+use laval_num::dense::{Lu, Mat};
+
+/// `initial`.
+pub(super) const INITIAL: Field = Field::optional(
+    "initial",
+    FieldKind::StateMap,
+    "",
+    "start, by name: displacements (\"drum.x\", counted from the undeflected place), rates (\"drum.x'\") and internal states; everything else starts at \
+     rest, sagged under its weight when the axis is horizontal",
+);
+
+/// The start of a motion.
+pub(super) struct Start {
+    /// Coordinates at rest: the place displacements are measured from.
+    pub rest: Vec<f64>,
+    /// Internal states at rest.
+    states: Vec<f64>,
+    /// What must be said of it.
+    pub finding: Option<Finding>,
+}
+
+impl Start {
+    /// At the static equilibrium at a spin speed; undeflected where there is none.
+    pub fn new(system: &System, speed: f64) -> Self {
+        match rest(system, speed) {
+            Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, finding: None },
+            Err(d) => {
+                let text = format!("The motion starts undeflected and is measured from there: {}.", d.message);
+                let loaded = system.machine.axis == Axis::Horizontal;
+                Start {
+                    rest: vec![0.0; system.n()],
+                    states: vec![0.0; system.m()],
+                    finding: loaded.then(|| Finding::warning("start", text)),
+                }
+            }
+        }
+    }
+
+    /// Writes the start and what the file says into a state.
+    pub fn write(&self, entries: &[(Entry, f64)], y: &mut [f64]) {
+        let n = self.rest.len();
+        y[..n].copy_from_slice(&self.rest);
+        y[2 * n..2 * n + self.states.len()].copy_from_slice(&self.states);
+        for &(e, x) in entries {
+            match e {
+                Entry::Coordinate(i) => y[i] = x,
+                Entry::Rate(i) => y[n + i] = x,
+                Entry::State(i) => y[2 * n + i] = x,
+            }
+        }
+    }
+}
+
+/// Internal states of linear parts solve `z' = 0`, which is affine in them; where nothing drives them they stay.
+fn settled(system: &System, q: &[f64], mut z: Vec<f64>, speed: f64) -> Vec<f64> {
+    let own: Vec<usize> = system.slots().iter().filter(|s| s.is_linear()).flat_map(|s| s.states.clone()).collect();
+    let zero = vec![0.0; system.n()];
+    let mut ws = Workspace::default();
+    let mut rates = |z: &[f64]| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; system.n()], vec![0.0; system.m()], 0.0);
+        let at = At { q, v: &zero, a: &zero, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut ws, |s| s.is_linear() && !s.states.is_empty());
+        own.iter().map(|&i| rate[i]).collect::<Vec<f64>>()
+    };
+    let first = rates(&z);
+    if first.iter().all(|r| *r == 0.0) {
+        return z;
+    }
+    let mut jacobian = Mat::zeros(own.len(), own.len());
+    for (j, &s) in own.iter().enumerate() {
+        let unit = system.states()[s].dof.typical;
+        let before = z[s];
+        z[s] += unit;
+        for (i, r) in rates(&z).into_iter().enumerate() {
+            jacobian[(i, j)] = (r - first[i]) / unit;
+        }
+        z[s] = before;
+    }
+    let Ok(lu) = Lu::new(&jacobian) else { return z };
+    let mut step = first;
+    lu.solve(&mut step);
+    if step.iter().all(|x| x.is_finite()) {
+        own.iter().zip(&step).for_each(|(&s, x)| z[s] -= x);
+    }
+    z
+}
+
+/// What a name in a state map means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Entry {
+    Coordinate(usize),
+    Rate(usize),
+    State(usize),
+}
+
+/// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).
+fn entry(system: &System, name: &str) -> Option<Entry> {
+    if let Some(coordinate) = name.strip_suffix('\'') {
+        return system.coordinate(coordinate).map(Entry::Rate);
+    }
+    system.coordinate(name).map(Entry::Coordinate).or_else(|| system.states().iter().position(|s| s.name == name).map(Entry::State))
+}
+
+/// Largest displacement, rate or internal state a motion may start with, in SI units: beyond it energies leave the range of numbers.
+const LARGEST_START: f64 = 1e9;
+
+/// Reads a state map; says all that is wrong.
+pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
+    let mut out: Vec<(Entry, f64)> = Vec::new();
+    for (name, value, span) in values.state_map(field).unwrap_or_default() {
+        let Some(found) = entry(system, name) else {
+            diagnostics.push(
+                Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
+                    .at(span.clone())
+                    .label("unknown coordinate")
+                    .help(nearest(system, name)),
+            );
+            continue;
+        };
+        if !(value.abs() <= LARGEST_START) {
+            let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
+            diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
+        }
+        if out.iter().any(|(e, _)| *e == found) {
+            diagnostics.push(Diagnostic::error("state.twice", format!("\"{name}\" is given twice")).at(span.clone()));
+        }
+        out.push((found, *value));
+    }
+    out
+}
+
+fn nearest(system: &System, name: &str) -> String {
+    let all = system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
+    let (part, rate) = (name.split('.').next().unwrap_or_default(), if name.ends_with('\'') { "'" } else { "" });
+    let own: Vec<&str> = all.clone().filter(|n| n.split('.').next() == Some(part)).collect();
+    if !own.is_empty() {
+        return format!("\"{part}\" has {}", own.iter().take(12).map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", "));
+    }
+    let plain = name.trim_end_matches('\'');
+    match all.map(|n| (distance(n, plain), n)).min() {
+        Some((d, best)) if d <= 3 => format!("did you mean \"{best}{rate}\"?"),
+        _ => {
+            let list: Vec<String> =
+                system.coordinates().iter().chain(system.states()).take(12).map(|c| format!("\"{}\"", c.name)).collect();
+            format!("this machine has {}", list.join(", "))
+        }
+    }
+}
+
+/// Number of edits between two words.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut corner = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let change = corner + usize::from(x != *y);
+            corner = row[j + 1];
+            row[j + 1] = change.min(corner + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
