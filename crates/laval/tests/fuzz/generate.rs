@@ -60,7 +60,7 @@ const ODD: [&str; 30] = [
     "inf",
     "-inf",
     "\"nan m\"",
-    "\"inf kg\"",
+    "\"-inf kg\"",
     "\"1e999 N/m\"",
     "1e308",
     "\"1e308 km\"",
