@@ -46,6 +46,7 @@ pub mod model;
 pub mod outcome;
 pub mod parts;
 pub mod report;
+pub mod separation;
 pub mod solve;
 pub mod store;
 pub mod study;

@@ -33,6 +33,20 @@ fn pages_of_parts_and_studies_are_current() {
     page("parts.md", "Parts", intro, &c.parts, "part");
     let intro = "Every key of every kind of study, as `laval studies KIND` prints it.";
     page("studies.md", "Studies", intro, &c.studies, "study");
+    let mut text = String::from(
+        "# What separates, what is separated, and what is allowed\n\nBlocks of a machine file beside its parts, which the studies [separation](studies.md#separation) and\n\
+         [operating_window](studies.md#operating_window) read. `[[cup]]` may stand several times, each with a kind; `[suspension]` and `[limits]` stand once.\n",
+    );
+    for block in &c.blocks {
+        let brackets = if block.several { format!("[[{}]]", block.word) } else { format!("[{}]", block.word) };
+        text.push_str(&format!("\n# `{brackets}`\n"));
+        for kind in &block.kinds {
+            text.push('\n');
+            text.push_str(docs::markdown(block.word, kind).trim_end());
+            text.push('\n');
+        }
+    }
+    current("separation-blocks.md", &text);
 }
 
 /// What a part adds to the machine that can be named: its coordinates and internal states.

@@ -2,7 +2,7 @@
 
 use super::{Axis, Block, Catalog, Spec, held, read_bytes, reader};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
-use crate::model::field::{Attach, Field, FieldKind, Value, Values};
+use crate::model::field::{Attach, Extra, Field, FieldKind, Value, Values};
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Drive, Machine, PartInput, System, Workspace};
 use crate::parts;
@@ -77,6 +77,7 @@ pub fn catalog() -> Catalog {
     Catalog {
         parts: parts::registry().into_iter().map(|k| k.info).collect(),
         studies: study::registry().into_iter().map(|k| k.info).collect(),
+        blocks: study::blocks().into_iter().map(|b| b.info).collect(),
     }
 }
 
@@ -153,6 +154,7 @@ fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -
             Axis::Horizontal => system::Axis::Horizontal,
         },
         drive: Drive::Prescribed,
+        extras: spec.extras.iter().map(|(word, b)| Extra { word, kind: b.kind, name: b.name.clone(), values: b.values.clone() }).collect(),
     };
     let system = match System::assemble(machine, inputs) {
         Ok(system) => system,
@@ -163,6 +165,10 @@ fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -
     };
     check_finite(&system, &mut diagnostics);
     held::check(&system, &mut diagnostics);
+    check_extras(&spec, &system, &mut diagnostics);
+    if diagnostics.has_errors() {
+        return Err(sorted(diagnostics));
+    }
     let studies = build_studies(&spec, &system, &mut diagnostics);
     for block in doubtful {
         let mut own = Diagnostics::default();
@@ -172,6 +178,19 @@ fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -
     }
     let warnings = sorted(diagnostics);
     if warnings.has_errors() { Err(warnings) } else { Ok(Loaded { spec, system, studies, warnings }) }
+}
+
+/// Blocks beside the parts; no study is built on one that is wrong.
+fn check_extras(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) {
+    let known = study::blocks();
+    for (extra, (_, block)) in system.machine.extras.iter().zip(&spec.extras) {
+        let mut own = Diagnostics::default();
+        if let Some(kind) = known.iter().find(|k| k.info.word == extra.word) {
+            (kind.check)(extra, system, &mut own);
+        }
+        place(&mut own, block);
+        diagnostics.0.append(&mut own.0);
+    }
 }
 
 fn sorted(mut diagnostics: Diagnostics) -> Diagnostics {

@@ -22,7 +22,8 @@ struct Raw<'n, 'a> {
 
 /// Reads the whole tree. The studies are those without mistakes, the others stand beside; the flag says that nothing else has any.
 pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut Diagnostics) -> (Spec, Vec<Block>, bool) {
-    for e in root.iter().filter(|e| !TOP.contains(&e.key.as_ref())) {
+    let known = |key: &str| TOP.contains(&key) || catalog.blocks.iter().any(|b| b.word == key);
+    for e in root.iter().filter(|e| !known(e.key.as_ref())) {
         unknown_table(e, catalog, out);
     }
     let parts_raw = gather(root, "part", &catalog.parts, out);
@@ -32,7 +33,13 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
             Diagnostic::error("file.no_parts", "the machine has no parts").help("describe each part in a block that begins with [[part]]"),
         );
     }
-    let names: Vec<(String, &'static str)> = parts_raw.iter().map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
+    let extras_raw: Vec<(&'static str, Vec<Raw>)> = catalog
+        .blocks
+        .iter()
+        .map(|b| (b.word, if b.several { gather(root, b.word, &b.kinds, out) } else { gather_one(root, b.word, &b.kinds, out) }))
+        .collect();
+    let named = parts_raw.iter().chain(extras_raw.iter().flat_map(|e| &e.1));
+    let names: Vec<(String, &'static str)> = named.map(|b| (b.name.clone(), b.info.map_or("", |k| k.kind))).collect();
     let machine = read_machine(text, root, catalog, &names, out);
     let studies: Vec<StudyTable> =
         studies_raw.iter().map(|b| StudyTable { name: &b.name, info: b.info, table: b.table, span: b.span.clone() }).collect();
@@ -44,7 +51,9 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
             let mut values = Values::default();
             values.span = b.span.clone();
             let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
-            read_fields(&mut cx, &info.fields, &["kind", "name"], b.table, b.span.clone(), &mut values);
+            let once = catalog.blocks.iter().any(|x| !x.several && x.word == info.kind);
+            let implicit: &[&str] = if once { &[] } else { &["kind", "name"] };
+            read_fields(&mut cx, &info.fields, implicit, b.table, b.span.clone(), &mut values);
             let sound = !out.0[before..].iter().any(|d| d.severity == Severity::Error);
             let block = Block {
                 kind: info.kind,
@@ -64,9 +73,24 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
         (sound, doubtful)
     };
     let (parts, _) = blocks(&parts_raw, out);
+    let mut extras = Vec::new();
+    for (word, raw) in &extras_raw {
+        extras.extend(blocks(raw, out).0.into_iter().map(|b| (*word, b)));
+    }
     let usable = !out.has_errors();
     let (studies, doubtful) = blocks(&studies_raw, out);
-    (Spec { machine, parts, studies }, doubtful, usable)
+    (Spec { machine, parts, studies, extras }, doubtful, usable)
+}
+
+/// A block that exists once, in single brackets.
+fn gather_one<'n, 'a>(root: &'n [Entry<'a>], word: &'static str, known: &'n [KindInfo], out: &mut Diagnostics) -> Vec<Raw<'n, 'a>> {
+    let Some(e) = get(root, word) else { return Vec::new() };
+    let Some(table) = e.node.table() else {
+        let d = Diagnostic::error("file.brackets", format!("there is one {word} in a file")).at(e.node.span.clone());
+        out.push(d.help(format!("write [{word}], with single brackets, once, and its keys below")));
+        return Vec::new();
+    };
+    vec![Raw { table, span: e.node.span.clone(), info: known.first(), name: word.to_string(), who: format!("[{word}]") }]
 }
 
 fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
@@ -208,11 +232,11 @@ pub(super) fn read_kind<'n>(
     };
     let found = known.iter().find(|k| k.kind == t);
     if found.is_none() {
-        let kinds = if what == "study" { "kinds of studies" } else { "kinds of parts" };
+        let kinds = if what == "study" { "kinds of studies".to_string() } else { format!("kinds of {what}s") };
         let mut d = Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {:?}", clip(t)))
             .at(e.node.span.clone())
             .label("unknown kind");
-        d.help = suggestion(t, words(), kinds);
+        d.help = suggestion(t, words(), &kinds);
         out.push(d);
     }
     found

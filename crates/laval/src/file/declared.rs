@@ -54,6 +54,7 @@ pub(super) fn check_declaration(kind: &str, f: &Field, out: &mut Diagnostics) {
         FieldKind::Quantity { unit, .. }
         | FieldKind::Lateral { unit, .. }
         | FieldKind::Range { unit, .. }
+        | FieldKind::Named { unit, .. }
         | FieldKind::List { unit, .. } => vec![unit],
         FieldKind::OneOf(list) => list.iter().map(|o| o.1).collect(),
         FieldKind::Columns(list) => list.iter().map(|o| o.1).collect(),

@@ -80,6 +80,7 @@ fn example_value(f: &Field) -> String {
                 .collect();
             format!("{{ {} }}", columns.join(", "))
         }
+        FieldKind::Named { unit, bounds } => of(unit, &bounds),
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
         FieldKind::Study => "{ kind = \"modes\", speed = \"3000 rpm\" }".into(),
         FieldKind::Tolerances => "[{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }]".into(),
@@ -141,6 +142,7 @@ pub fn takes(f: &Field) -> String {
                 list.iter().map(|c| format!("{}: {} [{}]{}", c.0, c.3, describe(c.1), if c.2 { "" } else { ", optional" })).collect();
             format!("columns of equal length {{ {} }}", each.join("; "))
         }
+        FieldKind::Named { unit, bounds } => format!("{}; one value, or {{ name = .., name = .. }}", number(unit, &bounds)),
         FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
         FieldKind::Study => "the name of another study of the file, or a whole one: { kind = \"modes\", .. }".into(),
         FieldKind::Tolerances => {
@@ -180,6 +182,14 @@ fn wrap(text: &str, indent: usize, width: usize) -> String {
     out
 }
 
+/// A block that exists once, with its fields.
+pub fn single(kind: &KindInfo) -> String {
+    let lines = |required: bool, sign: &str| -> String {
+        kind.fields.iter().filter(|f| f.required == required).map(|f| format!("{sign}{}\n", example_line(f))).collect()
+    };
+    format!("[{}]\n{}{}", kind.kind, lines(true, ""), lines(false, "# "))
+}
+
 /// Documentation for a terminal of `width` columns; `what` is `part` or `study`.
 pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
     let width = width.clamp(40, 120);
@@ -193,7 +203,8 @@ pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
         let _ = writeln!(out, "      {}", wrap(&takes(f), 6, width));
     }
     out.push_str("\nExample\n");
-    for line in example(what, kind).lines() {
+    let example = if what == kind.kind { single(kind) } else { example(what, kind) };
+    for line in example.lines() {
         let _ = writeln!(out, "  {line}");
     }
     out
@@ -219,6 +230,7 @@ pub fn markdown(what: &str, kind: &KindInfo) -> String {
         }
         out.push('\n');
     }
-    let _ = write!(out, "```toml\n{}```\n", example(what, kind));
+    let example = if what == kind.kind { single(kind) } else { example(what, kind) };
+    let _ = write!(out, "```toml\n{example}```\n");
     out
 }

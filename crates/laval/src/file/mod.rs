@@ -27,7 +27,7 @@ pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{canonical, write, write_json};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
-use crate::model::field::{Bounds, Field, FieldKind, KindInfo, Values};
+use crate::model::field::{BlockInfo, Bounds, Field, FieldKind, KindInfo, Values};
 
 /// All kinds a file may name.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +36,8 @@ pub struct Catalog {
     pub parts: Vec<KindInfo>,
     /// Kinds of `[[study]]`.
     pub studies: Vec<KindInfo>,
+    /// Blocks beside them.
+    pub blocks: Vec<BlockInfo>,
 }
 
 impl Catalog {
@@ -47,11 +49,16 @@ impl Catalog {
     pub fn study(&self, kind: &str) -> Option<&KindInfo> {
         self.studies.iter().find(|k| k.kind == kind)
     }
+    /// What has parameters: a part, or a kind of a block beside the parts.
+    pub fn described(&self, kind: &str) -> Option<&KindInfo> {
+        self.part(kind).or_else(|| self.blocks.iter().flat_map(|b| &b.kinds).find(|k| k.kind == kind))
+    }
     /// Mistakes in the declarations themselves: units that do not parse, defaults that do not read or lie outside their bounds,
     /// a key or kind declared twice. A registry asserts in a test that this is empty.
     pub fn check(&self) -> Diagnostics {
         let mut out = Diagnostics::default();
-        for (list, what) in [(&self.parts, "part"), (&self.studies, "study")] {
+        let blocks = self.blocks.iter().map(|b| (&b.kinds, b.word));
+        for (list, what) in [(&self.parts, "part"), (&self.studies, "study")].into_iter().chain(blocks) {
             for (i, k) in list.iter().enumerate() {
                 if list[..i].iter().any(|o| o.kind == k.kind) {
                     out.push(Diagnostic::error("declaration.twice", format!("the kind of {what} {:?} is declared twice", k.kind)));
@@ -119,6 +126,8 @@ pub struct Spec {
     pub parts: Vec<Block>,
     /// `[[study]]` in order.
     pub studies: Vec<Block>,
+    /// Blocks beside them with their words, in the order of the catalogue.
+    pub extras: Vec<(&'static str, Block)>,
 }
 
 impl Spec {
@@ -130,11 +139,15 @@ impl Spec {
     pub fn study(&self, name: &str) -> Option<&Block> {
         self.studies.iter().find(|b| b.name == name)
     }
+    /// Name and kind of everything that has parameters.
+    pub(crate) fn named(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.parts.iter().chain(self.extras.iter().map(|e| &e.1)).map(|b| (b.name.as_str(), b.kind))
+    }
     /// The same without places in a file, for comparisons.
     pub fn without_spans(mut self) -> Self {
         self.machine.span = None;
         self.machine.speed_span = None;
-        for b in self.parts.iter_mut().chain(&mut self.studies) {
+        for b in self.parts.iter_mut().chain(&mut self.studies).chain(self.extras.iter_mut().map(|e| &mut e.1)) {
             (b.span, b.kind_span, b.name_span) = (None, None, None);
             b.values.forget_spans();
         }
@@ -196,5 +209,5 @@ pub(crate) fn parameter_in<'a>(
 ) -> Option<(&'static str, Bounds)> {
     let (block, rest) = path.split_once('.')?;
     let kind = parts.into_iter().find(|(name, _)| *name == block)?.1;
-    parameter_of(catalog.part(kind)?, rest)
+    parameter_of(catalog.described(kind)?, rest)
 }

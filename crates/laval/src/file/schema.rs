@@ -23,7 +23,15 @@ pub fn schema(catalog: &Catalog) -> Json {
     };
     let part = kinds(&catalog.parts, "part");
     let study = kinds(&catalog.studies, "study");
-    json!({
+    let extras: Vec<(&str, Json)> = catalog
+        .blocks
+        .iter()
+        .map(|b| {
+            let one = kinds(&b.kinds, b.word);
+            (b.word, if b.several { json!({ "type": "array", "items": one, "description": "what separates" }) } else { one })
+        })
+        .collect();
+    let mut out = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "laval machine file",
         "type": "object",
@@ -35,7 +43,22 @@ pub fn schema(catalog: &Catalog) -> Json {
         "required": ["machine", "part"],
         "additionalProperties": false,
         "$defs": defs,
-    })
+    });
+    for (word, s) in extras {
+        out["properties"][word] = s;
+    }
+    for b in catalog.blocks.iter().filter(|b| !b.several) {
+        // a block that exists once says neither kind nor name
+        let s = &mut out["$defs"][format!("{}.{}", b.word, b.word)];
+        if let Some(p) = s["properties"].as_object_mut() {
+            p.remove("kind");
+            p.remove("name");
+        }
+        if let Some(r) = s["required"].as_array_mut() {
+            r.retain(|x| x != "kind");
+        }
+    }
+    out
 }
 
 fn block(k: &KindInfo) -> Json {
@@ -166,6 +189,10 @@ fn field(f: &Field) -> Json {
             };
             let required: Vec<&str> = list.iter().filter(|c| c.2).map(|c| c.0).collect();
             table(list.iter().map(column).collect(), &required)
+        }
+        FieldKind::Named { unit, bounds } => {
+            let one = quantity(unit, &bounds);
+            json!({ "anyOf": [one, { "type": "object" }] })
         }
         FieldKind::StateMap => json!({ "type": "object" }),
         FieldKind::Study => {

@@ -313,7 +313,7 @@ impl Context<'_> {
             self.error("parameter.unknown", node.span.clone(), message, "no such part", help);
             return None;
         };
-        let Some(info) = self.catalog.part(kind) else { return Some(None) };
+        let Some(info) = self.catalog.described(kind) else { return Some(None) };
         if let Some(p) = parameter_of(info, rest) {
             return Some(Some(p));
         }
@@ -546,6 +546,26 @@ impl Context<'_> {
                 self.range(name, node, &["parameter"], unit).map(|r| Value::ParameterRange(path, r))
             }
             FieldKind::Columns(declared) => self.columns(name, node, declared),
+            FieldKind::Named { unit, bounds } => {
+                let Some(table) = node.table() else {
+                    return self.quantity(name, node, unit, &bounds).map(Value::Number);
+                };
+                let mut entries = Vec::new();
+                let mut read = |key: &str, e: &Entry, cx: &mut Self| {
+                    let x = cx.quantity(&format!("{name}, {}", clip(key)), &e.node, unit, &bounds);
+                    entries.push(x.map(|x| (key.to_string(), x, e.span.clone().unwrap_or(0..0))));
+                };
+                for e in table {
+                    // drum.mass = .. without quotes nests in TOML and means the same
+                    match e.node.table() {
+                        Some(inner) => inner.iter().for_each(|i| read(&format!("{}.{}", e.key, i.key), i, self)),
+                        None => read(&e.key, e, self),
+                    }
+                }
+                let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+                *given_units = Some(vec![Some(unit.to_string()); entries.len()]);
+                Some(Value::StateMap(entries))
+            }
             FieldKind::StateMap => {
                 let Some(table) = node.table() else {
                     self.wrong_type(

@@ -56,7 +56,7 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn parameter_unit(&self, path: &str) -> &'static str {
-        parameter_in(self.catalog, self.spec.parts.iter().map(|b| (b.name.as_str(), b.kind)), path).map_or("", |p| p.0)
+        parameter_in(self.catalog, self.spec.named(), path).map_or("", |p| p.0)
     }
 
     fn value(&self, f: Option<&Field>, name: &str, value: &Value, values: &Values) -> String {
@@ -65,6 +65,7 @@ impl Writer<'_> {
                 FieldKind::Quantity { unit, .. }
                 | FieldKind::Lateral { unit, .. }
                 | FieldKind::Range { unit, .. }
+                | FieldKind::Named { unit, .. }
                 | FieldKind::List { unit, .. },
             ) => unit,
             _ => "",
@@ -136,6 +137,10 @@ impl Writer<'_> {
 
     fn block(&self, out: &mut String, what: &str, b: &Block, info: Option<&KindInfo>) {
         let _ = write!(out, "\n[[{what}]]\nkind = {}\nname = {}\n", quoted(b.kind), quoted(&b.name));
+        self.fields(out, b, info);
+    }
+
+    fn fields(&self, out: &mut String, b: &Block, info: Option<&KindInfo>) {
         let fields: &[Field] = info.map_or(&[], |k| &k.fields);
         for f in fields {
             if let Some(v) = b.values.get(f.name) {
@@ -156,6 +161,16 @@ pub fn write(spec: &Spec, catalog: &Catalog) -> String {
     let _ = writeln!(out, "axis = {}", quoted(axis_word(m.axis)));
     for b in &spec.parts {
         w.block(&mut out, "part", b, catalog.part(b.kind));
+    }
+    for (word, b) in &spec.extras {
+        let info = catalog.blocks.iter().find(|i| i.word == *word);
+        let kind = info.and_then(|i| i.kinds.iter().find(|k| k.kind == b.kind));
+        if info.is_some_and(|i| i.several) {
+            w.block(&mut out, word, b, kind);
+        } else {
+            let _ = writeln!(out, "\n[{word}]");
+            w.fields(&mut out, b, kind);
+        }
     }
     for b in &spec.studies {
         w.block(&mut out, "study", b, catalog.study(b.kind));
@@ -198,13 +213,32 @@ fn to_json(spec: &Spec, whole: bool) -> Json {
         };
         list.iter().map(one).collect()
     };
-    json!({ "machine": machine, "part": blocks(&spec.parts), "study": blocks(&spec.studies) })
+    let mut out = json!({ "machine": machine, "part": blocks(&spec.parts), "study": blocks(&spec.studies) });
+    for (word, b) in &spec.extras {
+        let Some(Json::Object(mut o)) = blocks(std::slice::from_ref(b)).pop() else { continue };
+        if b.kind == *word {
+            o.remove("kind");
+            o.remove("name");
+            out[word] = Json::Object(o);
+        } else {
+            match out.get_mut(word).and_then(Json::as_array_mut) {
+                Some(list) => list.push(Json::Object(o)),
+                None => out[word] = json!([o]),
+            }
+        }
+    }
+    out
 }
 
 /// All in a file that settles the numbers of one study: the machine without its title, the parts, and the study without its name.
 pub fn canonical(spec: &Spec, study: &str) -> Json {
     let mut all = to_json(
-        &Spec { machine: spec.machine.clone(), parts: spec.parts.clone(), studies: spec.study(study).cloned().into_iter().collect() },
+        &Spec {
+            machine: spec.machine.clone(),
+            parts: spec.parts.clone(),
+            studies: spec.study(study).cloned().into_iter().collect(),
+            extras: spec.extras.clone(),
+        },
         true,
     );
     if let Some(machine) = all["machine"].as_object_mut() {

@@ -78,6 +78,8 @@ pub enum FieldKind {
     Coordinate,
     /// Numbers in columns of equal length: `{ speed = [..], kxx = [..] }`; each column's name, unit, whether it is required, meaning.
     Columns(&'static [(&'static str, &'static str, bool, &'static str)]),
+    /// One quantity for all, or one for each of some names: `"0.5 mm"` or `{ drum = "0.5 mm", base = "0.1 mm" }`.
+    Named { unit: &'static str, bounds: Bounds },
     /// Initial values by coordinate or rate: `{ "drum.x" = "1 mm", "drum.x'" = "0.1 m/s" }`.
     StateMap,
     /// Another study: the name of one in the file, or a whole one: `{ kind = "modes", count = 4 }`.
@@ -241,7 +243,7 @@ pub enum Value {
     ParameterRange(String, RangeValue),
     /// [`FieldKind::Columns`]: by column name.
     Columns(BTreeMap<&'static str, Vec<f64>>),
-    /// [`FieldKind::StateMap`].
+    /// [`FieldKind::StateMap`]; the entries of a [`FieldKind::Named`] that is not one number.
     StateMap(Vec<(String, f64, Span)>),
     /// [`FieldKind::Study`].
     Study(Box<InnerStudy>),
@@ -389,6 +391,14 @@ impl Values {
             _ => None,
         }
     }
+    /// One number for all names, or the entries by name; empty when the field is absent.
+    pub fn named(&self, name: &str) -> Vec<(Option<&str>, f64)> {
+        match self.get(name) {
+            Some(Value::Number(x)) => vec![(None, *x)],
+            Some(Value::StateMap(entries)) => entries.iter().map(|e| (Some(e.0.as_str()), e.1)).collect(),
+            _ => Vec::new(),
+        }
+    }
     /// A study inside this one.
     pub fn study(&self, name: &str) -> Option<&InnerStudy> {
         match self.get(name)? {
@@ -421,6 +431,30 @@ pub struct KindInfo {
     pub doc: &'static str,
     /// Everything that may be said of it, besides `kind` and `name`.
     pub fields: Vec<Field>,
+}
+
+/// A block of the file beside parts and studies, such as `[suspension]` or `[[cup]]`, as the file reader, the schema and the documentation see it.
+#[derive(Clone, Debug)]
+pub struct BlockInfo {
+    /// The word in the brackets.
+    pub word: &'static str,
+    /// There may be several, in double brackets, each with a kind and a name; else there is one, and one kind of the same word.
+    pub several: bool,
+    /// Its kinds.
+    pub kinds: Vec<KindInfo>,
+}
+
+/// A block beside parts and studies, as read: what studies find in [`Machine`](super::system::Machine).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extra {
+    /// The word in the brackets.
+    pub word: &'static str,
+    /// Its kind.
+    pub kind: &'static str,
+    /// Its name.
+    pub name: String,
+    /// Its values.
+    pub values: Values,
 }
 
 /// Parameter values of one part while it is built: what the file gave, by slot name; a part may add derived ones.

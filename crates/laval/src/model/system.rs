@@ -2,7 +2,7 @@
 
 use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate};
-use super::field::Attach;
+use super::field::{Attach, Extra};
 use super::params::ParamSlot;
 use super::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Physics, PortKind, Rows, Uses, Validity};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
@@ -44,6 +44,8 @@ pub struct Machine {
     pub axis: Axis,
     /// Drive.
     pub drive: Drive,
+    /// Blocks beside the parts that studies read: cups, suspension, limits.
+    pub extras: Vec<Extra>,
 }
 
 /// A part before assembly.
@@ -379,6 +381,13 @@ impl System {
             }
         }
         if diagnostics.has_errors() { Err(diagnostics) } else { System::assemble(self.machine.clone(), inputs) }
+    }
+    /// The same parts in a machine with other data beside them.
+    ///
+    /// # Errors
+    /// As [`System::assemble`].
+    pub fn with_extras(&self, extras: Vec<Extra>) -> Result<System, Diagnostics> {
+        System::assemble(Machine { extras, ..self.machine.clone() }, self.inputs())
     }
     /// The diagnostic for a path that names no parameter.
     pub fn unknown_param(&self, path: &str) -> Diagnostic {

@@ -2,12 +2,16 @@
 
 pub mod campbell;
 pub mod critical_speeds;
+pub mod duty;
 pub mod forced_response;
 mod history;
+pub mod limits;
 pub mod modes;
 pub mod nonlinear_response;
+pub mod operating_window;
 mod passages;
 pub mod run_up;
+pub mod separation;
 pub mod stability_map;
 mod start;
 pub mod support;
@@ -15,7 +19,7 @@ pub mod transient;
 pub mod uncertainty;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Field, KindInfo, Values};
+use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::store::{Host, Keep};
@@ -172,7 +176,31 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
+        kind::<separation::Separation>(),
+        kind::<operating_window::OperatingWindow>(),
         kind::<uncertainty::Uncertainty>(),
+    ]
+}
+
+/// A block of the file that studies read beside the parts, and what is wrong with one.
+pub struct BlockKind {
+    /// Word, kinds, fields.
+    pub info: BlockInfo,
+    /// Says what is wrong with a block of this machine.
+    pub check: fn(&Extra, &System, &mut Diagnostics),
+}
+
+/// All blocks beside parts and studies.
+pub fn blocks() -> Vec<BlockKind> {
+    let one = |word, doc, fields: &[Field]| BlockInfo {
+        word,
+        several: false,
+        kinds: vec![KindInfo { kind: word, doc, fields: fields.to_vec() }],
+    };
+    vec![
+        BlockKind { info: BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() }, check: duty::check_cup },
+        BlockKind { info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION), check: duty::check_suspension },
+        BlockKind { info: one("limits", limits::DOC, limits::FIELDS), check: limits::check },
     ]
 }
 

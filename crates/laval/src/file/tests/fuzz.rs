@@ -256,6 +256,7 @@ fn spec() -> impl Strategy<Value = Spec> {
             },
             parts,
             studies,
+            extras: vec![],
         },
     )
 }

@@ -25,6 +25,7 @@ pub(super) fn catalog() -> Catalog {
     let r = Field::required;
     let o = Field::optional;
     Catalog {
+        blocks: vec![],
         parts: vec![
             k(
                 "disc",

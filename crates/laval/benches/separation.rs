@@ -1,0 +1,50 @@
+//! A powder of one million particles with distributed sizes through a swinging cup at constant speed, on one core: exact motion with inertia, first exit
+//! of each by bracketing. Prints the time and checks the share caught against the exact sum over sizes.
+//!
+//! `cargo bench -p laval --bench separation`
+
+use laval::separation::cup::{Hanging, SwingingCup};
+use laval::separation::ensemble::{Model, Powder, leave, members, powder_efficiency, products};
+use laval::separation::exit::Cylinder;
+use laval::separation::law::Law;
+use laval::separation::machine::{Cup, Separator};
+use laval::separation::particle::Medium;
+use std::time::Instant;
+
+fn main() {
+    let n = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(1_000_000);
+    let cup = Cup {
+        hanging: SwingingCup { hinge: 0.08, body: Hanging::point(1.0, 0.06), damping: 0.0, gravity: 9.80665 },
+        vessel: Cylinder { radius: 0.014, bottom: 0.1, top: 0.0 },
+        held: None,
+    };
+    let turning = Separator::Cup(cup).at(3000.0 * std::f64::consts::PI / 30.0);
+    let medium = Medium::new(998.2, 1.002e-3);
+    let size = Law::LogNormal { median: 5e-6, gsd: 2.0 };
+    let powder = Powder { size: size.clone(), density: Law::Single(2650.0) };
+    println!("processor: {}", processor());
+    let crowd = members(&turning, n);
+    for (name, model) in [("with inertia", Model::Inertial), ("without inertia", Model::Drifting)] {
+        let start = Instant::now();
+        let mut caught = 0usize;
+        for m in &crowd {
+            let exit = leave(&turning, &medium, &powder.particle(&m.point), m, model);
+            caught += usize::from(exit.is_some_and(|e| e.time <= 10.0));
+        }
+        let seconds = start.elapsed().as_secs_f64();
+        println!(
+            "{n} particles {name}, one core: {seconds:.2} s, {:.2} us each; caught in 10 s: {}",
+            1e6 * seconds / n as f64,
+            caught as f64 / n as f64
+        );
+    }
+    let few = members(&turning, 4096.min(n));
+    let taus: Vec<f64> = products(&turning, &few, 1.0).into_iter().flatten().map(|p| p.0).collect();
+    println!("exact sum over sizes, {} places: {}", taus.len(), powder_efficiency(&taus, &medium, &size, 2650.0, 10.0));
+}
+
+fn processor() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info.lines().find_map(|l| l.strip_prefix("model name")).map(|l| l.trim_start_matches([' ', '\t', ':']).to_string());
+    name.unwrap_or_else(|| std::env::consts::ARCH.to_string())
+}

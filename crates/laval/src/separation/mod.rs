@@ -1,0 +1,23 @@
+//! Centrifugal separation: particles in cups, tubes, bowls and disc stacks, from the equations of motion to engineering measures.
+//!
+//! [`particle`] and [`frame`] state the equations; [`closed`] solves them at constant speed, [`motion`] integrates them otherwise, [`exit`] finds when and
+//! where a particle leaves the liquid. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`];
+//! [`load`] is what cups do to the rotor; [`measures`] are what engineers compare centrifuges by, [`validity`] tells where the model ends.
+
+pub mod closed;
+pub mod cup;
+pub mod ensemble;
+pub mod exit;
+pub mod frame;
+pub mod halton;
+pub mod law;
+pub mod load;
+pub mod machine;
+pub mod measures;
+pub mod motion;
+pub mod normal;
+pub mod particle;
+pub mod ramp;
+pub mod root;
+pub mod tube;
+pub mod validity;

@@ -1,0 +1,151 @@
+//! The block `[limits]` of a machine file: what the machine must keep to.
+
+use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
+use crate::model::system::System;
+
+/// What `[limits]` is.
+pub const DOC: &str = "What the machine must keep to: each limit that is given becomes a requirement of an operating_window. Limits on bodies and parts are one \
+    value for all, or one for each of some names.";
+
+const fn named(unit: &'static str) -> FieldKind {
+    FieldKind::Named { unit, bounds: Bounds::positive(1e12) }
+}
+
+/// Fields of `[limits]`.
+pub const FIELDS: &[Field] = &[
+    Field::optional("displacement", named("m"), "", "largest steady displacement of bodies, the foundation among them"),
+    Field::optional("velocity", named("m/s"), "", "largest steady vibration velocity of bodies"),
+    Field::optional("force", named("N"), "", "largest steady force of parts, such as bearings"),
+    Field::optional("passage_displacement", named("m"), "", "largest displacement of bodies while the speed changes"),
+    Field::optional(
+        "drive_torque",
+        FieldKind::Quantity { unit: "N m", bounds: Bounds::positive(1e9) },
+        "",
+        "torque of the drive, at hand while the speed changes",
+    ),
+    Field::optional(
+        "growth_margin",
+        FieldKind::Quantity { unit: "1/s", bounds: Bounds::up_to(1e6) },
+        "0 1/s",
+        "least rate at which every disturbance must die out, sig0",
+    ),
+    Field::optional(
+        "clearance",
+        FieldKind::Quantity { unit: "", bounds: Bounds::closed(0.0, 1.0) },
+        "",
+        "least distance of every natural whirl frequency from the excitation, over the speed, dlt",
+    ),
+    Field::optional(
+        "orders",
+        FieldKind::List { unit: "", bounds: Bounds::positive(1000.0) },
+        "[1]",
+        "multiples of the spin speed that excite, for clearance",
+    ),
+    Field::optional(
+        "self_centring",
+        FieldKind::Quantity { unit: "", bounds: Bounds::positive(1e3) },
+        "",
+        "largest distance of a rotor's centre of mass from the spin axis over its eccentricity, c0: 0.5 is usual above the critical speed",
+    ),
+    Field::optional("speed", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::positive(1e6) }, "", "highest speed, for strength"),
+    Field::optional(
+        "rated_density",
+        FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds::positive(1e5) },
+        "",
+        "density of the contents that speed is rated for; denser contents lower it",
+    ),
+];
+
+/// A limit on one body or part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// The body or part.
+    pub name: String,
+    /// The limit, SI.
+    pub value: f64,
+}
+
+/// The limits.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// Displacements of bodies, m.
+    pub displacement: Vec<Limit>,
+    /// Velocities of bodies, m/s.
+    pub velocity: Vec<Limit>,
+    /// Forces of parts, N.
+    pub force: Vec<Limit>,
+    /// Displacements of bodies in passage, m.
+    pub passage: Vec<Limit>,
+    /// Torque of the drive, N m.
+    pub torque: Option<f64>,
+    /// sig0, 1/s.
+    pub growth: f64,
+    /// dlt.
+    pub clearance: Option<f64>,
+    /// Excitation orders.
+    pub orders: Vec<f64>,
+    /// c0.
+    pub self_centring: Option<f64>,
+    /// Highest speed, rad/s.
+    pub speed: Option<f64>,
+    /// Density it is rated for, kg/m^3.
+    pub rated_density: Option<f64>,
+}
+
+/// Says what is wrong with the limits.
+pub fn check(extra: &Extra, system: &System, out: &mut Diagnostics) {
+    read(&extra.values, system, out);
+}
+
+/// Reads the limits; says all that is wrong.
+pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
+    let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
+    let parts: Vec<String> = system.slots().iter().map(|s| s.name.clone()).collect();
+    let mut list = |field: &str, known: &[String], what: &str| -> Vec<Limit> {
+        let mut found = Vec::new();
+        for (name, value) in v.named(field) {
+            match name {
+                None => found.extend(known.iter().map(|n| Limit { name: n.clone(), value })),
+                Some(n) if known.iter().any(|k| k == n) => found.push(Limit { name: n.to_string(), value }),
+                Some(n) => {
+                    let all = known.join(", ");
+                    let help = match nearest(n, known.iter().map(String::as_str)) {
+                        Some(k) => format!("did you mean \"{k}\"? There are {all}"),
+                        None => format!("there are {all}"),
+                    };
+                    let message = format!("{field} names \"{n}\", which is no {what} of this machine");
+                    out.push(Diagnostic::error("limits.name", message).at(v.span_of(field)).help(help));
+                }
+            }
+        }
+        found
+    };
+    let (displacement, velocity) = (list("displacement", &bodies, "body"), list("velocity", &bodies, "body"));
+    let (force, passage) = (list("force", &parts, "part"), list("passage_displacement", &bodies, "body"));
+    if v.number("rated_density").is_some() && v.number("speed").is_none() {
+        let message = "rated_density belongs to a highest speed, which is missing";
+        out.push(Diagnostic::error("limits.speed", message).at(v.span_of("rated_density")).help("add speed"));
+    }
+    Limits {
+        displacement,
+        velocity,
+        force,
+        passage,
+        torque: v.number("drive_torque"),
+        growth: v.number("growth_margin").unwrap_or(0.0),
+        clearance: v.number("clearance"),
+        orders: v.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec),
+        self_centring: v.number("self_centring"),
+        speed: v.number("speed"),
+        rated_density: v.number("rated_density"),
+    }
+}
+
+/// The limits of the machine; none when the file has no such block.
+pub fn of(system: &System) -> Limits {
+    match system.machine.extras.iter().find(|e| e.word == "limits") {
+        Some(e) => read(&e.values, system, &mut Diagnostics::default()),
+        None => Limits { orders: vec![1.0], ..Limits::default() },
+    }
+}

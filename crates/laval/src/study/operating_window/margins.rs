@@ -1,0 +1,295 @@
+//! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
+
+use super::coupling::loaded;
+use super::passage::Passage;
+use super::steady::{Branches, State, linear, spectrum};
+use crate::diagnostic::Diagnostic;
+use crate::model::field::Attach;
+use crate::model::system::System;
+use crate::separation::ensemble::{Model, leave, members, quantile, sorted};
+use crate::separation::load::Ring;
+use crate::separation::machine::Separator;
+use crate::separation::measures::derated;
+use crate::separation::particle::Particle;
+use crate::study::duty::{Suspension, Vessel};
+use crate::study::limits::Limits;
+use laval_num::complex::C64;
+
+/// Names of the requirements, in the order they are shown.
+pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
+
+/// What is to be separated, and in what time.
+#[derive(Clone, Debug)]
+pub(super) struct Duty {
+    pub vessel: Vessel,
+    pub suspension: Suspension,
+    /// Time at hand, s; residence time where liquid flows through.
+    pub time: f64,
+    pub recovery: f64,
+    /// Only particles of this diameter count, m.
+    pub diameter: Option<f64>,
+    pub particles: usize,
+    pub slowest: bool,
+}
+
+impl Duty {
+    /// Time in which the recovery is reached at a speed, s; infinite when never.
+    pub fn needed(&self, speed: f64) -> f64 {
+        let turning = self.vessel.separator.at(speed);
+        let mut crowd = members(&turning, self.particles);
+        let heavy = self.suspension.powder.density.quantile(0.5) > self.suspension.medium.density;
+        if self.slowest {
+            // one start, as many sizes as the powder needs
+            crowd.truncate(if self.diameter.is_some() || self.suspension.powder.size.is_single() { 1 } else { self.particles });
+            crowd.iter_mut().for_each(|m| m.start = turning.slowest(heavy));
+        }
+        let times = sorted(crowd.iter().map(|m| {
+            let p = self.suspension.powder.particle(&m.point);
+            let p = Particle { radius: self.diameter.map_or(p.radius, |d| 0.5 * d), ..p };
+            leave(&turning, &self.suspension.medium, &p, m, Model::Inertial).map(|e| e.time)
+        }));
+        quantile(&times, self.recovery)
+    }
+}
+
+/// A requirement at a speed.
+#[derive(Clone, Debug)]
+pub(super) struct Margin {
+    /// Index in [`NAMES`].
+    pub name: usize,
+    /// Margin; NaN where it is not defined, which counts as not kept.
+    pub value: f64,
+    /// What binds in it.
+    pub detail: String,
+}
+
+/// Everything at one speed.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub speed: f64,
+    pub margins: Vec<Margin>,
+    /// Time to reach the recovery, run-up counted as asked, s.
+    pub needed: f64,
+    pub tilt: f64,
+    pub unbalance: f64,
+    /// Number of stable steady states.
+    pub states: usize,
+    /// Energy of a batch: kinetic energy of the spin and work of the drive at speed, J.
+    pub energy: f64,
+    pub growth: f64,
+}
+
+impl Point {
+    /// All requirements are kept.
+    pub fn feasible(&self) -> bool {
+        self.margins.iter().all(|m| m.value >= 0.0)
+    }
+    /// All but one.
+    pub fn feasible_without(&self, name: usize) -> bool {
+        self.margins.iter().all(|m| m.name == name || m.value >= 0.0)
+    }
+    /// The requirement with the least margin; an undefined one binds before all.
+    pub fn binding(&self) -> Option<&Margin> {
+        let key = |m: &Margin| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value };
+        self.margins.iter().min_by(|a, b| key(a).total_cmp(&key(b)))
+    }
+    /// The least margin; minus infinity when one is undefined.
+    pub fn least(&self) -> f64 {
+        self.binding().map_or(f64::INFINITY, |m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value })
+    }
+    /// The margin of a requirement.
+    pub fn margin(&self, name: usize) -> Option<f64> {
+        self.margins.iter().find(|m| m.name == name).map(|m| m.value)
+    }
+}
+
+/// What is asked of the machine.
+#[derive(Clone)]
+pub(super) struct Asked {
+    pub duty: Option<Duty>,
+    pub limits: Limits,
+    pub cups: Vec<(Attach, Ring)>,
+    /// Time of the run-up to the top of the range, s.
+    pub ramp: Option<f64>,
+    /// The run-up takes its time from the duty.
+    pub counts_ramp: bool,
+    pub top: f64,
+}
+
+/// Evaluates the requirements of one machine.
+pub(super) struct Judge<'a> {
+    pub system: &'a System,
+    pub asked: &'a Asked,
+    /// Branch structures by speed of the load; empty for a linear machine.
+    pub branches: &'a [(f64, Branches)],
+    pub passage: Option<&'a Passage>,
+}
+
+fn margin(name: usize, value: f64, detail: impl Into<String>) -> Margin {
+    Margin { name, value, detail: detail.into() }
+}
+
+/// The least of several margins, NaN before all.
+fn least(name: usize, all: impl Iterator<Item = (f64, String)>) -> Option<Margin> {
+    all.reduce(|a, b| if b.0 < a.0 || b.0.is_nan() { b } else { a }).map(|(v, d)| margin(name, v, d))
+}
+
+impl Judge<'_> {
+    /// All requirements at a speed.
+    ///
+    /// # Errors
+    /// When the machine cannot be evaluated at all.
+    pub fn at(&self, speed: f64) -> Result<Point, Diagnostic> {
+        let asked = self.asked;
+        let (changed, loads) = loaded(self.system, &asked.cups, speed)?;
+        let system = changed.as_ref().unwrap_or(self.system);
+        let spectrum = spectrum(system, speed)?;
+        let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        let states: Vec<State> = if self.branches.is_empty() {
+            linear(system, speed, eigen)?.into_iter().collect()
+        } else {
+            let nearest = self.branches.iter().min_by(|a, b| (a.0 - speed).abs().total_cmp(&(b.0 - speed).abs()));
+            nearest.map_or(Ok(vec![]), |b| b.1.at(system, speed))?
+        };
+        let nonlinear = !self.branches.is_empty();
+        // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
+        let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
+        let growth = if nonlinear { worst_growth(&states) } else { eigen };
+        let mut margins = Vec::new();
+        let mut needed = f64::NAN;
+        if let Some(duty) = &asked.duty {
+            needed = duty.needed(speed) + self.ramp_loss(speed);
+            let value = 1.0 - needed / duty.time;
+            margins.push(margin(0, if value.is_finite() { value } else { f64::NAN }, "time"));
+        }
+        margins.extend(self.vibration(system, &met));
+        margins.extend(self.self_centred(system, &met));
+        let limit = asked.limits.growth;
+        margins.push(margin(3, if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() }, "growth rate"));
+        if let Some(clearance) = asked.limits.clearance {
+            let mut all: Vec<(f64, String)> = Vec::new();
+            for h in &asked.limits.orders {
+                let near = |p: f64| (p - h * speed).abs() / speed.abs() - clearance;
+                let own = spectrum.modes.iter().map(|m| m.frequency()).filter(|p| *p > 0.0);
+                all.extend(own.map(|p| (near(p), format!("mode at {p:.4} rad/s, order {h}"))));
+                for (cup, load) in asked.cups.iter().zip(&loads).filter(|c| c.0.1.held.is_none()) {
+                    let swing = cup.1.cup.swing_frequency(speed, load.tilt);
+                    let both = [speed.abs() + swing, (speed.abs() - swing).abs()];
+                    all.extend(both.map(|p| (near(p), format!("swing of the cups, order {h}"))));
+                }
+            }
+            margins.extend(least(4, all.into_iter()));
+        }
+        if let Some(p) = self.passage {
+            let (value, detail) = p.margin(speed, &asked.limits);
+            margins.push(margin(5, value, detail));
+        }
+        if let Some(highest) = asked.limits.speed {
+            let density = asked.duty.as_ref().map(|d| {
+                let (m, rho) = (&d.suspension.medium, d.suspension.powder.density.quantile(0.5));
+                m.density + m.volume_fraction * (rho - m.density)
+            });
+            let allowed = match (asked.limits.rated_density, density) {
+                (Some(rated), Some(density)) => derated(highest, rated, density),
+                _ => highest,
+            };
+            margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
+        }
+        let time = asked.duty.as_ref().map_or(0.0, |d| d.time);
+        let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
+        let energy = 0.5 * spin_inertia(system, speed) * speed * speed + torque * speed.abs() * time;
+        let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
+        let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
+        Ok(Point { speed, margins, needed, tilt, unbalance, states: met.len(), energy, growth })
+    }
+
+    /// Time the run-up takes beyond what it separates, s.
+    pub fn ramp_loss(&self, speed: f64) -> f64 {
+        match self.asked.ramp {
+            // at constant acceleration a third of the run-up counts
+            Some(t) if self.asked.counts_ramp => 2.0 / 3.0 * t * speed.abs() / self.asked.top,
+            _ => 0.0,
+        }
+    }
+
+    fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
+        let l = &self.asked.limits;
+        if l.displacement.is_empty() && l.velocity.is_empty() && l.force.is_empty() {
+            return None;
+        }
+        if met.is_empty() {
+            return Some(margin(1, f64::NAN, "no steady state"));
+        }
+        let bodies = system.bodies();
+        let place = |name: &str| bodies.iter().position(|b| b.name == name);
+        let mut all = Vec::new();
+        for s in met {
+            let of_body = |list: &[f64], name: &str| place(name).and_then(|k| list.get(k).copied());
+            for (limits, what, list) in [(&l.displacement, "displacement", &s.displacement), (&l.velocity, "velocity", &s.velocity)] {
+                for limit in limits {
+                    all.extend(of_body(list, &limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                }
+            }
+            for limit in &l.force {
+                all.extend(s.force.get(&limit.name).map(|x| (1.0 - x / limit.value, format!("force of {}", limit.name))));
+            }
+        }
+        least(1, all.into_iter())
+    }
+
+    /// Distance of every eccentric body's centre of mass from the axis, over its eccentricity.
+    fn self_centred(&self, system: &System, met: &[&State]) -> Option<Margin> {
+        let c0 = self.asked.limits.self_centring?;
+        if met.is_empty() {
+            return Some(margin(2, f64::NAN, "no steady state"));
+        }
+        let mut all = Vec::new();
+        for (k, b) in system.bodies().iter().enumerate() {
+            let n = |p: &str| system.param(&format!("{}.{p}", b.name)).and_then(|i| system.params().get(*i.first()?).copied());
+            let (Some(mass), Some(e)) = (n("mass"), n("eccentricity")) else { continue };
+            let size = e + n("unbalance").unwrap_or(0.0) / mass;
+            if size > 0.0 {
+                let e = C64::cis(n("eccentricity_phase").unwrap_or(0.0)).scale(size);
+                all.extend(met.iter().map(|s| (1.0 - (s.forward[k] + e).abs() / size / c0, format!("centre of mass of {}", b.name))));
+            }
+        }
+        least(2, all.into_iter())
+    }
+}
+
+/// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.
+fn worst_growth(states: &[State]) -> f64 {
+    let of = |stable: bool| states.iter().filter(move |s| s.stable == stable).map(|s| s.growth);
+    match of(true).reduce(f64::max) {
+        Some(g) => g,
+        None => of(false).reduce(f64::min).unwrap_or(f64::NAN),
+    }
+}
+
+/// Moment of inertia about the spin axis, from the spin row, kg m^2.
+fn spin_inertia(system: &System, speed: f64) -> f64 {
+    use crate::model::part::{At, Rows};
+    let (n, m) = (system.n(), system.m());
+    let (q, z) = (vec![0.0; n], vec![0.0; m]);
+    let row = |accel: f64| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: accel, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut Default::default(), |_| true);
+        spin
+    };
+    row(1.0) - row(0.0)
+}
+
+/// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.
+pub(super) fn radial_guess(duty: &Duty) -> Option<f64> {
+    let (r1, r2) = match &duty.vessel.separator {
+        Separator::Cup(c) => (c.hanging.hinge + c.vessel.top, c.hanging.hinge + c.vessel.bottom),
+        other => other.at(100.0).radii(),
+    };
+    let p = &duty.suspension.powder;
+    let radius = 0.5 * duty.diameter.unwrap_or_else(|| p.size.quantile(1.0 - duty.recovery));
+    let s = duty.suspension.medium.rates(&Particle { radius, density: p.density.quantile(0.5) }).sedimentation.abs();
+    let w = ((r2 / r1).ln() / (s * duty.time)).sqrt();
+    w.is_finite().then_some(w)
+}

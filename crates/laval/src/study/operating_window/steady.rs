@@ -1,0 +1,178 @@
+//! All stable steady states of the machine at a speed: linear response, or every branch of the nonlinear one.
+
+use crate::diagnostic::Diagnostic;
+use crate::model::part::At;
+use crate::model::system::{System, Workspace};
+use crate::solve::characteristic::Characteristic;
+use crate::solve::harmonic::floquet::Stability;
+use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::problem::{Balance, Discretisation};
+use crate::solve::harmonic::response::{Request, Response, respond};
+use crate::solve::pencil::wants_polish;
+use crate::solve::pencil::{Spectrum, modes_about};
+use crate::solve::response::response;
+use crate::solve::rest::rest;
+use laval_num::complex::C64;
+use laval_num::newton::{Options, newton};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
+
+/// One steady state, by what limits speak of.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// Largest displacement of each body, m.
+    pub displacement: Vec<f64>,
+    /// Largest velocity of each body, m/s.
+    pub velocity: Vec<f64>,
+    /// Largest force of each part that shows one, N.
+    pub force: BTreeMap<String, f64>,
+    /// Forward amplitude of each body at the spin frequency, m.
+    pub forward: Vec<C64>,
+    /// Largest growth rate of a disturbance, 1/s.
+    pub growth: f64,
+    /// Torque of the drive that holds the speed, mean over a turn, N m.
+    pub torque: f64,
+    /// Does not grow beyond its error.
+    pub stable: bool,
+}
+
+const SAMPLES: usize = 48;
+
+/// What an orbit shows.
+fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f64, stable: bool) -> State {
+    let (n, m) = (system.n(), system.m());
+    let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+    let bodies = system.bodies();
+    let mut out = State {
+        displacement: vec![0.0; bodies.len()],
+        velocity: vec![0.0; bodies.len()],
+        force: BTreeMap::new(),
+        forward: bodies.iter().map(|b| orbit.whirl(b.x, order).0).collect(),
+        growth,
+        torque: 0.0,
+        stable,
+    };
+    // NaN stays
+    let raise = |x: &mut f64, y: f64| {
+        if !(y <= *x) {
+            *x = y;
+        }
+    };
+    let mut ws = Workspace::default();
+    for j in 0..SAMPLES {
+        let tau = TAU * j as f64 / SAMPLES as f64;
+        orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+        q.iter_mut().zip(offset).for_each(|(q, o)| *q += o);
+        for (k, b) in bodies.iter().enumerate() {
+            raise(&mut out.displacement[k], q[b.x].hypot(q[b.x + 1]));
+            raise(&mut out.velocity[k], v[b.x].hypot(v[b.x + 1]));
+        }
+        let at =
+            At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
+        for (slot, o) in system.observe(&at, &mut ws) {
+            if o.unit == "N" {
+                raise(out.force.entry(system.slots()[slot].name.clone()).or_insert(0.0), o.value.abs());
+            }
+        }
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let mut rows = crate::model::part::Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut ws, |_| true);
+        out.torque += spin / SAMPLES as f64;
+    }
+    out
+}
+
+/// The spectrum about rest.
+pub(super) fn spectrum(system: &System, speed: f64) -> Result<Spectrum, Diagnostic> {
+    modes_about(system, &rest(system, speed)?, wants_polish(system))
+}
+
+/// The steady state of a linear machine; `None` at an undamped resonance.
+pub(super) fn linear(system: &System, speed: f64, growth: f64) -> Result<Option<State>, Diagnostic> {
+    let find = |w: f64| rest(system, w);
+    let Some(r) = response(system, &find, speed)? else { return Ok(None) };
+    let about = rest(system, speed)?;
+    let t = Characteristic::new(system, &about);
+    let mut states = vec![C64::zero(); system.m()];
+    for (&k, x) in t.states().iter().zip(&r.x[system.n()..]) {
+        states[k] = *x;
+    }
+    let orbit = Orbit { speed, frequency: speed, orders: vec![1], coordinates: vec![r.x[..system.n()].to_vec()], states: vec![states] };
+    Ok(Some(shown(system, &orbit, &about.q, 1, growth, growth <= 0.0)))
+}
+
+/// Branches of the nonlinear response of the machine as it is at one speed: where the states at speeds nearby start from.
+pub(super) struct Branches {
+    response: Response,
+    range: (f64, f64),
+}
+
+impl Branches {
+    /// Follows all branches over a range.
+    pub fn follow(system: &System, range: (f64, f64), cancel: &AtomicBool) -> Result<Self, Diagnostic> {
+        let request = Request { stability: false, ..Request::over(range.0, range.1) };
+        Ok(Branches { response: respond(system, &request, cancel, &|_| ())?, range })
+    }
+
+    /// Discretisation in words, for evidence.
+    pub fn harmonics(&self) -> usize {
+        self.response.discretisation.harmonics
+    }
+
+    /// Folds found on the way, rad/s.
+    pub fn folds(&self) -> impl Iterator<Item = f64> + '_ {
+        self.response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed)
+    }
+
+    /// All steady states of a machine at a speed, on this branch structure; `Err` when stability cannot be judged.
+    pub fn at(&self, system: &System, speed: f64) -> Result<Vec<State>, Diagnostic> {
+        let d: Discretisation = self.response.discretisation;
+        let mut balance = Balance::new(system, d, self.range, None)?;
+        let mut stability = Stability::new(system).map_err(|why| {
+            Diagnostic::error("operating_window.stability", format!("the stability of a steady state cannot be judged: {why}"))
+        })?;
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        for mut x in self.starts(speed) {
+            if newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).is_err() {
+                continue;
+            }
+            let scale = balance.scales().to_vec();
+            let same = |y: &Vec<f64>| y.iter().zip(&x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs()));
+            if !found.iter().any(same) {
+                found.push(x);
+            }
+        }
+        let mut out = Vec::new();
+        for x in found {
+            balance.sample(&x, speed);
+            let exponents = stability.exponents(&mut balance, &x, speed);
+            let (growth, stable) = exponents.map_or((f64::NAN, false), |e| (e.growth(), e.stable()));
+            let orbit = Orbit::of(&mut balance, &x, speed)
+                .map_err(|e| Diagnostic::error("operating_window.orbit", format!("a steady state cannot be evaluated: {e}")))?;
+            out.push(shown(system, &orbit, &[], d.divisor, growth, stable));
+        }
+        Ok(out)
+    }
+
+    /// Estimates of all states at a speed: between the points of the branches, and between a fold and the points on both its sides, where a state
+    /// departs like the square root of the distance.
+    fn starts(&self, speed: f64) -> Vec<Vec<f64>> {
+        let between = |a: f64, b: f64| a.min(b) <= speed && speed <= a.max(b);
+        let mix = |a: &[f64], b: &[f64], share: f64| a.iter().zip(b).map(|(a, b)| a + share * (b - a)).collect::<Vec<f64>>();
+        let mut out = Vec::new();
+        for branch in &self.response.branches {
+            for pair in branch.points.windows(2).filter(|p| between(p[0].speed, p[1].speed)) {
+                let (a, b) = (&pair[0], &pair[1]);
+                out.push(mix(&a.x, &b.x, if b.speed == a.speed { 0.0 } else { (speed - a.speed) / (b.speed - a.speed) }));
+            }
+            for f in &branch.folds {
+                let sides = [branch.points.get(f.after), branch.points.get(f.after + 1)];
+                for p in sides.into_iter().flatten().filter(|p| between(f.speed, p.speed) && p.speed != f.speed) {
+                    out.push(mix(&f.x, &p.x, ((speed - f.speed) / (p.speed - f.speed)).sqrt()));
+                }
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,301 @@
+//! The operating window against a machine whose window has a closed form, on a nonlinear machine, with cups that load their rotor, and when nothing fits.
+
+mod common;
+
+use common::{number, rows};
+use laval::file::load;
+use laval::outcome::{Outcome, Table};
+use laval::study::Context;
+use std::f64::consts::PI;
+
+fn run(text: &str) -> Outcome {
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+    loaded.studies[0].study.run(&loaded.system, &Context::quiet("window")).unwrap_or_else(|d| panic!("{d:?}"))
+}
+
+fn column(t: &Table, name: &str) -> Vec<f64> {
+    (0..t.rows()).map(|i| t.column(name).unwrap().number(i).unwrap()).collect()
+}
+
+fn words(t: &Table, name: &str) -> Vec<String> {
+    match &t.column(name).unwrap().data {
+        laval::outcome::Data::Text(v) => v.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn evidence(o: &Outcome, id: &str) -> f64 {
+    o.findings.iter().find(|f| f.id == id).unwrap_or_else(|| panic!("no {id}")).value.unwrap()
+}
+
+/// The Jeffcott machine of the reference table; its damping is scaled down so that the response is undamped, which leaves the boundary of stability
+/// where it was. The bowl's throughput gives the residence time wanted, the particles the sedimentation coefficient.
+fn jeffcott(time: f64) -> String {
+    let volume = PI * (0.19f64.powi(2) - 0.09f64.powi(2)) * 0.5;
+    let diameter = 2.0 * (9.0 * 1e-3 * 2.5e-8 / (2.0 * 1000.0f64)).sqrt();
+    format!(
+        r#"
+[machine]
+name = "Jeffcott"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 1
+eccentricity = "0.2 mm"
+[[part]]
+kind = "shaft_lumped"
+name = "shaft"
+between = ["rotor", "ground"]
+stiffness = 3600
+[[part]]
+kind = "damper"
+name = "internal"
+between = ["rotor", "ground"]
+damping = 1e-5
+axes = "rotating"
+[[part]]
+kind = "damper"
+name = "external"
+between = ["rotor", "ground"]
+damping = 1.5e-5
+[[cup]]
+kind = "tubular_bowl"
+length = "0.5 m"
+bowl_radius = "190 mm"
+surface_radius = "90 mm"
+[suspension]
+liquid_density = 1000
+viscosity = "1 mPa s"
+particle_density = 2000
+diameter = {diameter:e}
+[limits]
+displacement = "0.35 mm"
+self_centring = 0.5
+[[study]]
+kind = "operating_window"
+speed = {{ from = "20 rad/s", to = "400 rad/s" }}
+throughput = {:e}
+recovery = 1
+start = "slowest"
+"#,
+        volume / time
+    )
+}
+
+#[test]
+fn the_closed_form_window() {
+    for row in rows(include_str!("reference/separation/operating_window_example.csv")) {
+        let n = |i: usize| number(row[i]);
+        let o = run(&jeffcott(n(0)));
+        // the shortest time the machine allows, whatever is asked
+        assert!((evidence(&o, "shortest_time") / n(9) - 1.0).abs() < 1e-6, "{}", evidence(&o, "shortest_time"));
+        let t = o.find_table("window").unwrap();
+        if row[8] == "infeasible" {
+            assert_eq!(t.rows(), 0);
+            assert!(o.findings.iter().any(|f| f.id == "excluding" && f.text.contains("\"separation\" and \"stable\"")));
+            // the time must be relaxed by the ratio of the shortest to the one asked for
+            assert!((evidence(&o, "relaxation") / (n(9) / n(0)) - 1.0).abs() < 1e-6);
+            continue;
+        }
+        assert_eq!(t.rows(), 1);
+        // eigenvalues known to rounding cross zero at a slope of 1e-7: the boundary of stability to 1e-6
+        assert!((column(t, "low")[0] / n(6) - 1.0).abs() < 1e-8, "{} {}", column(t, "low")[0], n(6));
+        assert!((column(t, "high")[0] / n(7) - 1.0).abs() < 1e-6, "{} {}", column(t, "high")[0], n(7));
+        let binding = if row[8] == "self_centring" { "self_centred" } else { "separation" };
+        assert_eq!((words(t, "low binding")[0].as_str(), words(t, "high binding")[0].as_str()), (binding, "stable"));
+        assert_eq!((words(t, "low event")[0].as_str(), words(t, "high event")[0].as_str()), ("crossing", "eigenvalue crossing"));
+    }
+}
+
+/// Without the self-centring requirement the speeds below the resonance are a window of their own: its closed-form ends, both sides.
+#[test]
+fn two_windows_around_a_resonance() {
+    let text = jeffcott(3000.0).replace("self_centring = 0.5\n", "");
+    let text = text[..text.find("[[cup]]").unwrap()].to_string()
+        + "[limits]\ndisplacement = \"0.35 mm\"\n[[study]]\nkind = \"operating_window\"\nspeed = { from = \"20 rad/s\", to = \"400 rad/s\" }\n";
+    let o = run(&text);
+    let t = o.find_table("window").unwrap();
+    let row = &rows(include_str!("reference/separation/operating_window_example.csv"))[0];
+    assert_eq!(t.rows(), 2);
+    for (got, k) in [(column(t, "high")[0], 1), (column(t, "low")[1], 2)] {
+        assert!((got / number(row[k]) - 1.0).abs() < 1e-8, "{got} {}", row[k]);
+    }
+    assert_eq!(words(t, "low event")[0], "domain limit");
+    assert!(o.find_table("trade").is_none());
+}
+
+const CUPS: &str = r#"
+[machine]
+name = "cups"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 10
+[[part]]
+kind = "shaft_lumped"
+name = "shaft"
+between = ["rotor", "ground"]
+stiffness = 4e5
+[[part]]
+kind = "damper"
+name = "air"
+between = ["rotor", "ground"]
+damping = 200
+[[cup]]
+kind = "swinging"
+name = "cups"
+on = "rotor"
+count = 4
+mass = "500 g"
+centre_of_mass = "100 mm"
+hinge_radius = "150 mm"
+cup_radius = "20 mm"
+bottom = "150 mm"
+mass_differences = ["3 g", 0, 0, 0]
+[limits]
+displacement = "0.1 mm"
+[[study]]
+kind = "operating_window"
+speed = { from = "1 rad/s", to = "600 rad/s" }
+"#;
+
+/// Unbalance and mass of the cups at the tilt of every speed, against the closed form of the machine they make.
+#[test]
+fn cups_load_their_rotor() {
+    let o = run(CUPS);
+    let s = o.find_table("speeds").unwrap();
+    let (w, u, m) = (column(s, "speed"), column(s, "unbalance"), o.find_table("margins").unwrap());
+    let vibration: Vec<(f64, f64)> = column(m, "speed")
+        .into_iter()
+        .zip(column(m, "margin"))
+        .zip(words(m, "requirement"))
+        .filter(|x| x.1 == "vibration")
+        .map(|x| x.0)
+        .collect();
+    assert_eq!(vibration.len(), w.len());
+    for ((w, u), (_, margin)) in w.iter().zip(&u).zip(&vibration) {
+        // tilt by its own equation, solved by halving
+        let (mut a, mut b) = (0.0, std::f64::consts::FRAC_PI_2);
+        for _ in 0..200 {
+            let x = 0.5 * (a + b);
+            if 9.80665 * f64::sin(x) < w * w * (0.15 + 0.1 * f64::sin(x)) * f64::cos(x) { a = x } else { b = x }
+        }
+        let unbalance = 0.003 * (0.15 + 0.1 * a.sin());
+        assert!((u / unbalance - 1.0).abs() < 1e-12, "{w} {u} {unbalance}");
+        let mass = 10.0 + 4.0 * 0.5 + 0.003;
+        let amplitude = unbalance * w * w / (4e5 - mass * w * w).hypot(200.0 * w);
+        assert!((1.0 - amplitude / 1e-4 - margin).abs() < 1e-9, "{w} {margin}");
+    }
+}
+
+/// A machine with a stiffening bearing: between its folds two stable states exist, and the larger one closes the window.
+#[test]
+fn coexisting_states_close_the_window() {
+    let text = r#"
+[machine]
+name = "stiffening"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 2.4
+eccentricity = "50 um"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["rotor", "ground"]
+stiffness = 1.1e7
+cubic_stiffness = 8.7e12
+law = "isotropic"
+[[part]]
+kind = "damper"
+name = "air"
+between = ["rotor", "ground"]
+damping = 400
+[limits]
+displacement = "0.45 mm"
+[[study]]
+kind = "operating_window"
+speed = { from = "1000 rad/s", to = "5000 rad/s", points = 60 }
+"#;
+    let o = run(text);
+    let s = o.find_table("speeds").unwrap();
+    // circular motion z = a exp(i W t): [(k + k3 a^2 - m W^2)^2 + (c W)^2] a^2 = (m e W^2)^2, a cubic in a^2
+    let states = |w: f64| -> Vec<f64> {
+        let f = |q: f64| ((1.1e7 + 8.7e12 * q - 2.4 * w * w).powi(2) + (400.0 * w).powi(2)) * q - (2.4 * 5e-5 * w * w).powi(2);
+        let n = 200_000;
+        let grid = |i: usize| (1e-3 * i as f64 / n as f64).powi(2);
+        let brackets = (0..n).filter(|&i| f(grid(i)) * f(grid(i + 1)) <= 0.0 && f(grid(i)) != 0.0);
+        brackets.map(|i| (0.5 * (grid(i) + grid(i + 1))).sqrt()).collect()
+    };
+    let coexist: Vec<f64> = (0..400).map(|i| 2300.0 + i as f64).filter(|&w| states(w).len() == 3).collect();
+    let (first, last) = (coexist[0], coexist[coexist.len() - 1]);
+    assert!(last - first > 40.0 && last < 2690.0, "the machine of the test has a hysteresis");
+    let inside: Vec<bool> = match &s.column("inside").unwrap().data {
+        laval::outcome::Data::Flag(v) => v.clone(),
+        _ => unreachable!(),
+    };
+    let counted = column(s, "states");
+    for ((w, inside), met) in column(s, "speed").into_iter().zip(inside).zip(counted) {
+        let all = states(w);
+        if (w - first).abs() < 2.0 || (w - last).abs() < 2.0 {
+            continue;
+        }
+        // of three states the middle one is unstable
+        assert_eq!(met as usize, if all.len() == 3 { 2 } else { 1 }, "{w}");
+        let largest = all.iter().copied().fold(0.0, f64::max);
+        if (largest / 4.5e-4 - 1.0).abs() > 1e-2 {
+            assert_eq!(inside, largest < 4.5e-4, "{w} {largest}");
+        }
+    }
+    // above, the window begins again where the larger state ceases to exist
+    let t = o.find_table("window").unwrap();
+    assert_eq!((t.rows(), words(t, "low event")[1].as_str()), (2, "jump"));
+    let fold = column(t, "low")[1];
+    assert!((fold - last).abs() < 1.5 && states(fold + 1.5).len() == 1 && states(fold - 1.5).len() == 3, "{fold} {last}");
+}
+
+#[test]
+fn mistakes_are_told() {
+    let one = |text: &str, code: &str| {
+        let found = load(text).err().unwrap_or_else(|| panic!("{code}: no mistake found"));
+        assert!(found.0.iter().any(|d| d.code == code), "{code}: {found:?}");
+        assert!(found.0.iter().all(|d| d.span.is_some()), "{found:?}");
+    };
+    let base = jeffcott(3000.0);
+    one(&base.replace("particle_density = 2000", "particle_density = 1000"), "operating_window.duty");
+    one(&base.replace("surface_radius = \"90 mm\"", "surface_radius = \"200 mm\""), "cup.radii");
+    one(&base.replace("displacement = \"0.35 mm\"", "displacement = { rotr = \"0.35 mm\" }"), "limits.name");
+    one(&base.replace("start = \"slowest\"", "time = \"1 h\""), "operating_window.duty");
+    one(&base.replace("[[cup]]", "[cup]"), "file.brackets");
+    one(&base.replace("[suspension]", "[suspensoin]"), "file.unknown_table");
+    one(&base.replace("viscosity = \"1 mPa s\"", ""), "suspension.viscosity");
+    one(&base.replace("kind = \"tubular_bowl\"", "kind = \"tubular\""), "kind.unknown");
+    one(&base.replace("from = \"20 rad/s\"", "from = \"0 rad/s\""), "operating_window.speed");
+    one(&base.replace("start = \"slowest\"", "uncertain = { suspension.viscosty = 0.1 }"), "parameter.unknown");
+    one(&CUPS.replace("on = \"rotor\"", "on = \"rotr\""), "body.missing");
+    one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"3 g\", 0]"), "cup.count");
+    one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"-3 kg\", 0, 0, 0]"), "cup.negative");
+    one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.duty");
+}
+
+/// The uncertain window lies inside the plain one, and the map agrees with it at the value of the file.
+#[test]
+fn robust_windows_and_maps() {
+    let text = jeffcott(1800.0).replace("start = \"slowest\"", "start = \"slowest\"\nspeed_tolerance = \"1 %\"\nuncertain = { suspension.viscosity = \"10 %\" }\nmap = { parameter = \"suspension.viscosity\", from = \"0.5 mPa s\", to = \"1.5 mPa s\", points = 3 }");
+    let o = run(&text);
+    let robust = o.findings.iter().find(|f| f.id == "robust_window").unwrap();
+    // a tenth more viscosity takes sqrt(1.1) more speed; one percent of room on both sides
+    let low = robust.evidence.iter().find(|e| e.what == "from").unwrap().value;
+    assert!((low / (128.859475728858 * 1.1f64.sqrt() / 0.99) - 1.0).abs() < 1e-6, "{low}");
+    assert!((robust.value.unwrap() / (150.0 / 1.01) - 1.0).abs() < 1e-6);
+    let map = o.find_table("map").unwrap();
+    assert_eq!(map.rows(), 180);
+    let kept: Vec<(f64, f64)> = column(map, "speed")
+        .into_iter()
+        .zip(column(map, "suspension.viscosity"))
+        .zip(column(map, "margin"))
+        .filter(|x| x.1 >= 0.0)
+        .map(|x| x.0)
+        .collect();
+    assert!(kept.iter().any(|x| x.1 == 0.5e-3) && kept.iter().all(|x| x.1 < 1.2e-3 && x.0 > 91.0));
+}
