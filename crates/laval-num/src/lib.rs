@@ -13,4 +13,5 @@ pub mod lanes;
 pub mod newton;
 pub mod ode;
 pub mod poly;
+pub mod quadrature;
 pub mod scalar;

@@ -3,11 +3,11 @@
 pub mod characteristic;
 pub mod extrema;
 pub mod harmonic;
+pub mod linear_response;
 pub mod locate;
 pub mod motion;
 pub mod pencil;
 pub mod programme;
-pub mod response;
 pub mod rest;
 pub mod scalar;
 pub mod sectors;

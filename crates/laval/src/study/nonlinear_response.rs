@@ -12,14 +12,15 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::{At, Physics, TimeForm};
-use crate::model::system::{Slot, System, Workspace};
+use crate::model::system::{Drive, Slot, System, Workspace};
 use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Fold, MOST_HARMONICS, Request, Response, State, Traced, respond};
 use crate::solve::symmetry::Symmetry;
-use laval_num::continuation::End;
+use laval_num::continuation::{End, Refusal};
+use laval_num::newton::Cause;
 use std::f64::consts::TAU;
 
 /// See the [module](self).
@@ -34,14 +35,21 @@ impl NonlinearResponse {
     }
 }
 
-const SPEED: Bounds = Bounds::closed(1e-3, 1e7);
+const SPEED: Bounds = Bounds::within(1e7);
+
+/// Smallest spin speed, rad/s: the unbalance needs a turn to act.
+const SLOWEST: f64 = 1e-3;
 
 impl Study for NonlinearResponse {
     const KIND: &'static str = "nonlinear_response";
     const DOC: &'static str = "Steady response to unbalance over a range of speeds, with every state the machine can settle in: branches followed \
         from both ends, folds (where a slow sweep jumps) located, stability of every point.";
     const FIELDS: &'static [Field] = &[
-        Field::required("speed", FieldKind::Range { unit: "rad/s", bounds: SPEED }, "range of the spin speed"),
+        Field::required(
+            "speed",
+            FieldKind::Range { unit: "rad/s", bounds: SPEED },
+            "range of the spin speed; negative speeds turn clockwise",
+        ),
         Field::optional(
             "harmonics",
             FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
@@ -78,6 +86,14 @@ impl Study for NonlinearResponse {
                 Diagnostic::error("response.range", "the range of speeds is empty")
                     .at(values.span_of("speed"))
                     .help("give different from and to"),
+            );
+            return None;
+        }
+        if !(lo >= SLOWEST || hi <= -SLOWEST) {
+            diagnostics.push(
+                Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
+                    .at(values.span_of("speed"))
+                    .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
             );
             return None;
         }
@@ -118,6 +134,15 @@ impl Study for NonlinearResponse {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error(
+                "response.free_drive",
+                "a steady response is computed at constant speed, and the speed of this machine is free",
+            )
+            .help(
+                "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
+            ));
+        }
         let mut request = self.request;
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
@@ -570,11 +595,35 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
 fn reason(end: &End) -> String {
     match end {
         End::Reached => "the end of the range".into(),
-        End::StepTooSmall { why, .. } => format!("no acceptable step was found there: {why:?}"),
+        End::StepTooSmall { why, .. } => refusal(why).into(),
         End::NewtonFailed { residual, .. } => format!("the start did not converge, scaled residual {residual:.1e}"),
         End::MaxPoints => "the largest number of points was used up".into(),
         End::Cancelled => "stopped on request".into(),
         End::Closed => "the branch closes on itself".into(),
+    }
+}
+
+/// Why a branch could not be followed further, and what helps.
+fn refusal(why: &Refusal) -> &'static str {
+    match why {
+        Refusal::Corrector(Cause::Undefined(why)) => why,
+        Refusal::Corrector(Cause::NotFinite) => {
+            "a force or its derivative is not a number there: a part is used outside the states for which it is defined"
+        }
+        Refusal::Corrector(Cause::Singular) => {
+            "the equations have no unique solution there: a coordinate is held by nothing, or branches meet"
+        }
+        Refusal::Corrector(_) => {
+            "the equations could not be solved beyond it: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Angle | Refusal::Reversal => {
+            "the states change direction too sharply there: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Strayed => "the nearest solution beyond it belongs to other states: narrow the range of speeds about it",
+        Refusal::Monitor => "the motion of a body changes too fast there, as at a resonance without damping: give the bodies some damping",
+        Refusal::Parameter => {
+            "the amplitude grows without limit while the speed stands still, as at a resonance without damping: give the machine damping"
+        }
     }
 }
 

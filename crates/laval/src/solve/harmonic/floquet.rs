@@ -343,7 +343,7 @@ impl Stability {
             let tau = base * t * direction;
             motion_at(terms, x, speed / terms.divisor as f64, tau, &mut motion);
             let [u, v, w] = &motion;
-            sampled.eval_at(system, members, terms, tau, [u, v, w], speed);
+            sampled.eval_at(system, members, terms, tau, [u, v, w], speed, true);
             let mut offset = 0;
             for block in &blocks {
                 let d = block.states.len();

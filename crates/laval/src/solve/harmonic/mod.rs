@@ -5,4 +5,5 @@ pub mod nonlinear;
 pub mod orbit;
 pub mod problem;
 pub mod response;
+pub mod switching;
 pub mod terms;

@@ -16,13 +16,17 @@ use std::sync::atomic::AtomicBool;
 /// Largest order tried by the automatic choice.
 pub const MOST_HARMONICS: usize = 63;
 
+/// Orders the automatic choice settles for when none would be enough (a law with kinks: forces fall like the square of the order, motions
+/// like the fourth power).
+const SLOW_HARMONICS: usize = 15;
+
 /// Most unknowns the automatic choice of orders goes to.
 const MOST_UNKNOWNS: usize = 128;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Range of the spin speed, rad/s, ascending.
+    /// Range of the spin speed, rad/s, ascending; both ends of one sign. Negative speeds turn clockwise.
     pub speeds: (f64, f64),
     /// Largest order; `None` chooses.
     pub harmonics: Option<usize>,
@@ -88,9 +92,11 @@ pub struct Fold {
     pub harmonics_change: f64,
     /// The extended system found it too.
     pub confirmed: bool,
+    /// The branch turns back at a corner, where a law switches (as where a contact closes): sharply, not like a parabola.
+    pub corner: bool,
     /// It lies between this point of the branch and the next.
     pub after: usize,
-    /// The branch turns back from rising speeds here (else from falling ones).
+    /// The branch turns back from speeds rising in magnitude here (else from falling ones).
     pub upper: bool,
 }
 
@@ -120,7 +126,7 @@ pub struct Traced {
     pub changes: Vec<Change>,
     /// Speeds of simple branch points met.
     pub branch_points: Vec<f64>,
-    /// Followed from the low end of the range (else from the high end).
+    /// Followed from the end of the range where the rotor turns slowly (else from the other).
     pub from_low: bool,
     /// How it ended.
     pub end: End,
@@ -174,6 +180,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
     let coordinates = Nonlinear::of(system).kinds.len();
     let mut oversampling = 1;
     let mut spent = 0;
+    let mut before: Option<(usize, f64)> = None;
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
@@ -183,7 +190,16 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         let worst = worst_truncation(&response);
         // a law with kinks converges slowly: wider steps then
         let slow = harmonics >= 4 * 7 * request.divisor;
+        // where the dropped force falls so slowly that no affordable number of orders is enough, one more attempt says what there is
+        let hopeless = before.is_some_and(|(h, t)| {
+            let rate = (t / worst).ln() / (harmonics as f64 / h as f64).ln();
+            let needed = harmonics as f64 * (worst / request.truncation).powf(1.0 / rate);
+            !(rate > 0.0 && needed <= MOST_HARMONICS as f64)
+        });
+        let last = hopeless && harmonics >= SLOW_HARMONICS * request.divisor;
+        before = Some((harmonics, worst));
         let more = match request.divisor {
+            nu if hopeless && !last => (SLOW_HARMONICS * nu).saturating_sub(harmonics).next_multiple_of(4 * nu),
             _ if slow => 4 * (harmonics / 8).max(request.divisor),
             1 if symmetry == Symmetry::Quarter => 4,
             nu => 4 * nu,
@@ -193,7 +209,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         let complete = response.branches.iter().all(|b| b.end != End::Cancelled) && spent < request.max_points;
         let (vector, _) = admitted(symmetry, harmonics + more, request.divisor);
         let affordable = harmonics + more <= MOST_HARMONICS && vector.len() * coordinates <= MOST_UNKNOWNS;
-        if automatic && complete && worst > request.truncation && affordable {
+        if automatic && complete && worst > request.truncation && affordable && !last {
             harmonics += more;
         } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
@@ -258,6 +274,11 @@ fn attempt<'a>(
         traced.push(judge(&mut balance, &mut stability, &mut unjudged, branch, from_low, request, tick)?);
     }
     for t in &mut traced {
+        // low and high, up and down speak of how fast the rotor turns, whichever way round
+        if hi < 0.0 {
+            t.from_low = !t.from_low;
+            t.folds.iter_mut().for_each(|f| f.upper = !f.upper);
+        }
         confirm_with_more_harmonics(system, d, request, &mut t.folds);
     }
     let maps = |t: &Traced| t.points.iter().filter(|p| p.exponents.as_ref().is_some_and(|e| e.method == Method::Map)).count() as u64;
@@ -308,7 +329,8 @@ fn judge(
     if stability.is_some() && request.stability {
         for i in 1..points.len() {
             let (a, b) = (&points[i - 1], &points[i]);
-            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i);
+            // at a fold on a corner the point between belongs to either side
+            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i || f.corner && f.after + 2 == i);
             if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
                 changes.push(c);
             }
@@ -357,6 +379,7 @@ fn fold_of(s: &Special, branch: &Branch) -> Fold {
         methods_differ: polished.map_or(f64::NAN, |f| f.p_difference),
         harmonics_change: f64::NAN,
         confirmed,
+        corner: branch.of(Kind::Corner).any(|c| c.after == s.after && c.point.p == s.point.p),
         after: s.after,
         upper: branch.points[s.after].p < speed || branch.points[s.after].slope > 0.0,
     }
