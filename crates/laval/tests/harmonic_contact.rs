@@ -65,7 +65,7 @@ fn circular_motion_through_the_onset_of_contact() {
 #[test]
 fn contact_over_part_of_a_turn_agrees_with_integration() {
     let k = [1e6, 1.2e6];
-    let r = run(machine(k), Request { stability: false, harmonics: Some(31), ..request(RANGE.0, RANGE.1) });
+    let r = run(machine(k), Request { stability: false, harmonics: Some(47), ..request(RANGE.0, RANGE.1) });
     assert_eq!((r.discretisation.symmetry, r.branches.len()), (Symmetry::Half, 1));
     let branch = &r.branches[0];
     assert_eq!(branch.end, End::Reached);
