@@ -12,7 +12,8 @@ use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response::Request;
 use laval::solve::symmetry::Symmetry;
-use laval_num::continuation::End;
+use laval_num::continuation::{End, Zero};
+use laval_num::dense::Mat;
 use std::f64::consts::TAU;
 
 const M: f64 = 2.0;
@@ -112,4 +113,67 @@ fn contact_over_part_of_a_turn_agrees_with_integration() {
         assert!(worst < 1e-4 * size, "at {w}: {worst:e} of {size:e}");
     }
     assert!(touched > 30 && partly > 10, "{touched} {partly}");
+}
+
+/// Tangents of the balance through contact, with and without a force that jumps, against central differences (Richardson, order 4).
+#[test]
+fn tangents_through_contact_are_those_of_differences() {
+    for (damping, horizontal) in [(0.0, false), (0.0, true), (800.0, false), (800.0, true)] {
+        let stop = StopParams { stiffness: STOP, gap: GAP, damping };
+        let link = Link::Between(Attach::on("disc"), Attach::ground());
+        let plain = Builder::new("disc")
+            .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+            .part(
+                "spring",
+                BearingCubic::per_axis(link.clone()),
+                BearingCubicParams { stiffness: [1e6, 1.2e6], cubic_stiffness: [1e12; 2], valid_to: 0.0 },
+            )
+            .part("stop", Stop::new(link), stop);
+        let system = if horizontal { plain.horizontal() } else { plain }.build().unwrap();
+        let symmetry = if horizontal { Symmetry::None } else { Symmetry::Half };
+        let d = laval::solve::harmonic::problem::Discretisation { harmonics: 5, divisor: 1, samples: 64, symmetry };
+        let mut balance = Balance::new(&system, d, RANGE, None).unwrap();
+        let (n, w) = (balance.dim(), 700.0);
+        // an ellipse that reaches out of the gap, with a little of every order
+        let mut x: Vec<f64> = (0..n).map(|i| 6e-6 * (1.0 + i as f64).sin()).collect();
+        for &(term, at) in &balance.terms.list {
+            match term.order() {
+                1 => x[at] = 2.9e-4,
+                -1 => x[at] = 0.8e-4,
+                _ => {}
+            }
+        }
+        let (switches, jumps) = balance.switches(&x, w, (0.0, TAU));
+        assert!(switches.len() >= 4 && jumps.is_some() == (damping > 0.0), "{switches:?} {jumps:?}");
+        let (mut r, mut jac, mut by_speed) = (vec![0.0; n], Mat::zeros(n, n), vec![0.0; n]);
+        balance.eval(&x, w, &mut r, Some(&mut jac), Some(&mut by_speed)).unwrap();
+        let size = (0..n).flat_map(|i| jac.row(i).to_vec()).fold(0.0f64, |m, x| m.max(x.abs()));
+        let mut at = |x: &[f64], w: f64| {
+            let mut r = vec![0.0; n];
+            balance.eval(x, w, &mut r, None, None).unwrap();
+            r
+        };
+        let difference = |f: &mut dyn FnMut(f64) -> Vec<f64>, h: f64| -> Vec<f64> {
+            let [a, b, c, d] = [h, -h, 0.5 * h, -0.5 * h].map(&mut *f);
+            (0..n).map(|i| (8.0 * (c[i] - d[i]) - (a[i] - b[i])) / (6.0 * h)).collect()
+        };
+        for j in 0..n {
+            let wanted = difference(
+                &mut |h| {
+                    let mut moved = x.clone();
+                    moved[j] += h;
+                    at(&moved, w)
+                },
+                1e-7,
+            );
+            for i in 0..n {
+                assert!((jac[(i, j)] - wanted[i]).abs() < 1e-6 * size, "{damping} {horizontal} {i} {j}: {} {}", jac[(i, j)], wanted[i]);
+            }
+        }
+        let wanted = difference(&mut |h| at(&x, w + h), 1e-2);
+        let size = wanted.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        for (a, b) in by_speed.iter().zip(&wanted) {
+            assert!((a - b).abs() < 1e-6 * size, "{damping} {horizontal}: {a} {b}");
+        }
+    }
 }

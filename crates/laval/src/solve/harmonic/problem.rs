@@ -8,8 +8,9 @@
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
 
 use super::condense::{Basis, Condenser, Order, lossy};
+use super::fourier::Into;
 use super::nonlinear::{Member, Sampled};
-use super::switching::{Into, Switching};
+use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, DofKind};
@@ -302,7 +303,7 @@ impl<'a> Balance<'a> {
         self.sampled.eval(self.system, &self.smooth, &self.terms, x, p, tangents);
         self.projected.fill(0.0);
         self.terms.analysis.mul_vec_add(&self.sampled.rows, &mut self.projected);
-        if let Some(jac) = jac.as_deref_mut() {
+        if let Some(jac) = jac.as_deref_mut().filter(|_| !self.smooth.is_empty()) {
             self.sampled.add_jacobian(&self.terms, p, jac);
         }
         if let Some(speed) = speed.as_deref_mut() {
@@ -327,6 +328,17 @@ impl<'a> Balance<'a> {
     /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
     pub fn linear_states(&self) -> &[usize] {
         self.condenser.linear_states()
+    }
+
+    /// Base phases from `start` to `start + length` where laws switch along the motion `x`, and the name of a part whose force jumps there.
+    pub fn switches(&mut self, x: &[f64], speed: f64, span: (f64, f64)) -> (Vec<f64>, Option<String>) {
+        let (places, slot) = self.switching.places(self.system, &self.terms, x, speed, span);
+        (places, slot.map(|slot| self.system.slots()[slot].name.clone()))
+    }
+
+    /// Largest nonlinear force of the last evaluation: sampled, or on a term.
+    pub fn largest_force(&self) -> f64 {
+        laval_num::dense::max_abs(&self.sampled.rows).max(laval_num::dense::max_abs(&self.projected))
     }
 
     /// Samples the nonlinear parts, with tangents, at a motion `x`; the linear parts are left alone.

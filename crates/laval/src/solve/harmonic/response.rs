@@ -11,6 +11,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use laval_num::newton::{Options, newton};
+use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 /// Largest order tried by the automatic choice.
@@ -60,6 +61,8 @@ pub struct State {
     pub exponents: Option<Exponents>,
     /// Dropped force harmonics over kept ones.
     pub truncation: f64,
+    /// A law switches along the motion (a contact opens or closes).
+    pub switches: bool,
     /// Scaled residual.
     pub residual: f64,
 }
@@ -68,6 +71,10 @@ impl State {
     /// Judged stable; unknown counts as not.
     pub fn stable(&self) -> bool {
         self.exponents.as_ref().is_some_and(Exponents::stable)
+    }
+    /// Judged unstable; unknown counts as not.
+    pub fn unstable(&self) -> bool {
+        self.exponents.as_ref().is_some_and(|e| !e.stable())
     }
     /// Largest growth rate, 1/s; NaN when not judged.
     pub fn growth(&self) -> f64 {
@@ -181,21 +188,25 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
     let mut oversampling = 1;
     let mut spent = 0;
     let mut before: Option<(usize, f64)> = None;
+    let mut settled = false;
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
         // stability is judged once the orders are chosen
-        let trial = Request { stability: request.stability && !automatic, ..*request };
+        let trial = Request { stability: request.stability && (!automatic || settled), ..*request };
         let response = attempt(system, &trial, d, cancel, tick)?;
         let worst = worst_truncation(&response);
         // a law with kinks converges slowly: wider steps then
         let slow = harmonics >= 4 * 7 * request.divisor;
-        // where the dropped force falls so slowly that no affordable number of orders is enough, one more attempt says what there is
-        let hopeless = before.is_some_and(|(h, t)| {
-            let rate = (t / worst).ln() / (harmonics as f64 / h as f64).ln();
-            let needed = harmonics as f64 * (worst / request.truncation).powf(1.0 / rate);
-            !(rate > 0.0 && needed <= MOST_HARMONICS as f64)
-        });
+        // where a law switches, or the dropped force is seen to fall so slowly that no affordable number of orders is enough, one more attempt
+        // says what there is
+        let switches = response.branches.iter().flat_map(|b| &b.points).any(|p| p.switches);
+        let hopeless = switches
+            || before.is_some_and(|(h, t)| {
+                let rate = (t / worst).ln() / (harmonics as f64 / h as f64).ln();
+                let needed = harmonics as f64 * (worst / request.truncation).powf(1.0 / rate);
+                !(rate > 0.0 && needed <= MOST_HARMONICS as f64)
+            });
         let last = hopeless && harmonics >= SLOW_HARMONICS * request.divisor;
         before = Some((harmonics, worst));
         let more = match request.divisor {
@@ -211,6 +222,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         let affordable = harmonics + more <= MOST_HARMONICS && vector.len() * coordinates <= MOST_UNKNOWNS;
         if automatic && complete && worst > request.truncation && affordable && !last {
             harmonics += more;
+            settled = hopeless;
         } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
         } else {
@@ -330,7 +342,8 @@ fn judge(
         for i in 1..points.len() {
             let (a, b) = (&points[i - 1], &points[i]);
             // at a fold on a corner the point between belongs to either side
-            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i || f.corner && f.after + 2 == i);
+            let judged = a.exponents.is_some() && b.exponents.is_some();
+            let differ = judged && a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i || f.corner && f.after + 2 == i);
             if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
                 changes.push(c);
             }
@@ -355,9 +368,10 @@ impl State {
 }
 
 fn evaluate(balance: &mut Balance, stability: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64) -> State {
-    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, residual: f64::NAN };
+    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, switches: false, residual: f64::NAN };
     balance.sample(x, speed);
     state.truncation = balance.truncation();
+    state.switches = !balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64)).0.is_empty();
     if let Some(s) = stability {
         match s.exponents(balance, x, speed) {
             Ok(e) => state.exponents = Some(e),
@@ -491,7 +505,7 @@ fn sampling_error(system: &System, balance: &mut Balance, d: Discretisation, bra
     if !evaluated {
         return Ok(f64::NAN);
     }
-    let size = max_abs(&balance.sampled.rows);
+    let size = balance.largest_force();
     let change = max_abs(&r.iter().zip(&fine).map(|(a, b)| a - b).collect::<Vec<_>>());
     Ok(if size == 0.0 { change } else { change / size })
 }

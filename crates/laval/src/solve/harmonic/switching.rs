@@ -11,9 +11,11 @@
 //! the variable of integration. The balance then depends on its unknowns as smoothly as the exact one. A force that jumps at the switch adds
 //! the jump times the motion of the switch to the tangents.
 
+use super::fourier::{Coefficients, Into, motion_at, turns};
 use super::nonlinear::{Member, Sampled};
 use super::terms::Terms;
 use crate::model::system::System;
+use laval_num::complex::C64;
 use laval_num::dense::Mat;
 use laval_num::quadrature::gauss;
 use std::f64::consts::TAU;
@@ -22,6 +24,10 @@ use std::f64::consts::TAU;
 const POINTS: usize = 12;
 /// Angle by which the fastest factor of the integrand turns over a panel, at most: the rule is exact to rounding for it.
 const PANEL: f64 = 12.0;
+/// Way in base phase to either side of a switch over which a force is seen to jump.
+const NEAR: f64 = 1e-9;
+/// Way in base phase from a switch at which other surfaces are seen beside it.
+const BESIDE: f64 = 1e-7;
 
 /// A place of the period where a law switches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,25 +44,13 @@ pub struct Switching {
     members: Vec<Member>,
     /// Switches of the last evaluation, ascending over the repeated part of the period.
     pub events: Vec<Event>,
-    /// The force of a part (its slot) was seen to jump at a switch.
-    pub jumps: Option<usize>,
     rule: Vec<(f64, f64)>,
     gain: Vec<f64>,
     point: Sampled,
-    synthesis: [Mat; 3],
+    turns: Vec<C64>,
     u: [Vec<f64>; 3],
     surfaces: Vec<f64>,
-    product: Mat,
-}
-
-/// Where the coefficients and their derivatives go.
-pub struct Into<'o> {
-    /// Coefficients, added to.
-    pub coefficients: &'o mut [f64],
-    /// d coefficients / d unknowns, added to.
-    pub jac: Option<&'o mut Mat>,
-    /// d coefficients / d speed, added to.
-    pub speed: Option<&'o mut [f64]>,
+    seen: Coefficients,
 }
 
 impl Switching {
@@ -94,16 +88,10 @@ impl Switching {
         TAU / terms.symmetry.order().max(1) as f64
     }
 
-    /// Synthesis and motion at a base phase.
+    /// Motion at a base phase.
     fn state(&mut self, terms: &Terms, x: &[f64], tau: f64, speed: f64) {
-        terms.rows_at(tau, &mut self.synthesis);
-        let w = speed / terms.divisor as f64;
-        for ((u, e), factor) in self.u.iter_mut().zip(&self.synthesis).zip([1.0, w, w * w]) {
-            u.clear();
-            u.resize(terms.coordinates, 0.0);
-            e.mul_vec_add(x, u);
-            u.iter_mut().for_each(|u| *u *= factor);
-        }
+        turns(tau, terms.harmonics, &mut self.turns);
+        motion_at(terms, x, speed / terms.divisor as f64, &self.turns, &mut self.u);
     }
 
     fn surfaces_of(&mut self, system: &System, terms: &Terms, member: usize, tau: f64, speed: f64) -> &[f64] {
@@ -112,48 +100,65 @@ impl Switching {
         &self.surfaces
     }
 
-    /// Locates the switches of the motion `x`.
-    fn locate(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64) {
+    /// Locates the switches of the motion `x` at base phases from `start` to `start + length`.
+    fn locate(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, (start, length): (f64, f64)) {
         self.events.clear();
-        let (count, length) = (terms.samples, Self::length(terms));
+        let count = (terms.samples as f64 * length / Self::length(terms)).round() as usize;
         let h = length / count as f64;
         for member in 0..self.members.len() {
             let mut seen: Vec<Vec<f64>> = Vec::with_capacity(count + 3);
             // one step more on both sides, to see a law that hardly switches at an end
             for j in 0..count + 3 {
-                let tau = (j as f64 - 1.0) * h;
+                let tau = start + (j as f64 - 1.0) * h;
                 self.state(terms, x, tau, speed);
                 seen.push(self.surfaces_of(system, terms, member, tau, speed).to_vec());
             }
-            for surface in 0..seen.iter().map(Vec::len).min().unwrap_or(0) {
-                let of = |s: &mut Self, tau: f64| {
-                    s.state(terms, x, tau, speed);
-                    s.surfaces_of(system, terms, member, tau, speed).get(surface).copied().unwrap_or(f64::NAN)
-                };
-                let mut roots = Vec::new();
+            let surfaces = seen.iter().map(Vec::len).min().unwrap_or(0);
+            let of = |s: &mut Self, surface: usize, tau: f64| {
+                s.state(terms, x, tau, speed);
+                s.surfaces_of(system, terms, member, tau, speed).get(surface).copied().unwrap_or(f64::NAN)
+            };
+            let mut roots = Vec::new();
+            for surface in 0..surfaces {
                 for j in 1..count + 2 {
                     let (a, b, c) = (seen[j - 1][surface], seen[j][surface], seen[j + 1][surface]);
-                    let tau = (j as f64 - 1.0) * h;
+                    let tau = start + (j as f64 - 1.0) * h;
                     if (b < 0.0) != (c < 0.0) && j <= count {
-                        roots.push(root(|t| of(self, t), [tau, tau + h], [b, c]));
+                        roots.push((root(|t| of(self, surface, t), [tau, tau + h], [b, c]), surface));
                     }
                     // between samples of one sign the law may switch there and back: at the vertex of the parabola through three
                     let bend = a - 2.0 * b + c;
                     let same = (a < 0.0) == (b < 0.0) && (b < 0.0) == (c < 0.0);
                     if same && b != 0.0 && bend * b > 0.0 && (c - a).abs() <= bend.abs() {
-                        let (at, value) = vertex(|t| of(self, t), tau, h, [a, b, c]);
+                        let (at, value) = vertex(|t| of(self, surface, t), tau, h, [a, b, c]);
                         if (value < 0.0) != (b < 0.0) {
-                            roots.push(root(|t| of(self, t), [tau - h, at], [a, value]));
-                            roots.push(root(|t| of(self, t), [at, tau + h], [value, c]));
+                            roots.push((root(|t| of(self, surface, t), [tau - h, at], [a, value]), surface));
+                            roots.push((root(|t| of(self, surface, t), [at, tau + h], [value, c]), surface));
                         }
                     }
                 }
-                self.events.extend(roots.into_iter().filter(|t| (0.0..length).contains(t)).map(|tau| Event { tau, member, surface }));
             }
+            // a surface may end at another one, between the same samples: seen beside that
+            if surfaces > 1 {
+                for (at, _) in roots.clone() {
+                    let j = ((at - start) / h).floor().clamp(0.0, count as f64);
+                    for [from, to] in [[start + j * h, at - BESIDE], [at + BESIDE, start + (j + 1.0) * h]] {
+                        let [left, right] = [from, to].map(|tau| {
+                            self.state(terms, x, tau, speed);
+                            self.surfaces_of(system, terms, member, tau, speed).to_vec()
+                        });
+                        for surface in (0..surfaces).filter(|&k| from < to && (left[k] < 0.0) != (right[k] < 0.0)) {
+                            roots.push((root(|t| of(self, surface, t), [from, to], [left[surface], right[surface]]), surface));
+                        }
+                    }
+                }
+            }
+            let within = roots.into_iter().filter(|(t, _)| (start..start + length).contains(t));
+            self.events.extend(within.map(|(tau, surface)| Event { tau, member, surface }));
         }
         self.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
-        // two surfaces met together, or one place seen from two sides
-        self.events.dedup_by(|b, a| b.tau - a.tau <= 1e-12);
+        // two surfaces of a part met together, or one place seen from two sides
+        self.events.dedup_by(|b, a| b.member == a.member && b.tau - a.tau <= 1e-12);
     }
 
     /// Adds the projections of all switching parts at a motion `x`.
@@ -161,8 +166,11 @@ impl Switching {
         if self.members.is_empty() {
             return;
         }
-        self.locate(system, terms, x, speed);
         let length = Self::length(terms);
+        self.locate(system, terms, x, speed, (0.0, length));
+        let tangents = out.jac.is_some() || out.speed.is_some();
+        let frequency = speed / terms.divisor as f64;
+        self.seen.clear(terms);
         let longest = PANEL / (2 * terms.harmonics + 4) as f64;
         let mut from = (0.0, false);
         let ends: Vec<(f64, bool)> = self.events.iter().map(|e| (e.tau, true)).chain([(length, false)]).collect();
@@ -180,84 +188,65 @@ impl Switching {
                         () if to.1 && k + 1 == panels => (1.0 - y * y, 2.0 * y),
                         () => (y, 1.0),
                     };
-                    self.state(terms, x, start + at * wide, speed);
-                    self.add_point(system, terms, start + at * wide, speed, weight * stretched * wide / length, out);
+                    let tau = start + at * wide;
+                    turns(tau, if tangents { 2 } else { 1 } * terms.harmonics, &mut self.turns);
+                    motion_at(terms, x, frequency, &self.turns, &mut self.u);
+                    let [q, v, a] = &self.u;
+                    self.point.eval_at(system, &self.members, terms, tau, [q, v, a], speed, tangents);
+                    let share = weight * stretched * wide / length;
+                    self.seen.add_rows(&self.point.rows, &self.turns, share);
+                    if tangents {
+                        let by = [0, 1, 2].map(|d| self.point.tangent(d));
+                        self.seen.add_tangents(&self.point.rows_speed, by, &self.turns, share);
+                    }
                 }
             }
             from = to;
         }
         self.rule = rule;
-        if out.jac.is_some() {
+        self.seen.project(terms, frequency, out);
+        if tangents {
             self.add_jumps(system, terms, x, speed, out);
         }
     }
 
-    fn add_point(&mut self, system: &System, terms: &Terms, tau: f64, speed: f64, weight: f64, out: &mut Into) {
-        let (m, unknowns) = (terms.coordinates, terms.unknowns);
-        let [q, v, a] = &self.u;
-        let tangents = out.jac.is_some() || out.speed.is_some();
-        self.point.eval_at(system, &self.members, terms, tau, [q, v, a], speed, tangents);
-        let project = |rows: &[f64], out: &mut [f64]| {
-            for (c, &row) in rows.iter().enumerate().filter(|(_, row)| **row != 0.0) {
-                for ((o, &e), &g) in out.iter_mut().zip(self.synthesis[0].row(c)).zip(&self.gain) {
-                    *o += weight * row * e * g;
-                }
-            }
+    /// Change of the rows at a switch, where the force jumps there.
+    fn jump(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, event: Event) -> Option<Vec<f64>> {
+        let mut change = |near: f64| {
+            let [before, mut after] = [event.tau - near, event.tau + near].map(|tau| {
+                self.state(terms, x, tau, speed);
+                let [q, v, a] = &self.u;
+                self.point.eval_at(system, &self.members[event.member..=event.member], terms, tau, [q, v, a], speed, false);
+                self.point.rows.clone()
+            });
+            after.iter_mut().zip(&before).for_each(|(a, b)| *a -= b);
+            after
         };
-        project(&self.point.rows, out.coefficients);
-        if let Some(speed) = &mut out.speed {
-            project(&self.point.rows_speed, speed);
+        let (jump, wide) = (change(NEAR), change(100.0 * NEAR));
+        let size = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        // a continuous force changes by more over a longer way: like its square root at least
+        (size(&jump) > 0.5 * size(&wide)).then_some(jump)
+    }
+
+    /// Base phases from `start` to `start + length` where laws switch along the motion `x`, and the slot of a part whose force jumps there.
+    pub fn places(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, span: (f64, f64)) -> (Vec<f64>, Option<usize>) {
+        if self.members.is_empty() {
+            return (Vec::new(), None);
         }
-        let Some(jac) = &mut out.jac else { return };
-        let w = speed / terms.divisor as f64;
-        self.product.reset(m, unknowns);
-        let mut any = false;
-        for (d, factor) in [1.0, w, w * w].into_iter().enumerate() {
-            for c in 0..m {
-                for k in 0..m {
-                    let t = self.point.tangent(d)[(c, k)] * factor;
-                    if t != 0.0 {
-                        any = true;
-                        for (p, &e) in self.product.row_mut(c).iter_mut().zip(self.synthesis[d].row(k)) {
-                            *p += t * e;
-                        }
-                    }
-                }
-            }
-        }
-        if any {
-            for i in 0..unknowns {
-                for c in 0..m {
-                    let factor = weight * self.gain[i] * self.synthesis[0][(c, i)];
-                    if factor != 0.0 {
-                        for (o, &p) in jac.row_mut(i).iter_mut().zip(self.product.row(c)) {
-                            *o += factor * p;
-                        }
-                    }
-                }
-            }
-        }
+        self.locate(system, terms, x, speed, span);
+        let events = self.events.clone();
+        let jumping = events.iter().find(|&&e| self.jump(system, terms, x, speed, e).is_some());
+        (events.iter().map(|e| e.tau).collect(), jumping.map(|e| self.members[e.member].slot))
     }
 
     /// Where rows jump at a switch: the jump times d tau / d unknowns, from the surface held at zero.
     fn add_jumps(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, out: &mut Into) {
         let length = Self::length(terms);
-        let near = 1e-9;
+        let near = NEAR;
+        let mut synthesis = [0; 3].map(|_| Mat::default());
         for event in self.events.clone() {
-            let rows_at = |s: &mut Self, tau: f64| {
-                s.state(terms, x, tau, speed);
-                let [q, v, a] = &s.u;
-                s.point.eval_at(system, &s.members[event.member..=event.member], terms, tau, [q, v, a], speed, false);
-                s.point.rows.clone()
-            };
-            let (before, after) = (rows_at(self, event.tau - near), rows_at(self, event.tau + near));
-            let size = before.iter().chain(&after).fold(0.0, |m: f64, f| m.max(f.abs()));
-            let jump: Vec<f64> = before.iter().zip(&after).map(|(b, a)| b - a).collect();
-            // what the force changes by itself over so short a way is no jump
-            if !(jump.iter().fold(0.0, |m: f64, j| m.max(j.abs())) > 1e-4 * size) {
-                continue;
-            }
-            self.jumps = Some(self.members[event.member].slot);
+            let Some(jump) = self.jump(system, terms, x, speed, event) else { continue };
+            terms.rows_at(event.tau, &mut synthesis);
             let surface = |s: &mut Self, tau: f64| s.surfaces_of(system, terms, event.member, tau, speed)[event.surface];
             self.state(terms, x, event.tau + near, speed);
             let later = surface(self, event.tau);
@@ -277,21 +266,21 @@ impl Switching {
                     self.u[d][c] = own - step;
                     let slope = (plus - surface(self, event.tau)) / (2.0 * step);
                     self.u[d][c] = own;
-                    for (b, e) in by_unknown.iter_mut().zip(self.synthesis[d].row(c)) {
+                    for (b, e) in by_unknown.iter_mut().zip(synthesis[d].row(c)) {
                         *b += slope * factor * e;
                     }
                     by_speed += if d == 1 { slope * own / speed } else { 0.0 };
                 }
             }
             for i in 0..terms.unknowns {
-                let projected: f64 = (0..m).map(|c| self.gain[i] * self.synthesis[0][(c, i)] * jump[c]).sum::<f64>() / length;
+                let projected: f64 = (0..m).map(|c| self.gain[i] * synthesis[0][(c, i)] * jump[c]).sum::<f64>() / length;
                 if let Some(jac) = &mut out.jac {
                     for (o, b) in jac.row_mut(i).iter_mut().zip(&by_unknown) {
-                        *o -= projected * b / rate;
+                        *o += projected * b / rate;
                     }
                 }
                 if let Some(s) = &mut out.speed {
-                    s[i] -= projected * by_speed / rate;
+                    s[i] += projected * by_speed / rate;
                 }
             }
         }
