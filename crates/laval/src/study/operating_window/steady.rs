@@ -10,7 +10,7 @@ use crate::solve::harmonic::problem::{Balance, Discretisation};
 use crate::solve::harmonic::response::{Request, Response, respond};
 use crate::solve::pencil::wants_polish;
 use crate::solve::pencil::{Spectrum, modes_about};
-use crate::solve::response::response;
+use crate::solve::linear_response::response;
 use crate::solve::rest::rest;
 use laval_num::complex::C64;
 use laval_num::newton::{Options, newton};
