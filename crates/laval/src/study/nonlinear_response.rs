@@ -441,13 +441,13 @@ impl<'a> Shown<'a> {
                     format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s.", l.body, significant(speed, 6)),
                 )
                 .value(a, "m")
+                .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
+                .evidence("change of the residual with twice the samples", response.sampling, "")
+                .evidence("orders kept", response.discretisation.harmonics as f64, "")
                 .evidence("speed", speed, "rad/s")
                 .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
                 .evidence("relative slope along the branch", of(&|p| p.slope.abs()), "")
-                .evidence("scaled residual", of(&|p| p.residual), "")
-                .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
-                .evidence("change of the residual with twice the samples", response.sampling, "")
-                .evidence("orders kept", response.discretisation.harmonics as f64, ""),
+                .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
         let dropped = worst(response, |p| p.truncation);
