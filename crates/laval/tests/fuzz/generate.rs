@@ -319,6 +319,10 @@ impl Sources {
                 let (path, unit, bounds) = self.path(r, names);
                 range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
             }
+            FieldKind::Named { unit, bounds } if r.chance(50) => {
+                format!("{{ {} = {} }}", names.first().map_or("drum", |n| n.as_str()), quantity(r, hostility, unit, &bounds))
+            }
+            FieldKind::Named { unit, bounds } => quantity(r, hostility, unit, &bounds),
             FieldKind::Study => {
                 let kinds = [
                     "modes\", speed = 100.0",
