@@ -3,7 +3,7 @@
 use crate::{DONE, WRONG, input, terminal};
 use laval::diagnostic::{Diagnostic, nearest};
 use laval::file::{catalog, docs, schema};
-use laval::model::field::KindInfo;
+use laval::model::field::{BlockInfo, KindInfo};
 
 /// What may be said to `parts` and `studies`.
 #[derive(clap::Args)]
@@ -18,9 +18,21 @@ pub fn parts(args: &Args) -> u8 {
         terminal::print(&docs::text("machine", &docs::machine(), terminal::width()));
         return DONE;
     }
-    let code = show("part", "parts", &catalog().parts, args);
+    let all = catalog();
+    if let Some(word) = &args.kind {
+        // blocks beside the parts: one kind of them, or all of a block
+        let chosen = |b: &&BlockInfo| b.word == word || b.kinds.iter().any(|k| k.kind == word);
+        if let Some(block) = all.blocks.iter().find(chosen).filter(|_| all.part(word).is_none()) {
+            for kind in block.kinds.iter().filter(|k| block.word == word || k.kind == word) {
+                terminal::print(&docs::text(block.word, kind, terminal::width()));
+            }
+            return DONE;
+        }
+    }
+    let code = show("part", "parts", &all.parts, args);
     if args.kind.is_none() {
-        terminal::print("laval parts machine documents the [machine] block.\n");
+        let words = all.blocks.iter().map(|b| b.word).collect::<Vec<_>>().join(", ");
+        terminal::print(&format!("laval parts machine documents the [machine] block; so do {words} for what stands beside the parts.\n"));
     }
     code
 }

@@ -75,7 +75,8 @@ fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<Strin
 fn page_of_the_machine_file_is_current() {
     let c = catalog();
     let mut text = String::from(
-        "# The machine file\n\nA file is [TOML](https://toml.io): one `[machine]`, then any number of `[[part]]` and `[[study]]` blocks in any order. Each part has\n\
+        "# The machine file\n\nA file is [TOML](https://toml.io): one `[machine]`, then any number of `[[part]]` and `[[study]]` blocks in any order; `[[cup]]`, `[suspension]` and\n\
+         `[limits]` say what separates, what is separated, and what the machine must keep to ([pages](separation-blocks.md)). Each part has\n\
          a `kind` ([parts](parts.md)) and may have a `name`, by which others attach to it; each study has a `kind` ([studies](studies.md)) and may have a `name`,\n\
          which becomes its folder of results. Without a name a block is called after its kind, then kind-2, kind-3 ...\n\n\
          Values with a unit are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\

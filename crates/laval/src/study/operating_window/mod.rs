@@ -33,6 +33,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, RangeValue, Value, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
+use crate::separation::particle::Drag;
 use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::solve::scalar::maximum;
@@ -304,6 +305,15 @@ impl OperatingWindow {
                     return None;
                 }
             };
+            if suspension.medium.drag != Drag::Stokes {
+                wrong(
+                    out,
+                    "",
+                    "a window follows particles with Stokes' drag only",
+                    "use drag = \"stokes\" in [suspension]; the study separation follows the other law at one speed",
+                );
+                return None;
+            }
             if suspension.powder.density.quantile(0.5) == suspension.medium.density {
                 wrong(
                     out,

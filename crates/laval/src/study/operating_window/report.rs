@@ -225,8 +225,9 @@ impl Found<'_> {
             out = out.special_point(SpecialPoint::new("fold", *w, (*w, *w)).status(Status::Bracketed));
         }
         if let Some(p) = &m.passage {
-            for (name, amplitude, speed) in &p.peaks {
-                let text = format!("On the way \"{name}\" moves up to {{}}, at {}.", rpm(*speed));
+            for (k, (name, amplitude, speed)) in p.peaks.iter().enumerate() {
+                let way = if 2 * k < p.peaks.len() { "up" } else { "down" };
+                let text = format!("On the way {way} \"{name}\" moves by up to {{}}, at {}.", rpm(*speed));
                 out = out.finding(Finding::info("passage_peak", text).value(*amplitude, "m").evidence("speed", *speed, "rad/s"));
             }
             out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque, "N m"));

@@ -10,7 +10,7 @@ use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::{Separator, Turning};
 use crate::separation::measures::{self, Capture};
 use crate::separation::motion::Tilt;
-use crate::separation::particle::Particle;
+use crate::separation::particle::{Drag, Particle};
 use crate::separation::validity::{Case, Flag, flags};
 use crate::study::Context;
 use crate::study::Study;
@@ -61,7 +61,9 @@ impl Found<'_> {
             let text = format!("{name} are never caught at this speed: some particles stay in the liquid.");
             out.finding(Finding::warning("time_needed", text))
         };
-        if s.ramp.is_none() {
+        // other speeds and sizes are answered by the closed form only
+        let closed = !s.integrated() && s.speed != 0.0;
+        if closed {
             out = out.finding(self.speed_finding(&name));
         }
         out = self.describe(out);
@@ -89,9 +91,12 @@ impl Found<'_> {
         }
         let built = || -> Built<Outcome> {
             let mut out = out.table(self.efficiency_table(&times)?);
-            let (grade, cuts) = self.grade_tables()?;
-            out = out.table(grade).table(cuts).table(self.measures_table()?);
-            if s.ramp.is_none() {
+            out = out.table(self.measures_table()?);
+            if self.stokes() {
+                let (grade, cuts) = self.grade_tables()?;
+                out = out.table(grade).table(cuts);
+            }
+            if closed {
                 out = out.table(self.demand_table()?).table(self.sensitivity_table()?);
             }
             out = out.table(validity_table(&judged)?);
@@ -107,6 +112,11 @@ impl Found<'_> {
         out = self.followed(out)?;
         out = self.figures(out);
         out.checked().map_err(Diagnostic::from)
+    }
+
+    /// Sizes and times scale with each other.
+    fn stokes(&self) -> bool {
+        self.study.suspension.medium.drag == Drag::Stokes
     }
 
     /// The particle of median size and density.
@@ -148,6 +158,9 @@ impl Found<'_> {
     fn speed_needed(&self) -> Option<(f64, f64)> {
         let s = self.study;
         let enough = |w: f64| self.time_at(w, |_| ()) <= s.time;
+        if enough(0.0) {
+            return Some((0.0, 0.0));
+        }
         let mut low = 0.0;
         for k in 0..64 {
             // from a hundredth to a hundred times the speed
@@ -179,6 +192,9 @@ impl Found<'_> {
             None => format!("in {}", quantity(s.time, "s")),
         };
         match self.speed_needed() {
+            Some((0.0, _)) => {
+                Finding::info("speed_needed", format!("Gravity alone catches {name} {time}: no spin is needed, {{}}.")).value(0.0, "rad/s")
+            }
             Some((w, bracket)) => Finding::info("speed_needed", format!("Catching {name} {time} takes at least {{}}."))
                 .value(w, "rad/s")
                 .shown_as(w * RPM, "rpm")
@@ -212,7 +228,7 @@ impl Found<'_> {
         out = out.finding(field.value(measures::rcf(s.speed, r2, g), ""));
         let (taus, heavy) = self.products();
         let d = cut_size(&taus, &s.suspension.medium, self.median().density, 0.5, self.full_time());
-        if d.is_finite() && d > 0.0 {
+        if d.is_finite() && d > 0.0 && self.stokes() {
             let kind = if heavy { "" } else { " (light particles)" };
             out = out.finding(Finding::info("cut_size", format!("Half of the particles of {{}} are caught{kind}.")).value(d, "m"));
         }
@@ -498,6 +514,9 @@ impl Found<'_> {
         let Some(e) = exit else {
             return Ok(out.finding(Finding::warning("released", "The particle released never meets a surface.")));
         };
+        if e.time == 0.0 {
+            return Ok(out.finding(Finding::warning("released", "The place of the release does not lie in the liquid.")));
+        }
         let speed = e.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
         let text = format!(
             "The particle released reaches the {} after {{}}, at {} along the cup.",
