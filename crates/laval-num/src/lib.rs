@@ -14,5 +14,6 @@ pub mod lanes;
 pub mod newton;
 pub mod ode;
 pub mod poly;
+pub mod quadrature;
 pub mod sampling;
 pub mod scalar;

@@ -221,3 +221,23 @@ fn superharmonic_of_order_three() {
     }
     assert!(wrong.is_empty(), "{} rows:\n{}", wrong.len(), wrong.join("\n"));
 }
+
+/// The other way round the machines fold at the same speeds: folds of the tables with the sign of the speed changed.
+#[test]
+fn folds_under_reversed_rotation() {
+    for (e, wanted) in [(5e-5, &[2668.4586212391, 2293.6295156510][..]), (1e-3, &[2685.9163967127][..])] {
+        let base = Base { e, ..Base::default() };
+        let response = run(base.builder(), request(-RANGE.1, -RANGE.0));
+        let folds: Vec<_> = response.branches.iter().flat_map(|b| &b.folds).collect();
+        assert_eq!(folds.len(), wanted.len());
+        for want in wanted {
+            let near = folds.iter().min_by(|a, b| (a.speed + want).abs().total_cmp(&(b.speed + want).abs())).unwrap();
+            assert!(close(near.speed, -want, 1e-10), "{} wanted {}", near.speed, -want);
+            assert!(near.confirmed);
+        }
+        let ahead = run(base.builder(), request(RANGE.0, RANGE.1));
+        assert!(folds.iter().filter(|f| f.upper).count() == ahead.branches.iter().flat_map(|b| &b.folds).filter(|f| f.upper).count());
+        let unstable = |r: &Response| r.branches.iter().flat_map(|b| &b.points).filter(|p| !p.stable()).count() > 0;
+        assert_eq!(unstable(&response), unstable(&ahead));
+    }
+}

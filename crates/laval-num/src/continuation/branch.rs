@@ -84,6 +84,8 @@ pub enum Kind {
     ParameterExtremum,
     /// Another branch crosses.
     BranchPoint,
+    /// The equations change their law and the tangent jumps, as where a contact closes.
+    Corner,
     /// Zero of the user's test function of this index.
     User(usize),
 }

@@ -6,11 +6,14 @@
 //! the old tangent, regular at folds. Its determinant keeps its sign along a regular branch: a change is either a branch point, where it
 //! vanishes, or a step onto the wrong side of a sharp turn, which is refused.
 //!
+//! Where the equations have a kink (a contact closes) the tangent jumps: such a corner is located, and the branch goes on beyond it.
+//!
 //! Sharp resonances in quantities that hardly move the unknowns are seen through [`Zero::measure`] and [`Zero::max_parameter_step`].
 //! Close pairs of folds are found from the dip of dp/ds that the cubic through two points and their tangents shows. Not seen: an even
 //! number of branch points or of zeros of a user's test within one step.
 
 mod branch;
+mod corner;
 mod event;
 mod fold;
 mod problem;

@@ -110,6 +110,7 @@ fn follow<P: Zero + ?Sized>(
 
     let (mut before, mut b) = (Node::default(), Node::default());
     let (mut predicted, mut ds, mut refusal, mut still) = (Vec::new(), set.first_step, None, 0);
+    let mut refusals = 0;
     loop {
         if branch.points.len() >= set.max_points {
             return End::MaxPoints;
@@ -133,7 +134,7 @@ fn follow<P: Zero + ?Sized>(
                     return end;
                 }
                 ds *= if refusal.is_some() { grow.min(1.0) } else { grow };
-                refusal = None;
+                (refusal, refusals) = (None, 0);
                 std::mem::swap(&mut before, &mut a);
                 std::mem::swap(&mut a, &mut b);
                 still = if (a.p - before.p).abs() <= 1e-12 * a.p.abs() { still + 1 } else { 0 };
@@ -141,8 +142,21 @@ fn follow<P: Zero + ?Sized>(
             Err(Refusal::Corrector(Cause::Cancelled)) => return End::Cancelled,
             Err(why) => {
                 tracer.counters.refused += 1;
+                refusals += 1;
                 refusal = Some(why);
-                ds *= 0.5;
+                if refusals % PATIENCE == 0
+                    && let Some(corner) = tracer.corner(&a, 2.0 * ds)
+                {
+                    let last = branch.points.len() - 1;
+                    branch.specials.extend(tracer.corner_specials(&corner, last));
+                    [_, a] = corner;
+                    before = Node::default();
+                    values[1].clear();
+                    keep(tracer, &a, tests, branch, &mut values);
+                    ds = ds.min(set.first_step);
+                } else {
+                    ds *= 0.5;
+                }
             }
         }
     }
@@ -152,6 +166,9 @@ fn follow<P: Zero + ?Sized>(
 const HOPELESS: f64 = 1e12;
 /// Neither do this many steps in a row that leave the parameter where it was.
 const STILL: usize = 50;
+
+/// After this many refusals in a row, and again after as many, a corner is looked for.
+const PATIENCE: usize = 2;
 
 /// Point at the distance `ds` along the tangent, bent as it bent since the node before (not after a refusal, nor at the start).
 fn predict(a: &Node, before: &Node, ds: f64, bend: bool, y: &mut Vec<f64>) {

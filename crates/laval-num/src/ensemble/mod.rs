@@ -333,6 +333,7 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// Lanes in which an output or an event may lie before `t1`.
+    #[inline(always)]
     fn wants_inside(&self, t1: S, events: usize) -> u8 {
         if events > 0 { u8::MAX } else { S::bits(S::load(&self.next_output).le(t1)).0 }
     }

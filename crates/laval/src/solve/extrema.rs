@@ -1,8 +1,8 @@
 //! The synchronous response over the speed on a grid that is refined where it bends, and its maxima and minima.
 
 use super::characteristic::Equilibrium;
+use super::linear_response::{Response, response};
 use super::locate::{State, crossing};
-use super::response::{Response, response};
 use super::scalar::maximum;
 use super::sweep::{Sweep, sweep};
 use crate::diagnostic::Diagnostic;

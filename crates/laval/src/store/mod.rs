@@ -139,7 +139,7 @@ impl Rows<'_> {
 enum Place {
     Memory(Vec<Option<Vec<Cells>>>),
     #[cfg(feature = "parquet")]
-    Folder(Folder),
+    Folder(Box<Folder>),
 }
 
 impl Place {
@@ -147,7 +147,7 @@ impl Place {
         match host.keep() {
             None => Ok(Place::Memory(vec![None; plan.chunks()])),
             #[cfg(feature = "parquet")]
-            Some(keep) => Folder::open(keep, plan, host).map(Place::Folder),
+            Some(keep) => Folder::open(keep, plan, host).map(|f| Place::Folder(Box::new(f))),
             #[cfg(not(feature = "parquet"))]
             Some(_) => Err(Diagnostic::error("store.parquet", "this build cannot write Parquet, which long studies are kept in")),
         }
@@ -247,7 +247,7 @@ pub struct Chunk {
 impl Results {
     /// How the run ended.
     pub fn end(&self) -> End {
-        self.end.clone()
+        self.end
     }
     /// Whether all rows are there.
     pub fn complete(&self) -> bool {

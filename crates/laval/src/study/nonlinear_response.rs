@@ -12,14 +12,16 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::{At, Physics, TimeForm};
-use crate::model::system::{Slot, System, Workspace};
+use crate::model::system::{Drive, Slot, System, Workspace};
 use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Fold, MOST_HARMONICS, Request, Response, State, Traced, respond};
 use crate::solve::symmetry::Symmetry;
-use laval_num::continuation::End;
+use laval_num::continuation::{End, Refusal};
+use laval_num::newton::Cause;
 use std::f64::consts::TAU;
 
 /// See the [module](self).
@@ -34,14 +36,21 @@ impl NonlinearResponse {
     }
 }
 
-const SPEED: Bounds = Bounds::closed(1e-3, 1e7);
+const SPEED: Bounds = Bounds::within(1e7);
+
+/// Smallest spin speed, rad/s: the unbalance needs a turn to act.
+const SLOWEST: f64 = 1e-3;
 
 impl Study for NonlinearResponse {
     const KIND: &'static str = "nonlinear_response";
     const DOC: &'static str = "Steady response to unbalance over a range of speeds, with every state the machine can settle in: branches followed \
         from both ends, folds (where a slow sweep jumps) located, stability of every point.";
     const FIELDS: &'static [Field] = &[
-        Field::required("speed", FieldKind::Range { unit: "rad/s", bounds: SPEED }, "range of the spin speed"),
+        Field::required(
+            "speed",
+            FieldKind::Range { unit: "rad/s", bounds: SPEED },
+            "range of the spin speed; negative speeds turn clockwise",
+        ),
         Field::optional(
             "harmonics",
             FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
@@ -78,6 +87,14 @@ impl Study for NonlinearResponse {
                 Diagnostic::error("response.range", "the range of speeds is empty")
                     .at(values.span_of("speed"))
                     .help("give different from and to"),
+            );
+            return None;
+        }
+        if !(lo >= SLOWEST || hi <= -SLOWEST) {
+            diagnostics.push(
+                Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
+                    .at(values.span_of("speed"))
+                    .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
             );
             return None;
         }
@@ -118,11 +135,21 @@ impl Study for NonlinearResponse {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error(
+                "response.free_drive",
+                "a steady response is computed at constant speed, and the speed of this machine is free",
+            )
+            .help(
+                "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
+            ));
+        }
         let mut request = self.request;
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
+        shown.largest = shown.peak(&response, &request);
         shown.outcome(&response, &request, context).map_err(Diagnostic::from)
     }
 }
@@ -139,6 +166,24 @@ struct Shown<'a> {
     observations: Vec<Vec<Vec<f64>>>,
     /// By branch and point: largest use of validity and what.
     validity: Vec<Vec<(f64, String)>>,
+    largest: Option<Largest>,
+}
+
+/// The largest displacement of all states that can be held.
+struct Largest {
+    body: String,
+    /// At a computed point: displacement, m, and speed, rad/s.
+    displacement: f64,
+    speed: f64,
+    /// Between computed points, where the displacement falls on both sides.
+    refined: Option<Peak>,
+}
+
+impl Largest {
+    /// Displacement, m, and speed, rad/s, as well as known.
+    fn best(&self) -> (f64, f64) {
+        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.displacement, p.speed))
+    }
 }
 
 const SAMPLES: usize = 64;
@@ -147,7 +192,7 @@ impl<'a> Shown<'a> {
     fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
         let balance = Balance::new(system, response.discretisation, request.speeds, None)?;
         let bodies = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
-        Ok(Shown { system, balance, bodies, amplitudes: vec![], observed: vec![], observations: vec![], validity: vec![] })
+        Ok(Shown { system, balance, bodies, amplitudes: vec![], observed: vec![], observations: vec![], validity: vec![], largest: None })
     }
 
     fn measure(&mut self, response: &Response) {
@@ -309,7 +354,7 @@ impl<'a> Shown<'a> {
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let axis = if most > 100.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
         let mut panel = Panel::new(axis.factor(factor));
-        let judged = response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some());
+        let judged = judged(response);
         // one family of states needs no number in the legend
         let grouped = |line: Line| if response.branches.len() > 1 { line.group("branch") } else { line };
         for (name, _) in &self.bodies {
@@ -332,32 +377,37 @@ impl<'a> Shown<'a> {
 
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
-        match self.peak(response) {
-            Some((body, a, speed)) => format!(
-                "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {body}, is at {} rad/s.",
+        match &self.largest {
+            Some(l) => format!(
+                "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),
-                quantity(a, "m"),
-                significant(speed, 5)
+                quantity(l.best().0, "m"),
+                l.body,
+                significant(l.best().1, 5)
             ),
             None => "Largest displacement of each body against speed.".into(),
         }
     }
 
-    /// Largest stable displacement of any body: body, displacement, speed.
-    fn peak(&self, response: &Response) -> Option<(String, f64, f64)> {
-        let judged = response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some());
-        let mut best: Option<(String, f64, f64)> = None;
+    /// Largest stable displacement of any body.
+    fn peak(&mut self, response: &Response, request: &Request) -> Option<Largest> {
+        let judged = judged(response);
+        let mut best: Option<(f64, usize, usize, usize)> = None;
         for (b, branch) in response.branches.iter().enumerate() {
-            for (i, p) in branch.points.iter().enumerate().filter(|(_, p)| !judged || p.stable()) {
-                for (k, (name, _)) in self.bodies.iter().enumerate() {
+            for (i, _) in branch.points.iter().enumerate().filter(|(_, p)| !judged || p.stable()) {
+                for k in 0..self.bodies.len() {
                     let a = self.amplitudes[b][i][k][1];
-                    if best.as_ref().is_none_or(|best| a > best.1) {
-                        best = Some((name.clone(), a, p.speed));
+                    if best.is_none_or(|best| a > best.0) {
+                        best = Some((a, b, i, k));
                     }
                 }
             }
         }
-        best
+        let (displacement, b, i, k) = best?;
+        let (body, x) = self.bodies[k].clone();
+        let branch = &response.branches[b];
+        let refined = if displacement > 0.0 { refine(&mut self.balance, branch, i, x, request.speeds) } else { None };
+        Some(Largest { body, displacement, speed: branch.points[i].speed, refined })
     }
 
     fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
@@ -371,6 +421,9 @@ impl<'a> Shown<'a> {
         if let Some(branch) = response.branches.iter().find(|b| !b.from_low).or(low) {
             out.push(sweep(branch, false, lo, hi));
         }
+        for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
+            out.extend(unfinished(branch));
+        }
         if response.branches.len() > 1 && response.branches.iter().all(|b| b.end == End::Reached) {
             out.push(Finding::info(
                 "two_branches",
@@ -378,16 +431,23 @@ impl<'a> Shown<'a> {
                  how it got there.",
             ));
         }
-        if let Some((body, a, speed)) = self.peak(response) {
+        if let Some(l) = &self.largest {
+            let peak = l.refined.as_ref();
+            let (a, speed) = l.best();
+            let of = |f: &dyn Fn(&Peak) -> f64| peak.map_or(f64::NAN, f);
             out.push(
                 Finding::info(
                     "largest_displacement",
-                    format!("The largest steady displacement is {{}}, of \"{body}\" at {} rad/s.", significant(speed, 6)),
+                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s.", l.body, significant(speed, 6)),
                 )
                 .value(a, "m")
                 .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
                 .evidence("change of the residual with twice the samples", response.sampling, "")
-                .evidence("orders kept", response.discretisation.harmonics as f64, ""),
+                .evidence("orders kept", response.discretisation.harmonics as f64, "")
+                .evidence("speed", speed, "rad/s")
+                .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
+                .evidence("relative slope along the branch", of(&|p| p.slope.abs()), "")
+                .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
         let dropped = worst(response, |p| p.truncation);
@@ -402,15 +462,18 @@ impl<'a> Shown<'a> {
                 .evidence("orders kept", response.discretisation.harmonics as f64, ""),
             );
         }
-        match &response.unjudged {
-            Some(why) => out.push(Finding::warning("stability_unknown", format!("Stability was not judged: {why}."))),
-            None if !request.stability => {
-                out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."))
-            }
-            None => {
-                out.extend(self.unstable(response));
-                out.extend(self.fitted());
-            }
+        if !request.stability {
+            out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."));
+        }
+        let states = || response.branches.iter().flat_map(|b| &b.points);
+        let (all, known) = (states().count(), states().filter(|p| p.exponents.is_some()).count());
+        if let Some(why) = &response.unjudged {
+            let of = if known == 0 { String::new() } else { format!(" of {} of {all} states", all - known) };
+            out.push(Finding::warning("stability_unknown", format!("Stability{of} was not judged: {why}.")));
+        }
+        if known > 0 {
+            out.extend(self.unstable(response));
+            out.extend(self.fitted());
         }
         out.extend(self.invalid(response));
         if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
@@ -436,13 +499,13 @@ impl<'a> Shown<'a> {
         let mut out = Vec::new();
         for branch in &response.branches {
             let Some(worst) =
-                branch.points.iter().filter(|p| p.growth() > 0.0 && !p.stable()).max_by(|a, b| a.growth().total_cmp(&b.growth()))
+                branch.points.iter().filter(|p| p.growth() > 0.0 && p.unstable()).max_by(|a, b| a.growth().total_cmp(&b.growth()))
             else {
                 continue;
             };
             let between_folds = branch.folds.len() >= 2 && branch.changes.is_empty() && {
                 let (a, b) = (branch.folds[0].after, branch.folds[1].after);
-                branch.points.iter().enumerate().all(|(i, p)| p.stable() || (i > a && i <= b))
+                branch.points.iter().enumerate().all(|(i, p)| !p.unstable() || (i > a && i <= b))
             };
             if between_folds {
                 continue; // the dashed middle of the curve: said by the jumps
@@ -504,12 +567,12 @@ fn unstable_ranges(branch: &Traced) -> String {
     const MOST: usize = 4;
     let mut ranges = Vec::new();
     let mut start = 0;
-    for run in branch.points.chunk_by(|a, b| a.stable() == b.stable()) {
+    for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
         let (first, last) = (start, start + run.len() - 1);
         start += run.len();
         // the middle of a curve that turns back is said by the jumps
         let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
-        if run[0].stable() || turned_back {
+        if !run[0].unstable() || turned_back {
             continue;
         }
         let (from, to) = run.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.speed), b.max(p.speed)));
@@ -524,6 +587,11 @@ fn unstable_ranges(branch: &Traced) -> String {
 /// Like `f64::max`, but NaN stays.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
+}
+
+/// Stability of every state is known.
+fn judged(response: &Response) -> bool {
+    response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some())
 }
 
 fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {
@@ -556,25 +624,60 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
                 significant(hi, 5)
             ),
         ),
-        None => {
-            let (name, why) = (format!("sweep_{way}_unfinished"), reason(&branch.end));
-            match branch.points.last() {
-                Some(p) => Finding::warning(name, format!("The states of a slow sweep {way} could be followed to {{}} only ({why})."))
-                    .value(p.speed, "rad/s"),
-                None => Finding::warning(name, format!("The states of a slow sweep {way} were not followed ({why}).")),
-            }
-        }
+        None => match branch.points.last() {
+            Some(p) => Finding::warning(
+                format!("sweep_{way}_unfinished"),
+                format!("The states of a slow sweep {way} could be followed to {{}} only ({}).", reason(&branch.end)),
+            )
+            .value(p.speed, "rad/s"),
+            None => Finding::warning(
+                format!("sweep_{way}_unfinished"),
+                format!("The states of a slow sweep {way} were not followed ({}).", reason(&branch.end)),
+            ),
+        },
     }
+}
+
+/// That a branch ends within the range beyond a fold, where the sweeps do not say so.
+fn unfinished(branch: &Traced) -> Option<Finding> {
+    let from = if branch.from_low { "low" } else { "high" };
+    let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
+    let text = format!("Beyond their folds the states from {from} speed could be followed to {{}} only ({}).", reason(&branch.end));
+    Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
 }
 
 fn reason(end: &End) -> String {
     match end {
         End::Reached => "the end of the range".into(),
-        End::StepTooSmall { why, .. } => format!("no acceptable step was found there: {why:?}"),
+        End::StepTooSmall { why, .. } => refusal(why).into(),
         End::NewtonFailed { residual, .. } => format!("the start did not converge, scaled residual {residual:.1e}"),
         End::MaxPoints => "the largest number of points was used up".into(),
         End::Cancelled => "stopped on request".into(),
         End::Closed => "the branch closes on itself".into(),
+    }
+}
+
+/// Why a branch could not be followed further, and what helps.
+fn refusal(why: &Refusal) -> &'static str {
+    match why {
+        Refusal::Corrector(Cause::Undefined(why)) => why,
+        Refusal::Corrector(Cause::NotFinite) => {
+            "a force or its derivative is not a number there: a part is used outside the states for which it is defined"
+        }
+        Refusal::Corrector(Cause::Singular) => {
+            "the equations have no unique solution there: a coordinate is held by nothing, or branches meet"
+        }
+        Refusal::Corrector(_) => {
+            "the equations could not be solved beyond it: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Angle | Refusal::Reversal => {
+            "the states change direction too sharply there: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Strayed => "the nearest solution beyond it belongs to other states: narrow the range of speeds about it",
+        Refusal::Monitor => "the motion of a body changes too fast there, as at a resonance without damping: give the bodies some damping",
+        Refusal::Parameter => {
+            "the amplitude grows without limit while the speed stands still, as at a resonance without damping: give the machine damping"
+        }
     }
 }
 

@@ -60,7 +60,7 @@ const ODD: [&str; 30] = [
     "inf",
     "-inf",
     "\"nan m\"",
-    "\"inf kg\"",
+    "\"-inf kg\"",
     "\"1e999 N/m\"",
     "1e308",
     "\"1e308 km\"",
@@ -323,6 +323,10 @@ impl Sources {
                 let (path, unit, bounds) = self.path(r, names);
                 range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
             }
+            FieldKind::Named { unit, bounds } if r.chance(50) => {
+                format!("{{ {} = {} }}", names.first().map_or("drum", |n| n.as_str()), quantity(r, hostility, unit, &bounds))
+            }
+            FieldKind::Named { unit, bounds } => quantity(r, hostility, unit, &bounds),
             FieldKind::Study => {
                 let kinds = [
                     "modes\", speed = 100.0",

@@ -21,8 +21,15 @@ params! {
 pub struct Pendulum(pub Attach);
 
 /// Directions of hinge and arm, `b exp(i alpha)` and `l exp(i beta)`.
+#[inline(always)]
 fn arms<S: Scalar>(p: &PendulumParams<S>, at: &At<S>) -> (Complex<S>, Complex<S>) {
     (Complex::cis(at.phase + p.hinge_phase).scale(p.hinge), Complex::cis(at.phase + at.q[2]).scale(p.arm))
+}
+
+/// Acceleration of the end of an arm that turns with `rate` and `accel`.
+#[inline(always)]
+fn along<S: Scalar>(arm: Complex<S>, accel: S, rate: S) -> Complex<S> {
+    arm.mul_i().scale(accel) - arm.scale(rate * rate)
 }
 
 impl Part for Pendulum {
@@ -39,10 +46,10 @@ impl Part for Pendulum {
     fn physics(&self) -> Physics {
         Physics::Nonlinear
     }
+    #[inline(always)]
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let (hinge, arm) = arms(p, at);
         let turn = at.speed + at.v[2];
-        let along = |z: Complex<S>, accel: S, rate: S| z.mul_i().scale(accel) - z.scale(rate * rate);
         let force = (c(at.a[0], at.a[1]) + along(hinge, at.spin_accel, at.speed) + along(arm, at.spin_accel + at.a[2], turn)).scale(p.mass);
         out.force[0] += force.re;
         out.force[1] += force.im;

@@ -43,7 +43,7 @@ fn forced_response_equals_nonlinear_response_of_a_linear_machine() {
     for (name, system) in machines {
         let range = (200.0, 600.0);
         for o in orbits(&system, &response(&system, range), range) {
-            let x = laval::solve::response::response(&system, &|w| rest(&system, w), o.speed).unwrap().unwrap();
+            let x = laval::solve::linear_response::response(&system, &|w| rest(&system, w), o.speed).unwrap().unwrap();
             let first = o.orders.iter().position(|&k| k == 1).unwrap();
             let n = system.n();
             let size = x.x[..n].iter().map(|z| z.abs()).fold(0.0, f64::max);

@@ -203,6 +203,11 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
         FieldKind::StateMap => prop::collection::vec(number(Bounds::within(1e6)), 0..4)
             .prop_map(|v| Value::StateMap(v.into_iter().enumerate().map(|(i, x)| (format!("drum.x{i}"), x, 0..0)).collect()))
             .boxed(),
+        FieldKind::Named { bounds, .. } => prop_oneof![
+            number(bounds).prop_map(Value::Number),
+            number(bounds).prop_map(|x| Value::StateMap(vec![("drum".into(), x, 0..0)])),
+        ]
+        .boxed(),
         FieldKind::Study => (1i64..1000)
             .prop_map(|n| {
                 let mut values = Values::default();

@@ -5,12 +5,11 @@
 //!
 //! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame;
 //! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
-//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple.
+//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see [`super::monodromy`]).
 
 use super::nonlinear::Sampled;
-use super::orbit::Orbit;
 use super::problem::Balance;
-use super::terms::{Term, Terms};
+
 use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
@@ -18,8 +17,8 @@ use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::eig::Spectrum;
-use laval_num::ode::{Control, Dop853, End, Tolerance, integrate, ode};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use laval_num::ode::Dop853;
+use std::f64::consts::TAU;
 
 /// How exponents were found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +62,8 @@ pub enum Unjudged {
     TooManyStates(usize),
     /// A coordinate has no mass.
     Massless,
+    /// The force of a part, by name, jumps along the motion.
+    Jumps(String),
     /// The integration or an eigenvalue computation failed.
     Failed(String),
 }
@@ -72,6 +73,9 @@ impl std::fmt::Display for Unjudged {
         match self {
             Unjudged::NoTimeForm(part, why) => write!(f, "\"{part}\" has no time-domain form: {why}"),
             Unjudged::TooManyStates(n) => write!(f, "the machine has {n} first-order states, more than the map of a period can carry"),
+            Unjudged::Jumps(part) => {
+                write!(f, "the force of \"{part}\" jumps when it touches, and what such a jump does to a disturbance is not computed")
+            }
             Unjudged::Massless => f.write_str("a coordinate has no mass"),
             Unjudged::Failed(why) => f.write_str(why),
         }
@@ -86,40 +90,40 @@ const TOLERANCE: f64 = 1e-9;
 
 /// `A[row, col] += factor * tangent[derivative][j, k]`: how tangents of nonlinear coordinates enter the scaled A.
 #[derive(Clone, Copy)]
-struct Entry {
-    row: usize,
-    col: usize,
-    derivative: usize,
-    j: usize,
-    k: usize,
-    factor: f64,
+pub(super) struct Entry {
+    pub(super) row: usize,
+    pub(super) col: usize,
+    pub(super) derivative: usize,
+    pub(super) j: usize,
+    pub(super) k: usize,
+    pub(super) factor: f64,
 }
 
 /// States that do not couple with others: their constant matrix and entries, in their own numbering.
-struct Block {
-    states: Vec<usize>,
-    constant: Vec<f64>,
-    entries: Vec<Entry>,
+pub(super) struct Block {
+    pub(super) states: Vec<usize>,
+    pub(super) constant: Vec<f64>,
+    pub(super) entries: Vec<Entry>,
 }
 
 /// Judges motions of one machine; keeps its scratch.
 pub struct Stability {
-    n: usize,
-    m: usize,
-    pairs: Vec<bool>,
+    pub(super) n: usize,
+    pub(super) m: usize,
+    pub(super) pairs: Vec<bool>,
     constant_mass: bool,
     speed: f64,
     constant: Mat,
     input: Mat,
     entries: Vec<Entry>,
-    tangent: Tangent,
-    scratch: TangentScratch,
-    sampled: Sampled,
-    scale: Vec<f64>,
+    pub(super) tangent: Tangent,
+    pub(super) scratch: TangentScratch,
+    pub(super) sampled: Sampled,
+    pub(super) scale: Vec<f64>,
     spectrum: Spectrum,
-    dop: Dop853,
+    pub(super) dop: Dop853,
     /// Steps of maps over the period that are left: a law with kinks may ask for more than anybody waits for.
-    steps_left: u64,
+    pub(super) steps_left: u64,
 }
 
 /// Steps of integration spent on the maps of one response, at most.
@@ -162,6 +166,10 @@ impl Stability {
 
     /// Exponents of the motion `x` of a balance at a speed. The balance must have been sampled there last ([`Balance::sample`]).
     pub fn exponents(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+        let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
+        if let Some(part) = jumps {
+            return Err(Unjudged::Jumps(part));
+        }
         if !self.constant_mass {
             return self.general(balance, x, speed);
         }
@@ -213,13 +221,14 @@ impl Stability {
         }
         let base = speed.abs() / terms.divisor as f64 * if terms.symmetry == Symmetry::None { 1.0 } else { 2.0 };
         let bound = variation * variation / detuning(&values, base).max(variation);
-        if bound < 0.1 * TOLERANCE * size || variation == 0.0 {
+        // a law that switches may do so between the samples
+        if places.is_empty() && (bound < 0.1 * TOLERANCE * size || variation == 0.0) {
             return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean });
         }
-        self.map(balance, x, speed)
+        self.map(balance, x, speed, !places.is_empty())
     }
 
-    fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
+    pub(super) fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
         self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unjudged::Failed(format!("eigenvalues: {e}")))
     }
 
@@ -298,14 +307,14 @@ impl Stability {
         }
     }
 
-    /// States in blocks that neither the constant part nor a tangent seen at a sample couples.
-    fn blocks(&self, balance: &Balance) -> Vec<Block> {
+    /// States in blocks that neither the constant part nor a tangent seen at a sample (with `all`: any tangent) couples.
+    pub(super) fn blocks(&self, balance: &Balance, all: bool) -> Vec<Block> {
         let mut pattern = Mat::from_fn(self.constant.rows(), self.constant.rows(), |i, j| self.constant[(i, j)].abs());
         let mu = balance.terms.coordinates;
         for e in &self.entries {
             let tangent = balance.sampled.tangent(e.derivative);
             let most = (0..balance.terms.samples).map(|s| tangent[(s * mu + e.j, e.k)].abs()).fold(0.0, f64::max);
-            pattern[(e.row, e.col)] += most;
+            pattern[(e.row, e.col)] += if all { 1.0 } else { most };
         }
         let blocks = components(&pattern);
         let place = |states: &[usize], i: usize| states.iter().position(|&s| s == i);
@@ -320,201 +329,10 @@ impl Stability {
             })
             .collect()
     }
-
-    /// The map over the repeated part of the period, block by block.
-    fn map(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
-        let terms = &balance.terms;
-        let blocks = self.blocks(balance);
-        // a turn by a quarter mixes x and y: with blocks apart the half turn keeps them apart
-        let parts = if blocks.len() > 1 { terms.symmetry.order().min(2) } else { terms.symmetry.order() };
-        let base = speed.abs() / terms.divisor as f64;
-        let period = TAU / base / parts as f64;
-        let direction = speed.signum();
-        let mut motion = [0; 3].map(|_| vec![0.0; terms.coordinates]);
-        let mut y: Vec<f64> = Vec::new();
-        for block in &blocks {
-            y.extend(Mat::<f64>::identity(block.states.len()).data());
-        }
-        let mut a = Vec::new();
-        let mut sampled = std::mem::take(&mut self.sampled);
-        let mut dop = std::mem::replace(&mut self.dop, Dop853::new());
-        let (system, members) = (balance.system, &balance.nonlinear.members);
-        let mut problem = ode(y.len(), |t, y, dy| {
-            let tau = base * t * direction;
-            motion_at(terms, x, speed / terms.divisor as f64, tau, &mut motion);
-            let [u, v, w] = &motion;
-            sampled.eval_at(system, members, terms, tau, [u, v, w], speed);
-            let mut offset = 0;
-            for block in &blocks {
-                let d = block.states.len();
-                a.clear();
-                a.extend_from_slice(&block.constant);
-                for e in &block.entries {
-                    a[e.row * d + e.col] += e.factor * sampled.tangent(e.derivative)[(e.j, e.k)];
-                }
-                let y = &y[offset..offset + d * d];
-                for (row, out) in a.chunks_exact(d).zip(dy[offset..offset + d * d].chunks_exact_mut(d)) {
-                    out.fill(0.0);
-                    for (&factor, y) in row.iter().zip(y.chunks_exact(d)) {
-                        if factor != 0.0 {
-                            for (o, &y) in out.iter_mut().zip(y) {
-                                *o += factor * y;
-                            }
-                        }
-                    }
-                }
-                offset += d * d;
-            }
-        });
-        let control = Control { max_steps: self.steps_left.min(200_000), ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
-        let run = integrate(&mut dop, &mut problem, 0.0, &mut y, period, &control, &mut ());
-        self.sampled = sampled;
-        self.dop = dop;
-        self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
-        match run.end {
-            End::Reached => {}
-            End::WorkLimit { .. } => {
-                return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into()));
-            }
-            other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
-        }
-        // turned back by the symmetry: a half turn changes the sign of pairs, a quarter turns them (against the spin for nu = 3 mod 4)
-        let angle = match parts {
-            2 => PI,
-            4 => quarter(terms.divisor) * direction,
-            _ => 0.0,
-        };
-        let mut values = Vec::new();
-        let mut offset = 0;
-        for block in &blocks {
-            let d = block.states.len();
-            let map = Mat::from_fn(d, d, |i, j| y[offset + i * d + j]);
-            let map = self.turned_back(&block.states, &map, angle);
-            for z in self.eigenvalues(&map)? {
-                values.push(z.ln().scale(1.0 / period));
-            }
-            offset += d * d;
-        }
-        Ok(Exponents { values, error: 1e-10 * run.work.steps.max(1) as f64 / period, method: Method::Map })
-    }
-
-    fn turned_back(&self, block: &[usize], map: &Mat, angle: f64) -> Mat {
-        let (s, co) = if angle == PI { (0.0, -1.0) } else { angle.sin_cos() };
-        let mut out = map.clone();
-        for (i, &state) in block.iter().enumerate() {
-            let second = state > 0 && self.pairs[state - 1];
-            if !(self.pairs[state] || second) {
-                continue;
-            }
-            let partner = block.iter().position(|&b| b == if second { state - 1 } else { state + 1 });
-            for j in 0..block.len() {
-                // turning back: x cos + y sin, y cos - x sin
-                let other = partner.map_or(0.0, |p| map[(p, j)]) * if second { -s } else { s };
-                out[(i, j)] = co * map[(i, j)] + other;
-            }
-        }
-        out
-    }
-
-    /// Configuration-dependent mass, or states in nonlinear parts: everything differentiated along the motion.
-    fn general(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
-        let orbit = Orbit::of(balance, x, speed).map_err(|e| Unjudged::Failed(e.to_string()))?;
-        let system = balance.system;
-        let (n, m) = (self.n, self.m);
-        let states = 2 * n + m;
-        let terms = &balance.terms;
-        let (parts, direction) = (terms.symmetry.order(), speed.signum());
-        let (mut q, mut v, mut acc, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let mut tangent = std::mem::take(&mut self.tangent);
-        let mut scratch = std::mem::take(&mut self.scratch);
-        let base = orbit.frequency.abs();
-        let mut matrix = |t: f64| -> Result<Mat, Unjudged> {
-            let tau = base * t * direction;
-            orbit.at(tau, &mut q, &mut v, &mut acc, &mut z);
-            let at = At { q: &q, v: &v, a: &acc, z: &z, phase: terms.divisor as f64 * tau, speed, spin_accel: 0.0, t };
-            system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-            first_order(&tangent)
-        };
-        let mut a0 = matrix(0.0)?;
-        if self.scale.is_empty() {
-            self.scale = balance_scale(&a0, &self.pairs);
-        }
-        let scale = self.scale.clone();
-        let scaled = |a: &mut Mat| {
-            for i in 0..states {
-                for j in 0..states {
-                    a[(i, j)] *= scale[j] / scale[i];
-                }
-            }
-        };
-        scaled(&mut a0);
-        if parts == 0 {
-            for (i, _) in self.pairs.iter().enumerate().filter(|(_, p)| **p) {
-                a0[(i, i + 1)] += speed;
-                a0[(i + 1, i)] -= speed;
-            }
-            self.tangent = tangent;
-            self.scratch = scratch;
-            let values = self.eigenvalues(&a0)?;
-            return Ok(Exponents { values, error: rounding(&a0), method: Method::Rotating });
-        }
-        let period = TAU / base / parts as f64;
-        let mut y = Mat::<f64>::identity(states).data().to_vec();
-        let mut failure = None;
-        let mut problem = ode(y.len(), |t, y, dy| {
-            let mut a = match matrix(t) {
-                Ok(a) => a,
-                Err(e) => {
-                    failure = Some(e);
-                    dy.fill(f64::NAN);
-                    return;
-                }
-            };
-            scaled(&mut a);
-            for i in 0..states {
-                let out = &mut dy[i * states..(i + 1) * states];
-                out.fill(0.0);
-                for k in 0..states {
-                    for (o, &y) in out.iter_mut().zip(&y[k * states..(k + 1) * states]) {
-                        *o += a[(i, k)] * y;
-                    }
-                }
-            }
-        });
-        let control = Control { max_steps: self.steps_left.min(50_000), ..Control::new(Tolerance::All(1e-10), Tolerance::All(1e-10)) };
-        let run = integrate(&mut self.dop, &mut problem, 0.0, &mut y, period, &control, &mut ());
-        self.tangent = tangent;
-        self.scratch = scratch;
-        if let Some(failure) = failure {
-            return Err(failure);
-        }
-        self.steps_left = self.steps_left.saturating_sub(run.work.steps + run.work.rejected);
-        match run.end {
-            End::Reached => {}
-            End::WorkLimit { .. } => {
-                return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into()));
-            }
-            other => return Err(Unjudged::Failed(format!("the map over the period ended early: {other:?}"))),
-        }
-        let angle = match parts {
-            2 => PI,
-            4 => quarter(terms.divisor) * direction,
-            _ => 0.0,
-        };
-        let all: Vec<usize> = (0..states).collect();
-        let map = self.turned_back(&all, &Mat::from_fn(states, states, |i, j| y[i * states + j]), angle);
-        let values = self.eigenvalues(&map)?.into_iter().map(|z| z.ln().scale(1.0 / period)).collect();
-        Ok(Exponents { values, error: 1e-10 * run.work.steps.max(1) as f64 / period, method: Method::Map })
-    }
-}
-
-/// Angle by which a quarter of the base period turns the motion.
-fn quarter(divisor: usize) -> f64 {
-    if divisor % 4 == 3 { -FRAC_PI_2 } else { FRAC_PI_2 }
 }
 
 /// Rounding of growth rates that come from eigenvalues of `a`.
-fn rounding(a: &Mat) -> f64 {
+pub(super) fn rounding(a: &Mat) -> f64 {
     1e-14 * a.max_size() * a.rows() as f64
 }
 
@@ -544,7 +362,7 @@ pub(super) fn first_order(t: &Tangent) -> Result<Mat, Unjudged> {
 }
 
 /// Powers of two that bring rows and columns to one size; the same for both halves of a pair.
-fn balance_scale(a: &Mat, pairs: &[bool]) -> Vec<f64> {
+pub(super) fn balance_scale(a: &Mat, pairs: &[bool]) -> Vec<f64> {
     let n = a.rows();
     let mut scale = vec![1.0; n];
     for _ in 0..20 {
@@ -629,39 +447,4 @@ fn components(pattern: &Mat) -> Vec<Vec<usize>> {
         blocks.push(block);
     }
     blocks
-}
-
-/// Nonlinear coordinates and their derivatives in time at base phase `tau`.
-fn motion_at(terms: &Terms, x: &[f64], frequency: f64, tau: f64, out: &mut [Vec<f64>; 3]) {
-    for o in out.iter_mut() {
-        o.fill(0.0);
-    }
-    let step = C64::cis(tau);
-    let mut powers = [C64::one(); 64];
-    for k in 1..=terms.harmonics.min(63) {
-        powers[k] = powers[k - 1] * step;
-    }
-    for &(term, at) in &terms.list {
-        let order = term.order();
-        let k = order.unsigned_abs() as usize;
-        let turn = if k < 64 { powers[k] } else { C64::cis(k as f64 * tau) };
-        match term {
-            Term::Pair { coordinate, order } => {
-                let turn = if order < 0 { turn.conj() } else { turn };
-                let mut z = c(x[at], x[at + 1]) * turn;
-                for o in out.iter_mut() {
-                    o[coordinate] += z.re;
-                    o[coordinate + 1] += z.im;
-                    z = z.mul_i().scale(f64::from(order) * frequency);
-                }
-            }
-            Term::Scalar { coordinate, order } => {
-                let mut z = c(x[at], if order == 0 { 0.0 } else { -x[at + 1] }) * turn;
-                for o in out.iter_mut() {
-                    o[coordinate] += z.re;
-                    z = z.mul_i().scale(f64::from(order) * frequency);
-                }
-            }
-        }
-    }
 }

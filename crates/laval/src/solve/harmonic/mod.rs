@@ -1,8 +1,12 @@
 //! Harmonic balance: periodic motions from linear parts exact in frequency and nonlinear parts sampled in time.
 pub mod condense;
 pub mod floquet;
+pub mod fourier;
+mod monodromy;
 pub mod nonlinear;
 pub mod orbit;
+pub mod peak;
 pub mod problem;
 pub mod response;
+pub mod switching;
 pub mod terms;

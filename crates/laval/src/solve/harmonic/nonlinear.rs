@@ -85,12 +85,39 @@ impl Sampled {
     }
 
     /// The same at one instant, base phase `tau`, where the coordinates and their derivatives are `u`.
-    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], speed: f64) {
+    #[allow(clippy::too_many_arguments)]
+    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], speed: f64, tangents: bool) {
+        self.place(u);
+        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }, tangents);
+    }
+
+    /// Values of the surfaces where a member's law changes, at one instant as in [`Sampled::eval_at`].
+    #[allow(clippy::too_many_arguments)]
+    pub fn switches_at(
+        &mut self,
+        system: &System,
+        member: &Member,
+        terms: &Terms,
+        tau: f64,
+        u: [&[f64]; 3],
+        speed: f64,
+        out: &mut Vec<f64>,
+    ) {
+        self.place(u);
+        let slot = &system.slots()[member.slot];
+        self.gather(member, &slot.weight, 0..terms.coordinates);
+        let (phase, t) = Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }.time(0);
+        let [q, v, a] = &self.local;
+        let at = At { q, v, a, z: &self.u[0][member.states.clone()], phase, speed, spin_accel: 0.0, t };
+        out.clear();
+        slot.part.switches(&system.params()[slot.params.clone()], &at, out);
+    }
+
+    fn place(&mut self, u: [&[f64]; 3]) {
         for (own, u) in self.u.iter_mut().zip(u) {
             own.clear();
             own.extend_from_slice(u);
         }
-        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }, true);
     }
 
     fn evaluate(&mut self, system: &System, members: &[Member], instants: &Instants, tangents: bool) {

@@ -70,6 +70,22 @@ impl Orbit {
         }
     }
 
+    /// The pair that starts at coordinate `x`, with its first and second derivative in the base phase, at base phase `tau`.
+    pub fn pair_at(&self, x: usize, tau: f64) -> [[f64; 2]; 3] {
+        let mut out = [[0.0; 2]; 3];
+        for (&k, amplitudes) in self.orders.iter().zip(&self.coordinates) {
+            let turn = C64::cis(k as f64 * tau);
+            for (j, &amplitude) in amplitudes[x..].iter().take(2).enumerate() {
+                let mut z = amplitude * turn;
+                for o in &mut out {
+                    o[j] += z.re;
+                    z = z.mul_i().scale(k as f64);
+                }
+            }
+        }
+        out
+    }
+
     /// Forward and backward amplitude of the pair that starts at coordinate `x`, at order `k`: `x + i y = forward e^(i k tau) + backward e^(-i k tau)`.
     pub fn whirl(&self, x: usize, k: usize) -> (C64, C64) {
         match self.orders.iter().position(|&o| o == k) {

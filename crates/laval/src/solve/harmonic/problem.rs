@@ -8,7 +8,9 @@
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
 
 use super::condense::{Basis, Condenser, Order, lossy};
+use super::fourier::Into;
 use super::nonlinear::{Member, Sampled};
+use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, DofKind};
@@ -120,6 +122,12 @@ pub struct Balance<'a> {
     pub orders: Vec<Order>,
     /// Samples of the last evaluation.
     pub sampled: Sampled,
+    /// Parts whose law switches along the motion: not in the samples of an evaluation, only in those of [`Balance::sample`].
+    pub switching: Switching,
+    /// The other nonlinear parts.
+    smooth: Vec<Member>,
+    /// Nonlinear forces on the terms at the last evaluation.
+    projected: Vec<f64>,
     condenser: Condenser,
     speed: f64,
     linear: Mat,
@@ -148,7 +156,12 @@ impl<'a> Balance<'a> {
         let condenser = Condenser::new(system, &nonlinear.basis, reference, d.divisor);
         let m = nonlinear.kinds.len();
         let unknowns = terms.unknowns;
+        let mut smooth = nonlinear.members.clone();
+        let switching = Switching::new(system, &terms, &mut smooth);
         let mut balance = Balance {
+            switching,
+            smooth,
+            projected: vec![0.0; unknowns],
             orders: vec![Order::default(); terms.orders.len()],
             sampled: Sampled::default(),
             condenser,
@@ -284,14 +297,27 @@ impl<'a> Balance<'a> {
         }
     }
 
+    /// Nonlinear forces at a motion `x` on the terms, with derivatives where asked for (added to).
+    fn project(&mut self, x: &[f64], p: f64, mut jac: Option<&mut Mat>, mut speed: Option<&mut [f64]>) {
+        let tangents = jac.is_some() || speed.is_some();
+        self.sampled.eval(self.system, &self.smooth, &self.terms, x, p, tangents);
+        self.projected.fill(0.0);
+        self.terms.analysis.mul_vec_add(&self.sampled.rows, &mut self.projected);
+        if let Some(jac) = jac.as_deref_mut().filter(|_| !self.smooth.is_empty()) {
+            self.sampled.add_jacobian(&self.terms, p, jac);
+        }
+        if let Some(speed) = speed.as_deref_mut() {
+            self.terms.analysis.mul_vec_add(&self.sampled.rows_speed, speed);
+        }
+        self.switching.add(self.system, &self.terms, x, p, &mut Into { coefficients: &mut self.projected, jac, speed });
+    }
+
     /// Amplitudes of the sampled forces at order `k`, into `self.forces`.
     fn force_amplitudes(&mut self, k: usize) {
         self.coefficients.fill(0.0);
         for &(term, at) in &self.terms.list {
             if term.order().unsigned_abs() as usize == k {
-                for i in at..at + term.size() {
-                    self.coefficients[i] = self.terms.analysis.row(i).iter().zip(&self.sampled.rows).map(|(a, f)| a * f).sum();
-                }
+                self.coefficients[at..at + term.size()].copy_from_slice(&self.projected[at..at + term.size()]);
             }
         }
         let (coefficients, forces) = (std::mem::take(&mut self.coefficients), &mut self.forces);
@@ -302,6 +328,17 @@ impl<'a> Balance<'a> {
     /// Global indices of the linear states that follow the coordinates in [`Balance::motion`].
     pub fn linear_states(&self) -> &[usize] {
         self.condenser.linear_states()
+    }
+
+    /// Base phases from `start` to `start + length` where laws switch along the motion `x`, and the name of a part whose force jumps there.
+    pub fn switches(&mut self, x: &[f64], speed: f64, span: (f64, f64)) -> (Vec<f64>, Option<String>) {
+        let (places, slot) = self.switching.places(self.system, &self.terms, x, speed, span);
+        (places, slot.map(|slot| self.system.slots()[slot].name.clone()))
+    }
+
+    /// Largest nonlinear force of the last evaluation: sampled, or on a term.
+    pub fn largest_force(&self) -> f64 {
+        laval_num::dense::max_abs(&self.sampled.rows).max(laval_num::dense::max_abs(&self.projected))
     }
 
     /// Samples the nonlinear parts, with tangents, at a motion `x`; the linear parts are left alone.
@@ -412,7 +449,7 @@ fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
         for z in values {
             // trusted only near the speed it was computed at; the synchronous wave of a liquid is no resonance of the unbalance
             let (centre, half_width) = (z.im.abs(), z.re.abs().max(1e-4 * z.im.abs()));
-            if (centre - speed).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
+            if (centre - speed.abs()).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
                 found.push((centre, half_width));
             }
         }
@@ -469,24 +506,21 @@ impl Zero for Balance<'_> {
     fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
         self.evaluations += 1;
         self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
-        let tangents = jac.is_some() || dr_dp.is_some();
-        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, p, tangents);
-        for (r, l) in r.iter_mut().zip(&self.load) {
-            *r = -l;
-        }
-        self.linear.mul_vec_add(x, r);
-        self.terms.analysis.mul_vec_add(&self.sampled.rows, r);
-        if let Some(jac) = jac {
+        let (mut jac, mut dr_dp) = (jac, dr_dp);
+        if let Some(jac) = jac.as_deref_mut() {
             jac.copy_from(&self.linear);
-            self.sampled.add_jacobian(&self.terms, p, jac);
         }
-        if let Some(d) = dr_dp {
+        if let Some(d) = dr_dp.as_deref_mut() {
             for (d, l) in d.iter_mut().zip(&self.load_speed) {
                 *d = -l;
             }
             self.linear_speed.mul_vec_add(x, d);
-            self.terms.analysis.mul_vec_add(&self.sampled.rows_speed, d);
         }
+        self.project(x, p, jac, dr_dp);
+        for ((r, l), f) in r.iter_mut().zip(&self.load).zip(&self.projected) {
+            *r = f - l;
+        }
+        self.linear.mul_vec_add(x, r);
         Ok(())
     }
     fn monitors(&self) -> usize {
@@ -502,7 +536,7 @@ impl Zero for Balance<'_> {
     fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
         self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
         let Some(which) = self.terms.orders.iter().position(|&k| k == self.terms.divisor) else { return Ok(()) };
-        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, p, false);
+        self.project(x, p, None, None);
         let mut motion = Vec::new();
         self.motion(x, which, &mut motion);
         for (i, &g) in self.bodies.iter().enumerate() {
@@ -513,7 +547,7 @@ impl Zero for Balance<'_> {
         Ok(())
     }
     fn max_parameter_step(&mut self, _: &[f64], p: f64) -> f64 {
-        self.resonances.iter().map(|&(centre, half_width)| resonance_cap(p, centre, half_width)).fold(f64::INFINITY, f64::min)
+        self.resonances.iter().map(|&(centre, half_width)| resonance_cap(p.abs(), centre, half_width)).fold(f64::INFINITY, f64::min)
     }
     fn cancelled(&self) -> bool {
         self.cancel.is_some_and(|c| c.load(Ordering::Relaxed))

@@ -11,10 +11,15 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use laval_num::newton::{Options, newton};
+use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 /// Largest order tried by the automatic choice.
 pub const MOST_HARMONICS: usize = 63;
+
+/// Orders the automatic choice settles for when none would be enough (a law with kinks: forces fall like the square of the order, motions
+/// like the fourth power).
+const SLOW_HARMONICS: usize = 15;
 
 /// Most unknowns the automatic choice of orders goes to.
 const MOST_UNKNOWNS: usize = 128;
@@ -22,7 +27,7 @@ const MOST_UNKNOWNS: usize = 128;
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
-    /// Range of the spin speed, rad/s, ascending.
+    /// Range of the spin speed, rad/s, ascending; both ends of one sign. Negative speeds turn clockwise.
     pub speeds: (f64, f64),
     /// Largest order; `None` chooses.
     pub harmonics: Option<usize>,
@@ -56,6 +61,8 @@ pub struct State {
     pub exponents: Option<Exponents>,
     /// Dropped force harmonics over kept ones.
     pub truncation: f64,
+    /// A law switches along the motion (a contact opens or closes).
+    pub switches: bool,
     /// Scaled residual.
     pub residual: f64,
 }
@@ -64,6 +71,10 @@ impl State {
     /// Judged stable; unknown counts as not.
     pub fn stable(&self) -> bool {
         self.exponents.as_ref().is_some_and(Exponents::stable)
+    }
+    /// Judged unstable; unknown counts as not.
+    pub fn unstable(&self) -> bool {
+        self.exponents.as_ref().is_some_and(|e| !e.stable())
     }
     /// Largest growth rate, 1/s; NaN when not judged.
     pub fn growth(&self) -> f64 {
@@ -88,9 +99,11 @@ pub struct Fold {
     pub harmonics_change: f64,
     /// The extended system found it too.
     pub confirmed: bool,
+    /// The branch turns back at a corner, where a law switches (as where a contact closes): sharply, not like a parabola.
+    pub corner: bool,
     /// It lies between this point of the branch and the next.
     pub after: usize,
-    /// The branch turns back from rising speeds here (else from falling ones).
+    /// The branch turns back from speeds rising in magnitude here (else from falling ones).
     pub upper: bool,
 }
 
@@ -120,7 +133,7 @@ pub struct Traced {
     pub changes: Vec<Change>,
     /// Speeds of simple branch points met.
     pub branch_points: Vec<f64>,
-    /// Followed from the low end of the range (else from the high end).
+    /// Followed from the end of the range where the rotor turns slowly (else from the other).
     pub from_low: bool,
     /// How it ended.
     pub end: End,
@@ -174,16 +187,30 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
     let coordinates = Nonlinear::of(system).kinds.len();
     let mut oversampling = 1;
     let mut spent = 0;
+    let mut before: Option<(usize, f64)> = None;
+    let mut settled = false;
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
         // stability is judged once the orders are chosen
-        let trial = Request { stability: request.stability && !automatic, ..*request };
+        let trial = Request { stability: request.stability && (!automatic || settled), ..*request };
         let response = attempt(system, &trial, d, cancel, tick)?;
         let worst = worst_truncation(&response);
         // a law with kinks converges slowly: wider steps then
         let slow = harmonics >= 4 * 7 * request.divisor;
+        // where a law switches, or the dropped force is seen to fall so slowly that no affordable number of orders is enough, one more attempt
+        // says what there is
+        let switches = response.branches.iter().flat_map(|b| &b.points).any(|p| p.switches);
+        let hopeless = switches
+            || before.is_some_and(|(h, t)| {
+                let rate = (t / worst).ln() / (harmonics as f64 / h as f64).ln();
+                let needed = harmonics as f64 * (worst / request.truncation).powf(1.0 / rate);
+                !(rate > 0.0 && needed <= MOST_HARMONICS as f64)
+            });
+        let last = hopeless && harmonics >= SLOW_HARMONICS * request.divisor;
+        before = Some((harmonics, worst));
         let more = match request.divisor {
+            nu if hopeless && !last => (SLOW_HARMONICS * nu).saturating_sub(harmonics).next_multiple_of(4 * nu),
             _ if slow => 4 * (harmonics / 8).max(request.divisor),
             1 if symmetry == Symmetry::Quarter => 4,
             nu => 4 * nu,
@@ -193,8 +220,9 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         let complete = response.branches.iter().all(|b| b.end != End::Cancelled) && spent < request.max_points;
         let (vector, _) = admitted(symmetry, harmonics + more, request.divisor);
         let affordable = harmonics + more <= MOST_HARMONICS && vector.len() * coordinates <= MOST_UNKNOWNS;
-        if automatic && complete && worst > request.truncation && affordable {
+        if automatic && complete && worst > request.truncation && affordable && !last {
             harmonics += more;
+            settled = hopeless;
         } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
         } else {
@@ -258,6 +286,11 @@ fn attempt<'a>(
         traced.push(judge(&mut balance, &mut stability, &mut unjudged, branch, from_low, request, tick)?);
     }
     for t in &mut traced {
+        // low and high, up and down speak of how fast the rotor turns, whichever way round
+        if hi < 0.0 {
+            t.from_low = !t.from_low;
+            t.folds.iter_mut().for_each(|f| f.upper = !f.upper);
+        }
         confirm_with_more_harmonics(system, d, request, &mut t.folds);
     }
     let maps = |t: &Traced| t.points.iter().filter(|p| p.exponents.as_ref().is_some_and(|e| e.method == Method::Map)).count() as u64;
@@ -308,7 +341,9 @@ fn judge(
     if stability.is_some() && request.stability {
         for i in 1..points.len() {
             let (a, b) = (&points[i - 1], &points[i]);
-            let differ = a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i);
+            // at a fold on a corner the point between belongs to either side
+            let judged = a.exponents.is_some() && b.exponents.is_some();
+            let differ = judged && a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i || f.corner && f.after + 2 == i);
             if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
                 changes.push(c);
             }
@@ -333,9 +368,10 @@ impl State {
 }
 
 fn evaluate(balance: &mut Balance, stability: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64) -> State {
-    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, residual: f64::NAN };
+    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, switches: false, residual: f64::NAN };
     balance.sample(x, speed);
     state.truncation = balance.truncation();
+    state.switches = !balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64)).0.is_empty();
     if let Some(s) = stability {
         match s.exponents(balance, x, speed) {
             Ok(e) => state.exponents = Some(e),
@@ -357,6 +393,7 @@ fn fold_of(s: &Special, branch: &Branch) -> Fold {
         methods_differ: polished.map_or(f64::NAN, |f| f.p_difference),
         harmonics_change: f64::NAN,
         confirmed,
+        corner: branch.of(Kind::Corner).any(|c| c.after == s.after && c.point.p == s.point.p),
         after: s.after,
         upper: branch.points[s.after].p < speed || branch.points[s.after].slope > 0.0,
     }
@@ -468,7 +505,7 @@ fn sampling_error(system: &System, balance: &mut Balance, d: Discretisation, bra
     if !evaluated {
         return Ok(f64::NAN);
     }
-    let size = max_abs(&balance.sampled.rows);
+    let size = balance.largest_force();
     let change = max_abs(&r.iter().zip(&fine).map(|(a, b)| a - b).collect::<Vec<_>>());
     Ok(if size == 0.0 { change } else { change / size })
 }

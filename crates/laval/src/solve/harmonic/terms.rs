@@ -27,10 +27,44 @@ impl Term {
             _ => 2,
         }
     }
+    /// A coefficient is the mean of the row times the synthesis, times this.
+    pub fn gain(self) -> f64 {
+        match self {
+            Term::Scalar { order, .. } if order != 0 => 2.0,
+            _ => 1.0,
+        }
+    }
     /// Signed order.
     pub fn order(self) -> i32 {
         match self {
             Term::Pair { order, .. } | Term::Scalar { order, .. } => order,
+        }
+    }
+}
+
+/// Entries of one term in the synthesis, where its angle has this sine and cosine: columns from `at`, coordinates from row `first`.
+fn place(term: Term, at: usize, first: usize, (s, c): (f64, f64), synthesis: &mut [Mat; 3]) {
+    let n = f64::from(term.order());
+    match term {
+        Term::Pair { coordinate, .. } => {
+            let (x, y) = (first + coordinate, first + coordinate + 1);
+            for (d, factor) in [1.0, n, -n * n].into_iter().enumerate() {
+                // i n turns (c, s) into n (-s, c)
+                let (c, s) = if d == 1 { (-s, c) } else { (c, s) };
+                synthesis[d][(x, at)] = factor * c;
+                synthesis[d][(x, at + 1)] = -factor * s;
+                synthesis[d][(y, at)] = factor * s;
+                synthesis[d][(y, at + 1)] = factor * c;
+            }
+        }
+        Term::Scalar { coordinate, order } => {
+            let row = first + coordinate;
+            for (d, (c, s)) in [(c, s), (-n * s, n * c), (-n * n * c, -n * n * s)].into_iter().enumerate() {
+                synthesis[d][(row, at)] = c;
+                if order != 0 {
+                    synthesis[d][(row, at + 1)] = s;
+                }
+            }
         }
     }
 }
@@ -121,45 +155,26 @@ impl Terms {
         let mut analysis = Mat::zeros(unknowns, count * m);
         for (j, _) in angles.iter().enumerate() {
             for &(term, at) in &list {
-                let n = f64::from(term.order());
                 // the angle is reduced in integers, so that symmetric samples are exact
                 let step = (i64::from(term.order()) * j as i64).rem_euclid(total as i64);
                 let (s, c) = (TAU * step as f64 / total as f64).sin_cos();
-                let weight = 1.0 / count as f64;
-                match term {
-                    Term::Pair { coordinate, .. } => {
-                        let (x, y) = (j * m + coordinate, j * m + coordinate + 1);
-                        for (d, factor) in [1.0, n, -n * n].into_iter().enumerate() {
-                            // i n turns (c, s) into n (-s, c)
-                            let (c, s) = if d == 1 { (-s, c) } else { (c, s) };
-                            synthesis[d][(x, at)] = factor * c;
-                            synthesis[d][(x, at + 1)] = -factor * s;
-                            synthesis[d][(y, at)] = factor * s;
-                            synthesis[d][(y, at + 1)] = factor * c;
-                        }
-                        analysis[(at, x)] = weight * c;
-                        analysis[(at, y)] = weight * s;
-                        analysis[(at + 1, x)] = -weight * s;
-                        analysis[(at + 1, y)] = weight * c;
-                    }
-                    Term::Scalar { coordinate, order } => {
-                        let row = j * m + coordinate;
-                        for (d, (c, s)) in [(c, s), (-n * s, n * c), (-n * n * c, -n * n * s)].into_iter().enumerate() {
-                            synthesis[d][(row, at)] = c;
-                            if order != 0 {
-                                synthesis[d][(row, at + 1)] = s;
-                            }
-                        }
-                        let weight = if order == 0 { weight } else { 2.0 * weight };
-                        analysis[(at, row)] = weight * c;
-                        if order != 0 {
-                            analysis[(at + 1, row)] = weight * s;
-                        }
+                place(term, at, j * m, (s, c), &mut synthesis);
+                for row in j * m..(j + 1) * m {
+                    for i in at..at + term.size() {
+                        analysis[(i, row)] = term.gain() / count as f64 * synthesis[0][(row, i)];
                     }
                 }
             }
         }
         Terms { harmonics, divisor, symmetry, list, unknowns, coordinates: m, orders, samples: count, angles, synthesis, analysis }
+    }
+
+    /// Synthesis at one base phase `tau`: coordinates and their first and second derivative in tau from unknowns, m x unknowns.
+    pub fn rows_at(&self, tau: f64, out: &mut [Mat; 3]) {
+        out.iter_mut().for_each(|e| e.reset(self.coordinates, self.unknowns));
+        for &(term, at) in &self.list {
+            place(term, at, 0, (f64::from(term.order()) * tau).sin_cos(), out);
+        }
     }
 
     /// Smallest number of samples of a whole period without aliasing into orders up to `harmonics` for a law of polynomial degree `degree`.

@@ -118,10 +118,10 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
         }
         let table = format!("{what} {name} {kind}");
         let shape = Table::new(&table, format!("Bars of the figure: {kind} of {name}"))
-            .float("x", "", "foot and end of a bar", x)
+            .float("x", "", "foot and end of a bar; NaN between bars and where there is none", x)
             .float("low", "", "lower side", low)
             .float("high", "", "upper side", high)
-            .float("interval", "", "ends of the confidence interval", at)
+            .float("interval", "", "ends of the confidence interval; NaN between them and where there is none", at)
             .float("centre", "", "middle of the bar", centre)
             .build()
             .map_err(inconsistent)?;

@@ -138,7 +138,7 @@ fn table_of(study: &Uncertainty, samples: &Samples) -> Result<Table, Diagnostic>
         table = table.float(&p.path, p.unit, "parameter", x.clone());
     }
     for ((name, unit), v) in samples.names.iter().zip(&samples.values) {
-        table = table.float(name, unit, "number found", v.clone());
+        table = table.float(name, unit, "number found; NaN where it was not", v.clone());
     }
     table.build().map_err(inconsistent)
 }
@@ -146,9 +146,14 @@ fn table_of(study: &Uncertainty, samples: &Samples) -> Result<Table, Diagnostic>
 fn interval(table: TableBuilder, name: &str, unit: &str, doc: &str, all: &[Interval]) -> TableBuilder {
     let column = |f: fn(&Interval) -> f64| all.iter().map(f).collect();
     table
-        .float(name, unit, doc, column(|i| i.value))
-        .float(format!("{name}_low"), unit, "lower end of the 95 % confidence interval", column(|i| i.low))
-        .float(format!("{name}_high"), unit, "upper end", column(|i| i.high))
+        .float(name, unit, format!("{doc}; NaN where there are no values"), column(|i| i.value))
+        .float(
+            format!("{name}_low"),
+            unit,
+            "lower end of the 95 % confidence interval; NaN where the samples are too few for one",
+            column(|i| i.low),
+        )
+        .float(format!("{name}_high"), unit, "upper end; NaN where the samples are too few", column(|i| i.high))
 }
 
 fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, own: &BTreeMap<&str, f64>) -> Result<Outcome, Diagnostic> {
@@ -206,13 +211,23 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
     let table = table.float(
         "machine",
         "",
-        "value of the machine as it is",
+        "value of the machine as it is; NaN where that has none",
         samples.names.iter().map(|n| own.get(n.0.as_str()).copied().unwrap_or(f64::NAN)).collect(),
     );
     let table = interval(table, "mean", "", "mean", &spreads.iter().map(|s| s.mean).collect::<Vec<_>>())
-        .float("deviation", "", "standard deviation", spreads.iter().map(|s| s.deviation).collect())
-        .float("smallest", "", "smallest value", spreads.iter().map(|s| s.sorted.first().copied().unwrap_or(f64::NAN)).collect())
-        .float("largest", "", "largest value", spreads.iter().map(|s| s.sorted.last().copied().unwrap_or(f64::NAN)).collect())
+        .float("deviation", "", "standard deviation; NaN below two values", spreads.iter().map(|s| s.deviation).collect())
+        .float(
+            "smallest",
+            "",
+            "smallest value; NaN without values",
+            spreads.iter().map(|s| s.sorted.first().copied().unwrap_or(f64::NAN)).collect(),
+        )
+        .float(
+            "largest",
+            "",
+            "largest value; NaN without values",
+            spreads.iter().map(|s| s.sorted.last().copied().unwrap_or(f64::NAN)).collect(),
+        )
         .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.sorted.len() as i64).collect());
     let table = interval(table, "share", "", "share of the samples with a result", &spreads.iter().map(|s| s.share).collect::<Vec<_>>());
     outcome = outcome.work("independent samples", drawn as u64).table(table.build().map_err(inconsistent)?);
@@ -223,7 +238,7 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
         .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
         .float("share", "", "share below", rows.iter().map(|r| study.quantiles[r.1]).collect());
     let all: Vec<Interval> = rows.iter().map(|r| spreads[r.0].quantiles[r.1]).collect();
-    let table = interval(table, "value", "", "quantile; no interval where the samples are too few", &all);
+    let table = interval(table, "value", "", "quantile", &all);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::distributions(outcome, study, samples, &spreads, own)
 }
@@ -304,8 +319,13 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Re
         .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
         .text("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
     let table = interval(table, "mu_star", "", "mean size", &rows.iter().map(|r| at(r).mu_star).collect::<Vec<_>>())
-        .float("mu", "", "mean", rows.iter().map(|r| at(r).mu).collect())
-        .float("sigma", "", "standard deviation: interaction or curvature", rows.iter().map(|r| at(r).sigma).collect())
+        .float("mu", "", "mean; NaN without effects", rows.iter().map(|r| at(r).mu).collect())
+        .float(
+            "sigma",
+            "",
+            "standard deviation: interaction or curvature; NaN below two effects",
+            rows.iter().map(|r| at(r).sigma).collect(),
+        )
         .int("count", "", "effects", rows.iter().map(|r| at(r).count as i64).collect());
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::effects(outcome, study, samples, &found)
