@@ -314,10 +314,6 @@ impl Sources {
             FieldKind::Between => format!("[{}, {}]", point(r, hostility, names), point(r, hostility, names)),
             FieldKind::Range { unit, bounds } => range(r, hostility, unit, &bounds, ""),
             FieldKind::List { unit, bounds } => list(r, hostility, unit, &bounds, false),
-            FieldKind::Named { unit, bounds } if r.chance(50) && !names.is_empty() => {
-                format!("{{ \"{}\" = {} }}", names[r.below(names.len())], quantity(r, hostility, unit, &bounds))
-            }
-            FieldKind::Named { unit, bounds } => quantity(r, hostility, unit, &bounds),
             FieldKind::ParameterPath => format!("\"{}\"", self.path(r, names).0),
             FieldKind::ParameterRange => {
                 let (path, unit, bounds) = self.path(r, names);
