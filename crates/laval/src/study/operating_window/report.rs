@@ -257,7 +257,7 @@ impl Found<'_> {
             .float(
                 "shown",
                 "",
-                "margin between -1 and 1, for the figure",
+                "margin between -1 and 1, for the figure; NaN where it is not defined",
                 rows.iter().map(|r| finite(r.1.value).clamp(-1.0, 1.0)).collect(),
             )
             .text("by", "what binds in it", rows.iter().map(|r| r.1.detail.clone()).collect())
@@ -270,18 +270,28 @@ impl Found<'_> {
         Table::new("speeds", "The machine at every speed looked at")
             .float("speed", "rad/s", "spin speed", column(&|x| x.speed))
             .flag("inside", "all requirements are kept", p.iter().map(Point::feasible).collect())
-            .float("least margin", "", "least margin", column(&|x| x.least()))
+            .float("least margin", "", "least margin; NaN where a requirement is not defined", column(&|x| x.least()))
             .text(
                 "binding",
                 "requirement with the least margin",
                 p.iter().map(|x| x.binding().map_or("", |m| NAMES[m.name]).into()).collect(),
             )
-            .float("time", "s", "time to reach the recovery, run-up as asked", column(&|x| x.needed))
-            .float("tilt", "rad", "tilt of the cups", column(&|x| x.tilt))
-            .float("unbalance", "kg m", "unbalance of the cups", column(&|x| x.unbalance))
-            .float("growth", "1/s", "largest growth rate", column(&|x| x.growth))
+            .float(
+                "time",
+                "s",
+                "time to reach the recovery, run-up as asked; NaN where nothing is to be separated or it is never reached",
+                column(&|x| x.needed),
+            )
+            .float("tilt", "rad", "tilt of the cups; NaN without cups", column(&|x| x.tilt))
+            .float("unbalance", "kg m", "unbalance of the cups; NaN where it cannot be computed", column(&|x| x.unbalance))
+            .float("growth", "1/s", "largest growth rate; NaN where there is none to tell", column(&|x| x.growth))
             .int("states", "", "number of steady states met", p.iter().map(|x| x.states as i64).collect())
-            .float("energy", "J", "kinetic energy of the spin and work of the drive in the time at hand", column(&|x| x.energy))
+            .float(
+                "energy",
+                "J",
+                "kinetic energy of the spin and work of the drive in the time at hand; NaN where it cannot be computed",
+                column(&|x| x.energy),
+            )
             .build()
     }
 

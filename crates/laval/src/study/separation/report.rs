@@ -288,7 +288,7 @@ impl Found<'_> {
         let finite = |q: f64| if size(q).is_finite() { size(q) } else { f64::NAN };
         let shares = vec![0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99, 1.0];
         let cuts = Table::new("cut_size", "Diameter of which a share is caught in the time at hand, without inertia")
-            .float("diameter", "m", "diameter", shares.iter().map(|&q| finite(q)).collect())
+            .float("diameter", "m", "diameter; NaN where the share is never caught", shares.iter().map(|&q| finite(q)).collect())
             .float("share", "", "share caught", shares)
             .build()?;
         Ok((grade, cuts))
@@ -352,7 +352,12 @@ impl Found<'_> {
         }
         Table::new("measures", "Engineering measures")
             .text("measure", "measure", rows.iter().map(|r| r.0.into()).collect())
-            .float("value", "", "value in the unit beside it", rows.iter().map(|r| if r.1.is_finite() { r.1 } else { f64::NAN }).collect())
+            .float(
+                "value",
+                "",
+                "value in the unit beside it; NaN where there is none",
+                rows.iter().map(|r| if r.1.is_finite() { r.1 } else { f64::NAN }).collect(),
+            )
             .text("unit", "SI unit", rows.iter().map(|r| r.2.into()).collect())
             .text("meaning", "meaning", rows.iter().map(|r| r.3.into()).collect())
             .build()
@@ -411,7 +416,7 @@ impl Found<'_> {
         let rows = [("speed", of_speed), ("size", of_size), ("density difference", of_density), ("viscosity", of_viscosity)];
         Table::new("sensitivity", "Relative change of the time needed over the relative change of a parameter (d ln t_q/d ln p)")
             .text("parameter", "parameter", rows.iter().map(|r| r.0.into()).collect())
-            .float("exponent", "", "exponent of the time", rows.iter().map(|r| r.1).collect())
+            .float("exponent", "", "exponent of the time; NaN where the share is never caught", rows.iter().map(|r| r.1).collect())
             .build()
     }
 
@@ -635,7 +640,7 @@ fn validity_table(flags: &[Flag]) -> Built<Table> {
     let number = |x: f64| if x.is_finite() { x } else { f64::NAN };
     Table::new("validity", "Numbers that bound the model")
         .text("flag", "name", flags.iter().map(|f| f.name.into()).collect())
-        .float("value", "", "value", flags.iter().map(|f| number(f.value)).collect())
+        .float("value", "", "value; NaN where there is none", flags.iter().map(|f| number(f.value)).collect())
         .float("limit", "", "where doubts begin", flags.iter().map(|f| f.limit).collect())
         .text("must be", "side of the limit that is safe", flags.iter().map(|f| if f.below { "below" } else { "above" }.into()).collect())
         .flag("raised", "beyond the limit", flags.iter().map(Flag::raised).collect())
