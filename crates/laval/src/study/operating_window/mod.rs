@@ -236,7 +236,8 @@ impl Study for OperatingWindow {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let Some(main) = self.evaluate(system, context, self.speed.points.unwrap_or(SPEEDS), true, None)? else {
-            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(End::Cancelled));
+            let end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end));
         };
         let robust = self.robust(system, context, &main)?;
         let map = self.mapped(system, context, &main)?;
