@@ -8,9 +8,11 @@ pub mod modes;
 pub mod nonlinear_response;
 mod passages;
 pub mod run_up;
+mod settled;
 pub mod stability_map;
 mod start;
 pub mod support;
+pub mod sweep;
 pub mod transient;
 pub mod uncertainty;
 
@@ -172,6 +174,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
+        kind::<sweep::Sweep>(),
         kind::<uncertainty::Uncertainty>(),
     ]
 }
