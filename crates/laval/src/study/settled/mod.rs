@@ -23,6 +23,7 @@ use period::{LONGEST, Sections, Verdict};
 use shooting::Shooting;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Samples of a forcing period.
 pub(super) const SAMPLES: usize = 64;
@@ -103,8 +104,33 @@ pub(super) fn sizes(system: &System, speed: f64) -> Vec<f64> {
     own.clone().chain(own.map(|x| x * speed)).chain(system.states().iter().map(|s| s.dof.typical)).collect()
 }
 
+/// Steps of integration that a run may take.
+pub(super) struct Budget {
+    spent: AtomicU64,
+    limit: u64,
+}
+
+impl Budget {
+    pub fn new(limit: u64) -> Self {
+        Budget { spent: AtomicU64::new(0), limit }
+    }
+    /// Counts the steps of a leg.
+    pub fn spend(&self, ended: &Ended) {
+        self.spent.fetch_add(ended.steps + ended.rejected, Ordering::Relaxed);
+    }
+    /// Nothing is left: what is under way is dropped.
+    pub fn used_up(&self) -> bool {
+        self.spent.load(Ordering::Relaxed) >= self.limit
+    }
+    /// A leg that stops where the budget must be used up.
+    pub fn leg(&self, leg: Leg) -> Leg {
+        Leg { max_steps: leg.max_steps.min(self.limit.max(1)), ..leg }
+    }
+}
+
 /// Members under way.
 pub(super) struct Settling<'a> {
+    pub budget: &'a Budget,
     pub system: Arc<System>,
     pub members: &'a [Member],
     pub rules: &'a Rules,
@@ -253,7 +279,7 @@ impl Voyage for Settling<'_> {
             shot: None,
         };
         Self::stretch(&mut log, if rules.shooting { count(FOLDS_BEFORE_SHOOTING).max(1) } else { stretch });
-        let leg = self.go_on(&mut log, None);
+        let leg = self.budget.leg(self.go_on(&mut log, None));
         // differences of neighbouring motions need more digits than the motions
         let relative = if rules.shooting { rules.relative.min(shooting::RELATIVE) } else { rules.relative };
         let absolute = if rules.shooting { rules.absolute.min(shooting::RELATIVE) } else { rules.absolute };
@@ -282,6 +308,24 @@ impl Voyage for Settling<'_> {
     }
 
     fn ended(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+        self.budget.spend(ended);
+        match self.next(index, log, ended, y) {
+            Next::Leg(leg) => Next::Leg(self.budget.leg(leg)),
+            done => done,
+        }
+    }
+
+    fn finished(&self) {
+        self.counter.add(1);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.counter.cancelled() || self.budget.used_up()
+    }
+}
+
+impl Settling<'_> {
+    fn next(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
         log.steps += ended.steps + ended.rejected;
         if ended.end != LegEnd::Reached {
             return Next::Done(Self::failed(log, words(ended.end)));
@@ -310,14 +354,6 @@ impl Voyage for Settling<'_> {
                 }
             }
         }
-    }
-
-    fn finished(&self) {
-        self.counter.add(1);
-    }
-
-    fn cancelled(&self) -> bool {
-        self.counter.cancelled()
     }
 }
 

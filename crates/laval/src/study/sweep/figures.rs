@@ -6,6 +6,8 @@ use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
 
 /// Panels of a figure.
 const MOST_BODIES: usize = 4;
+/// Lowest amplitude of a waterfall over its highest.
+const DEPTH: f64 = 1e-6;
 
 pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
     if !any {
@@ -30,7 +32,13 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
         Panel::new(Axis::new(name, factor.1).factor(factor.0)).mark(Points::new("poincare", "speed", "displacement").group("start"));
     outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
     if let Some(b) = study.waterfall {
-        let colours = Axis::log("semi-major axis", "µm").factor(1e6);
+        let tallest = outcome
+            .find_table("waterfall")
+            .and_then(|t| t.column("amplitude"))
+            .map_or(0.0, |c| (0..c.data.len()).filter_map(|i| c.number(i)).filter(|x| x.is_finite()).fold(0.0, f64::max));
+        let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
+        // what lies further below is what the integration tolerates
+        let colours = Axis::log("semi-major axis", "µm").factor(1e6).range(DEPTH * top, top);
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
         let alt = format!("Order spectra of {} over spin speed (start: {}).", fleet.bodies[b].name, study.ways[0].word());
         outcome =

@@ -8,7 +8,7 @@
 //! 4111; exponents: Benettin et al., Meccanica 15 (1980) 9). Distances are the root of the sum of squares over the sizes of the states. Before the N periods counted, N/4
 //! turn the difference into the direction that grows fastest.
 
-use super::super::settled::sizes;
+use super::super::settled::{Budget, sizes};
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;
@@ -31,6 +31,7 @@ pub(super) struct Pairs<'a> {
     pub members: Vec<Option<(f64, Vec<f64>)>>,
     pub periods: usize,
     pub counter: &'a Rows<'a>,
+    pub budget: &'a Budget,
 }
 
 pub(super) struct Log {
@@ -82,19 +83,20 @@ impl Voyage for Pairs<'_> {
             y,
             relative: TOLERANCE,
             absolute: ensemble::tolerances(&self.system, speed, TOLERANCE),
-            leg: log.leg(),
+            leg: self.budget.leg(log.leg()),
             log,
         })
     }
 
     fn ended(&self, _: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Self::Row> {
+        self.budget.spend(ended);
         if ended.end != LegEnd::Reached {
             return Next::Done(None);
         }
         let Some(own) = log.own.take() else {
             log.own = Some(y.to_vec());
             log.beside(y);
-            return Next::Leg(log.leg());
+            return Next::Leg(self.budget.leg(log.leg()));
         };
         for (((d, y), own), s) in log.difference.iter_mut().zip(y.iter()).zip(&own).zip(&log.size) {
             *d = (y - own) / s;
@@ -113,11 +115,11 @@ impl Voyage for Pairs<'_> {
         }
         y.copy_from_slice(&own);
         log.from = own;
-        Next::Leg(log.leg())
+        Next::Leg(self.budget.leg(log.leg()))
     }
 
     fn cancelled(&self) -> bool {
-        self.counter.cancelled()
+        self.counter.cancelled() || self.budget.used_up()
     }
 }
 

@@ -17,7 +17,7 @@ mod report;
 mod rows;
 
 use super::settled::period::FEWEST;
-use super::settled::{Member, Rules, Settled, Settling, slowest_decay};
+use super::settled::{Budget, Member, Rules, Settled, Settling, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED_RANGE, range};
 use super::{Context, Study};
@@ -45,6 +45,8 @@ const SETTLINGS: &[Word] = &[
     ("decay", "as many e-folds of the slowest mode as the tolerance asks for"),
     ("shooting", "five e-folds, then Newton's method on the Poincare map; the long way where it fails"),
 ];
+/// Lowest speed, rad/s.
+const SLOWEST: f64 = 1e-6;
 /// Points of a range that says none.
 const DEFAULT_POINTS: usize = 200;
 
@@ -143,9 +145,9 @@ impl Study for Sweep {
         let before = diagnostics.0.len();
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics);
         if let Some(s) = speed
-            && !(s.from > 0.0)
+            && !(s.from >= SLOWEST)
         {
-            let message = "a sweep needs speeds above zero: there is no period at rest";
+            let message = "a sweep needs speeds above 1e-6 rad/s: there is no period at rest";
             diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
         }
         let bodies = system.bodies();
@@ -207,7 +209,13 @@ impl Study for Sweep {
         let own = system
             .with(&[])
             .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))?;
-        let fleet = Fleet { study: self, system: Arc::new(own), speeds: self.speed.linspace(DEFAULT_POINTS), bodies: system.bodies() };
+        let fleet = Fleet {
+            budget: Budget::new(context.work_limit),
+            study: self,
+            system: Arc::new(own),
+            speeds: self.speed.linspace(DEFAULT_POINTS),
+            bodies: system.bodies(),
+        };
         let (steps, ways) = (fleet.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
         // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
@@ -244,6 +252,7 @@ fn section(values: &Values, system: &System, bodies: &[Body], diagnostics: &mut 
 
 /// A sweep on its machine.
 struct Fleet<'a> {
+    budget: Budget,
     study: &'a Sweep,
     system: Arc<System>,
     speeds: Vec<f64>,
@@ -275,7 +284,7 @@ impl Fleet<'_> {
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<(Settled, Option<Exponent>)>> {
         let form = Form::of(&self.system, true);
         let bodies = self.bodies.iter().map(|b| b.x).collect();
-        let voyage = Settling { system: self.system.clone(), members, rules: &self.study.rules, counter, bodies };
+        let voyage = Settling { system: self.system.clone(), members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
         let all = 0..members.len();
         let settled = ensemble::run(&voyage, &self.system, form, all.clone(), Settings::default())?;
         let exponents = match self.study.lyapunov {
@@ -283,11 +292,12 @@ impl Fleet<'_> {
             Some(periods) => {
                 let one = |(m, s): (&Member, &Settled)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
                 let members = members.iter().zip(&settled).map(one).collect();
-                let pairs = Pairs { system: self.system.clone(), members, periods, counter };
+                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
                 ensemble::run(&pairs, &self.system, form, all, Settings::default())?
             }
         };
-        Some(settled.into_iter().zip(exponents).collect())
+        // a motion that the budget cut short is none
+        (!self.budget.used_up()).then(|| settled.into_iter().zip(exponents).collect())
     }
 
     /// Rows of the steps of a chunk, step by step and way by way.

@@ -119,8 +119,7 @@ fn begun(way: Way) -> &'static str {
 
 pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
     let paths = paths(fleet, results)?;
-    let end = results.end();
-    let end = if end == End::MaxPoints { End::WorkLimit } else { end };
+    let end = context.end(results.end() == End::Reached);
     let mut outcome = Outcome::new(Sweep::KIND, context.name).over("speed", "rad/s").end(end);
     let jumps: Vec<Jump> = paths.iter().flat_map(jumps).collect();
     for f in results.remark().into_iter().chain(Start::new(&fleet.system, fleet.speeds[0]).finding) {
