@@ -163,10 +163,13 @@ fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -
             return Err(sorted(diagnostics));
         }
     };
-    check_finite(&system, &mut diagnostics);
-    held::check(&system, &mut diagnostics);
-    check_extras(&spec, &system, &mut diagnostics);
-    if diagnostics.has_errors() {
+    let mut own = Diagnostics::default();
+    check_finite(&system, &mut own);
+    held::check(&system, &mut own);
+    check_extras(&spec, &system, &mut own);
+    let wrong = own.has_errors();
+    diagnostics.0.append(&mut own.0);
+    if wrong {
         return Err(sorted(diagnostics));
     }
     let studies = build_studies(&spec, &system, &mut diagnostics);

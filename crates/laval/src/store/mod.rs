@@ -181,6 +181,9 @@ impl Place {
     }
 }
 
+/// What [`run_on`] can read: the columns of the chunk before, `None` for the first.
+pub type Before<'a> = &'a dyn Fn() -> Result<Option<Vec<Cells>>, Diagnostic>;
+
 /// Computes the rows that are not there yet, chunk by chunk.
 ///
 /// `compute` gets the rows of one chunk and returns its columns, which must depend on the rows' indices alone (not on threads, order, or time);
@@ -193,6 +196,18 @@ pub fn run(
     plan: Plan,
     host: &dyn Host,
     mut compute: impl FnMut(Range<usize>, &Rows) -> Result<Option<Vec<Cells>>, Diagnostic>,
+) -> Result<Results, Diagnostic> {
+    run_on(plan, host, |range, rows, _| compute(range, rows))
+}
+
+/// As [`run`], for rows that follow from the row before: a chunk may read the one before it, from which all it needs must follow.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_on(
+    plan: Plan,
+    host: &dyn Host,
+    mut compute: impl FnMut(Range<usize>, &Rows, Before) -> Result<Option<Vec<Cells>>, Diagnostic>,
 ) -> Result<Results, Diagnostic> {
     plan.check()?;
     let mut place = Place::open(host, &plan)?;
@@ -213,7 +228,8 @@ pub fn run(
             break;
         }
         let count = range.len();
-        let Some(cells) = compute(range, &rows)? else {
+        let before = || if index == 0 { Ok(None) } else { place.read(index - 1, &plan).map(Some) };
+        let Some(cells) = compute(range, &rows, &before)? else {
             end = End::Cancelled;
             break;
         };

@@ -12,9 +12,11 @@ pub mod operating_window;
 mod passages;
 pub mod run_up;
 pub mod separation;
+mod settled;
 pub mod stability_map;
 mod start;
 pub mod support;
+pub mod sweep;
 pub mod transient;
 pub mod uncertainty;
 
@@ -178,6 +180,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<run_up::RunUp>(),
         kind::<separation::Separation>(),
         kind::<operating_window::OperatingWindow>(),
+        kind::<sweep::Sweep>(),
         kind::<uncertainty::Uncertainty>(),
     ]
 }

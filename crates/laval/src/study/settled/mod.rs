@@ -1,0 +1,370 @@
+//! Motions followed until they repeat: in lanes, each for as long as it needs, then judged by its Poincare points.
+//!
+//! A leg is a whole number of forcing periods `T = 2 pi / W`, so that every leg starts at phase zero. A member is integrated for as many e-folds of the
+//! slowest mode as the tolerance asks for, then recorded over some periods and judged ([`period`]); while it does not repeat it goes on, up to
+//! four times the time that the slowest mode asks for. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
+//! ([`shooting`]).
+
+mod limits;
+pub(super) mod measure;
+pub(super) mod period;
+mod shooting;
+
+use crate::model::system::System;
+use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Next, Start, Voyage};
+use crate::solve::motion::SpinLaw;
+use crate::solve::pencil::modes_about;
+use crate::solve::programme::Programme;
+use crate::solve::rest::rest;
+use crate::store::Rows;
+use limits::Limits;
+use measure::Measure;
+use period::{LONGEST, Sections, Verdict};
+use shooting::Shooting;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Samples of a forcing period.
+pub(super) const SAMPLES: usize = 64;
+/// Longest leg, periods: the phase keeps its digits.
+const LONGEST_LEG: u64 = 1000;
+/// Times the decay time that a motion is followed which does not repeat.
+const PATIENCE: u64 = 4;
+/// e-folds before shooting begins.
+const FOLDS_BEFORE_SHOOTING: f64 = 5.0;
+/// Displacements over their typical size (1 mm) beyond which a motion has left every machine.
+const RUNAWAY: f64 = 1e6;
+
+/// How motions are settled and recorded.
+#[derive(Clone, Debug)]
+pub(super) struct Rules {
+    /// Relative tolerance of a step.
+    pub relative: f64,
+    /// Absolute tolerance of a step over typical sizes.
+    pub absolute: f64,
+    /// Tolerated distance from the limit over the size of the motion.
+    pub tolerance: f64,
+    /// Most periods of settling.
+    pub most_periods: u64,
+    /// Periods recorded.
+    pub periods: usize,
+    /// Newton's method on the Poincare map.
+    pub shooting: bool,
+    /// Body (index of its x) whose spectrum is wanted.
+    pub spectrum: Option<usize>,
+}
+
+/// A motion to be settled.
+#[derive(Clone, Debug)]
+pub(super) struct Member {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// State at phase zero.
+    pub y: Vec<f64>,
+    /// Coordinates at rest.
+    pub rest: Vec<f64>,
+    /// Decay rate of the slowest mode, 1/s, where every mode decays.
+    pub rate: Option<f64>,
+}
+
+/// What became of it.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    /// Judgement.
+    pub verdict: Verdict,
+    /// Estimated distance from the limit over the size of the motion.
+    pub remaining: f64,
+    /// Forcing periods integrated, those of shooting included.
+    pub periods: u64,
+    /// The largest number of periods ended the settling.
+    pub bounded: bool,
+    /// Residual of shooting over the size of the motion, and the largest modulus of its multipliers.
+    pub shot: Option<(f64, f64)>,
+    /// Integration steps.
+    pub steps: u64,
+    /// State at the end, at phase zero; empty when the motion failed.
+    pub y: Vec<f64>,
+    /// Amplitudes; none when it failed.
+    pub measure: Option<Measure>,
+}
+
+/// Decay rate of the slowest mode of the machine linearised at rest, 1/s; `None` where there is none, or a mode does not decay.
+pub(super) fn slowest_decay(system: &System, speed: f64) -> Option<f64> {
+    let about = rest(system, speed).ok()?;
+    let spectrum = modes_about(system, &about, false).ok()?;
+    let largest = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+    let rate = -spectrum.least_stable()?.growth();
+    (rate > 1e-13 * largest && rate.is_finite()).then_some(rate)
+}
+
+/// Typical size of every state at a speed: displacements, rates, internal states.
+pub(super) fn sizes(system: &System, speed: f64) -> Vec<f64> {
+    let own = system.coordinates().iter().map(|c| c.dof.typical);
+    own.clone().chain(own.map(|x| x * speed)).chain(system.states().iter().map(|s| s.dof.typical)).collect()
+}
+
+/// Steps of integration that a run may take.
+pub(super) struct Budget {
+    spent: AtomicU64,
+    limit: u64,
+}
+
+impl Budget {
+    pub fn new(limit: u64) -> Self {
+        Budget { spent: AtomicU64::new(0), limit }
+    }
+    /// Counts the steps of a leg.
+    pub fn spend(&self, ended: &Ended) {
+        self.spent.fetch_add(ended.steps + ended.rejected, Ordering::Relaxed);
+    }
+    /// Nothing is left: what is under way is dropped.
+    pub fn used_up(&self) -> bool {
+        self.spent.load(Ordering::Relaxed) >= self.limit
+    }
+    /// A leg that stops where the budget must be used up.
+    pub fn leg(&self, leg: Leg) -> Leg {
+        Leg { max_steps: leg.max_steps.min(self.limit.max(1)), ..leg }
+    }
+}
+
+/// Members under way.
+pub(super) struct Settling<'a> {
+    pub budget: &'a Budget,
+    pub system: Arc<System>,
+    pub members: &'a [Member],
+    pub rules: &'a Rules,
+    pub counter: &'a Rows<'a>,
+    /// Index of x of every body.
+    pub bodies: Vec<usize>,
+}
+
+/// What is remembered of a member.
+pub(super) struct Log {
+    stage: Stage,
+    period: f64,
+    size: Vec<f64>,
+    /// Periods of one stretch of settling, and those still to go.
+    stretch: u64,
+    to_go: u64,
+    /// Periods of settling left, and integrated so far.
+    left: u64,
+    done: u64,
+    bounded: bool,
+    steps: u64,
+    sections: Sections,
+    /// x and y of every body at every sample, from their places of rest.
+    samples: Vec<f64>,
+    limits: Limits,
+    shooting: Option<Shooting>,
+    shot: Option<(f64, f64)>,
+}
+
+enum Stage {
+    Settle,
+    Record,
+    Shoot,
+}
+
+impl Settling<'_> {
+    fn leg(log: &mut Log, periods: u64, first_step: Option<f64>) -> Leg {
+        let t1 = log.period * periods as f64;
+        log.done += periods;
+        Leg { first_step, ..Leg::new(0.0, t1) }
+    }
+
+    /// A leg of shooting: all begin with the same step, so that their errors are nearly the same.
+    fn shot(log: &mut Log) -> Leg {
+        let periods = log.shooting.as_ref().map_or(1, Shooting::periods);
+        let first_step = log.period / SAMPLES as f64;
+        Self::leg(log, periods, Some(first_step))
+    }
+
+    /// The next leg of settling; the record when nothing is to go.
+    fn go_on(&self, log: &mut Log, first_step: Option<f64>) -> Leg {
+        if log.to_go > 0 {
+            let periods = log.to_go.min(LONGEST_LEG);
+            log.to_go -= periods;
+            log.stage = Stage::Settle;
+            return Self::leg(log, periods, first_step);
+        }
+        log.stage = Stage::Record;
+        log.sections.clear();
+        log.samples.clear();
+        log.limits = Limits::default();
+        let outputs = Grid { start: 0.0, step: log.period / SAMPLES as f64, count: (self.rules.periods * SAMPLES + 1) as u64 };
+        let leg = Self::leg(log, self.rules.periods as u64, first_step);
+        Leg { t1: outputs.time(outputs.count - 1), outputs, ..leg }
+    }
+
+    /// Begins another stretch of at most so many periods; false when the largest number is reached.
+    fn stretch(log: &mut Log, periods: u64) -> bool {
+        log.to_go = periods.min(log.left);
+        log.left -= log.to_go;
+        log.to_go > 0
+    }
+
+    fn failed(log: &Log, why: &'static str) -> Settled {
+        Settled {
+            verdict: Verdict::Failed(why),
+            remaining: f64::NAN,
+            periods: log.done,
+            bounded: log.bounded,
+            shot: None,
+            steps: log.steps,
+            y: vec![],
+            measure: None,
+        }
+    }
+
+    /// A record is complete: judged, shot at, followed further, or measured.
+    fn recorded(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+        let member = &self.members[index];
+        let judged = log.sections.judge(self.rules, member.rate, log.shot.is_some(), log.period, log.bounded);
+        let settled = matches!(judged.verdict, Verdict::Period(_));
+        if !settled && let Some(shooting) = log.shooting.as_mut() {
+            shooting.begin(&log.sections, y);
+            log.stage = Stage::Shoot;
+            return Next::Leg(Self::shot(log));
+        }
+        if !settled && log.shot.is_none() && Self::stretch(log, log.stretch) {
+            return Next::Leg(self.go_on(log, Some(ended.next_step)));
+        }
+        let outside = log.limits.worst.map(|(slot, what, ratio)| (format!("{}: {what}", self.system.slots()[slot].name), ratio));
+        let measure = Measure::of(self, log.sections.period_of(&judged.verdict), &log.samples, outside);
+        Next::Done(Settled {
+            verdict: judged.verdict,
+            remaining: log.shot.map_or(judged.remaining, |s| s.0),
+            periods: log.done,
+            bounded: log.bounded,
+            shot: log.shot,
+            steps: log.steps,
+            y: y.to_vec(),
+            measure: Some(measure),
+        })
+    }
+}
+
+impl Voyage for Settling<'_> {
+    type Log = Log;
+    type Row = Settled;
+
+    fn start(&self, index: usize) -> Result<Start<Log>, Settled> {
+        let member = &self.members[index];
+        let period = TAU / member.speed;
+        let rules = self.rules;
+        // periods in so many e-folds of the slowest mode
+        let count = |folds: f64| {
+            let n = member.rate.map_or(f64::INFINITY, |r| (folds / (r * period)).ceil());
+            if n < rules.most_periods as f64 { n as u64 } else { rules.most_periods }
+        };
+        let stretch = count(-rules.tolerance.ln()).max(1);
+        let bounded = stretch == rules.most_periods;
+        let left = stretch.saturating_mul(PATIENCE).min(rules.most_periods);
+        let size = sizes(&self.system, member.speed);
+        let mut log = Log {
+            stage: Stage::Record,
+            period,
+            stretch,
+            to_go: 0,
+            left,
+            done: 0,
+            bounded,
+            steps: 0,
+            sections: Sections::new(&size, &member.rest),
+            shooting: rules.shooting.then(|| Shooting::new(rules, &size)),
+            size,
+            samples: vec![],
+            limits: Limits::default(),
+            shot: None,
+        };
+        Self::stretch(&mut log, if rules.shooting { count(FOLDS_BEFORE_SHOOTING).max(1) } else { stretch });
+        let leg = self.budget.leg(self.go_on(&mut log, None));
+        // differences of neighbouring motions need more digits than the motions
+        let relative = if rules.shooting { rules.relative.min(shooting::RELATIVE) } else { rules.relative };
+        let absolute = if rules.shooting { rules.absolute.min(shooting::RELATIVE) } else { rules.absolute };
+        Ok(Start {
+            system: self.system.clone(),
+            law: SpinLaw::Programme(Programme::constant(member.speed, 0.0)),
+            y: member.y.clone(),
+            relative,
+            absolute: ensemble::tolerances(&self.system, member.speed, absolute),
+            leg,
+            log,
+        })
+    }
+
+    fn output(&self, log: &mut Log, i: u64, t: f64, y: &[f64]) {
+        if i >= (self.rules.periods.saturating_sub(LONGEST) * SAMPLES) as u64 {
+            log.limits.watch(&self.system, TAU / log.period, t, log.period / SAMPLES as f64, y);
+        }
+        if i % SAMPLES as u64 == 0 {
+            log.sections.push(y);
+        }
+        let rest = log.sections.rest();
+        for &x in &self.bodies {
+            log.samples.extend([y[x] - rest[x], y[x + 1] - rest[x + 1]]);
+        }
+    }
+
+    fn ended(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+        self.budget.spend(ended);
+        match self.next(index, log, ended, y) {
+            Next::Leg(leg) => Next::Leg(self.budget.leg(leg)),
+            done => done,
+        }
+    }
+
+    fn finished(&self) {
+        self.counter.add(1);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.counter.cancelled() || self.budget.used_up()
+    }
+}
+
+impl Settling<'_> {
+    fn next(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+        log.steps += ended.steps + ended.rejected;
+        if ended.end != LegEnd::Reached {
+            return Next::Done(Self::failed(log, words(ended.end)));
+        }
+        let n = self.system.n();
+        if !y[..n].iter().zip(&log.size).all(|(x, s)| x.abs() <= RUNAWAY * s) {
+            return Next::Done(Self::failed(log, "grows without bound"));
+        }
+        match log.stage {
+            Stage::Settle => Next::Leg(self.go_on(log, Some(ended.next_step))),
+            Stage::Record => self.recorded(index, log, ended, y),
+            Stage::Shoot => {
+                let Some(shooting) = log.shooting.as_mut() else { return Next::Done(Self::failed(log, "shooting was lost")) };
+                match shooting.landed(y) {
+                    shooting::Step::Again => Next::Leg(Self::shot(log)),
+                    shooting::Step::Found { residual, multiplier } => {
+                        log.shot = Some((residual, multiplier));
+                        log.shooting = None;
+                        Next::Leg(self.go_on(log, Some(ended.next_step)))
+                    }
+                    shooting::Step::Lost => {
+                        log.shooting = None;
+                        Self::stretch(log, log.stretch);
+                        Next::Leg(self.go_on(log, Some(ended.next_step)))
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Why a motion could not be followed.
+fn words(end: LegEnd) -> &'static str {
+    match end {
+        LegEnd::StepTooSmall(laval_num::ode::Cause::NotFinite) => "leaves the range of numbers",
+        LegEnd::StepTooSmall(_) => "needs steps below the resolution of time",
+        LegEnd::WorkLimit => "needs too many steps",
+        LegEnd::NoStart => "cannot start",
+        LegEnd::Event(_) => "changes side too often",
+        LegEnd::Reached => "",
+    }
+}

@@ -1,0 +1,55 @@
+//! A sweep drawn.
+
+use super::Fleet;
+use super::report::Path;
+use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
+
+/// Panels of a figure.
+const MOST_BODIES: usize = 4;
+/// Lowest amplitude of a waterfall over its highest.
+const DEPTH: f64 = 1e-6;
+
+pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
+    if !any {
+        return outcome;
+    }
+    let speed = || Axis::new("spin speed", "rad/s");
+    let ways = paths.iter().map(|p| p.way.word()).collect::<Vec<_>>().join(", ");
+    let largest = |b: usize| paths.iter().flat_map(|p| &p.amplitude[b]).fold(0.0f64, |m, a| if *a > m { *a } else { m });
+    let alt = format!("Largest displacement of each body over spin speed (start: {ways}).");
+    let mut figure = Figure::new("amplitude", "Amplitude", alt).x(speed());
+    for (b, body) in fleet.bodies.iter().enumerate().take(MOST_BODIES) {
+        let axis = Axis::new(&body.name, if largest(b) < 1e-3 { "µm" } else { "mm" }).factor(if largest(b) < 1e-3 { 1e6 } else { 1e3 });
+        figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", format!("amplitude.{}", body.name)).group("start")));
+    }
+    outcome = outcome.figure(figure);
+    let study = fleet.study;
+    let body = &fleet.bodies[study.section.0];
+    let name = &fleet.system.coordinates()[body.x + study.section.1].name;
+    let factor = if largest(study.section.0) < 1e-3 { (1e6, "µm") } else { (1e3, "mm") };
+    let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
+    let panel =
+        Panel::new(Axis::new(name, factor.1).factor(factor.0)).mark(Points::new("poincare", "speed", "displacement").group("start"));
+    outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
+    if let Some(b) = study.waterfall {
+        let tallest = outcome
+            .find_table("waterfall")
+            .and_then(|t| t.column("amplitude"))
+            .map_or(0.0, |c| (0..c.data.len()).filter_map(|i| c.number(i)).filter(|x| x.is_finite()).fold(0.0, f64::max));
+        let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
+        // what lies further below is what the integration tolerates
+        let colours = Axis::log("semi-major axis", "µm").factor(1e6).range(DEPTH * top, top);
+        let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
+        let alt = format!("Order spectra of {} over spin speed (start: {}).", fleet.bodies[b].name, study.ways[0].word());
+        outcome =
+            outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(Panel::new(Axis::new("order", "")).mark(heat)));
+    }
+    if study.lyapunov.is_some() {
+        let alt = format!("Largest Lyapunov exponent over spin speed (start: {ways}).");
+        let panel = Panel::new(Axis::new("Lyapunov exponent", "1/s"))
+            .mark(Line::new("sweep", "speed", "lyapunov").group("start"))
+            .mark(Rule::y(0.0, ""));
+        outcome = outcome.figure(Figure::new("lyapunov", "Largest Lyapunov exponent", alt).x(speed()).panel(panel));
+    }
+    outcome
+}

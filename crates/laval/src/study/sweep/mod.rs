@@ -1,0 +1,331 @@
+//! Settled motion at many speeds, by integration in time: from the same start at every speed, or followed from one speed to the next.
+//!
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: the rotor is followed for
+//! `ln(1/tolerance)/a` seconds, a the slowest decay rate of the machine linearised at rest, and as long again up to four times while the states at whole
+//! periods do not repeat; or Newton's method finds `y = P^k(y)` on the Poincare map P.
+//!
+//! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats; order: frequency over W; lambda largest Lyapunov exponent.
+//!
+//! Validity: constant speed at every step; machines whose spin is prescribed. Followed motions change speed in steps at phase zero, with position and velocity kept:
+//! the limit of a slow sweep as the step becomes small.
+//!
+//! Sources: `theory/nonlinear-response.md` sections 8 and 9; Benettin et al., Meccanica 15 (1980) 9; Das et al., Nonlinearity 30 (2017) 4111.
+
+mod figures;
+mod lyapunov;
+mod report;
+mod rows;
+
+use super::settled::period::FEWEST;
+use super::settled::{Budget, Member, Rules, Settled, Settling, slowest_decay};
+use super::start::{self, Entry, INITIAL, Start};
+use super::support::{SPEED_RANGE, range};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
+use crate::model::system::{Body, Drive, System};
+use crate::outcome::Outcome;
+use crate::solve::ensemble::{self, Form, Settings};
+use crate::store::{self, Rows};
+use laval_num::lanes::Level;
+use lyapunov::{Exponent, Pairs};
+use rayon::prelude::*;
+use rows::Row;
+use std::ops::Range;
+use std::sync::Arc;
+
+const STARTS: &[Word] = &[
+    ("rest", "from the same state at every speed: which motion is reached depends on it"),
+    ("up", "from each speed to the next higher one"),
+    ("down", "from each speed to the next lower one"),
+    ("up_and_down", "both, side by side"),
+    ("all", "all three"),
+];
+const SETTLINGS: &[Word] = &[
+    ("decay", "as many e-folds of the slowest mode as the tolerance asks for"),
+    ("shooting", "five e-folds, then Newton's method on the Poincare map; the long way where it fails"),
+];
+/// Lowest speed, rad/s.
+const SLOWEST: f64 = 1e-6;
+/// Points of a range that says none.
+const DEFAULT_POINTS: usize = 200;
+
+/// How motions begin at each speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The same state at every speed.
+    Rest,
+    /// The motion at the speed below.
+    Up,
+    /// The motion at the speed above.
+    Down,
+}
+
+impl Way {
+    fn word(self) -> &'static str {
+        match self {
+            Way::Rest => "rest",
+            Way::Up => "up",
+            Way::Down => "down",
+        }
+    }
+}
+
+/// See the [module](self).
+pub struct Sweep {
+    speed: RangeValue,
+    ways: Vec<Way>,
+    rules: Rules,
+    initial: Vec<(Entry, f64)>,
+    /// Coordinate of the bifurcation diagram: body, 0 for x and 1 for y.
+    section: (usize, usize),
+    /// Body of the waterfall.
+    waterfall: Option<usize>,
+    /// Periods of the Lyapunov exponent.
+    lyapunov: Option<usize>,
+}
+
+impl Study for Sweep {
+    const KIND: &'static str = "sweep";
+    const DOC: &'static str = "Settled motion over the spin speed by integration in time, from the same start at every speed or followed up and down: amplitudes, \
+        orders, jumps and hysteresis, period doubling and motions that do not repeat, bifurcation diagram, order spectra, largest Lyapunov exponent. \
+        nonlinear_response finds all periodic motions, unstable ones too; a sweep shows which of them a machine reaches.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds, above zero; 200 points unless given"),
+        Field::optional("start", FieldKind::Choice(STARTS), "up_and_down", "how the motion begins at each speed"),
+        INITIAL,
+        Field::optional("settling", FieldKind::Choice(SETTLINGS), "decay", "how the settled motion is reached"),
+        Field::optional(
+            "tolerance",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-9, 1e-2) },
+            "1e-6",
+            "distance from the settled motion over its size, by which it counts as settled and as repeating",
+        ),
+        Field::optional(
+            "most_periods",
+            FieldKind::Integer { min: 1, max: 100_000_000 },
+            "50000",
+            "most forcing periods of settling at one speed",
+        ),
+        Field::optional(
+            "periods",
+            FieldKind::Integer { min: FEWEST as i64, max: 4096 },
+            "64",
+            "forcing periods recorded at every speed, with 64 samples each",
+        ),
+        Field::optional(
+            "section",
+            FieldKind::Coordinate,
+            "",
+            "coordinate of the bifurcation diagram, such as \"drum.x\"; x of the first body unless given",
+        ),
+        Field::optional("waterfall", FieldKind::Text, "", "body whose order spectra are wanted, orders 0 to 4 in steps of 1/16"),
+        Field::optional("lyapunov", FieldKind::Flag, "false", "compute the largest Lyapunov exponent"),
+        Field::optional(
+            "lyapunov_periods",
+            FieldKind::Integer { min: 16, max: 10_000_000 },
+            "2000",
+            "forcing periods over which the exponent is taken; a quarter as many before them",
+        ),
+        Field::optional(
+            "relative_tolerance",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-14, 1e-4) },
+            "",
+            "tolerated error of a step over the size of each state; 1e-4 of the tolerance unless given, but at most 1e-10",
+        ),
+        Field::optional(
+            "absolute_tolerance",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-18, 1e-4) },
+            "",
+            "tolerated error of a step over a typical size of each kind of state (1 mm, 10 mrad; velocities: times the spin speed); a tenth of the relative one unless given",
+        ),
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let speed = range("speed", values.range("speed")?, 2, values, diagnostics);
+        if let Some(s) = speed
+            && !(s.from >= SLOWEST)
+        {
+            let message = "a sweep needs speeds above 1e-6 rad/s: there is no period at rest";
+            diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
+        }
+        let bodies = system.bodies();
+        if bodies.is_empty() {
+            diagnostics.push(Diagnostic::error("sweep.no_body", "no body of this machine moves across the axis"));
+        }
+        let initial = start::state_map(values, "initial", system, diagnostics);
+        let section = section(values, system, &bodies, diagnostics);
+        let named = values.text("waterfall").filter(|n| !n.is_empty());
+        let waterfall = named.and_then(|n| bodies.iter().position(|b| b.name == n));
+        if let (Some(name), None) = (named, waterfall) {
+            let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
+            let message = format!("there is no body \"{name}\"");
+            diagnostics
+                .push(Diagnostic::error("sweep.waterfall", message).at(values.span_of("waterfall")).help(format!("there is {known}")));
+        }
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        let positive = |name, default: i64| u64::try_from(values.integer(name).unwrap_or(default)).ok();
+        let size = |name, default: i64| usize::try_from(values.integer(name).unwrap_or(default)).ok();
+        let tolerance = values.number("tolerance").unwrap_or(1e-6);
+        let relative = values.number("relative_tolerance").unwrap_or((1e-4 * tolerance).min(1e-10));
+        Some(Sweep {
+            speed: speed?,
+            ways: match values.choice("start") {
+                Some("rest") => vec![Way::Rest],
+                Some("up") => vec![Way::Up],
+                Some("down") => vec![Way::Down],
+                Some("all") => vec![Way::Rest, Way::Up, Way::Down],
+                _ => vec![Way::Up, Way::Down],
+            },
+            rules: Rules {
+                relative,
+                absolute: values.number("absolute_tolerance").unwrap_or(0.1 * relative),
+                tolerance,
+                most_periods: positive("most_periods", 50_000)?,
+                periods: size("periods", 64)?,
+                shooting: values.choice("settling") == Some("shooting"),
+                spectrum: waterfall.map(|b| bodies[b].x),
+            },
+            initial,
+            section: section?,
+            waterfall,
+            lyapunov: if values.flag("lyapunov").unwrap_or(false) { Some(size("lyapunov_periods", 2000)?) } else { None },
+        })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
+                .help("leave drive = \"free\" out, or follow its motion with transient"));
+        }
+        ensemble::admit(system)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let own = system
+            .with(&[])
+            .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))?;
+        let fleet = Fleet {
+            budget: Budget::new(context.work_limit),
+            study: self,
+            system: Arc::new(own),
+            speeds: self.speed.linspace(DEFAULT_POINTS),
+            bodies: system.bodies(),
+        };
+        let (steps, ways) = (fleet.speeds.len(), self.ways.len());
+        let followed = self.ways.iter().any(|w| *w != Way::Rest);
+        // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
+        let chunk = if followed { steps.div_ceil(50).clamp(4, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
+        let rows = rows::columns(self, &fleet);
+        let plan = store::Plan {
+            study: Self::KIND.into(),
+            columns: rows.iter().map(|r| r.column.clone()).collect(),
+            rows: steps * ways,
+            chunk: chunk * ways,
+            level: Level::best().name().into(),
+        };
+        let results = store::run_on(plan, context, |range, counter, before| {
+            let carried = before()?.map(|cells| rows::states(&rows, &cells, ways));
+            let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
+            Ok(computed.map(|list| rows::cells(&rows, &list)))
+        })?;
+        report::report(&fleet, &results, context)
+    }
+}
+
+fn section(values: &Values, system: &System, bodies: &[Body], diagnostics: &mut Diagnostics) -> Option<(usize, usize)> {
+    let Some(name) = values.text("section").filter(|n| !n.is_empty()) else { return Some((0, 0)) };
+    let index = system.coordinate(name);
+    let found = index.and_then(|i| bodies.iter().position(|b| b.x == i || b.x + 1 == i).map(|b| (b, i - bodies[b].x)));
+    if found.is_none() {
+        let known: Vec<String> = bodies.iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
+        let message = format!("\"{name}\" is no lateral coordinate of a body");
+        let help = format!("name one such as {}", known.join(", "));
+        diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).help(help));
+    }
+    found
+}
+
+/// A sweep on its machine.
+struct Fleet<'a> {
+    budget: Budget,
+    study: &'a Sweep,
+    system: Arc<System>,
+    speeds: Vec<f64>,
+    bodies: Vec<Body>,
+}
+
+/// State a followed motion brings along, for each way; none where it failed.
+type Carried = Vec<Option<Vec<f64>>>;
+
+impl Fleet<'_> {
+    /// The speed of a step: downward sweeps begin at the top.
+    fn speed(&self, way: Way, step: usize) -> f64 {
+        if way == Way::Down { self.speeds[self.speeds.len() - 1 - step] } else { self.speeds[step] }
+    }
+
+    /// A member, from its own start or the state it brings along.
+    fn member(&self, way: Way, step: usize, carried: Option<&Vec<f64>>) -> Member {
+        let speed = self.speed(way, step);
+        let start = Start::new(&self.system, speed);
+        let y = carried.cloned().unwrap_or_else(|| {
+            let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
+            start.write(&self.study.initial, &mut y);
+            y
+        });
+        Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed) }
+    }
+
+    /// Settled motions of members, with their exponents; none when stopped.
+    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<(Settled, Option<Exponent>)>> {
+        let form = Form::of(&self.system, true);
+        let bodies = self.bodies.iter().map(|b| b.x).collect();
+        let voyage = Settling { system: self.system.clone(), members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
+        let all = 0..members.len();
+        let settled = ensemble::run(&voyage, &self.system, form, all.clone(), Settings::default())?;
+        let exponents = match self.study.lyapunov {
+            None => vec![None; members.len()],
+            Some(periods) => {
+                let one = |(m, s): (&Member, &Settled)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
+                let members = members.iter().zip(&settled).map(one).collect();
+                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
+                ensemble::run(&pairs, &self.system, form, all, Settings::default())?
+            }
+        };
+        // a motion that the budget cut short is none
+        (!self.budget.used_up()).then(|| settled.into_iter().zip(exponents).collect())
+    }
+
+    /// Rows of the steps of a chunk, step by step and way by way.
+    fn rows(&self, steps: Range<usize>, carried: Option<Carried>, counter: &Rows) -> Option<Vec<Row>> {
+        let ways = &self.study.ways;
+        let mut out: Vec<Vec<Row>> = ways.iter().map(|_| Vec::with_capacity(steps.len())).collect();
+        let row = |way: Way, m: &Member, found: (Settled, Option<Exponent>)| Row {
+            way,
+            speed: m.speed,
+            rate: m.rate,
+            settled: found.0,
+            exponent: found.1,
+        };
+        if let Some(w) = ways.iter().position(|w| *w == Way::Rest) {
+            let members: Vec<Member> = steps.clone().into_par_iter().map(|step| self.member(Way::Rest, step, None)).collect();
+            let found = self.settle(&members, counter)?;
+            out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f)).collect();
+        }
+        let followed: Vec<usize> = (0..ways.len()).filter(|&w| ways[w] != Way::Rest).collect();
+        let mut carried = carried.unwrap_or_else(|| vec![None; ways.len()]);
+        for step in steps.clone().filter(|_| !followed.is_empty()) {
+            let members: Vec<Member> = followed.iter().map(|&w| self.member(ways[w], step, carried[w].as_ref())).collect();
+            for ((&w, m), found) in followed.iter().zip(&members).zip(self.settle(&members, counter)?) {
+                carried[w] = found.0.measure.is_some().then(|| found.0.y.clone());
+                out[w].push(row(ways[w], m, found));
+            }
+        }
+        let mut each: Vec<_> = out.into_iter().map(Vec::into_iter).collect();
+        Some(steps.flat_map(|_| each.iter_mut().filter_map(Iterator::next).collect::<Vec<_>>()).collect())
+    }
+}

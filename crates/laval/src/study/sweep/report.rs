@@ -1,0 +1,405 @@
+//! What is said of a sweep.
+
+use super::super::settled::measure::{HIGHEST, LINES, POINTS};
+use super::super::settled::period::LONGEST;
+use super::super::start::Start;
+use super::super::support::inconsistent;
+use super::rows::{STATE, point, spectrum};
+use super::{Fleet, Sweep, Way, figures};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity};
+use crate::store::{Kind, Results};
+use crate::study::{Context, Study};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// Share of the larger amplitude that a jump changes, at least.
+const JUMP: f64 = 0.25;
+/// Times the changes on both sides that a jump is, at least: a resonance between two speeds is none.
+const BEYOND: f64 = 4.0;
+/// Share of the larger amplitude by which motions of both directions differ where there is hysteresis.
+const APART: f64 = 0.01;
+
+/// Rows of one way, in the order of their steps.
+pub(super) struct Path {
+    pub way: Way,
+    pub speed: Vec<f64>,
+    pub motion: Vec<String>,
+    pub period: Vec<f64>,
+    pub bounded: Vec<bool>,
+    /// By body.
+    pub amplitude: Vec<Vec<f64>>,
+}
+
+/// A change between two neighbouring speeds that the motion on either side does not announce.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Jump {
+    pub way: Way,
+    pub before: f64,
+    pub after: f64,
+    pub body: usize,
+    pub amplitudes: (f64, f64),
+}
+
+/// Words of a column; empty where there is none.
+fn words(results: &Results, column: &str) -> Result<Vec<String>, Diagnostic> {
+    let Some(c) = results.position(column) else { return Ok(vec![]) };
+    let mut out = Vec::new();
+    for chunk in results.chunks() {
+        let chunk = chunk?;
+        out.extend((0..chunk.rows.len()).map(|i| chunk.cells[c].word(i).unwrap_or_default().to_string()));
+    }
+    Ok(out)
+}
+
+fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
+    let ways = &fleet.study.ways;
+    let motion = words(results, "motion")?;
+    let own = |column: &str, w: usize| {
+        Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
+    };
+    let one = |(w, way): (usize, &Way)| {
+        Ok(Path {
+            way: *way,
+            speed: own("speed", w)?,
+            motion: motion.iter().skip(w).step_by(ways.len()).cloned().collect(),
+            period: own("period", w)?,
+            bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
+            amplitude: fleet.bodies.iter().map(|b| own(&format!("amplitude.{}", b.name), w)).collect::<Result<_, _>>()?,
+        })
+    };
+    ways.iter().enumerate().map(one).collect()
+}
+
+/// Jumps of a path.
+fn jumps(path: &Path) -> Vec<Jump> {
+    let change = |a: &[f64], i: usize| if i + 1 < a.len() { (a[i + 1] - a[i]).abs() } else { f64::NAN };
+    let mut out = Vec::new();
+    for i in 0..path.speed.len().saturating_sub(1) {
+        let share = |a: &Vec<f64>| change(a, i) / a[i].max(a[i + 1]);
+        let clear = |a: &&Vec<f64>| {
+            let sides = [if i > 0 { change(a, i - 1) } else { f64::NAN }, change(a, i + 1)];
+            let known: Vec<f64> = sides.into_iter().filter(|x| x.is_finite()).collect();
+            share(a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
+        };
+        let found = path.amplitude.iter().enumerate().filter(|(_, a)| clear(a)).max_by(|a, b| change(a.1, i).total_cmp(&change(b.1, i)));
+        if let Some((body, a)) = found {
+            out.push(Jump { way: path.way, before: path.speed[i], after: path.speed[i + 1], body, amplitudes: (a[i], a[i + 1]) });
+        }
+    }
+    out
+}
+
+/// Longest stretches of rows for which something holds.
+fn stretches(len: usize, holds: impl Fn(usize) -> bool) -> Vec<RangeInclusive<usize>> {
+    let mut out: Vec<RangeInclusive<usize>> = Vec::new();
+    for i in (0..len).filter(|&i| holds(i)) {
+        match out.last_mut() {
+            Some(r) if *r.end() + 1 == i => *r = *r.start()..=i,
+            _ => out.push(i..=i),
+        }
+    }
+    out
+}
+
+/// "at a" or "from a to b", rising.
+fn place(speed: &[f64], range: &RangeInclusive<usize>) -> String {
+    let (a, b) = (speed[*range.start()], speed[*range.end()]);
+    let say = |x: f64| quantity(x, "rad/s");
+    if a == b { format!("at {}", say(a)) } else { format!("from {} to {}", say(a.min(b)), say(a.max(b))) }
+}
+
+fn begun(way: Way) -> &'static str {
+    match way {
+        Way::Rest => "started anew",
+        Way::Up => "followed up",
+        Way::Down => "followed down",
+    }
+}
+
+pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let paths = paths(fleet, results)?;
+    let end = context.end(results.end() == End::Reached);
+    let mut outcome = Outcome::new(Sweep::KIND, context.name).over("speed", "rad/s").end(end);
+    let jumps: Vec<Jump> = paths.iter().flat_map(jumps).collect();
+    for f in results.remark().into_iter().chain(Start::new(&fleet.system, fleet.speeds[0]).finding) {
+        outcome = outcome.finding(f);
+    }
+    outcome = largest(fleet, &paths, outcome);
+    outcome = told_jumps(fleet, &paths, &jumps, outcome);
+    outcome = hysteresis(&paths, outcome);
+    outcome = motions(&paths, outcome);
+    outcome = failures(results, outcome)?;
+    outcome = limits(results, outcome)?;
+    outcome = exponents(fleet.study, results, outcome)?;
+    let steps = results.numbers("steps")?.iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
+    outcome = tables(fleet, results, &jumps, outcome)?;
+    figures::figures(fleet, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
+}
+
+fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for (b, body) in fleet.bodies.iter().enumerate() {
+        let all = paths.iter().flat_map(|p| p.amplitude[b].iter().zip(&p.speed).map(move |(a, w)| (p.way, *w, *a)));
+        let Some((way, speed, a)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
+        let text =
+            format!("The largest settled displacement of \"{}\" is {{}}, at {} ({}).", body.name, quantity(speed, "rad/s"), begun(way));
+        outcome =
+            outcome.finding(Finding::info("largest_displacement", text).of(&body.name).value(a, "m").evidence("speed", speed, "rad/s"));
+    }
+    outcome
+}
+
+fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
+    for j in jumps {
+        let name = &fleet.bodies[j.body].name;
+        let (from, to) = (quantity(j.amplitudes.0, "m"), quantity(j.amplitudes.1, "m"));
+        let between = format!("between {} and {{}}", quantity(j.before, "rad/s"));
+        let (id, text) = match j.way {
+            Way::Rest => (
+                "start_jump",
+                format!(
+                    "Started anew, \"{name}\" reaches {from} and then {to} {between}: there the start passes from one motion's basin to another's, which is no fold."
+                ),
+            ),
+            way => (
+                if way == Way::Up { "jump_up" } else { "jump_down" },
+                format!("A slow sweep {} jumps {between}: \"{name}\" goes from {from} to {to}.", way.word()),
+            ),
+        };
+        let finding = Finding::info(id, text).value(j.after, "rad/s").evidence("last speed before", j.before, "rad/s");
+        let finding = finding.evidence("amplitude before", j.amplitudes.0, "m").evidence("amplitude after", j.amplitudes.1, "m");
+        let bracket = (j.before.min(j.after), j.before.max(j.after));
+        let special = SpecialPoint::new(id, j.after, bracket).status(Status::Bracketed);
+        outcome = outcome.finding(finding).special_point(special);
+    }
+    for p in paths.iter().filter(|p| p.way != Way::Rest && p.speed.len() > 2 && !jumps.iter().any(|j| j.way == p.way)) {
+        let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
+        let text = format!("A slow sweep {} from {} to {} does not jump.", p.way.word(), quantity(from, "rad/s"), quantity(to, "rad/s"));
+        outcome = outcome.finding(Finding::info(format!("no_jump_{}", p.way.word()), text));
+    }
+    outcome
+}
+
+/// Speeds at which the way up and the way down end in different motions.
+fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
+    let find = |way: Way| paths.iter().find(|p| p.way == way);
+    let (Some(up), Some(down)) = (find(Way::Up), find(Way::Down)) else { return outcome };
+    let n = up.speed.len();
+    let differ = |i: usize| {
+        let Some(j) = down.speed.iter().position(|w| *w == up.speed[i]) else { return false };
+        // what never repeats has no one amplitude
+        let repeat = [&up.motion[i], &down.motion[j]].iter().all(|m| m.as_str() == "periodic");
+        let apart = |b: usize| {
+            let (u, d) = (up.amplitude[b][i], down.amplitude[b][j]);
+            (u - d).abs() > APART * u.max(d)
+        };
+        repeat && (0..up.amplitude.len()).any(apart)
+    };
+    for r in stretches(n, differ) {
+        let (a, b) = (up.speed[*r.start()], up.speed[*r.end()]);
+        let text = format!("Hysteresis {}: the motion depends on the direction of the sweep, over {{}}.", place(&up.speed, &r));
+        outcome = outcome
+            .finding(Finding::info("hysteresis", text).value(b - a, "rad/s").evidence("from", a, "rad/s").evidence("to", b, "rad/s"));
+    }
+    outcome
+}
+
+/// Motions of longer period, without period, unsettled.
+fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for p in paths {
+        let n = p.speed.len();
+        for k in 2..=LONGEST {
+            for r in stretches(n, |i| p.period[i] == k as f64) {
+                let text = format!("{}, the motion ({}) repeats only after {{}} turns.", upper(&place(&p.speed, &r)), begun(p.way));
+                outcome = outcome.finding(spanned(Finding::info("longer_period", text).value(k as f64, ""), p, &r));
+            }
+        }
+        for (id, wanted, what) in [
+            ("not_periodic", "not periodic", "does not repeat within 16 turns: quasi-periodic, chaotic or of a longer period"),
+            ("not_settled", "not settled", "still changes slowly where the largest number of periods ended its settling"),
+        ] {
+            for r in stretches(n, |i| p.motion[i] == wanted) {
+                let count = r.end() - r.start() + 1;
+                let text = format!("{}, the motion ({}) {what}: {{}} speeds.", upper(&place(&p.speed, &r)), begun(p.way));
+                outcome = outcome.finding(spanned(Finding::warning(id, text).value(count as f64, ""), p, &r));
+            }
+        }
+        let cut = (0..n).filter(|&i| p.bounded[i] && p.motion[i] == "periodic").count();
+        if cut > 0 {
+            let text = format!(
+                "At {{}} of {n} speeds ({}) the largest number of periods cut the settling short of what the slowest mode asks for; the motion repeats within the tolerance all the same.",
+                begun(p.way)
+            );
+            outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
+        }
+    }
+    outcome
+}
+
+fn spanned(finding: Finding, p: &Path, r: &RangeInclusive<usize>) -> Finding {
+    let (a, b) = (p.speed[*r.start()], p.speed[*r.end()]);
+    finding.evidence("from", a.min(b), "rad/s").evidence("to", a.max(b), "rad/s")
+}
+
+fn upper(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
+}
+
+fn failures(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let speeds = results.numbers("speed")?;
+    let mut causes: BTreeMap<String, (usize, f64)> = BTreeMap::new();
+    for (why, speed) in words(results, "failure")?.into_iter().zip(&speeds).filter(|x| !x.0.is_empty()) {
+        causes.entry(why).or_insert((0, *speed)).0 += 1;
+    }
+    for (why, (count, first)) in causes {
+        let text =
+            format!("{{}} of {} motions could not be followed: each {why}. A sweep that loses its motion starts anew.", speeds.len());
+        outcome =
+            outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, "").evidence("first at", first, "rad/s"));
+    }
+    Ok(outcome)
+}
+
+fn limits(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let (speeds, uses) = (results.numbers("speed")?, results.numbers("validity")?);
+    let mut worst: BTreeMap<String, (f64, f64, usize)> = BTreeMap::new();
+    for ((what, ratio), speed) in words(results, "limit")?.into_iter().zip(uses).zip(speeds).filter(|x| x.0.1 > 1.0) {
+        let entry = worst.entry(what).or_insert((ratio, speed, 0));
+        entry.2 += 1;
+        if ratio > entry.0 {
+            (entry.0, entry.1) = (ratio, speed);
+        }
+    }
+    for (what, (ratio, speed, count)) in worst {
+        let (part, statement) = what.split_once(": ").unwrap_or((&what, ""));
+        let text = format!("\"{part}\" leaves its model in {count} motions: {statement} reaches");
+        let finding = if ratio.is_finite() {
+            Finding::invalid("validity", text + " {}, above 1.").value(ratio, "")
+        } else {
+            Finding::invalid("validity", text + " no finite value.")
+        };
+        outcome = outcome.finding(finding.of(part).evidence("at", speed, "rad/s"));
+    }
+    Ok(outcome)
+}
+
+fn exponents(study: &Sweep, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    if study.lyapunov.is_none() {
+        return Ok(outcome);
+    }
+    let (speed, value, halves) = (results.numbers("speed")?, results.numbers("lyapunov")?, results.numbers("lyapunov_halves")?);
+    let clear: Vec<usize> = (0..value.len()).filter(|&i| value[i] > 3.0 * halves[i]).collect();
+    let Some(&top) = clear.iter().max_by(|&&a, &&b| value[a].total_cmp(&value[b])) else {
+        return Ok(outcome.finding(Finding::info("no_chaos", "No Lyapunov exponent is clearly positive: no motion found is chaotic.")));
+    };
+    let text = format!("{} motions have a clearly positive Lyapunov exponent: they are chaotic. The largest is {{}}.", clear.len());
+    let finding = Finding::warning("chaos", text).value(value[top], "1/s").evidence("at", speed[top], "rad/s");
+    Ok(outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s")))
+}
+
+fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
+    let mut table = Table::new("sweep", "Settled motion at every speed");
+    for c in results.columns().iter().filter(|c| !skipped(&c.name)) {
+        table = match c.kind {
+            Kind::Text => table.text(&c.name, &c.doc, words(results, &c.name)?),
+            // infinity marks what has no bound
+            _ => table.float(
+                &c.name,
+                &c.unit,
+                &c.doc,
+                results.numbers(&c.name)?.iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect(),
+            ),
+        };
+    }
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
+    let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
+    let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
+    // a motion of period k has k points, the last ones
+    let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
+    let rows: Vec<(usize, f64)> =
+        (0..speed.len()).flat_map(|r| points[kept(r)..].iter().map(move |p| (r, p[r]))).filter(|x| x.1.is_finite()).collect();
+    let poincare =
+        Table::new("poincare", "Displacement at phase zero: one point for every period of a motion, 32 where it does not repeat")
+            .text("start", "how the motion began", rows.iter().map(|r| start[r.0].clone()).collect())
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
+            .float("displacement", "m", "displacement", rows.iter().map(|r| r.1).collect());
+    outcome = outcome.table(poincare.build().map_err(inconsistent)?);
+    if fleet.study.waterfall.is_some() {
+        let lines = (0..=LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
+        let first = fleet.study.ways[0].word();
+        let rows: Vec<(usize, usize)> =
+            (0..speed.len()).filter(|&r| start[r] == first).flat_map(|r| (0..lines.len()).map(move |l| (r, l))).collect();
+        let table = Table::new("waterfall", "Semi-major axis of the motion over speed and order")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
+            .float("order", "", "frequency over spin speed", rows.iter().map(|r| r.1 as f64 / LINES as f64).collect())
+            .float(
+                "amplitude",
+                "m",
+                "semi-major axis, root mean square over stretches of 16 periods",
+                rows.iter().map(|r| lines[r.1][r.0]).collect(),
+            );
+        outcome = outcome.table(table.build().map_err(inconsistent)?);
+    }
+    outcome = outcome.table(end_states(results)?);
+    let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
+    let table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
+        .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| fleet.bodies[j.body].name.clone()).collect())
+        .float("before", "rad/s", "last speed before", column(&|j| j.before))
+        .float("after", "rad/s", "first speed after", column(&|j| j.after))
+        .float("amplitude_before", "m", "largest displacement before", column(&|j| j.amplitudes.0))
+        .float("amplitude_after", "m", "largest displacement after", column(&|j| j.amplitudes.1));
+    Ok(outcome.table(table.build().map_err(inconsistent)?))
+}
+
+/// States at the last speed computed, from which another sweep can go on.
+fn end_states(results: &Results) -> Result<Table, Diagnostic> {
+    let start = words(results, "start")?;
+    let mut rows: Vec<(&str, &str, &str, f64)> = Vec::new();
+    for c in results.columns() {
+        let Some(name) = c.name.strip_prefix(STATE) else { continue };
+        let values = results.numbers(&c.name)?;
+        for way in [Way::Rest, Way::Up, Way::Down] {
+            if let Some(i) = start.iter().rposition(|s| s == way.word()) {
+                rows.push((way.word(), name, c.unit.as_str(), values[i]));
+            }
+        }
+    }
+    Table::new("end_states", "State at the last speed of each way, at phase zero: what `initial` of another sweep may be given")
+        .text("start", "how the motion began", rows.iter().map(|r| r.0.into()).collect())
+        .text("state", "coordinate, rate or internal state", rows.iter().map(|r| r.1.into()).collect())
+        .text("unit", "unit of the value", rows.iter().map(|r| r.2.into()).collect())
+        .float("value", "", "value; none where the motion failed", rows.iter().map(|r| r.3).collect())
+        .build()
+        .map_err(inconsistent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(amplitude: &[f64]) -> Path {
+        let n = amplitude.len();
+        Path {
+            way: Way::Up,
+            speed: (0..n).map(|i| i as f64).collect(),
+            motion: vec!["periodic".into(); n],
+            period: vec![1.0; n],
+            bounded: vec![false; n],
+            amplitude: vec![amplitude.to_vec()],
+        }
+    }
+
+    #[test]
+    fn a_jump_is_no_resonance() {
+        let fold = jumps(&path(&[5.0, 5.2, 5.3, 1.0, 0.9]));
+        assert_eq!((fold.len(), fold[0].before, fold[0].after), (1, 2.0, 3.0));
+        // narrow resonances, sampled once or twice
+        assert_eq!(jumps(&path(&[1.0, 1.1, 9.0, 1.1, 1.0])), []);
+        assert_eq!(jumps(&path(&[1.0, 2.0, 8.0, 2.5, 1.0])), []);
+        assert_eq!(jumps(&path(&[1.0, f64::NAN, 8.0, 2.5, 1.0])), []);
+    }
+}
