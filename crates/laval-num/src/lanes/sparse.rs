@@ -114,8 +114,9 @@ mod tests {
         #[inline(always)]
         fn run<S: LaneScalar>(self) {
             // members with different patterns
-            let matrix =
-                |lane: usize| Mat::from_fn(3, 4, |i, j| if (i + j + lane) % 3 == 0 { (1 + i + 10 * j + 100 * lane) as f64 } else { 0.0 });
+            let matrix = |lane: usize| {
+                Mat::from_fn(3, 4, |i, j| if (i + j + lane).is_multiple_of(3) { (1 + i + 10 * j + 100 * lane) as f64 } else { 0.0 })
+            };
             let mut sparse = Sparse::<S>::new(3, 4);
             for lane in [5, 0, 3] {
                 sparse.set(lane, &matrix(lane));

@@ -53,7 +53,8 @@ mod tests {
 
     #[test]
     fn roots_of_awkward_functions() {
-        let cases: [(fn(f64) -> (f64, f64), f64, f64, f64); 4] = [
+        type Function = fn(f64) -> (f64, f64);
+        let cases: [(Function, f64, f64, f64); 4] = [
             (|x| (x * x - 2.0, 2.0 * x), 0.0, 2.0, 2f64.sqrt()),
             (|x| (x.powi(9) - 1e-9, 9.0 * x.powi(8)), -1.0, 2.0, 0.1),
             (|x| (if x < 1.7 { -1.0 } else { 1.0 }, 0.0), 1.0, 2.0, 1.7),

@@ -119,13 +119,9 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
     pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
         let n = self.n;
         let phase = self.phase + self.speed * t;
-        for i in 0..n {
-            dy[i] = y[n + i];
-        }
+        dy[..n].copy_from_slice(&y[n..2 * n]);
         let dim = y.len();
-        for i in 0..dim {
-            self.terms[i] = y[i];
-        }
+        self.terms[..dim].copy_from_slice(y);
         let (sin, cos) = phase.sin_cos();
         self.terms[dim] = S::one();
         self.terms[dim + 1] = cos;

@@ -68,7 +68,7 @@ impl<V: Voyage> Hands for Riders<'_, V> {
 /// The equations in the form the ensemble allows.
 enum Equations<'a, S> {
     Constant(Constant<'a, S>),
-    General(General<'a, S>),
+    General(Box<General<'a, S>>),
 }
 
 /// A member in its lane.
@@ -106,7 +106,7 @@ impl<'a, S: LaneScalar> LaneCrew<'a, S> {
             hands,
             equations: match form {
                 Form::Constant => Equations::Constant(Constant::new(base)),
-                Form::Prescribed | Form::Free => Equations::General(General::new(base, form == Form::Free)),
+                Form::Prescribed | Form::Free => Equations::General(Box::new(General::new(base, form == Form::Free))),
             },
             dim: core + if spin.is_some() { 2 } else { 0 },
             spin,

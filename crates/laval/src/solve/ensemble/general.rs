@@ -318,10 +318,8 @@ impl<'a, S: LaneScalar> General<'a, S> {
             }
             round += 1;
         }
-        for i in 0..n {
-            dy[i] = y[n + i];
-            dy[n + i] = self.accel[i];
-        }
+        dy[..n].copy_from_slice(&y[n..2 * n]);
+        dy[n..2 * n].copy_from_slice(&self.accel[..n]);
         for i in 0..m {
             let mut rate = self.rate[i];
             for j in 0..rows {
