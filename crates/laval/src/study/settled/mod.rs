@@ -298,7 +298,7 @@ impl Voyage for Settling<'_> {
         if i >= (self.rules.periods.saturating_sub(LONGEST) * SAMPLES) as u64 {
             log.limits.watch(&self.system, TAU / log.period, t, log.period / SAMPLES as f64, y);
         }
-        if i % SAMPLES as u64 == 0 {
+        if i.is_multiple_of(SAMPLES as u64) {
             log.sections.push(y);
         }
         let rest = log.sections.rest();
