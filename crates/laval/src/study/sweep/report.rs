@@ -305,13 +305,12 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     for c in results.columns().iter().filter(|c| !skipped(&c.name)) {
         table = match c.kind {
             Kind::Text => table.text(&c.name, &c.doc, words(results, &c.name)?),
-            // infinity marks what has no bound
-            _ => table.float(
-                &c.name,
-                &c.unit,
-                &c.doc,
-                results.numbers(&c.name)?.iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect(),
-            ),
+            _ => {
+                // infinity marks what has no bound
+                let values: Vec<f64> = results.numbers(&c.name)?.iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect();
+                let none = if values.iter().any(|x| x.is_nan()) { "; NaN where there is none" } else { "" };
+                table.float(&c.name, &c.unit, format!("{}{none}", c.doc), values)
+            }
         };
     }
     outcome = outcome.table(table.build().map_err(inconsistent)?);
@@ -338,7 +337,7 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
             .float(
                 "amplitude",
                 "m",
-                "semi-major axis, root mean square over stretches of 16 periods",
+                "semi-major axis, root mean square over stretches of 16 periods; NaN where the motion failed",
                 rows.iter().map(|r| lines[r.1][r.0]).collect(),
             );
         outcome = outcome.table(table.build().map_err(inconsistent)?);
@@ -372,7 +371,7 @@ fn end_states(results: &Results) -> Result<Table, Diagnostic> {
         .text("start", "how the motion began", rows.iter().map(|r| r.0.into()).collect())
         .text("state", "coordinate, rate or internal state", rows.iter().map(|r| r.1.into()).collect())
         .text("unit", "unit of the value", rows.iter().map(|r| r.2.into()).collect())
-        .float("value", "", "value; none where the motion failed", rows.iter().map(|r| r.3).collect())
+        .float("value", "", "value; NaN where the motion failed", rows.iter().map(|r| r.3).collect())
         .build()
         .map_err(inconsistent)
 }
