@@ -333,7 +333,7 @@ fn a_work_limit_leaves_what_was_done() {
     }
     let stop = AtomicBool::new(true);
     let o = l.studies[0].study.run(&l.system, &Context { cancel: &stop, ..Context::quiet("s") }).unwrap();
-    assert_eq!((o.end.clone(), table(&o, "sweep").rows()), (End::Cancelled, 0));
+    assert_eq!((o.end, table(&o, "sweep").rows()), (End::Cancelled, 0));
 }
 
 /// A machine that flies apart is counted, its neighbours are not disturbed.
