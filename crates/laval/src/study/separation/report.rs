@@ -25,7 +25,7 @@ pub(super) struct Found<'a> {
 }
 
 /// Members used where the ensemble is run again and again.
-const FEW: usize = 1024;
+const FEW: usize = 20_000;
 
 type Built<T> = Result<T, OutcomeError>;
 

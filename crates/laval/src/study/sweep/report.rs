@@ -173,7 +173,9 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
         let special = SpecialPoint::new(id, j.after, bracket).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
     }
-    for p in paths.iter().filter(|p| p.way != Way::Rest && p.speed.len() > 2 && !jumps.iter().any(|j| j.way == p.way)) {
+    // nothing is said of speeds that could not be computed
+    let whole = |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite());
+    for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
         let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
         let text = format!("A slow sweep {} from {} to {} does not jump.", p.way.word(), quantity(from, "rad/s"), quantity(to, "rad/s"));
         outcome = outcome.finding(Finding::info(format!("no_jump_{}", p.way.word()), text));
