@@ -339,6 +339,8 @@ fn ctrl_c_keeps_what_was_done() {
     // the first study is printed when it is done: the long one follows
     out.read_line(&mut line).unwrap();
     assert_eq!(line, "response\n");
+    // between two studies there is nothing to interrupt
+    std::thread::sleep(std::time::Duration::from_secs(1));
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let mut err = String::new();
     child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
