@@ -30,12 +30,14 @@ pub struct Diagnostic {
     pub label: Option<String>,
     /// What to do about it.
     pub help: Option<String>,
+    /// The name that does not exist, where that is what is wrong: `drum.q`.
+    pub about: Option<String>,
 }
 
 impl Diagnostic {
     /// An error.
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic { code, severity: Severity::Error, message: message.into(), span: None, label: None, help: None }
+        Diagnostic { code, severity: Severity::Error, message: message.into(), span: None, label: None, help: None, about: None }
     }
     /// A warning.
     pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
@@ -49,6 +51,11 @@ impl Diagnostic {
     /// Adds the text under the marked place.
     pub fn label(mut self, label: impl Into<String>) -> Self {
         self.label = Some(label.into());
+        self
+    }
+    /// Adds the name that does not exist.
+    pub fn about(mut self, name: impl Into<String>) -> Self {
+        self.about = Some(name.into());
         self
     }
     /// Adds help.

@@ -1,12 +1,13 @@
 //! From a [`Spec`] to a machine and its studies, through the registries.
 
-use super::{Axis, Block, Catalog, Spec, held, read_bytes, reader};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
-use crate::model::field::{Attach, Extra, Field, FieldKind, Value, Values};
+use super::draft::Draft;
+use super::{Axis, Block, Catalog, MachineBlock, Spec, examine, held, joints, read_bytes, reader, stages};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::Extra;
 use crate::model::part::{At, Rows};
-use crate::model::system::{self, Drive, Machine, PartInput, System, Workspace};
+use crate::model::system::{self, Drive, Machine, System, Workspace};
 use crate::parts;
-use crate::study::{self, ErasedStudy, StudyKind};
+use crate::study::{self, ErasedStudy};
 
 /// A machine file that has been read and assembled.
 pub struct Loaded {
@@ -103,10 +104,10 @@ pub fn catalog() -> Catalog {
 /// ```
 ///
 /// # Errors
-/// All mistakes that could be found, each at its place: those of reading, and those of all studies when the parts can be read and joined;
-/// otherwise those of reading, or of the parts and their joints.
+/// All mistakes, each once and at its place: of reading, of parts and their joints, of blocks beside them and of studies. What a block with
+/// mistakes leaves open is no mistake of others. A text that is no TOML is read only.
 pub fn load(text: &str) -> Result<Loaded, Diagnostics> {
-    after_reading(reader::read_usable(text, &catalog()))
+    after_reading(reader::read_draft(text, &catalog()))
 }
 
 /// [`load`] for the bytes of a file; text that is not UTF-8 is one diagnostic.
@@ -120,9 +121,10 @@ pub fn load_bytes(bytes: &[u8]) -> Result<Loaded, Diagnostics> {
     }
 }
 
-fn after_reading((spec, read): (Option<(Spec, Vec<Block>)>, Diagnostics)) -> Result<Loaded, Diagnostics> {
-    match spec {
-        Some((spec, doubtful)) => assemble_with(spec, &doubtful, read),
+fn after_reading((draft, read): (Option<Draft>, Diagnostics)) -> Result<Loaded, Diagnostics> {
+    match draft {
+        Some(draft) if read.has_errors() => Err(sorted(examine::all(&draft, read))),
+        Some(draft) => assemble(draft.spec(), read),
         None => Err(read),
     }
 }
@@ -132,163 +134,86 @@ fn after_reading((spec, read): (Option<(Spec, Vec<Block>)>, Diagnostics)) -> Res
 /// # Errors
 /// As [`load`].
 pub fn assemble(spec: Spec, diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
-    assemble_with(spec, &[], diagnostics)
+    let draft = Draft::from(&spec);
+    straight(spec, diagnostics).map_err(|found| sorted(examine::all(&draft, found)))
 }
 
-/// `doubtful` are studies that could be read in part.
-fn assemble_with(spec: Spec, doubtful: &[Block], mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
-    let mut own = Diagnostics::default();
-    let mut built = build_parts(&spec, &mut own);
-    check_joints(&spec, &built, &mut own);
-    let wrong = own.has_errors();
-    diagnostics.0.append(&mut own.0);
-    if wrong {
-        return Err(sorted(diagnostics));
+/// Assembles what has no mistakes; ends at the first stage that finds one.
+fn straight(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnostics> {
+    let registry = parts::registry();
+    let mut built = Vec::with_capacity(spec.parts.len());
+    for block in &spec.parts {
+        let (input, fine) = stages::part(&registry, block, &mut diagnostics);
+        if !fine {
+            incomplete("part.incomplete", block, &mut diagnostics);
+        }
+        built.push(input);
     }
-    let inputs = built.drain(..).flatten().collect();
-    let machine = Machine {
-        name: spec.machine.name.clone(),
-        speed: spec.machine.speed,
-        axis: match spec.machine.axis {
-            Axis::Vertical => system::Axis::Vertical,
-            Axis::Horizontal => system::Axis::Horizontal,
-        },
-        drive: Drive::Prescribed,
-        extras: spec.extras.iter().map(|(word, b)| Extra { word, kind: b.kind, name: b.name.clone(), values: b.values.clone() }).collect(),
-    };
-    let system = match System::assemble(machine, inputs) {
+    joints::check(&spec.parts, &built, &[], &mut diagnostics);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
+    }
+    let machine = machine(&spec.machine, spec.extras.iter().map(|(word, b)| extra(word, b)).collect());
+    let system = match System::assemble(machine, built.into_iter().flatten().collect()) {
         Ok(system) => system,
-        Err(found) => {
-            diagnostics.0.extend(found.0);
-            return Err(sorted(diagnostics));
+        Err(mut found) => {
+            diagnostics.0.append(&mut found.0);
+            return Err(diagnostics);
         }
     };
-    let mut own = Diagnostics::default();
-    check_finite(&system, &mut own);
-    held::check(&system, &mut own);
-    check_extras(&spec, &system, &mut own);
-    let wrong = own.has_errors();
-    diagnostics.0.append(&mut own.0);
-    if wrong {
-        return Err(sorted(diagnostics));
+    check_finite(&system, &mut diagnostics);
+    held::check(&system, &mut diagnostics);
+    let known = study::blocks();
+    for (extra, (_, block)) in system.machine.extras.iter().zip(&spec.extras) {
+        stages::extra(&known, extra, block, &system, &mut diagnostics);
     }
-    let studies = build_studies(&spec, &system, &mut diagnostics);
-    for block in doubtful {
-        let mut own = Diagnostics::default();
-        study::check_starts(&block.values, &system, &mut own);
-        place(&mut own, block);
-        diagnostics.0.append(&mut own.0);
+    if diagnostics.has_errors() {
+        return Err(diagnostics);
     }
+    let registry = study::registry();
+    let mut studies = Vec::with_capacity(spec.studies.len());
+    let mut without = Vec::new();
+    for block in &spec.studies {
+        match stages::study(&registry, block, &system, &mut diagnostics) {
+            Some(study) => studies.push(NamedStudy { name: block.name.clone(), study }),
+            None => without.push(block),
+        }
+    }
+    without.into_iter().for_each(|block| incomplete("study.incomplete", block, &mut diagnostics));
     let warnings = sorted(diagnostics);
     if warnings.has_errors() { Err(warnings) } else { Ok(Loaded { spec, system, studies, warnings }) }
 }
 
-/// Blocks beside the parts; no study is built on one that is wrong.
-fn check_extras(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) {
-    let known = study::blocks();
-    for (extra, (_, block)) in system.machine.extras.iter().zip(&spec.extras) {
-        let mut own = Diagnostics::default();
-        if let Some(kind) = known.iter().find(|k| k.info.word == extra.word) {
-            (kind.check)(extra, system, &mut own);
-        }
-        place(&mut own, block);
-        diagnostics.0.append(&mut own.0);
+/// A block that could not be built, when nothing says why.
+fn incomplete(code: &'static str, block: &Block, diagnostics: &mut Diagnostics) {
+    if !diagnostics.has_errors() {
+        let message = format!("{} \"{}\" cannot be built from what is given", block.kind, block.name);
+        diagnostics.push(Diagnostic::error(code, message).at(block.span.clone()));
     }
+}
+
+/// The machine as a whole.
+pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
+    Machine {
+        name: block.name.clone(),
+        speed: block.speed,
+        axis: match block.axis {
+            Axis::Vertical => system::Axis::Vertical,
+            Axis::Horizontal => system::Axis::Horizontal,
+        },
+        drive: Drive::Prescribed,
+        extras,
+    }
+}
+
+/// A block beside the parts, as studies see it.
+pub(super) fn extra(word: &'static str, b: &Block) -> Extra {
+    Extra { word, kind: b.kind, name: b.name.clone(), values: b.values.clone() }
 }
 
 fn sorted(mut diagnostics: Diagnostics) -> Diagnostics {
     diagnostics.sort_by_place();
     diagnostics
-}
-
-/// Every part by itself; `None` where it could not be built.
-fn build_parts(spec: &Spec, diagnostics: &mut Diagnostics) -> Vec<Option<PartInput>> {
-    let registry = parts::registry();
-    let mut one = |block: &Block| {
-        let kind = registry.iter().find(|k| k.info.kind == block.kind)?;
-        let mut own = Diagnostics::default();
-        let built = (kind.build)(&block.values, &mut own);
-        if built.is_none() && !own.has_errors() {
-            own.push(Diagnostic::error("part.incomplete", format!("{} \"{}\" cannot be built from what is given", block.kind, block.name)));
-        }
-        place(&mut own, block);
-        diagnostics.0.append(&mut own.0);
-        let (part, params) = built?;
-        Some(PartInput { name: block.name.clone(), part, params, span: block.span.clone() })
-    };
-    spec.parts.iter().map(&mut one).collect()
-}
-
-/// A diagnostic of a block says whose it is; without a place of its own it stands at the block.
-fn place(diagnostics: &mut Diagnostics, block: &Block) {
-    for d in &mut diagnostics.0 {
-        if d.span.is_none() {
-            d.span.clone_from(&block.span);
-        }
-        if !d.message.starts_with(block.kind) {
-            let name = if block.name == block.kind { String::new() } else { format!(" {:?}", block.name) };
-            d.message = format!("{}{name}: {}", block.kind, d.message);
-        }
-    }
-}
-
-/// The points that parts are attached to: the body exists, is a body, and has the position.
-fn check_joints(spec: &Spec, built: &[Option<PartInput>], diagnostics: &mut Diagnostics) {
-    let is_body = |i: usize| built[i].as_ref().is_none_or(|p| p.part.layout().body);
-    let bodies: Vec<&str> = (0..built.len()).filter(|&i| built[i].is_some() && is_body(i)).map(|i| spec.parts[i].name.as_str()).collect();
-    let one = |block: &Block, field: &str, attach: &Attach, ground: bool, out: &mut Diagnostics| {
-        let Some(name) = &attach.body else { return };
-        let known = || {
-            let mut all: Vec<String> = bodies.iter().map(|b| format!("\"{b}\"")).collect();
-            all.extend(ground.then(|| "\"ground\"".to_string()));
-            if all.is_empty() {
-                "this machine has no body: add a part such as a disc".to_string()
-            } else {
-                format!("bodies of this machine: {}", all.join(", "))
-            }
-        };
-        let span = block.values.span_of(field);
-        let Some(i) = spec.parts.iter().position(|p| &p.name == name) else {
-            let near = nearest(name, bodies.iter().copied().chain(ground.then_some("ground")));
-            let help = near.map_or_else(known, |n| format!("did you mean \"{n}\"? {}", capital(&known())));
-            let message = format!("{} \"{}\" is attached to \"{name}\", which does not exist", block.kind, block.name);
-            out.push(Diagnostic::error("body.missing", message).at(span).label("no such body").help(help));
-            return;
-        };
-        if !is_body(i) {
-            let message =
-                format!("{} \"{}\" is attached to \"{name}\", which is a {} and not a body", block.kind, block.name, spec.parts[i].kind);
-            out.push(Diagnostic::error("body.kind", message).at(span).label("not a body").help(known()));
-            return;
-        }
-        let Some(body) = &built[i] else { return };
-        if attach.position != 0.0 && body.part.shape(&body.params, attach.position) == body.part.shape(&body.params, 0.0) {
-            let message = format!("the position on \"{name}\" has no effect: that {} does not tilt", spec.parts[i].kind);
-            out.push(
-                Diagnostic::warning("body.position", message)
-                    .at(span)
-                    .label("no effect")
-                    .help("give a disc its diametral_inertia to let it tilt"),
-            );
-        }
-    };
-    for block in &spec.parts {
-        for field in block.values.names() {
-            match block.values.get(field) {
-                Some(Value::Attach(a)) => one(block, field, a, false, diagnostics),
-                Some(Value::Between(a, b)) => {
-                    one(block, field, a, true, diagnostics);
-                    one(block, field, b, true, diagnostics);
-                }
-                _ => {}
-            }
-        }
-    }
-}
-
-fn capital(s: &str) -> String {
-    let mut chars = s.chars();
-    chars.next().map(|f| f.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }
 
 /// Every part gives finite forces at a typical moving state.
@@ -315,66 +240,6 @@ fn check_finite(system: &System, diagnostics: &mut Diagnostics) {
             );
         }
     }
-}
-
-fn build_studies(spec: &Spec, system: &System, diagnostics: &mut Diagnostics) -> Vec<NamedStudy> {
-    let registry = study::registry();
-    let mut one = |block: &Block| {
-        let kind = registry.iter().find(|k| k.info.kind == block.kind)?;
-        let mut own = Diagnostics::default();
-        check_names(kind.info.fields.as_slice(), &block.values, &registry, system, &mut own);
-        let built = (kind.build)(&block.values, system, &mut own);
-        if built.is_none() && !own.has_errors() {
-            own.push(Diagnostic::error(
-                "study.incomplete",
-                format!("{} \"{}\" cannot be built from what is given", block.kind, block.name),
-            ));
-        }
-        place(&mut own, block);
-        diagnostics.0.append(&mut own.0);
-        Some(NamedStudy { name: block.name.clone(), study: built? })
-    };
-    spec.studies.iter().filter_map(&mut one).collect()
-}
-
-/// Coordinates and parameters that a study names exist.
-fn check_names(fields: &[Field], values: &Values, registry: &[StudyKind], system: &System, out: &mut Diagnostics) {
-    for field in fields {
-        let span = || values.span_of(field.name);
-        match (field.kind, values.get(field.name)) {
-            (FieldKind::Coordinate, Some(Value::Text(name))) => coordinate(system, name, span(), out),
-            (FieldKind::ParameterPath, Some(Value::Text(path))) if system.param(path).is_none() => {
-                out.push(system.unknown_param(path).at(span()).label("unknown parameter"));
-            }
-            (FieldKind::Tolerances, Some(Value::Tolerances(list))) => {
-                for t in list.iter().filter(|t| system.param(&t.parameter).is_none()) {
-                    out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label("unknown parameter"));
-                }
-            }
-            // one that is named is checked where it stands
-            (FieldKind::Study, Some(Value::Study(inner))) if inner.name.is_none() => {
-                if let Some(kind) = registry.iter().find(|k| k.info.kind == inner.kind) {
-                    check_names(&kind.info.fields, &inner.values, registry, system, out);
-                }
-            }
-            _ => {}
-        }
-    }
-}
-
-fn coordinate(system: &System, name: &str, span: Option<Span>, out: &mut Diagnostics) {
-    let all = || system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
-    if all().any(|n| n == name) {
-        return;
-    }
-    let known = format!("coordinates of this machine: {}", all().collect::<Vec<_>>().join(", "));
-    let help = nearest(name, all()).map_or_else(|| known.clone(), |n| format!("did you mean \"{n}\"? {}", capital(&known)));
-    out.push(
-        Diagnostic::error("coordinate.unknown", format!("there is no coordinate \"{name}\""))
-            .at(span)
-            .label("unknown coordinate")
-            .help(help),
-    );
 }
 
 #[cfg(test)]
@@ -408,17 +273,6 @@ kind = "nonlinear_response"
 speed = { from = "25 rad/s", to = "8000 rad/s" }
 "#;
 
-    fn wrong(from: &str, to: &str) -> (String, Diagnostics) {
-        let text = MACHINE.replacen(from, to, 1);
-        assert_ne!(text, MACHINE);
-        let found = load(&text).err().expect("a mistake");
-        (text, found)
-    }
-
-    fn marked<'a>(text: &'a str, d: &Diagnostic) -> &'a str {
-        &text[d.span.clone().expect("a place")]
-    }
-
     #[test]
     fn the_registries_declare_what_the_reader_can_read() {
         assert_eq!(catalog().check().0, []);
@@ -436,35 +290,6 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         assert_eq!(l.warnings.0, []);
         let l = load(&MACHINE.replace("speed = \"3000 rpm\"", "axis = \"horizontal\"")).unwrap_or_else(|d| panic!("{d:?}"));
         assert_eq!((l.system.machine.axis, l.system.machine.speed), (system::Axis::Horizontal, None));
-    }
-
-    #[test]
-    fn a_missing_body_is_marked_and_the_right_one_proposed() {
-        let (text, d) = wrong("\"drum\", \"base\"", "\"drum\", \"bass\"");
-        assert_eq!(d.0.len(), 1);
-        assert_eq!(d.0[0].code, "body.missing");
-        assert!(marked(&text, &d.0[0]).contains("bass"), "{}", marked(&text, &d.0[0]));
-        assert!(d.0[0].help.as_deref().is_some_and(|h| h.contains("\"base\"?")), "{d:?}");
-    }
-
-    #[test]
-    fn mistakes_of_several_parts_come_together() {
-        let text = MACHINE.replace("\"drum\", \"base\"", "\"drum\", \"bearing\"").replace(
-            "[[study]]",
-            "[[part]]\nkind = \"damper\"\nbetween = [\"base\", \"groud\"]\ndamping = 1\n[[part]]\nkind = \"liquid\"\nin = \"drum\"\n\
-             cavity_radius = \"70 mm\"\ncavity_height = \"60 mm\"\ndensity = 1000\nfill = { free_surface_radius = \"71 mm\" }\n[[study]]",
-        );
-        let d = load(&text).err().expect("mistakes");
-        assert_eq!(d.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.kind", "body.missing", "liquid.fill"]);
-        assert!(d.0.iter().all(|d| d.span.is_some()));
-        assert!(marked(&text, &d.0[2]).contains("71 mm"));
-    }
-
-    #[test]
-    fn mistakes_of_a_study_have_its_place() {
-        let (text, d) = wrong("to = \"8000 rad/s\"", "to = \"25 rad/s\"");
-        assert_eq!(d.0.len(), 1, "{d:?}");
-        assert!(marked(&text, &d.0[0]).contains("25 rad/s"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Documentation of one kind of part or study, from its declaration.
 
-use super::values::bounds_text;
+use super::numbers::bounds_text;
 use super::writer::quoted;
 use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
 use crate::units::{describe, examples, write_number, write_si};

@@ -160,19 +160,4 @@ mod tests {
         );
         assert_eq!(load(&tilting).unwrap_or_else(|d| panic!("{d:?}")).warnings.0, []);
     }
-
-    #[test]
-    fn mistakes_of_studies_come_together_with_those_of_reading_others() {
-        let text = format!(
-            "{DISC}{}[[study]]\nkind = \"modes\"\nspeed = \"3 kg\"\n[[study]]\nkind = \"transient\"\nduration = \"1 s\"\n\
-             initial = {{ \"d.q\" = \"1 mm\" }}\nkick = {{ \"d.x\" = \"1 mm\" }}\nkick_time = \"2 s\"\n",
-            shaft("[\"d\", \"ground\"]", "")
-        );
-        let d = load(&text).err().expect("mistakes");
-        let codes: Vec<&str> = d.0.iter().map(|d| d.code).collect();
-        assert_eq!(codes.len(), 4, "{d:?}");
-        for code in ["coordinate.unknown", "transient.kick", "transient.kick_time"] {
-            assert!(codes.contains(&code), "{codes:?}");
-        }
-    }
 }

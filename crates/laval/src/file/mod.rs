@@ -12,8 +12,17 @@ pub mod writer;
 
 mod blocks;
 mod declared;
+mod draft;
+mod examine;
 mod held;
+mod joints;
+mod names;
+mod naming;
 mod nested;
+mod numbers;
+mod references;
+mod stages;
+mod stand_in;
 mod syntax;
 mod tree;
 mod values;

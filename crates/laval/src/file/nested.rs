@@ -1,6 +1,7 @@
 //! Fields that hold more than numbers: a study inside a study, uncertain parameters.
 
-use super::blocks::{read_fields, read_kind};
+use super::blocks::read_fields;
+use super::naming::read_kind;
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use crate::diagnostic::Diagnostics;
@@ -34,7 +35,7 @@ impl Context<'_> {
             self.error("study.unknown", node.span.clone(), message, "no such study", help);
             return None;
         };
-        // a study of unknown kind is reported where it stands, and so are the mistakes of its values
+        // a study that is not understood is reported where it stands, and so are the mistakes of its values
         let info = found.info?;
         self.not_nested(field, node, info)?;
         let mut own = Diagnostics::default();

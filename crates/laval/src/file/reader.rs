@@ -1,6 +1,7 @@
 //! From text to [`Spec`].
 
-use super::{Block, Catalog, Spec, blocks, syntax, tree};
+use super::draft::Draft;
+use super::{Catalog, Spec, blocks, syntax, tree};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use toml::de::DeTable;
 
@@ -9,13 +10,12 @@ const MAX_BYTES: usize = 64 << 20;
 
 /// Reads a machine file. All mistakes are reported together, in the order of their places; there is a spec if none is an error.
 pub fn read(text: &str, catalog: &Catalog) -> (Option<Spec>, Diagnostics) {
-    let (spec, out) = read_usable(text, catalog);
-    (spec.map(|s| s.0).filter(|_| !out.has_errors()), out)
+    let (draft, out) = read_draft(text, catalog);
+    (draft.filter(|_| !out.has_errors()).map(Draft::spec), out)
 }
 
-/// As [`read`], but there is also a spec when all mistakes lie inside studies: without those studies, which come beside it as far as
-/// they could be read.
-pub(super) fn read_usable(text: &str, catalog: &Catalog) -> (Option<(Spec, Vec<Block>)>, Diagnostics) {
+/// As [`read`], with every block as far as it could be read; none when the file is no TOML.
+pub(super) fn read_draft(text: &str, catalog: &Catalog) -> (Option<Draft>, Diagnostics) {
     let mut out = Diagnostics::default();
     if text.len() > MAX_BYTES {
         out.push(Diagnostic::error("file.size", format!("the file has {} MB; at most 64 MB are read", text.len() >> 20)));
@@ -31,12 +31,12 @@ pub(super) fn read_usable(text: &str, catalog: &Catalog) -> (Option<(Spec, Vec<B
     }
     let (table, errors) = DeTable::parse_recoverable(text);
     let root = tree::from_table(table.into_inner());
-    let (spec, doubtful, usable) = blocks::read_tree(text, &root, catalog, &mut out);
+    let draft = blocks::read_tree(text, &root, catalog, &mut out);
     if !errors.is_empty() {
         syntax::merge(text, &errors, &mut out);
     }
     out.sort_by_place();
-    ((usable && errors.is_empty()).then_some((spec, doubtful)), out)
+    (errors.is_empty().then_some(draft), out)
 }
 
 /// [`read`] for the bytes of a file: text that is not UTF-8 is one diagnostic. Places are those in
@@ -69,8 +69,7 @@ pub fn read_json(value: &serde_json::Value, catalog: &Catalog) -> (Option<Spec>,
         out.push(Diagnostic::error("value.type", format!("a machine is an object with machine, part and study, not {}", node.shape())));
         return (None, out);
     };
-    let (spec, ..) = blocks::read_tree("", root, catalog, &mut out);
+    let draft = blocks::read_tree("", root, catalog, &mut out);
     out.sort_by_place();
-    let spec = (!out.has_errors()).then_some(spec);
-    (spec, out)
+    ((!out.has_errors()).then(|| draft.spec()), out)
 }

@@ -398,7 +398,7 @@ impl System {
         } else {
             format!("parameters of \"{part}\": {}", near.join(", "))
         };
-        Diagnostic::error("parameter.unknown", format!("there is no parameter \"{path}\"")).help(help)
+        Diagnostic::error("parameter.unknown", format!("there is no parameter \"{path}\"")).about(path).help(help)
     }
     /// The parts as they went into assembly.
     pub fn inputs(&self) -> Vec<PartInput> {

@@ -17,6 +17,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses, Validity};
 use crate::params;
+use crate::units;
 use laval_num::scalar::Scalar;
 
 params! {
@@ -25,6 +26,31 @@ params! {
         stiffness: lateral, "N/m", Bounds::up_to(1e15), required, "linear coefficient c0 of the total force";
         cubic_stiffness: lateral, "N/m^3", Bounds::within(1e24), required, "cubic coefficient c1 of the total force";
         valid_to: scalar, "m", Bounds::up_to(1.0), default 0.0, "largest deflection the coefficients were fitted for; 0 states none";
+    }
+}
+
+/// Deflection that rotors on bearings reach, m: unless `valid_to` says more, a law holds at least so far.
+const USUAL_DEFLECTION: f64 = 1e-3;
+
+/// A softening law pushes away beyond `d = sqrt(-c0/c1)`. It is legitimate where motions stay inside.
+fn warn_of_reversal(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) {
+    let valid_to = params.get("valid_to").unwrap_or(0.0);
+    let reach = if valid_to > 0.0 { valid_to } else { USUAL_DEFLECTION };
+    let reversals = ["x", "y"].map(|axis| {
+        let (c0, c1) = (params.get(&format!("stiffness.{axis}"))?, params.get(&format!("cubic_stiffness.{axis}"))?);
+        (c1 < 0.0).then(|| (-c0 / c1).sqrt())
+    });
+    if let Some(d) = reversals.into_iter().flatten().reduce(f64::min)
+        && d < reach
+    {
+        let message = format!("the force no longer restores beyond a deflection of {}: it pushes away", units::format_si(d, "m"));
+        let place = if valid_to > 0.0 { "valid_to, the deflection the law holds for".into() } else { units::format_si(reach, "m") };
+        diagnostics.push(
+            Diagnostic::warning("bearing_cubic.reversal", message)
+                .at(values.span_of("cubic_stiffness"))
+                .label("softens")
+                .help(format!("this is below {place}; check sign and unit (N/m^3), or state the range of the law with valid_to")),
+        );
     }
 }
 
@@ -79,6 +105,7 @@ impl Part for BearingCubic {
                 }
             }
         }
+        warn_of_reversal(values, params, diagnostics);
         Some(BearingCubic { link: Link::Between(a, b), isotropic })
     }
     fn layout(&self) -> Layout {
@@ -143,6 +170,30 @@ mod tests {
         let full = 8e10 * 8e-9;
         assert!((force(&isotropic, &axis) - full).abs() < 1e-12 * full && (force(&isotropic, &diagonal) - full).abs() < 1e-12 * full);
         assert!((force(&per_axis, &axis) - full).abs() < 1e-12 * full && (force(&per_axis, &diagonal) - 0.5 * full).abs() < 1e-12 * full);
+    }
+
+    /// c0 d + c1 d^3 = 0 at d = sqrt(-c0/c1): 0.1 mm for 1e6 N/m and -1e14 N/m^3, 10 mm for -1e10 N/m^3.
+    #[test]
+    fn a_force_that_turns_round_within_reach_is_told() {
+        let told = |cubic: f64, valid_to: f64| {
+            let mut p = ParamValues::default();
+            for (name, x) in [
+                ("stiffness.x", 1e6),
+                ("stiffness.y", 1e6),
+                ("cubic_stiffness.x", 8e10),
+                ("cubic_stiffness.y", cubic),
+                ("valid_to", valid_to),
+            ] {
+                p.set(name, x);
+            }
+            let mut d = Diagnostics::default();
+            warn_of_reversal(&Values::default(), &p, &mut d);
+            assert!(!d.has_errors());
+            d.0.len()
+        };
+        assert_eq!([told(-1e14, 0.0), told(-1e10, 0.0), told(8e10, 0.0), told(0.0, 0.0)], [1, 0, 0, 0]);
+        // the range of the law decides where it is stated
+        assert_eq!([told(-1e14, 0.09e-3), told(-1e14, 0.11e-3), told(-1e10, 9e-3), told(-1e10, 11e-3)], [0, 1, 0, 1]);
     }
 
     #[test]

@@ -27,7 +27,7 @@ use laval_num::scalar::Scalar;
 params! {
     /// Parameters of a [`Disc`].
     pub struct DiscParams in DiscFamily {
-        mass: scalar, "kg", Bounds::positive(1e7), required, "mass m";
+        mass: scalar, "kg", Bounds::closed(1e-9, 1e7), required, "mass m";
         eccentricity: scalar, "m", Bounds::up_to(0.5), default 0.0, "distance e of the centre of mass from the shaft centre";
         eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
         unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";

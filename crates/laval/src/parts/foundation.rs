@@ -18,7 +18,7 @@ use laval_num::scalar::Scalar;
 params! {
     /// Parameters of a [`Foundation`].
     pub struct FoundationParams in FoundationFamily {
-        mass: scalar, "kg", Bounds::positive(1e9), required, "mass M";
+        mass: scalar, "kg", Bounds::closed(1e-9, 1e9), required, "mass M";
         stiffness: lateral, "N/m", Bounds::up_to(1e15), required, "stiffness c2 of all supports together";
         damping: lateral, "N s/m", Bounds::up_to(1e12), default 0.0, "damping chi0 of all supports together";
     }

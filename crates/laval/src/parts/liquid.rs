@@ -31,9 +31,9 @@ use std::f64::consts::PI;
 params! {
     /// Parameters of a [`Liquid`].
     pub struct LiquidParams in LiquidFamily {
-        cavity_radius: scalar, "m", Bounds::positive(100.0), required, "cavity radius R";
-        cavity_height: scalar, "m", Bounds::positive(1000.0), required, "cavity height h";
-        density: scalar, "kg/m^3", Bounds::positive(3e4), required, "liquid density rho";
+        cavity_radius: scalar, "m", Bounds::closed(1e-6, 100.0), required, "cavity radius R";
+        cavity_height: scalar, "m", Bounds::closed(1e-6, 1000.0), required, "cavity height h";
+        density: scalar, "kg/m^3", Bounds::closed(1e-3, 3e4), required, "liquid density rho";
         free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
         wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
     }

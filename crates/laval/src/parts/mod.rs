@@ -71,10 +71,13 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
             _ => {}
         }
     }
-    let before = diagnostics.0.len();
-    let part = P::build(values, &mut params, diagnostics)?;
+    let mut own = Diagnostics::default();
+    let built = P::build(values, &mut params, &mut own);
+    let sound = !own.has_errors();
+    diagnostics.0.append(&mut own.0);
+    let part = built?;
     let vector: Vec<f64> = P::Family::slots().iter().map(|s| params.get(&s.name).unwrap_or(f64::NAN)).collect();
-    if diagnostics.0.len() == before && vector.iter().all(|x| x.is_finite()) {
+    if sound && vector.iter().all(|x| x.is_finite()) {
         for (field, message) in part.check(&P::Family::from_slice(&vector)) {
             diagnostics.push(Diagnostic::error("part.check", message).at(values.span_of(field)));
         }

@@ -207,13 +207,6 @@ pub fn blocks() -> Vec<BlockKind> {
     ]
 }
 
-/// Says what is wrong with the coordinates and states that a study names, also when it cannot be built.
-pub fn check_starts(values: &Values, system: &System, diagnostics: &mut Diagnostics) {
-    for field in ["initial", "kick"] {
-        start::state_map(values, field, system, diagnostics);
-    }
-}
-
 /// The registry entry of a study.
 pub fn kind<T: Study>() -> StudyKind {
     StudyKind {

@@ -50,11 +50,12 @@ impl Study for StabilityMap {
         let speed = range("speed", values.range("speed")?, 3, values, diagnostics);
         let mut parameter = None;
         if let Some((path, given)) = values.parameter_range("parameter") {
+            let given = range("parameter", given, 2, values, diagnostics);
             if system.param(path).is_none() {
                 diagnostics.push(system.unknown_param(path).at(values.span_of("parameter")));
                 return None;
             }
-            parameter = Some((path.to_string(), range("parameter", given, 2, values, diagnostics)?));
+            parameter = Some((path.to_string(), given?));
         }
         let count = |r: &RangeValue, default| r.points.unwrap_or(default);
         if let (Some(s), Some((_, p))) = (&speed, &parameter)

@@ -122,6 +122,7 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
                 Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
                     .at(span.clone())
                     .label("unknown coordinate")
+                    .about(name)
                     .help(nearest(system, name)),
             );
             continue;

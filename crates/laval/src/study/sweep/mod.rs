@@ -161,8 +161,9 @@ impl Study for Sweep {
         if let (Some(name), None) = (named, waterfall) {
             let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
             let message = format!("there is no body \"{name}\"");
-            diagnostics
-                .push(Diagnostic::error("sweep.waterfall", message).at(values.span_of("waterfall")).help(format!("there is {known}")));
+            diagnostics.push(
+                Diagnostic::error("sweep.waterfall", message).at(values.span_of("waterfall")).about(name).help(format!("there is {known}")),
+            );
         }
         if diagnostics.0.len() > before {
             return None;
@@ -245,7 +246,7 @@ fn section(values: &Values, system: &System, bodies: &[Body], diagnostics: &mut 
         let known: Vec<String> = bodies.iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
         let message = format!("\"{name}\" is no lateral coordinate of a body");
         let help = format!("name one such as {}", known.join(", "));
-        diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).help(help));
+        diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).about(name).help(help));
     }
     found
 }

@@ -101,7 +101,7 @@ impl Study for Uncertainty {
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let study = build_inner(values.study("study")?, values, system, diagnostics);
+        let study = build_inner(values.study("study")?, system, diagnostics);
         let parameters = tolerance::read(values.tolerances("parameters")?, system, diagnostics);
         let points = if values.choice("method") == Some("monte_carlo") { Points::Random } else { Points::Sobol };
         let design = match values.choice("indices") {
@@ -155,17 +155,13 @@ impl Study for Uncertainty {
     }
 }
 
-fn build_inner(inner: &InnerStudy, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Box<dyn ErasedStudy>> {
+fn build_inner(inner: &InnerStudy, system: &System, diagnostics: &mut Diagnostics) -> Option<Box<dyn ErasedStudy>> {
     let kind = super::registry().into_iter().find(|k| k.info.kind == inner.kind)?;
     let mut own = Diagnostics::default();
     let built = (kind.build)(&inner.values, system, &mut own);
-    match &inner.name {
-        // its mistakes are told where it stands
-        Some(name) if built.is_none() => diagnostics.push(
-            Diagnostic::error("uncertainty.study", format!("the study \"{name}\" has mistakes of its own")).at(values.span_of("study")),
-        ),
-        Some(_) => {}
-        None => diagnostics.0.append(&mut own.0),
+    // the mistakes of one that has a name are told where it stands
+    if inner.name.is_none() {
+        diagnostics.0.append(&mut own.0);
     }
     built
 }

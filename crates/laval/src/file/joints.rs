@@ -1,0 +1,67 @@
+//! The points that parts are attached to.
+
+use super::Block;
+use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::model::field::{Attach, Value};
+use crate::model::system::PartInput;
+
+/// Every point exists, lies on a body, and has the position. Of parts that are `None` in `built` nothing is known; `strange` are further names
+/// of which that is so.
+pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[String], diagnostics: &mut Diagnostics) {
+    let is_body = |i: usize| built[i].as_ref().is_none_or(|p| p.part.layout().body);
+    let shown = |i: usize| built[i].as_ref().map_or(parts[i].kind.is_empty(), |p| p.part.layout().body);
+    let bodies: Vec<&str> = (0..built.len()).filter(|&i| shown(i)).map(|i| parts[i].name.as_str()).collect();
+    let one = |block: &Block, field: &str, attach: &Attach, ground: bool, out: &mut Diagnostics| {
+        let Some(name) = attach.body.as_ref().filter(|n| !strange.contains(n)) else { return };
+        let known = || {
+            let mut all: Vec<String> = bodies.iter().map(|b| format!("\"{b}\"")).collect();
+            all.extend(ground.then(|| "\"ground\"".to_string()));
+            if all.is_empty() {
+                "this machine has no body: add a part such as a disc".to_string()
+            } else {
+                format!("bodies of this machine: {}", all.join(", "))
+            }
+        };
+        let span = block.values.span_of(field);
+        let Some(i) = parts.iter().position(|p| &p.name == name) else {
+            let near = nearest(name, bodies.iter().copied().chain(ground.then_some("ground")));
+            let help = near.map_or_else(known, |n| format!("did you mean \"{n}\"? {}", capital(&known())));
+            let message = format!("{} \"{}\" is attached to \"{name}\", which does not exist", block.kind, block.name);
+            out.push(Diagnostic::error("body.missing", message).at(span).label("no such body").help(help));
+            return;
+        };
+        if !is_body(i) {
+            let message =
+                format!("{} \"{}\" is attached to \"{name}\", which is a {} and not a body", block.kind, block.name, parts[i].kind);
+            out.push(Diagnostic::error("body.kind", message).at(span).label("not a body").help(known()));
+            return;
+        }
+        let Some(body) = &built[i] else { return };
+        if attach.position != 0.0 && body.part.shape(&body.params, attach.position) == body.part.shape(&body.params, 0.0) {
+            let message = format!("the position on \"{name}\" has no effect: that {} does not tilt", parts[i].kind);
+            out.push(
+                Diagnostic::warning("body.position", message)
+                    .at(span)
+                    .label("no effect")
+                    .help("give a disc its diametral_inertia to let it tilt"),
+            );
+        }
+    };
+    for block in parts {
+        for field in block.values.names() {
+            match block.values.get(field) {
+                Some(Value::Attach(a)) => one(block, field, a, false, diagnostics),
+                Some(Value::Between(a, b)) => {
+                    one(block, field, a, true, diagnostics);
+                    one(block, field, b, true, diagnostics);
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+pub(super) fn capital(s: &str) -> String {
+    let mut chars = s.chars();
+    chars.next().map(|f| f.to_uppercase().chain(chars).collect()).unwrap_or_default()
+}

@@ -1,0 +1,48 @@
+//! Coordinates and parameters that studies name.
+
+use super::joints::capital;
+use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::model::field::{Field, FieldKind, Value, Values};
+use crate::model::system::System;
+use crate::study::StudyKind;
+
+/// They exist.
+pub(super) fn check(fields: &[Field], values: &Values, registry: &[StudyKind], system: &System, out: &mut Diagnostics) {
+    for field in fields {
+        let span = || values.span_of(field.name);
+        match (field.kind, values.get(field.name)) {
+            (FieldKind::Coordinate, Some(Value::Text(name))) => coordinate(system, name, span(), out),
+            (FieldKind::ParameterPath, Some(Value::Text(path))) if system.param(path).is_none() => {
+                out.push(system.unknown_param(path).at(span()).label("unknown parameter"));
+            }
+            (FieldKind::Tolerances, Some(Value::Tolerances(list))) => {
+                for t in list.iter().filter(|t| system.param(&t.parameter).is_none()) {
+                    out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label("unknown parameter"));
+                }
+            }
+            // one that is named is checked where it stands
+            (FieldKind::Study, Some(Value::Study(inner))) if inner.name.is_none() => {
+                if let Some(kind) = registry.iter().find(|k| k.info.kind == inner.kind) {
+                    check(&kind.info.fields, &inner.values, registry, system, out);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn coordinate(system: &System, name: &str, span: Option<Span>, out: &mut Diagnostics) {
+    let all = || system.coordinates().iter().chain(system.states()).map(|c| c.name.as_str());
+    if all().any(|n| n == name) {
+        return;
+    }
+    let known = format!("coordinates of this machine: {}", all().collect::<Vec<_>>().join(", "));
+    let help = nearest(name, all()).map_or_else(|| known.clone(), |n| format!("did you mean \"{n}\"? {}", capital(&known)));
+    out.push(
+        Diagnostic::error("coordinate.unknown", format!("there is no coordinate \"{name}\""))
+            .at(span)
+            .label("unknown coordinate")
+            .about(name)
+            .help(help),
+    );
+}

@@ -1,0 +1,294 @@
+//! Numbers with units: one, two, a range, a list, columns.
+
+use super::tree::{Data, Node, get};
+use super::values::{Context, clip, subject};
+use crate::model::field::{Bounds, RangeValue, Value};
+use crate::units;
+use std::collections::BTreeMap;
+
+/// Most points of a range.
+const MAX_POINTS: i64 = 1_000_000;
+
+type Alternative = (&'static str, &'static str, Bounds, &'static str);
+type Column = (&'static str, &'static str, bool, &'static str);
+
+/// An interval in words, with a capital unit where both ends share one.
+pub(super) fn bounds_text(b: &Bounds, unit: &str) -> String {
+    let n = |x: f64| match unit {
+        "rad/s" | "rad" | "K" => units::format_si(x, unit),
+        _ => units::write_si(x, unit),
+    };
+    let low = match (b.min, b.min_open) {
+        (m, _) if m == f64::NEG_INFINITY => None,
+        (0.0, true) => Some("above 0".to_string()),
+        (m, true) => Some(format!("above {}", n(m))),
+        (0.0, false) => Some("0 or more".to_string()),
+        (m, false) => Some(format!("at least {}", n(m))),
+    };
+    let high = (b.max != f64::INFINITY).then(|| n(b.max));
+    match (low, high) {
+        (None, None) => "finite".into(),
+        (Some(l), None) => l,
+        (None, Some(h)) => format!("at most {h}"),
+        (Some(_), Some(h)) if !b.min_open && b.min != 0.0 => format!("between {} and {h}", n(b.min)),
+        (Some(_), Some(h)) if !b.min_open => format!("between 0 and {h}"),
+        (Some(l), Some(h)) => format!("{l} and at most {h}"),
+    }
+}
+
+impl Context<'_> {
+    /// A number with a unit, in SI and inside its bounds.
+    pub(super) fn quantity(&mut self, field: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<f64> {
+        let (x, bare) = match &node.data {
+            Data::Text(t) => match units::read_quantity(t, unit) {
+                Ok(x) => (x, false),
+                Err(e) => {
+                    self.unit_error(field, node, e);
+                    return None;
+                }
+            },
+            Data::Integer(i) => (*i as f64, true),
+            Data::Float(x) => (*x, true),
+            _ => {
+                let example = units::examples(unit);
+                self.wrong_type(
+                    field,
+                    node,
+                    &units::describe(unit),
+                    format!("write a number with a unit in quotes ({example}), or a bare number in SI units"),
+                );
+                return None;
+            }
+        };
+        if !x.is_finite() {
+            let message = format!("{}: a finite number is needed", subject(self.who, field));
+            self.error("number.invalid", node.span.clone(), message, "not finite", None);
+            return None;
+        }
+        if !bounds.contains(x) {
+            let value = units::format_si(x, unit);
+            let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds_text(bounds, unit));
+            let share = unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
+            let help = share.then(|| format!("write \"{} %\" if you mean percent", units::write_number(x)));
+            let help = help.or_else(|| {
+                (bare && !unit.is_empty())
+                    .then(|| format!("a bare number is in {unit}; put number and unit in quotes to use others ({})", units::examples(unit)))
+            });
+            self.error("value.bounds", node.span.clone(), message, "out of bounds", help);
+            return None;
+        }
+        Some(x)
+    }
+
+    pub(super) fn integer(&mut self, field: &str, node: &Node, min: i64, max: i64, auto: bool) -> Option<Value> {
+        let or_auto = if auto { ", or \"auto\"" } else { "" };
+        let wanted = format!("a whole number{or_auto}");
+        match &node.data {
+            Data::Integer(i) if (min..=max).contains(i) => Some(Value::Integer(*i)),
+            Data::Integer(i) => {
+                let message = format!("{} is {i}; it must be a whole number from {min} to {max}{or_auto}", subject(self.who, field));
+                self.error("value.bounds", node.span.clone(), message, "out of bounds", None);
+                None
+            }
+            Data::Text(t) if auto && t == "auto" => Some(Value::Auto),
+            Data::Text(t) if t.trim().parse::<i64>().is_ok() => {
+                self.wrong_type(field, node, &wanted, format!("write {} without quotes", t.trim()));
+                None
+            }
+            Data::Text(t) if auto => {
+                let message = format!("{}: {wanted} is needed, not {:?}", subject(self.who, field), clip(t));
+                self.error("value.type", node.span.clone(), message, "not a whole number", None);
+                None
+            }
+            Data::Float(x) if x.fract() == 0.0 && x.abs() < 1e15 => {
+                self.wrong_type(field, node, &wanted, format!("write {} without a decimal point", *x as i64));
+                None
+            }
+            Data::Float(_) => {
+                let message = format!("{}: {wanted} is needed; this number has a fraction or is too large", subject(self.who, field));
+                self.error("value.type", node.span.clone(), message, "not a whole number", None);
+                None
+            }
+            _ => {
+                self.wrong_type(field, node, &wanted, None);
+                None
+            }
+        }
+    }
+
+    /// One number for both directions, or one for each.
+    pub(super) fn lateral(&mut self, name: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<Value> {
+        let Some(table) = node.table() else {
+            return self.quantity(name, node, unit, &bounds).map(|x| Value::Lateral([x, x]));
+        };
+        let fine = self.check_keys(name, table, &["x", "y"]);
+        let mut half = |key: &str| match get(table, key) {
+            Some(e) => self.quantity(&format!("{name}.{key}"), &e.node, unit, &bounds),
+            None => {
+                let message = format!("{} has no {key:?}", subject(self.who, name));
+                self.error(
+                    "key.missing",
+                    node.span.clone(),
+                    message,
+                    &format!("{key} = .. is missing"),
+                    "write one value for both directions, or { x = .., y = .. }".to_string(),
+                );
+                None
+            }
+        };
+        let (x, y) = (half("x"), half("y"));
+        if fine { Some(Value::Lateral([x?, y?])) } else { None }
+    }
+
+    /// Exactly one of several quantities.
+    pub(super) fn one_of(&mut self, name: &str, node: &Node, list: &[Alternative]) -> Option<Value> {
+        let names: Vec<&str> = list.iter().map(|o| o.0).collect();
+        let how = format!("write exactly one of them: {{ {} = .. }}", names.join(" = .. } or { "));
+        let Some(table) = node.table() else {
+            self.wrong_type(name, node, "one of several quantities", how);
+            return None;
+        };
+        if !self.check_keys(name, table, &names) {
+            return None;
+        }
+        let [e] = table else {
+            let found =
+                if table.is_empty() { "none".to_string() } else { table.iter().map(|e| e.key.as_ref()).collect::<Vec<_>>().join(", ") };
+            let message = format!("{} wants exactly one of {}; {found} given", subject(self.who, name), names.join(", "));
+            self.error("value.one_of", node.span.clone(), message, "exactly one", None);
+            return None;
+        };
+        let o = list.iter().find(|o| o.0 == e.key)?;
+        self.quantity(&format!("{name}.{}", o.0), &e.node, o.1, &o.2).map(|x| Value::OneOf(o.0, x))
+    }
+
+    pub(super) fn range(&mut self, field: &str, node: &Node, extra: &[&str], unit: Option<(&str, Bounds)>) -> Option<RangeValue> {
+        let Some(table) = node.table() else {
+            let example = format!(
+                "write {{ from = .., to = .., points = .. }} with {}",
+                unit.map_or("numbers".into(), |u| format!("values in {}", units::examples(u.0)))
+            );
+            self.wrong_type(field, node, "a range", example);
+            return None;
+        };
+        let mut allowed = vec!["from", "to", "points"];
+        allowed.extend(extra);
+        let mut fine = self.check_keys(field, table, &allowed);
+        let mut end = |cx: &mut Self, key: &str| {
+            let Some(e) = get(table, key) else {
+                let message = format!("{} has no {key:?}", subject(cx.who, field));
+                cx.error(
+                    "key.missing",
+                    node.span.clone(),
+                    message,
+                    &format!("{key} = .. is missing"),
+                    "a range is { from = .., to = .., points = .. }; points may be left out".to_string(),
+                );
+                fine = false;
+                return None;
+            };
+            let name = format!("{field}.{key}");
+            match unit {
+                Some((u, b)) => cx.quantity(&name, &e.node, u, &b),
+                None => cx.any_quantity(&name, &e.node).map(|q| q.0),
+            }
+        };
+        let (from, to) = (end(self, "from"), end(self, "to"));
+        let mut points = None;
+        if let Some(e) = get(table, "points") {
+            match self.integer(&format!("{field}.points"), &e.node, 2, MAX_POINTS, false) {
+                Some(Value::Integer(n)) => points = Some(n as usize),
+                _ => fine = false,
+            }
+        }
+        let (from, to) = (from?, to?);
+        if from == to {
+            let message = format!("{} begins and ends at {}", subject(self.who, field), units::format_si(from, unit.map_or("", |u| u.0)));
+            self.error("range.empty", node.span.clone(), message, "empty range", "from and to must differ".to_string());
+            return None;
+        }
+        fine.then_some(RangeValue { from, to, points })
+    }
+
+    /// A quantity of unknown dimension: SI value and, unless it is a bare number, its SI unit.
+    pub(super) fn any_quantity(&mut self, field: &str, node: &Node) -> Option<(f64, Option<String>)> {
+        match &node.data {
+            Data::Text(t) => match units::read_any(t) {
+                Ok((x, u)) => Some((x, Some(u.dimension.si_text()))),
+                Err(e) => {
+                    self.unit_error(field, node, e);
+                    None
+                }
+            },
+            Data::Integer(i) => Some((*i as f64, None)),
+            Data::Float(x) if x.is_finite() => Some((*x, None)),
+            _ => {
+                self.wrong_type(field, node, "a finite number with a unit", None);
+                None
+            }
+        }
+    }
+
+    pub(super) fn columns(&mut self, field: &str, node: &Node, declared: &[Column]) -> Option<Value> {
+        let Some(table) = node.table() else {
+            let names: Vec<String> = declared.iter().map(|c| format!("{} = [..]", c.0)).collect();
+            self.wrong_type(field, node, "a table of columns", format!("write {{ {} }}", names.join(", ")));
+            return None;
+        };
+        let allowed: Vec<&str> = declared.iter().map(|c| c.0).collect();
+        let mut fine = self.check_keys(field, table, &allowed);
+        let mut out = BTreeMap::new();
+        let mut length: Option<(&str, usize)> = None;
+        for &(name, unit, required, doc) in declared {
+            let Some(e) = get(table, name) else {
+                if required {
+                    let message = format!("{} has no column {name:?} ({doc})", subject(self.who, field));
+                    self.error("key.missing", node.span.clone(), message, &format!("{name} = [..] is missing"), None);
+                    fine = false;
+                }
+                continue;
+            };
+            let Some(column) = self.list(&format!("{field}.{name}"), &e.node, unit, &Bounds::within(f64::MAX)) else {
+                fine = false;
+                continue;
+            };
+            match length {
+                Some((first, n)) if n != column.len() => {
+                    let message = format!(
+                        "{}: the columns differ in length: {first} has {n} values, {name} has {}",
+                        subject(self.who, field),
+                        column.len()
+                    );
+                    self.error("columns.length", e.node.span.clone(), message, "other length", None);
+                    fine = false;
+                }
+                _ => length = length.or(Some((name, column.len()))),
+            }
+            out.insert(name, column);
+        }
+        if fine && out.is_empty() {
+            let message = format!("{} has no columns", subject(self.who, field));
+            self.error("key.missing", node.span.clone(), message, "empty", None);
+            return None;
+        }
+        fine.then_some(Value::Columns(out))
+    }
+
+    pub(super) fn list(&mut self, field: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<Vec<f64>> {
+        let Data::List(list) = &node.data else {
+            let help = match node.data {
+                Data::Table(_) => None,
+                _ => Some("put it in brackets, also when it is one value: [..]".to_string()),
+            };
+            self.wrong_type(field, node, "a list of numbers", help);
+            return None;
+        };
+        if list.is_empty() {
+            self.error("value.type", node.span.clone(), format!("{}: the list is empty", subject(self.who, field)), "empty", None);
+            return None;
+        }
+        let read: Vec<Option<f64>> =
+            list.iter().enumerate().map(|(i, n)| self.quantity(&format!("{field}[{}]", i + 1), n, unit, bounds)).collect();
+        read.into_iter().collect()
+    }
+}

@@ -1,0 +1,201 @@
+//! What refers to something else in the file: points of bodies, parameters, coordinates and their values.
+
+use super::tree::{Data, Entry, Node, get};
+use super::values::{Context, clip, subject, suggestion};
+use super::{parameter_of, parameters_of};
+use crate::diagnostic::Span;
+use crate::model::field::{Attach, Bounds, Value};
+
+/// The SI unit in which each entry of a table of values was given; none for a bare number.
+pub(super) type Units = Vec<Option<String>>;
+
+impl Context<'_> {
+    pub(super) fn attach(&mut self, field: &str, node: &Node, ground: bool) -> Option<Attach> {
+        let body = |cx: &mut Self, n: &Node| -> Option<Option<String>> {
+            let Some(t) = n.text() else {
+                cx.wrong_type(field, n, "the name of a body", "write \"drum\", or { body = \"drum\", at = \"40 mm\" }".to_string());
+                return None;
+            };
+            if t == "ground" && !ground {
+                let message = format!("{} must be a body; the ground is not allowed here", subject(cx.who, field));
+                cx.error("value.ground", n.span.clone(), message, "not a body", None);
+                return None;
+            }
+            if t.is_empty() {
+                cx.error("value.type", n.span.clone(), format!("{}: the name of a body is missing", subject(cx.who, field)), "empty", None);
+                return None;
+            }
+            Some((t != "ground").then(|| t.to_string()))
+        };
+        let Data::Table(table) = &node.data else {
+            return body(self, node).map(|body| Attach { body, position: 0.0 });
+        };
+        let fine = self.check_keys(field, table, &["body", "at"]);
+        let Some(b) = get(table, "body") else {
+            let message = format!("{} names no body", subject(self.who, field));
+            self.error(
+                "key.missing",
+                node.span.clone(),
+                message,
+                "body = .. is missing",
+                "write { body = \"drum\", at = \"40 mm\" }".to_string(),
+            );
+            return None;
+        };
+        let body = body(self, &b.node)?;
+        let position = match get(table, "at") {
+            None => 0.0,
+            Some(e) if body.is_none() => {
+                let message = format!("{}: the ground has no position", subject(self.who, field));
+                self.error("value.ground", e.span.clone(), message, "leave this out", None);
+                return None;
+            }
+            Some(e) => self.quantity(&format!("{field}.at"), &e.node, "m", &Bounds::within(1e4))?,
+        };
+        fine.then_some(Attach { body, position })
+    }
+
+    /// Two points of bodies.
+    pub(super) fn between(&mut self, name: &str, node: &Node) -> Option<Value> {
+        let help = "write between = [\"drum\", \"base\"]; one of the two may be \"ground\"".to_string();
+        let Data::List(list) = &node.data else {
+            self.wrong_type(name, node, "a list of two points", help);
+            return None;
+        };
+        let [a, b] = list.as_slice() else {
+            let message = format!("{} must name two points; {} given", subject(self.who, name), list.len());
+            self.error("value.between", node.span.clone(), message, "two points", help);
+            return None;
+        };
+        let (a, b) = (self.attach(name, a, true), self.attach(name, b, true));
+        let (a, b) = (a?, b?);
+        if a == b {
+            let what = a.body.as_deref().unwrap_or("ground");
+            let message = format!("{} connects {what:?} with itself", subject(self.who, name));
+            self.error("value.between", node.span.clone(), message, "the same point twice", help);
+            return None;
+        }
+        Some(Value::Between(a, b))
+    }
+
+    /// Whether a parameter path names a scalar of a part of this file; reports it when not. The inner `None`: the part has other
+    /// mistakes, nothing can be said.
+    #[allow(clippy::option_option)]
+    pub(super) fn parameter(&mut self, field: &str, node: &Node, path: &str) -> Option<Option<(&'static str, Bounds)>> {
+        let (block, rest) = path.split_once('.').unwrap_or((path, ""));
+        let found = self.parts.iter().find(|p| p.0 == block).map(|p| p.1);
+        let Some(kind) = found else {
+            let message = format!("{} is {:?}, but no part is named {:?}", subject(self.who, field), clip(path), clip(block));
+            let help = suggestion(block, self.parts.iter().map(|p| p.0.as_str()), "parts of this file");
+            self.error("parameter.unknown", node.span.clone(), message, "no such part", help);
+            return None;
+        };
+        let Some(info) = self.catalog.described(kind) else { return Some(None) };
+        if let Some(p) = parameter_of(info, rest) {
+            return Some(Some(p));
+        }
+        let message = if rest.is_empty() {
+            format!("{} names the part {block:?} and none of its parameters", subject(self.who, field))
+        } else {
+            format!("{} is {:?}, but a {kind} has no parameter {:?}", subject(self.who, field), clip(path), clip(rest))
+        };
+        let help = suggestion(rest, parameters_of(info), &format!("parameters of a {kind}"));
+        self.error("parameter.unknown", node.span.clone(), message, "no such parameter", help);
+        None
+    }
+
+    /// The range of one parameter.
+    pub(super) fn parameter_range(&mut self, name: &str, node: &Node) -> Option<Value> {
+        let help = "write { parameter = \"part.parameter\", from = .., to = .., points = .. }".to_string();
+        let Some(table) = node.table() else {
+            self.wrong_type(name, node, "the range of a parameter", help);
+            return None;
+        };
+        let Some(e) = get(table, "parameter") else {
+            let message = format!("{} names no parameter", subject(self.who, name));
+            self.error("key.missing", node.span.clone(), message, "parameter = .. is missing", help);
+            return None;
+        };
+        let path = self.text_value(&format!("{name}.parameter"), &e.node, "the path of a parameter")?;
+        let unit = self.parameter(name, &e.node, &path)?;
+        self.range(name, node, &["parameter"], unit).map(|r| Value::ParameterRange(path, r))
+    }
+
+    /// The name of a coordinate.
+    pub(super) fn coordinate(&mut self, name: &str, node: &Node) -> Option<Value> {
+        let t = self.text_value(name, node, "the name of a coordinate")?;
+        if t.trim().is_empty() {
+            let message = format!("{}: the name of a coordinate is missing", subject(self.who, name));
+            self.error("value.type", node.span.clone(), message, "empty", "write it as in \"drum.x\"".to_string());
+            return None;
+        }
+        Some(Value::Text(t))
+    }
+
+    /// One quantity for all, or one for each of some names.
+    pub(super) fn named(&mut self, name: &str, node: &Node, unit: &str, bounds: &Bounds, given_units: &mut Option<Units>) -> Option<Value> {
+        let Some(table) = node.table() else {
+            return self.quantity(name, node, unit, &bounds).map(Value::Number);
+        };
+        let mut entries = Vec::new();
+        let mut read = |key: &str, e: &Entry, cx: &mut Self| {
+            let x = cx.quantity(&format!("{name}, {}", clip(key)), &e.node, unit, &bounds);
+            entries.push(x.map(|x| (key.to_string(), x, e.span.clone().unwrap_or(0..0))));
+        };
+        for e in table {
+            // drum.mass = .. without quotes nests in TOML and means the same
+            match e.node.table() {
+                Some(inner) => inner.iter().for_each(|i| read(&format!("{}.{}", e.key, i.key), i, self)),
+                None => read(&e.key, e, self),
+            }
+        }
+        let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+        *given_units = Some(vec![Some(unit.to_string()); entries.len()]);
+        Some(Value::StateMap(entries))
+    }
+
+    /// Initial values by coordinate or rate.
+    pub(super) fn state_map(&mut self, name: &str, node: &Node, given_units: &mut Option<Units>) -> Option<Value> {
+        let Some(table) = node.table() else {
+            self.wrong_type(
+                name,
+                node,
+                "a table of initial values",
+                "write { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".to_string(),
+            );
+            return None;
+        };
+        let (mut out, mut unit_texts) = (Vec::new(), Vec::new());
+        let mut fine = true;
+        self.state_entries(name, "", table, &mut |key, span, q| match q {
+            Some((x, u)) => {
+                out.push((key, x, span.unwrap_or(0..0)));
+                unit_texts.push(u);
+            }
+            None => fine = false,
+        });
+        *given_units = Some(unit_texts);
+        fine.then_some(Value::StateMap(out))
+    }
+
+    /// Entries of a state map; `drum.x = ..` without quotes nests in TOML and means the same.
+    #[allow(clippy::type_complexity)]
+    fn state_entries(
+        &mut self,
+        name: &str,
+        prefix: &str,
+        table: &[Entry],
+        put: &mut dyn FnMut(String, Option<Span>, Option<(f64, Option<String>)>),
+    ) {
+        for e in table {
+            let key = if prefix.is_empty() { e.key.to_string() } else { format!("{prefix}.{}", e.key) };
+            match e.node.table() {
+                Some(inner) => self.state_entries(name, &key, inner, put),
+                None => {
+                    let q = self.any_quantity(&format!("{name}, {}", clip(&key)), &e.node);
+                    put(key, e.span.clone(), q);
+                }
+            }
+        }
+    }
+}
