@@ -144,6 +144,7 @@ impl Study for NonlinearResponse {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
         let mut request = self.request;
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
