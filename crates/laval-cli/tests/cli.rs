@@ -1,9 +1,11 @@
 //! The program from outside: what it prints, writes and returns.
 
-use std::ffi::OsStr;
+mod launcher;
+
+use launcher::{Dir, Said};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 
 const TEMPLATES: [&str; 3] = ["rigid-rotor", "oil-separator", "overhung-disc"];
 
@@ -33,69 +35,6 @@ kind = "nonlinear_response"
 name = "response"
 speed = { from = "500 rad/s", to = "1500 rad/s" }
 "#;
-
-struct Dir(PathBuf);
-
-impl Dir {
-    fn new(name: &str) -> Dir {
-        let dir = std::env::temp_dir().join(format!("laval-cli-{}-{name}", std::process::id()));
-        let _ = fs::remove_dir_all(&dir);
-        fs::create_dir_all(&dir).unwrap();
-        Dir(dir)
-    }
-
-    fn file(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
-        let path = self.0.join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(&path, content).unwrap();
-        path
-    }
-
-    fn command<S: AsRef<OsStr>>(&self, args: impl IntoIterator<Item = S>) -> Command {
-        let mut c = Command::new(env!("CARGO_BIN_EXE_laval"));
-        c.args(args).current_dir(&self.0);
-        c
-    }
-
-    fn laval<S: AsRef<OsStr>>(&self, args: impl IntoIterator<Item = S>) -> Said {
-        Said::of(&self.command(args).output().unwrap())
-    }
-}
-
-impl Drop for Dir {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-struct Said {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-impl Said {
-    fn of(o: &Output) -> Said {
-        Said {
-            code: o.status.code().unwrap(),
-            out: String::from_utf8(o.stdout.clone()).unwrap(),
-            err: String::from_utf8(o.stderr.clone()).unwrap(),
-        }
-    }
-
-    /// Refused with these words on standard error, and nothing on standard output.
-    fn refused(&self, words: &[&str]) {
-        assert_eq!((self.code, self.out.as_str()), (1, ""), "{}", self.err);
-        for w in words {
-            assert!(self.err.contains(w), "{w:?} in\n{}", self.err);
-        }
-    }
-
-    fn done(&self) -> &str {
-        assert_eq!((self.code, self.err.as_str()), (0, ""));
-        &self.out
-    }
-}
 
 fn json(path: &Path) -> serde_json::Value {
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()

@@ -1,8 +1,10 @@
 //! `laval validate` from outside: verdicts, exit codes, the gallery on disk.
 
+mod launcher;
+
+use launcher::{Dir, Said};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
 /// A mass on a spring; its frequency is 10 rad/s.
 const PAGE: &str = r#"# Mass on a spring
@@ -47,87 +49,62 @@ speed = "0 rad/s"
 Rounding.
 "#;
 
-struct Dir(PathBuf);
-
-impl Dir {
-    fn new(name: &str) -> Dir {
-        let dir = std::env::temp_dir().join(format!("laval-validate-{}-{name}", std::process::id()));
-        let _ = fs::remove_dir_all(&dir);
-        fs::create_dir_all(&dir).unwrap();
-        Dir(dir)
-    }
-    fn page(&self, name: &str, text: &str) {
-        let path = self.0.join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-    fn validate(&self, args: &[&str]) -> (Option<i32>, String, String) {
-        let Output { status, stdout, stderr } =
-            Command::new(env!("CARGO_BIN_EXE_laval")).arg("validate").args(args).current_dir(&self.0).output().unwrap();
-        (status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
-    }
-    fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.0.join(name)).unwrap()
-    }
-}
-
-impl Drop for Dir {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
+fn validate(dir: &Dir, args: &[&str]) -> (i32, String, String) {
+    let Said { code, out, err } = dir.laval(["validate"].iter().chain(args));
+    (code, out, err)
 }
 
 #[test]
 fn a_case_that_holds() {
-    let dir = Dir::new("holds");
-    dir.page("validation/linear/mass.md", PAGE);
-    dir.page("validation/README.md", "no case");
-    let (code, out, err) = dir.validate(&[]);
-    assert_eq!((code, err.as_str()), (Some(0), ""));
+    let dir = Dir::new("validate-holds");
+    dir.file("validation/linear/mass.md", PAGE);
+    dir.file("validation/README.md", "no case");
+    let (code, out, err) = validate(&dir, &[]);
+    assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.contains("linear/mass  agrees") && out.contains("index.html"));
     assert!(dir.read("out/validation/index.html").contains("Mass on a spring"));
     assert!(dir.read("out/validation/linear-mass.html").contains("<svg"));
     // from a folder below, and elsewhere on request
     fs::create_dir_all(dir.0.join("a/b")).unwrap();
     let below = Dir(dir.0.join("a/b"));
-    assert_eq!(below.validate(&["--quiet", "--out", "gallery"]), (Some(0), String::new(), String::new()));
-    assert_eq!(below.validate(&["-q", "../../validation/linear"]).0, Some(0));
+    assert_eq!(validate(&below, &["--quiet", "--out", "gallery"]), (0, String::new(), String::new()));
+    assert_eq!(validate(&below, &["-q", "../../validation/linear"]).0, 0);
 }
 
 #[test]
 fn a_wrong_value_fails() {
-    let dir = Dir::new("wrong");
-    dir.page("validation/linear/mass.md", PAGE);
-    dir.page("validation/linear/wrong.md", &PAGE.replace("| 10 |", "| 10.001 |"));
-    let (code, out, err) = dir.validate(&[]);
-    assert_eq!(code, Some(1));
+    let dir = Dir::new("validate-wrong");
+    dir.file("validation/linear/mass.md", PAGE);
+    dir.file("validation/linear/wrong.md", &PAGE.replace("| 10 |", "| 10.001 |"));
+    let (code, out, err) = validate(&dir, &[]);
+    assert_eq!(code, 1);
     assert!(out.contains("open  CHANGED"), "{out}");
     assert!(err.contains("linear/wrong: open") && err.contains("expected 10.001") && err.contains("1 of 2 cases"), "{err}");
     assert!(dir.read("out/validation/index.html").contains("changed"));
     // the other case alone is well
-    assert_eq!(dir.validate(&["--only", "mass"]).0, Some(0));
+    assert_eq!(validate(&dir, &["--only", "mass"]).0, 0);
 }
 
 #[test]
 fn a_stated_difference_that_is_gone_fails() {
-    let dir = Dir::new("gone");
+    let dir = Dir::new("validate-gone");
     let page = PAGE
         .replace("| Verdict | agrees |", "| Verdict | differs (explained) |")
         .replace("tolerance |\n| --- |", "tolerance | verdict |\n| --- | --- |")
         .replace("1e-12 relative |", "1e-12 relative | differs |");
-    dir.page("validation/linear/mass.md", &format!("{page}\n## Why it differs\n\nIt does not.\n"));
-    let (code, _, err) = dir.validate(&[]);
-    assert_eq!(code, Some(1));
+    dir.file("validation/linear/mass.md", &format!("{page}\n## Why it differs\n\nIt does not.\n"));
+    let (code, _, err) = validate(&dir, &[]);
+    assert_eq!(code, 1);
     assert!(err.contains("agrees instead of differs") && err.contains("states \"differs (explained)\""), "{err}");
 }
 
 #[test]
 fn a_case_that_cannot_run_or_be_read_fails_at_its_line() {
-    let dir = Dir::new("broken");
-    dir.page("validation/linear/machine.md", &PAGE.replace("stiffness = \"400 N/m\"", "stiffness = \"400 kg\""));
-    dir.page("validation/linear/page.md", &PAGE.replace("closed form", "hearsay"));
-    let (code, out, err) = dir.validate(&[]);
-    assert_eq!(code, Some(1));
+    let dir = Dir::new("validate-broken");
+    dir.file("validation/linear/machine.md", &PAGE.replace("stiffness = \"400 N/m\"", "stiffness = \"400 kg\""));
+    dir.file("validation/linear/page.md", &PAGE.replace("closed form", "hearsay"));
+    let (code, out, err) = validate(&dir, &[]);
+    assert_eq!(code, 1);
     assert!(out.contains("cannot run") && out.contains("cannot be read"), "{out}");
     let line = |text: &str| 1 + PAGE.lines().position(|l| l.contains(text)).unwrap();
     assert!(err.contains(&format!("linear/machine.md:{}:", line("400 N/m"))), "{err}");
@@ -137,25 +114,25 @@ fn a_case_that_cannot_run_or_be_read_fails_at_its_line() {
 
 #[test]
 fn a_request_that_is_wrong_is_told() {
-    let dir = Dir::new("request");
-    let (code, _, err) = dir.validate(&[]);
-    assert!(code == Some(1) && err.contains("no folder \"validation\""), "{err}");
-    let (code, _, err) = dir.validate(&["nowhere"]);
-    assert!(code == Some(1) && err.contains("nowhere"), "{err}");
+    let dir = Dir::new("validate-request");
+    let (code, _, err) = validate(&dir, &[]);
+    assert!(code == 1 && err.contains("no folder \"validation\""), "{err}");
+    let (code, _, err) = validate(&dir, &["nowhere"]);
+    assert!(code == 1 && err.contains("nowhere"), "{err}");
     fs::create_dir_all(dir.0.join("validation")).unwrap();
-    let (code, _, err) = dir.validate(&[]);
-    assert!(code == Some(1) && err.contains("no case"), "{err}");
-    dir.page("validation/linear/mass.md", PAGE);
-    let (code, _, err) = dir.validate(&["--only", "nothing"]);
-    assert!(code == Some(1) && err.contains("nothing"), "{err}");
+    let (code, _, err) = validate(&dir, &[]);
+    assert!(code == 1 && err.contains("no case"), "{err}");
+    dir.file("validation/linear/mass.md", PAGE);
+    let (code, _, err) = validate(&dir, &["--only", "nothing"]);
+    assert!(code == 1 && err.contains("nothing"), "{err}");
     assert!(!dir.0.join("out").exists());
 }
 
 #[test]
 fn a_case_of_the_repository() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation");
-    let dir = Dir::new("repository");
-    let (code, out, err) = dir.validate(&["--only", "linear/", folder.to_str().unwrap()]);
-    assert_eq!(code, Some(0), "{err}");
+    let dir = Dir::new("validate-repository");
+    let (code, out, err) = validate(&dir, &["--only", "linear/", folder.to_str().unwrap()]);
+    assert_eq!(code, 0, "{err}");
     assert!(out.contains("linear/jeffcott-unbalance"));
 }

@@ -236,9 +236,12 @@ fn each_pair_of_mistakes() {
     }
 }
 
-/// The keys of a block of unknown kind cannot be judged.
+/// The keys of a block of unknown kind cannot be judged, nor the values of a parameter that does not exist.
 fn compatible(a: &Mistake, b: &Mistake) -> bool {
-    let hides = |a: &Mistake, b: &Mistake| a.right == "kind = \"foundation\"" && b.wrong.starts_with("stifness");
+    let hides = |a: &Mistake, b: &Mistake| {
+        (a.right == "kind = \"foundation\"" && b.wrong.starts_with("stifness"))
+            || (a.right == "oil.free_surface_radius" && b.right == "from = \"40 mm\"")
+    };
     !hides(a, b) && !hides(b, a)
 }
 
@@ -312,6 +315,16 @@ fn what_refers_to_a_broken_block_is_not_blamed() {
     );
     assert_eq!(codes(&[("kind = \"liquid\"", "kind = \"liqid\""), ("\"rotor.x\"", "\"oil.surface_x\"")]), ["kind.unknown"]);
     assert_eq!(codes(&[("name = \"rotor\"", "name = \"rotor.a\""), ("on = \"rotor\"", "on = \"rotor.a\"")]).first(), Some(&"name.invalid"));
+    // a coordinate of a part that is joined to nothing is known
+    assert_eq!(codes(&[("in = \"drum\"", "in = \"drun\""), ("\"rotor.x\"", "\"oil.surface_x\"")]), ["body.missing"]);
+    assert_eq!(codes(&[("in = \"drum\"", "in = \"drun\""), ("\"rotor.x\"", "\"oil.surface\"")]), ["body.missing", "coordinate.unknown"]);
+    // a bearing that cannot be built is no body, and what is attached to it is told later
+    let broken = [
+        ("law = \"per_axis\"\nstiffness = \"1.1e7 N/m\"", "law = \"isotropic\"\nstiffness = { x = 1e7, y = 2e7 }"),
+        ("in = \"drum\"", "in = \"bearing\""),
+    ];
+    assert_eq!(codes(&[broken[0]]), ["bearing_cubic.isotropic"]);
+    assert_eq!(codes(&broken), ["bearing_cubic.isotropic", "body.kind"]);
     // headers
     assert_eq!(codes(&[("[[part]]\nkind = \"disc\"\nname = \"drum\"", "[[disc]]\nname = \"drum\"")]), ["file.unknown_table"]);
     assert_eq!(

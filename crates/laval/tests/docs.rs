@@ -80,8 +80,9 @@ fn page_of_the_machine_file_is_current() {
          a `kind` ([parts](parts.md)) and may have a `name`, by which others attach to it; each study has a `kind` ([studies](studies.md)) and may have a `name`,\n\
          which becomes its folder of results. Without a name a block is called after its kind, then kind-2, kind-3 ...\n\n\
          Values with a unit are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\
-         the two lateral directions is one value or `{ x = .., y = .. }`. `laval check FILE` says all that is wrong, each at its place, and which studies\n\
-         this machine cannot answer.\n\n",
+         the two lateral directions is one value or `{ x = .., y = .. }`. `laval check FILE` says all that is wrong at once, each mistake once and\n\
+         at its place, and which studies this machine cannot answer. What only follows from another mistake is not said; quotation marks and brackets that\n\
+         keep the text from being TOML come first.\n\n",
     );
     text.push_str(docs::markdown("machine", &docs::machine()).replacen("## `machine`", "## `[machine]`", 1).trim_end());
     text.push_str(

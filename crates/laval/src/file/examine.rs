@@ -9,8 +9,8 @@ use super::draft::{Draft, Drafted, invented};
 use super::stand_in::{NOWHERE, Side, number};
 use super::{Block, joints, stages};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::model::field::{Bounds, Extra, KindInfo};
-use crate::model::part::Link;
+use crate::model::field::{Attach, Bounds, Extra, KindInfo, Value};
+use crate::model::params::ParamSlot;
 use crate::model::system::{PartInput, System};
 use crate::parts::{self, Built, PartKind};
 use crate::study;
@@ -38,14 +38,14 @@ struct World<'a> {
     draft: &'a Draft,
     side: Side,
     /// Blocks whose coordinates and parameters are not known.
-    doubtful: BTreeSet<&'a str>,
+    doubtful: BTreeSet<String>,
     out: Diagnostics,
 }
 
 impl<'a> World<'a> {
     fn new(draft: &'a Draft, side: Side) -> Self {
         let blocks = draft.parts.iter().chain(&draft.extras);
-        let doubtful = blocks.filter(|d| !d.sound).map(|d| d.block.name.as_str()).chain(draft.strange.iter().map(String::as_str)).collect();
+        let doubtful = blocks.filter(|d| !d.sound).map(|d| d.block.name.clone()).chain(draft.strange.iter().cloned()).collect();
         World { draft, side, doubtful, out: Diagnostics::default() }
     }
 
@@ -60,17 +60,13 @@ impl<'a> World<'a> {
         match System::assemble(machine(&block, extras.iter().map(|e| e.0.clone()).collect()), inputs) {
             Ok(system) => {
                 for (extra, block) in &extras {
-                    let drafted = self.draft.extras.iter().find(|d| d.word == extra.word && d.block.name == extra.name);
-                    if !stages::extra(&known, extra, block, &system, &mut self.out)
-                        && let Some(d) = drafted
-                    {
-                        self.doubtful.insert(&d.block.name);
+                    if !stages::extra(&known, extra, block, &system, &mut self.out) {
+                        self.doubtful.insert(block.name.clone());
                     }
                 }
                 self.studies(&system);
             }
-            Err(found) if !self.draft.parts.is_empty() => self.out.0.extend(found.0),
-            Err(_) => {}
+            Err(found) => self.out.0.extend(found.0),
         }
         let nothing = self.draft.parts.is_empty();
         let doubtful = |name: &str| nothing || self.doubtful.contains(name.split('.').next().unwrap_or_default());
@@ -84,51 +80,46 @@ impl<'a> World<'a> {
         let draft = self.draft;
         let infos: Vec<KindInfo> = registry.iter().map(|k| k.info.clone()).collect();
         let blocks: Vec<Block> = draft.parts.iter().map(|d| completed(d, &infos, self.side)).collect();
-        let (built, fine): (Vec<Option<PartInput>>, Vec<bool>) =
-            blocks.iter().map(|b| stages::part(&registry, b, &mut self.out)).map(|(input, fine)| (input.filter(admissible), fine)).unzip();
+        let (built, fine): (Vec<Option<PartInput>>, Vec<bool>) = blocks
+            .iter()
+            .map(|b| stages::part(&registry, b, &mut self.out))
+            .map(|(input, fine)| (input.filter(|p| admissible(&p.part.slots(), &p.params)), fine))
+            .unzip();
         joints::check(&blocks, &built, &draft.strange, &mut self.out);
 
-        let is_body = |name: &str| {
-            let known = blocks.iter().zip(&built).zip(&fine).filter(|((b, _), _)| b.name == name);
-            let mut bodies = known.map(|((_, p), fine)| !fine || p.as_ref().is_none_or(|p| p.part.layout().body));
-            draft.strange.iter().any(|s| s == name) || bodies.any(|b| b)
-        };
-        let joined = |p: &PartInput| {
-            p.part.layout().ports.iter().all(|port| {
-                let on: &[_] = match &port.link {
-                    Link::On(a) => &[a],
-                    Link::Between(a, b) => &[a, b],
-                };
-                on.iter().all(|a| a.body.as_deref().is_none_or(is_body))
-            })
-        };
         let stranger = stranger(&registry, self.side);
-        let stand_in = |name: &str| {
-            let (part, params) = stranger.clone()?;
+        let stand_in = |name: &str, kind: &str| {
+            let (part, params) = invented_part(&registry, kind, self.side).or_else(|| stranger.clone())?;
             Some(PartInput { name: name.to_string(), part, params, span: None })
         };
-        let mut inputs: Vec<PartInput> = Vec::new();
-        for ((d, input), fine) in draft.parts.iter().zip(&built).zip(&fine) {
-            let name = d.block.name.as_str();
-            if inputs.iter().any(|i| i.name == name) {
+        let mut inputs: Vec<(PartInput, Option<&Block>)> = Vec::new();
+        for ((block, input), fine) in blocks.iter().zip(&built).zip(&fine) {
+            if inputs.iter().any(|i| i.0.name == block.name) {
                 continue;
             }
-            let sound = input.clone().filter(|p| *fine && joined(p));
-            if sound.is_none() {
-                self.doubtful.insert(name);
+            let own = input.clone().filter(|_| *fine);
+            if own.is_none() {
+                self.doubtful.insert(block.name.clone());
             }
-            inputs.extend(sound.or_else(|| stand_in(name)));
+            inputs.extend(own.map(|p| (p, Some(block))).or_else(|| Some((stand_in(&block.name, block.kind)?, None))));
         }
         for name in &draft.strange {
-            if !inputs.iter().any(|i| &i.name == name) {
-                inputs.extend(stand_in(name));
+            if !inputs.iter().any(|i| &i.0.name == name) {
+                inputs.extend(stand_in(name, "").map(|p| (p, None)));
             }
         }
-        // a file without parts says so; its studies have fields of their own
-        if draft.parts.is_empty() {
-            inputs.extend(stand_in("part"));
+        // where it is said already that there are no parts, or that a body is missing, studies have fields of their own
+        if (draft.parts.is_empty() || self.out.0.iter().any(|d| d.code == "body.missing")) && !inputs.iter().any(|i| i.0.part.layout().body)
+        {
+            inputs.extend(stand_in("body", "").map(|p| (p, None)));
         }
-        inputs
+        // what joins points that are none is joined to the ground instead
+        let bodies: BTreeSet<String> = inputs.iter().filter(|i| i.0.part.layout().body).map(|i| i.0.name.clone()).collect();
+        let one = |(input, block): (PartInput, Option<&Block>)| match block.and_then(|b| grounded(b, &bodies)) {
+            Some(b) => stages::part(&registry, &b, &mut Diagnostics::default()).0.or_else(|| stand_in(&b.name, b.kind)),
+            None => Some(input),
+        };
+        inputs.into_iter().filter_map(one).collect()
     }
 
     fn extra(&self, d: &Drafted, known: &[study::BlockKind]) -> Option<(Extra, Block)> {
@@ -157,16 +148,35 @@ fn completed(d: &Drafted, kinds: &[KindInfo], side: Side) -> Block {
     }
 }
 
-fn admissible(p: &PartInput) -> bool {
-    let slots = p.part.slots();
-    slots.len() == p.params.len() && slots.iter().zip(&p.params).all(|(s, x)| s.bounds.contains(*x))
+fn admissible(slots: &[ParamSlot], params: &[f64]) -> bool {
+    slots.len() == params.len() && slots.iter().zip(params).all(|(s, x)| s.bounds.contains(*x))
+}
+
+/// A block with the ground in place of points that are none, when it names such.
+fn grounded(block: &Block, bodies: &BTreeSet<String>) -> Option<Block> {
+    let wrong = |a: &Attach| a.body.as_ref().is_some_and(|name| !bodies.contains(name));
+    let mut out = None;
+    for name in block.values.names() {
+        let ground = match block.values.get(name) {
+            Some(Value::Attach(a)) if wrong(a) => Value::Attach(Attach::ground()),
+            Some(Value::Between(a, b)) if wrong(a) || wrong(b) => Value::Between(Attach::ground(), Attach { body: None, position: 1.0 }),
+            _ => continue,
+        };
+        out.get_or_insert_with(|| block.clone()).values.set(name, ground, Some(NOWHERE));
+    }
+    out
+}
+
+/// A part of a kind, of which everything stands in.
+fn invented_part(registry: &[PartKind], kind: &str, side: Side) -> Option<Built> {
+    let k = registry.iter().find(|k| k.info.kind == kind)?;
+    let mut own = Diagnostics::default();
+    let (part, params) = (k.build)(&invented(&k.info.fields, side), &mut own)?;
+    let fine = !own.has_errors() && admissible(&part.slots(), &params);
+    fine.then_some((part, params))
 }
 
 /// A body of which everything is given, so that it has every coordinate a body can have.
 fn stranger(registry: &[PartKind], side: Side) -> Option<Built> {
-    registry.iter().find_map(|k| {
-        let mut own = Diagnostics::default();
-        let built = (k.build)(&invented(&k.info.fields, side), &mut own)?;
-        (!own.has_errors() && built.0.layout().body).then_some(built)
-    })
+    registry.iter().find_map(|k| invented_part(registry, k.info.kind, side).filter(|p| p.0.layout().body))
 }

@@ -88,7 +88,7 @@ impl Study for Transient {
             }
         }
         let at = values.number("kick_time").unwrap_or(0.0);
-        if !kicks.is_empty() && (at.is_nan() || at >= duration) {
+        if values.state_map("kick").is_some_and(|k| !k.is_empty()) && (at.is_nan() || at >= duration) {
             diagnostics.push(
                 Diagnostic::error("transient.kick_time", format!("the kick at {at} s comes after the end at {duration} s"))
                     .at(values.span_of("kick_time")),

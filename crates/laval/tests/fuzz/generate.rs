@@ -1,5 +1,6 @@
 //! Machine files, most of them wrong: deterministic, one per number.
 
+use crate::words::{EXTREME, ODD, list, literal, number, other_number, other_unit, point, quantity, range, usual};
 use laval::file::{Catalog, docs};
 use laval::model::field::{Bounds, Field, FieldKind, KindInfo};
 
@@ -20,77 +21,17 @@ impl Random {
     pub fn below(&mut self, n: usize) -> usize {
         (self.bits() >> 11) as usize % n.max(1)
     }
-    fn chance(&mut self, percent: usize) -> bool {
+    pub fn chance(&mut self, percent: usize) -> bool {
         self.below(100) < percent
     }
-    fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
-    fn of<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
+    pub fn of<'a, T: ?Sized>(&mut self, list: &[&'a T]) -> &'a T {
         list[self.below(list.len())]
     }
 }
 
-/// Numbers that break careless arithmetic.
-const EXTREME: [f64; 20] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    1e308,
-    -1e308,
-    1e-308,
-    5e-324,
-    1e154,
-    1e-154,
-    1e100,
-    1e-100,
-    1e20,
-    1e-20,
-    1e9,
-    1e-9,
-    1e6,
-    1e-6,
-    0.5,
-    1.0000000000000002,
-];
-/// Values that are none, or not of the type wanted.
-const ODD: [&str; 30] = [
-    "nan",
-    "inf",
-    "-inf",
-    "\"nan m\"",
-    "\"-inf kg\"",
-    "\"1e999 N/m\"",
-    "1e308",
-    "\"1e308 km\"",
-    "\"\"",
-    "\" \"",
-    "\"1\"",
-    "\"m\"",
-    "\"1 m/s\"",
-    "\"1 N/m\"",
-    "\"3000 rpm\"",
-    "true",
-    "[]",
-    "[[]]",
-    "{}",
-    "[1, nan]",
-    "{ x = 1 }",
-    "{ from = 1, to = 2, points = 1000000000 }",
-    "1979-05-27",
-    "\"\u{b5}\u{b5}m\"",
-    "\"1 \u{3a9}\u{1f980}\"",
-    "\"ground\"",
-    "9223372036854775807",
-    "-9223372036854775808",
-    "\"1 m^99999999999\"",
-    "\"auto\"",
-];
-const UNITS: [&str; 26] = [
-    "m", "mm", "um", "kg", "g", "t", "N/m", "N/mm", "kN/m", "N s/m", "rpm", "rad/s", "Hz", "deg", "rad", "s", "ms", "kg/m^3", "N m",
-    "kg m^2", "g mm", "1/s", "N/m^3", "%", "ft", "lbf",
-];
 const PIECES: [&str; 40] = [
     "\"",
     "'",
@@ -145,6 +86,14 @@ const BASE: &str = "[machine]\nname = \"small\"\nspeed = \"3000 rpm\"\n[[part]]\
     [[part]]\nkind = \"bearing_cubic\"\nname = \"bearing\"\nbetween = [\"drum\", \"base\"]\nlaw = \"per_axis\"\nstiffness = \"1.1e7 N/m\"\ncubic_stiffness = \"8.7e10 N/m^3\"\n\
     [[part]]\nkind = \"damper\"\nname = \"losses\"\nbetween = [\"drum\", \"ground\"]\ndamping = \"42 N s/m\"\n";
 
+/// What separates, with few particles.
+const SEPARATING: &str = "[[cup]]\nkind = \"swinging\"\nname = \"cups\"\non = \"drum\"\nmass = \"0.1 kg\"\ncentre_of_mass = \"90 mm\"\n\
+    hinge_radius = \"80 mm\"\ncup_radius = \"15 mm\"\nbottom = \"110 mm\"\nsurface = \"20 mm\"\n\
+    [suspension]\nliquid_density = \"1000 kg/m^3\"\nviscosity = \"1 mPa s\"\nparticle_density = \"1200 kg/m^3\"\ndiameter = \"5 um\"\n\
+    [limits]\ndisplacement = \"1 mm\"\ngrowth_margin = 0.0\nspeed = \"6000 rpm\"\n\
+    [[study]]\nkind = \"separation\"\ntime = \"5 min\"\nparticles = 32\n\
+    [[study]]\nkind = \"operating_window\"\nspeed = { from = \"500 rpm\", to = \"3000 rpm\", points = 6 }\ntime = \"5 min\"\nparticles = 16\n";
+
 impl Sources {
     pub fn new(catalog: Catalog) -> Self {
         let mut files = vec![
@@ -154,6 +103,10 @@ impl Sources {
         ];
         files.extend(catalog.parts.iter().map(|k| format!("{BASE}{}", docs::example("part", k))));
         files.extend(catalog.studies.iter().map(|k| format!("{BASE}{}", docs::example("study", k))));
+        files.push(format!("{BASE}{SEPARATING}"));
+        for block in &catalog.blocks {
+            files.extend(block.kinds.iter().filter(|_| block.several).map(|k| format!("{BASE}{}", docs::example(block.word, k))));
+        }
         // with every optional key as well, the remarks of the example turned into keys
         let all_keys = |text: String| text.replace("\n# ", "\n");
         files.extend(catalog.parts.iter().map(|k| all_keys(format!("{BASE}{}", docs::example("part", k)))));
@@ -272,12 +225,108 @@ impl Sources {
             names.push(name);
             self.fields(r, hostility, info, &names, &mut out);
         }
+        if r.chance(35) {
+            self.separating(r, hostility, &names, &mut out);
+        }
         for _ in 0..1 + r.below(2) {
             let info = &self.catalog.studies[r.below(self.catalog.studies.len())];
             out += &format!("[[study]]\nkind = \"{}\"\n", info.kind);
             self.fields(r, hostility, info, &names, &mut out);
         }
         out
+    }
+
+    /// What separates, what is separated and what is kept to, and a study that asks for it.
+    fn separating(&self, r: &mut Random, hostility: usize, names: &[String], out: &mut String) {
+        // most random sizes fit no cup: some of the usual ones are kept, at another scale
+        let length = |r: &mut Random, x: f64| {
+            if hostility < 2 { literal(x * (0.5 + r.unit())) } else { number(r, 2, "m", &Bounds::positive(100.0)).to_string() }
+        };
+        for block in &self.catalog.blocks {
+            if r.chance(10) {
+                continue;
+            }
+            let kind = &block.kinds[r.below(block.kinds.len())];
+            *out += &if block.several { format!("[[{}]]\nkind = \"{}\"\n", block.word, kind.kind) } else { format!("[{}]\n", block.word) };
+            if hostility > 0 && r.chance(50) {
+                self.fields(r, hostility, kind, names, out);
+                continue;
+            }
+            *out += &match kind.kind {
+                "swinging" => format!(
+                    "hinge_radius = {}\ncup_radius = {}\nbottom = {}\nsurface = {}\ncentre_of_mass = {}\n",
+                    length(r, 0.2),
+                    length(r, 0.03),
+                    length(r, 0.2),
+                    length(r, 0.03),
+                    length(r, 0.1)
+                ),
+                "fixed_angle" => format!(
+                    "mouth_radius = {}\nangle = \"{} deg\"\ntube_radius = {}\nlength = {}\nsurface = {}\n",
+                    length(r, 0.1),
+                    5 + r.below(80),
+                    length(r, 0.01),
+                    length(r, 0.1),
+                    length(r, 0.01)
+                ),
+                "disc_stack" => {
+                    format!(
+                        "inner_radius = {}\nouter_radius = {}\nangle = \"40 deg\"\ngaps = {}\n",
+                        length(r, 0.03),
+                        length(r, 0.1),
+                        1 + r.below(90)
+                    )
+                }
+                "tubular_bowl" => {
+                    format!("length = {}\nbowl_radius = {}\nsurface_radius = {}\n", length(r, 0.3), length(r, 0.1), length(r, 0.03))
+                }
+                "decanter" => format!(
+                    "cylinder_length = {}\ncone_length = {}\nbowl_radius = {}\nsurface_radius = {}\n",
+                    length(r, 0.3),
+                    length(r, 0.1),
+                    length(r, 0.1),
+                    length(r, 0.03)
+                ),
+                "suspension" => {
+                    let size = length(r, 1e-5);
+                    let sizes = [
+                        format!("diameter = {size}\n"),
+                        format!("median_diameter = {size}\ngeometric_deviation = 1.6\n"),
+                        format!("characteristic_diameter = {size}\nspread = 1.2\n"),
+                        format!("sizes = {{ diameter = [1e-6, {size}], share = [0.3, 0.7] }}\n"),
+                    ];
+                    let drag = r.of(&["", "drag = \"schiller_naumann\"\n", "volume_fraction = 0.05\n", "density_deviation = 1.1\n"]);
+                    format!(
+                        "liquid_density = {}\nviscosity = {}\nparticle_density = {}\n{}{drag}",
+                        literal(700.0 + 400.0 * r.unit()),
+                        literal(usual(r, "Pa s") * 1e-2),
+                        literal(700.0 + 2000.0 * r.unit()),
+                        sizes[r.below(4)]
+                    )
+                }
+                _ => String::new(),
+            };
+            if kind.kind == "swinging" || kind.kind == "fixed_angle" {
+                if r.chance(50) {
+                    let body = names.first().map_or("drum", String::as_str);
+                    *out += &format!("on = \"{body}\"\nmass = 0.1\ncount = {}\n", 1 + r.below(6));
+                    *out += if kind.kind == "fixed_angle" { "centre_of_mass = 0.05\n" } else { "" };
+                }
+            } else if block.word == "limits" {
+                self.fields(r, hostility, kind, names, out);
+            }
+        }
+        let duty = r.of(&["time = \"5 min\"\n", "throughput = \"0.3 l/s\"\n", "time = \"1 s\"\n", ""]);
+        let study = r.of(&[
+            "kind = \"separation\"\n",
+            "kind = \"separation\"\nramp = \"20 s\"\n",
+            "kind = \"separation\"\nstart = \"slowest\"\nmodel = \"drifting\"\n",
+            "kind = \"operating_window\"\nspeed = { from = 20.0, to = 300.0, points = 5 }\n",
+            "kind = \"operating_window\"\nspeed = { from = 20.0, to = 300.0, points = 4 }\nobjective = \"time\"\n",
+        ]);
+        let speed =
+            if study.contains("separation") && r.chance(60) { format!("speed = {}\n", literal(usual(r, "rad/s"))) } else { String::new() };
+        *out += &format!("[[study]]\n{study}{speed}{duty}particles = {}\n", 16 + r.below(48));
     }
 
     fn fields(&self, r: &mut Random, hostility: usize, info: &KindInfo, names: &[String], out: &mut String) {
@@ -397,116 +446,4 @@ fn random_bytes(r: &mut Random) -> Vec<u8> {
         1 => (0..n).map(|_| 32 + (r.bits() % 95) as u8).collect(),
         _ => (0..n / 4).flat_map(|_| r.of(&PIECES).bytes()).collect(),
     }
-}
-
-/// TOML wants a digit after the point and no `inf` by accident.
-fn literal(x: f64) -> String {
-    if x.is_nan() {
-        "nan".into()
-    } else if x.is_infinite() {
-        if x > 0.0 { "inf" } else { "-inf" }.into()
-    } else {
-        format!("{x:e}").replace('e', ".0e").replacen(".0e", if format!("{x:e}").contains('.') { "e" } else { ".0e" }, 1)
-    }
-}
-
-/// A size of the unit that machines have, spread over a few decades.
-fn usual(r: &mut Random, unit: &str) -> f64 {
-    let (lo, hi) = match unit {
-        "kg" => (0.1, 100.0),
-        "m" => (1e-5, 0.1),
-        "N/m" => (1e4, 1e8),
-        "N/m^3" => (1e8, 1e12),
-        "N/m^1.5" => (1e8, 1e10),
-        "N s/m" => (1.0, 1e4),
-        "rad/s" => (1.0, 2000.0),
-        "rad" => (1e-4, 3.0),
-        "kg m" => (1e-6, 1e-3),
-        "kg m^2" => (1e-3, 1.0),
-        "kg/m^3" => (500.0, 2000.0),
-        "s" => (1e-3, 1.0),
-        "1/s" => (0.01, 10.0),
-        _ => (0.01, 1.0),
-    };
-    10f64.powf(f64::log10(lo) + r.unit() * f64::log10(hi / lo))
-}
-
-fn number(r: &mut Random, hostility: usize, unit: &str, bounds: &Bounds) -> f64 {
-    let extreme = EXTREME[r.below(EXTREME.len())];
-    let sane = usual(r, unit).min(bounds.max);
-    match hostility {
-        0 => sane,
-        1 => match r.below(6) {
-            0 if bounds.max.is_finite() => bounds.max,
-            1 if bounds.contains(bounds.min) => bounds.min,
-            2 | 3 if bounds.contains(extreme) => extreme,
-            _ => sane,
-        },
-        _ if r.chance(15) => extreme,
-        _ if r.chance(10) => -sane,
-        _ => sane,
-    }
-}
-
-fn quantity(r: &mut Random, hostility: usize, unit: &str, bounds: &Bounds) -> String {
-    let x = literal(number(r, hostility, unit, bounds));
-    match r.below(20) {
-        0 if hostility == 2 => format!("\"{x} {}\"", r.of(&UNITS)),
-        1..8 if !unit.is_empty() => format!("\"{x} {unit}\""),
-        _ => x,
-    }
-}
-
-fn point(r: &mut Random, hostility: usize, names: &[String]) -> String {
-    let body = match r.below(30 + 20 * (2 - hostility)) {
-        0 => "nobody",
-        1 => names.last().map_or("", String::as_str),
-        2 => "",
-        n if n % 3 == 0 => "ground",
-        n if n % 3 == 1 && names.len() > 1 => names[1].as_str(),
-        _ => names.first().map_or("drum", String::as_str),
-    };
-    if r.chance(10) {
-        return format!("{{ body = \"{body}\", at = {} }}", quantity(r, hostility, "m", &Bounds::within(1e4)));
-    }
-    format!("\"{body}\"")
-}
-
-fn range(r: &mut Random, hostility: usize, unit: &str, bounds: &Bounds, head: &str) -> String {
-    let (mut a, mut b) = (number(r, hostility, unit, bounds), number(r, hostility, unit, bounds));
-    if a > b && !r.chance(5) {
-        (a, b) = (b, a);
-    }
-    let points = match r.below(10) {
-        0 if hostility > 0 => ", points = 1000000",
-        1 if hostility > 1 => ", points = 1000000000",
-        2 => ", points = 2",
-        3 | 4 => ", points = 17",
-        5 => ", points = 300",
-        _ => "",
-    };
-    format!("{{ {head}from = {}, to = {}{points} }}", literal(a), literal(b))
-}
-
-fn list(r: &mut Random, hostility: usize, unit: &str, bounds: &Bounds, ordered: bool) -> String {
-    let mut values: Vec<f64> = (0..1 + r.below(4)).map(|_| number(r, hostility, unit, bounds)).collect();
-    if ordered {
-        values.sort_by(f64::total_cmp);
-    }
-    format!("[{}]", values.iter().map(|x| literal(*x)).collect::<Vec<_>>().join(", "))
-}
-
-/// The first number in a value replaced by an extreme one.
-fn other_number(r: &mut Random, value: &str) -> String {
-    let Some(start) = value.find(|c: char| c.is_ascii_digit()) else { return value.to_string() };
-    let length = value[start..].find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | 'e' | '-'))).unwrap_or(value.len() - start);
-    let x = EXTREME[r.below(EXTREME.len())];
-    format!("{}{}{}", &value[..start], literal(x), &value[start + length..])
-}
-
-/// The unit at the end of a quoted quantity replaced by another.
-fn other_unit(r: &mut Random, value: &str) -> String {
-    let Some((number, rest)) = value.split_once(' ').filter(|v| v.0.starts_with('"')) else { return r.of(&ODD).to_string() };
-    let tail = rest.split_once('"').map_or("", |t| t.1);
-    format!("{number} {}\"{tail}", r.of(&UNITS))
 }

@@ -76,6 +76,7 @@ impl Study for NonlinearResponse {
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
         let speed = values.range("speed")?;
         let (lo, hi) = (speed.from.min(speed.to), speed.from.max(speed.to));
         if lo == hi {
@@ -84,15 +85,12 @@ impl Study for NonlinearResponse {
                     .at(values.span_of("speed"))
                     .help("give different from and to"),
             );
-            return None;
-        }
-        if !(lo >= SLOWEST || hi <= -SLOWEST) {
+        } else if !(lo >= SLOWEST || hi <= -SLOWEST) {
             diagnostics.push(
                 Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
                     .at(values.span_of("speed"))
                     .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
             );
-            return None;
         }
         let harmonics = match values.get("harmonics") {
             Some(Value::Integer(h)) => usize::try_from(*h).ok(),
@@ -115,6 +113,8 @@ impl Study for NonlinearResponse {
                 .at(values.span_of("harmonics"))
                 .help("with subharmonic = n, orders count in steps of speed / n: keep at least n of them"),
             );
+        }
+        if diagnostics.0.len() > before {
             return None;
         }
         Some(NonlinearResponse {
