@@ -348,6 +348,10 @@ fn a_part_given_twice_or_missing_or_joined_to_itself() {
     let disc = "[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = \"2.4 kg\"\neccentricity = \"20 um\"\n";
     assert_eq!(codes(&[(disc, &format!("{disc}{disc}"))]), ["name.twice"]);
     assert_eq!(codes(&[(disc, &format!("{disc}{disc}{disc}"))]), ["name.twice", "name.twice"]);
+    // the second was meant to have the name that others use
+    let base = ("name = \"base\"", "name = \"drum\"");
+    assert_eq!(codes(&[base, ("\"rotor.x\"", "\"base.x\"")]), ["name.twice"]);
+    assert_eq!(codes(&[base, ("between = [\"fan\", \"rotor\"]", "between = [\"fan\", \"rotro\"]")]), ["name.twice", "body.missing"]);
     assert_eq!(codes(&[("between = [\"fan\", \"rotor\"]", "between = [\"fan\", \"fan\"]")]), ["value.between"]);
     assert_eq!(codes(&[("between = [\"fan\", \"rotor\"]", "between = [\"fan\", \"overhang\"]")]), ["body.kind"]);
     assert_eq!(errors("[machine]\n[[study]]\nkind = \"campbell\"\nspeed = { from = 9, to = 3 }\n").len(), 2);

@@ -6,6 +6,7 @@
 
 use super::assemble::{extra, machine};
 use super::draft::{Draft, Drafted, invented};
+use super::naming::may_be_meant;
 use super::stand_in::{NOWHERE, Side, number};
 use super::{Block, joints, stages};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -68,8 +69,11 @@ impl<'a> World<'a> {
             }
             Err(found) => self.out.0.extend(found.0),
         }
-        let nothing = self.draft.parts.is_empty();
-        let doubtful = |name: &str| nothing || self.doubtful.contains(name.split('.').next().unwrap_or_default());
+        let names = || self.draft.parts.iter().map(|d| d.block.name.as_str());
+        let doubtful = |name: &str| {
+            let head = name.split('.').next().unwrap_or_default();
+            self.draft.parts.is_empty() || self.doubtful.contains(head) || may_be_meant(head, names())
+        };
         self.out.0.retain(|d| d.severity == Severity::Error && !d.about.as_deref().is_some_and(doubtful));
         self.out
     }

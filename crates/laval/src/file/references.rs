@@ -1,5 +1,6 @@
 //! What refers to something else in the file: points of bodies, parameters, coordinates and their values.
 
+use super::naming::may_be_meant;
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
@@ -84,9 +85,13 @@ impl Context<'_> {
     pub(super) fn parameter(&mut self, field: &str, node: &Node, path: &str) -> Option<Option<(&'static str, Bounds)>> {
         let (block, rest) = path.split_once('.').unwrap_or((path, ""));
         let found = self.parts.iter().find(|p| p.0 == block).map(|p| p.1);
+        let names = || self.parts.iter().map(|p| p.0.as_str());
         let Some(kind) = found else {
+            if may_be_meant(block, names()) {
+                return None;
+            }
             let message = format!("{} is {:?}, but no part is named {:?}", subject(self.who, field), clip(path), clip(block));
-            let help = suggestion(block, self.parts.iter().map(|p| p.0.as_str()), "parts of this file");
+            let help = suggestion(block, names(), "parts of this file");
             self.error("parameter.unknown", node.span.clone(), message, "no such part", help);
             return None;
         };

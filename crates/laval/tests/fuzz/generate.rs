@@ -225,7 +225,7 @@ impl Sources {
             names.push(name);
             self.fields(r, hostility, info, &names, &mut out);
         }
-        if r.chance(35) {
+        if r.chance(20) {
             self.separating(r, hostility, &names, &mut out);
         }
         for _ in 0..1 + r.below(2) {
