@@ -27,11 +27,11 @@ pub struct Diagnostic {
     /// Place in the file, when there is one.
     pub span: Option<Span>,
     /// Short text printed under the marked place.
-    pub label: Option<String>,
+    pub label: Option<Box<str>>,
     /// What to do about it.
-    pub help: Option<String>,
+    pub help: Option<Box<str>>,
     /// The name that does not exist, where that is what is wrong: `drum.q`.
-    pub about: Option<String>,
+    pub about: Option<Box<str>>,
 }
 
 impl Diagnostic {
@@ -50,17 +50,17 @@ impl Diagnostic {
     }
     /// Adds the text under the marked place.
     pub fn label(mut self, label: impl Into<String>) -> Self {
-        self.label = Some(label.into());
+        self.label = Some(label.into().into());
         self
     }
     /// Adds the name that does not exist.
     pub fn about(mut self, name: impl Into<String>) -> Self {
-        self.about = Some(name.into());
+        self.about = Some(name.into().into());
         self
     }
     /// Adds help.
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(help.into().into());
         self
     }
 }

@@ -62,8 +62,9 @@ impl Loaded {
             if matches!(r.diagnostic.code, "rest.refused" | "rest.turning")
                 && let Some(&k) = r.studies.iter().find(about)
             {
-                let help = r.diagnostic.help.get_or_insert_default();
-                *help = format!("give study \"{}\" about = \"turning\"; or {help}", self.studies[k].name);
+                let help = r.diagnostic.help.as_deref().unwrap_or_default();
+                let first = &self.studies[k].name;
+                r.diagnostic.help = Some(format!("give study \"{first}\" about = \"turning\"; or {help}").into());
             }
             let names: Vec<String> = r.studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
             let word = if names.len() == 1 { "study" } else { "studies" };

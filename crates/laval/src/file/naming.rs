@@ -23,7 +23,7 @@ pub(super) fn read_kind<'n>(
         let help = suggestion("", words(), "write kind = \"..\" with one of");
         let mut d =
             Diagnostic::error("kind.missing", format!("this {what}{named} says no kind")).at(span).label("kind = \"..\" is missing");
-        d.help = help;
+        d.help = help.map(Into::into);
         out.push(d);
         return None;
     };
@@ -40,7 +40,7 @@ pub(super) fn read_kind<'n>(
         let mut d = Diagnostic::error("kind.unknown", format!("there is no kind of {what} called {:?}", clip(t)))
             .at(e.node.span.clone())
             .label("unknown kind");
-        d.help = suggestion(t, words(), &kinds);
+        d.help = suggestion(t, words(), &kinds).map(Into::into);
         out.push(d);
     }
     found

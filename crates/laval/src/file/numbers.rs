@@ -119,11 +119,11 @@ impl Context<'_> {
     /// One number for both directions, or one for each.
     pub(super) fn lateral(&mut self, name: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<Value> {
         let Some(table) = node.table() else {
-            return self.quantity(name, node, unit, &bounds).map(|x| Value::Lateral([x, x]));
+            return self.quantity(name, node, unit, bounds).map(|x| Value::Lateral([x, x]));
         };
         let fine = self.check_keys(name, table, &["x", "y"]);
         let mut half = |key: &str| match get(table, key) {
-            Some(e) => self.quantity(&format!("{name}.{key}"), &e.node, unit, &bounds),
+            Some(e) => self.quantity(&format!("{name}.{key}"), &e.node, unit, bounds),
             None => {
                 let message = format!("{} has no {key:?}", subject(self.who, name));
                 self.error(

@@ -140,11 +140,11 @@ impl Context<'_> {
     /// One quantity for all, or one for each of some names.
     pub(super) fn named(&mut self, name: &str, node: &Node, unit: &str, bounds: &Bounds, given_units: &mut Option<Units>) -> Option<Value> {
         let Some(table) = node.table() else {
-            return self.quantity(name, node, unit, &bounds).map(Value::Number);
+            return self.quantity(name, node, unit, bounds).map(Value::Number);
         };
         let mut entries = Vec::new();
         let mut read = |key: &str, e: &Entry, cx: &mut Self| {
-            let x = cx.quantity(&format!("{name}, {}", clip(key)), &e.node, unit, &bounds);
+            let x = cx.quantity(&format!("{name}, {}", clip(key)), &e.node, unit, bounds);
             entries.push(x.map(|x| (key.to_string(), x, e.span.clone().unwrap_or(0..0))));
         };
         for e in table {

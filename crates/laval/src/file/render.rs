@@ -69,7 +69,7 @@ impl miette::Diagnostic for Shown<'_> {
         Some(self.source)
     }
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let s = LabeledSpan::new_primary_with_span(self.d.label.clone(), (self.span.start, self.span.len()));
+        let s = LabeledSpan::new_primary_with_span(self.d.label.as_deref().map(str::to_string), (self.span.start, self.span.len()));
         Some(Box::new(std::iter::once(s)))
     }
 }

@@ -38,7 +38,7 @@ impl Context<'_> {
         if !label.is_empty() {
             d = d.label(label);
         }
-        d.help = help.into();
+        d.help = help.into().map(Into::into);
         self.out.push(d);
     }
 
