@@ -4,8 +4,10 @@
 //! where a particle leaves the liquid. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`];
 //! [`load`] is what cups do to the rotor; [`measures`] are what engineers compare centrifuges by, [`validity`] tells where the model ends.
 
+pub mod batch;
 pub mod closed;
 pub mod cup;
+pub mod drift;
 pub mod ensemble;
 pub mod exit;
 pub mod frame;
@@ -18,6 +20,8 @@ pub mod motion;
 pub mod normal;
 pub mod particle;
 pub mod ramp;
+pub mod recovery;
 pub mod root;
 pub mod tube;
 pub mod validity;
+pub mod vessel;
