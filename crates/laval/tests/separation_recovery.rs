@@ -6,7 +6,7 @@ use laval::file::load;
 use laval::outcome::Outcome;
 use laval::separation::batch::{Batch, RunUp};
 use laval::separation::cup::{Hanging, SwingingCup};
-use laval::separation::ensemble::{Model, Powder, leave, members, quantile, sorted};
+use laval::separation::ensemble::{Model, Powder, leave, members, paired_members, quantile, sorted};
 use laval::separation::exit::Cylinder;
 use laval::separation::law::Law;
 use laval::separation::machine::{Bowl, Cup, Discs, Separator};
@@ -89,7 +89,7 @@ fn counted_particles_meet_the_sum() {
         println!("{share} {n:?} {counted}");
         assert!((n.time / counted - 1.0).abs() < 2e-3, "{share}: {} {counted}", n.time);
         // and back
-        assert!((recovery.caught(n.time).unwrap() - share).abs() < 1e-9);
+        assert!((recovery.caught(n.time).unwrap() - share).abs() < 1e-8);
     }
 }
 
@@ -101,7 +101,10 @@ fn single_sizes_are_counted() {
     let turning = batch.separator.at(w);
     let time = |d: f64| {
         let p = Particle { radius: 0.5 * d, density: 2650.0 };
-        members(&turning, 999).iter().map(|m| leave(&turning, &batch.medium, &p, m, Model::Inertial).map(|e| e.time)).collect::<Vec<_>>()
+        paired_members(&turning, 999)
+            .iter()
+            .map(|m| leave(&turning, &batch.medium, &p, m, Model::Inertial).map(|e| e.time))
+            .collect::<Vec<_>>()
     };
     let single = sorted(time(8e-6).into_iter());
     for share in [0.1, 0.5, 0.95, 1.0] {
@@ -137,7 +140,7 @@ fn run_up_with_and_without_inertia() {
 fn nonlinear_drag_in_every_vessel() {
     let tube = Separator::Tube(Tube { mouth: 0.045, angle: 0.5, radius: 0.012, length: 0.09, surface: 0.02 }, 9.80665);
     let bowl = Separator::Bowl(Bowl { length: 0.5, radius: 0.1, surface: 0.05 });
-    for (separator, w, viscosity) in [(cups(0.0), 100.0, 0.03), (tube, 300.0, 0.2), (bowl, 300.0, 0.2)] {
+    for (separator, w, viscosity) in [(cups(0.0), 100.0, 0.03), (tube, 300.0, 0.1), (bowl, 300.0, 0.1)] {
         let medium = Medium { drag: Drag::SchillerNaumann, ..Medium::new(900.0, viscosity) };
         let powder = Powder { size: Law::LogNormal { median: 200e-6, gsd: 1.5 }, density: Law::Single(2650.0) };
         let batch = Batch { separator, medium, powder, model: Model::Drifting, ..sand(24) };
@@ -186,5 +189,29 @@ fn the_window_and_the_separation_agree() {
             let caught = separation.findings.iter().find(|f| f.id == "caught").unwrap().value.unwrap();
             assert!((caught - 0.95).abs() < 1e-8, "{caught}");
         }
+    }
+}
+
+/// No start leaves much earlier or later with inertia than without: small particles in every place of the set, on the surfaces too.
+#[test]
+fn inertia_of_small_particles_is_small() {
+    let (batch, w) = (sand(1 << 15), 1174.0 * RPM);
+    let spinning = batch.at(w);
+    for d in [1e-6, 3e-6] {
+        let p = Particle { radius: 0.5 * d, density: 2650.0 };
+        let s = batch.medium.rates(&p).sedimentation;
+        let mut worst = (0.0, 0);
+        for (i, m) in spinning.crowd.iter().enumerate() {
+            let (a, b) = (spinning.exit(&p, m).unwrap().unwrap(), spinning.turning.drift(s, m.start).unwrap());
+            let off = (a.time / b.time - 1.0).abs();
+            if off > 1e-2 {
+                println!("{i} {m:?} {a:?} {b:?}");
+            }
+            if off > worst.0 {
+                worst = (off, i);
+            }
+        }
+        println!("{d} {worst:?}");
+        assert!(worst.0 < 1e-2, "{d}: {worst:?}");
     }
 }

@@ -134,7 +134,7 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
         medium: suspension.medium,
         powder: suspension.powder.clone(),
         from: values.number("diameter"),
-        places: values.integer("particles").map_or(2048, |n| n.max(1) as usize),
+        places: values.integer("particles").map_or(1024, |n| n.max(1) as usize),
         slowest: values.choice("start") == Some("slowest"),
         model: match values.choice("model") {
             Some("drifting") => Model::Drifting,

@@ -14,7 +14,8 @@
 //!
 //! Symbols: w spin speed; p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
 //!
-//! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept.
+//! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
+//! parameters, which bounds it where margins depend on them monotonically.
 //!
 //! Sources: `theory/separation.md` section 13.
 

@@ -44,7 +44,7 @@ impl<'a> Found<'a> {
         out = self.recovered(out);
         let name = self.share();
         if self.any_speed() {
-            out = out.finding(self.speed_finding(&name)?);
+            out = out.finding(self.speed_finding(&name));
         }
         out = self.describe(out);
         let wall = self.exits.iter().filter(|e| e.is_some_and(|e| e.surface == Surface::Wall)).count() as f64 / self.exits.len() as f64;
@@ -68,7 +68,6 @@ impl<'a> Found<'a> {
             };
             out = out.finding(finding);
         }
-        let demand = if self.any_speed() { Some(self.demand_tables()?) } else { None };
         let built = || -> Built<Outcome> {
             let mut out = out.table(self.efficiency_table()?);
             out = out.table(self.measures_table()?);
@@ -76,7 +75,8 @@ impl<'a> Found<'a> {
                 let (grade, cuts) = self.grade_tables()?;
                 out = out.table(grade).table(cuts);
             }
-            if let Some((demand, sensitivity)) = demand {
+            if self.any_speed() {
+                let (demand, sensitivity) = self.demand_tables()?;
                 out = out.table(demand).table(sensitivity);
             }
             out = out.table(validity_table(&judged)?);
