@@ -53,19 +53,18 @@ fn times_converge_with_the_places() {
     for run_up in [RunUp::None, RunUp::Linear(60.0 / (2600.0 * RPM))] {
         let at = |places: usize| needed(&Batch { run_up: run_up.clone(), ..sand(places) }, w, 0.95);
         let limit = at(1 << 17);
-        println!("limit {limit:?}");
         for k in 8..=15 {
             let n = at(1 << k);
             let error = (n.time - limit.time).abs();
-            println!("{} {} spread {} error {:e} relative", 1 << k, n.time, n.spread, error / limit.time);
-            assert!(error < 3.0 * limit.time / (1 << k) as f64, "{k}: {error:e}");
+            // faster than random places, whose error falls like N^-1/2
+            assert!(error < limit.time * f64::from(1 << k).powf(-0.75), "{k}: {error:e}");
             // what is said to be left open is not less than what is
-            assert!(error < n.spread + 1e-4 * limit.time, "{k}: {error:e} {n:?}");
+            assert!(error < n.spread, "{k}: {error:e} {n:?}");
         }
         // any number of places, not only powers of two
         for places in [1000, 3000, 5000] {
             let n = at(places);
-            assert!((n.time - limit.time).abs() < 3.0 * limit.time / places as f64, "{places}");
+            assert!((n.time - limit.time).abs() < limit.time * (places as f64).powf(-0.75), "{places}");
         }
     }
 }
@@ -86,7 +85,6 @@ fn counted_particles_meet_the_sum() {
     for share in [0.5, 0.9, 0.95] {
         let n = recovery.needed(share).unwrap();
         let counted = quantile(&times, share);
-        println!("{share} {n:?} {counted}");
         assert!((n.time / counted - 1.0).abs() < 2e-3, "{share}: {} {counted}", n.time);
         // and back
         assert!((recovery.caught(n.time).unwrap() - share).abs() < 1e-8);
@@ -126,12 +124,10 @@ fn run_up_with_and_without_inertia() {
     let batch = Batch { run_up: RunUp::Linear(60.0 / (2600.0 * RPM)), ..sand(24) };
     let exact = needed(&Batch { model: Model::Inertial, ..batch.clone() }, w, 0.95).time;
     let adaptive = needed(&batch, w, 0.95).time;
-    println!("exact {exact} adaptive {adaptive} {:e}", adaptive / exact - 1.0);
     assert!((adaptive / exact - 1.0).abs() < 2e-5, "{exact} {adaptive}");
     // a run-up that is most of the time: the cups swing while particles settle
     let slow = Batch { run_up: RunUp::Smooth(400.0 / w), ..batch };
     let (a, b) = (needed(&Batch { model: Model::Inertial, ..slow.clone() }, w, 0.6).time, needed(&slow, w, 0.6).time);
-    println!("exact {a} adaptive {b}");
     assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
 }
 
@@ -147,7 +143,6 @@ fn nonlinear_drag_in_every_vessel() {
         let drifting = needed(&batch, w, 0.9).time;
         let exact = needed(&Batch { model: Model::Inertial, ..batch.clone() }, w, 0.9).time;
         let stokes = needed(&Batch { medium: Medium { drag: Drag::Stokes, ..medium }, ..batch.clone() }, w, 0.9).time;
-        println!("{} {drifting} {exact} {stokes}", separator.word());
         assert!((drifting / exact - 1.0).abs() < 2e-2, "{}: {drifting} {exact}", separator.word());
         assert!(exact > 1.04 * stokes, "{}: the law makes a difference", separator.word());
     }
@@ -170,7 +165,7 @@ fn run(text: &str, study: usize) -> Outcome {
 #[test]
 fn the_window_and_the_separation_agree() {
     let text = include_str!("../../../examples/05-oil-desludging/machine.toml");
-    let text = &text[..text.find("# The separation at the operating speed").unwrap()];
+    let text = &text[..text.find("# The separation at the recommended speed").unwrap()];
     let window = run(text, 0);
     let speeds = window.find_table("speeds").unwrap();
     let at = |name: &str, i: usize| speeds.column(name).unwrap().number(i).unwrap();
@@ -204,14 +199,10 @@ fn inertia_of_small_particles_is_small() {
         for (i, m) in spinning.crowd.iter().enumerate() {
             let (a, b) = (spinning.exit(&p, m).unwrap().unwrap(), spinning.turning.drift(s, m.start).unwrap());
             let off = (a.time / b.time - 1.0).abs();
-            if off > 1e-2 {
-                println!("{i} {m:?} {a:?} {b:?}");
-            }
             if off > worst.0 {
                 worst = (off, i);
             }
         }
-        println!("{d} {worst:?}");
         assert!(worst.0 < 1e-2, "{d}: {worst:?}");
     }
 }

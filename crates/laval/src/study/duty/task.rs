@@ -54,7 +54,7 @@ pub const DIAMETER: Field = Field::optional(
 pub const PARTICLES: Field = Field::optional(
     "particles",
     FieldKind::Integer { min: 16, max: 10_000_000 },
-    "2048",
+    "1024",
     "places of the fixed set at which particles start",
 );
 /// Model.

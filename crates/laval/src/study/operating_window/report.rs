@@ -27,11 +27,11 @@ fn rpm(w: f64) -> String {
 /// A requirement in words.
 fn words(name: &str) -> &'static str {
     match name {
-        "separation" => "the separation takes too long",
+        "separation" => "the time that the separation takes",
         "vibration" => "a vibration limit",
-        "self_centred" => "the rotor does not centre itself",
+        "self_centred" => "the self-centring of the rotor",
         "stable" => "stability",
-        "clear" => "a natural frequency comes too close",
+        "clear" => "the clearance of a natural frequency",
         "passage" => "the passage of the resonances",
         "strength" => "the highest speed",
         _ => "the range looked at",
