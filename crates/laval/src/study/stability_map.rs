@@ -38,7 +38,8 @@ pub struct StabilityMap {
 impl Study for StabilityMap {
     const KIND: &'static str = "stability_map";
     const DOC: &'static str = "Where the machine is unstable: growth rate over the spin speed, alone or together with one parameter, with the \
-        boundary and the peaks of the growth located.";
+        boundary and the peaks of the growth located. Nonlinear parts enter by their tangent in the state it is linearised about; nonlinear_response \
+        judges the motion that unbalance drives, whose ranges differ where that motion is not small.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds; 200 points unless given"),
         Field::optional("parameter", FieldKind::ParameterRange, "", "a parameter to vary as well; 40 points unless given"),

@@ -163,22 +163,29 @@ fn samples(h: usize, divisor: usize) -> usize {
     Terms::alias_free(3, h.max(divisor)).next_multiple_of(8).max(32)
 }
 
-/// Computes the response of a machine.
-pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
-    let (lo, hi) = request.speeds;
-    let (found, broken) = probe(system, &probed_speeds((lo, hi)));
+/// The symmetry that the request imposes on the motion, and what changes when the machine is turned.
+///
+/// # Errors
+/// A symmetry the machine does not have, naming a part that breaks it.
+pub fn symmetry(system: &System, request: &Request) -> Result<(Symmetry, Vec<Broken>), Diagnostic> {
+    let (found, broken) = probe(system, &probed_speeds(request.speeds));
     // a machine whose nonlinear coordinates do not come in pairs is expanded coordinate by coordinate, which no turn maps onto itself
     let found = if Nonlinear::of(system).paired { found } else { Symmetry::None };
-    let symmetry = match request.symmetry {
-        None => found,
-        Some(s) if s <= found => s,
+    match request.symmetry {
+        None => Ok((found, broken)),
+        Some(s) if s <= found => Ok((s, broken)),
         Some(s) => {
             let why =
                 broken.iter().find(|b| b.change > 0.0).map(|b| format!(": part \"{}\" changes when turned", b.part)).unwrap_or_default();
-            return Err(Diagnostic::error("response.symmetry", format!("the machine has no symmetry by {}{why}", s.name()))
-                .help(format!("use symmetry = \"auto\"; this machine is symmetric by {}", found.name())));
+            Err(Diagnostic::error("response.symmetry", format!("the machine has no symmetry by {}{why}", s.name()))
+                .help(format!("use symmetry = \"auto\"; this machine is symmetric by {}", found.name())))
         }
-    };
+    }
+}
+
+/// Computes the response of a machine.
+pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: Tick) -> Result<Response, Diagnostic> {
+    let (symmetry, broken) = symmetry(system, request)?;
     let automatic = request.harmonics.is_none() && symmetry != Symmetry::Circular;
     let mut harmonics = match symmetry {
         Symmetry::Circular => request.divisor,

@@ -1,0 +1,269 @@
+//! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
+
+use super::shown::{Shown, worst};
+use crate::model::part::{Physics, TimeForm};
+use crate::model::system::Slot;
+use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::floquet::Exponents;
+use crate::solve::harmonic::peak::Peak;
+use crate::solve::harmonic::response::{Fold, Request, Response, Traced};
+use laval_num::continuation::{End, Refusal};
+use laval_num::newton::Cause;
+
+impl Shown<'_> {
+    pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
+        let mut out = Vec::new();
+        let (lo, hi) = request.speeds;
+        let low = response.branches.iter().find(|b| b.from_low);
+        if let Some(branch) = low {
+            out.push(sweep(branch, true, lo, hi));
+        }
+        // the state a machine brought down from high speed is on: the branch that starts there, else the end of the other
+        if let Some(branch) = response.branches.iter().find(|b| !b.from_low).or(low) {
+            out.push(sweep(branch, false, lo, hi));
+        }
+        for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
+            out.extend(unfinished(branch));
+        }
+        if response.branches.len() > 1 && response.branches.iter().all(|b| b.end == End::Reached) {
+            out.push(Finding::info(
+                "two_branches",
+                "Two separate families of states were found: one reached from low speed, one from high speed. Which one the machine is on depends on \
+                 how it got there.",
+            ));
+        }
+        if let Some(l) = &self.largest {
+            let peak = l.refined.as_ref();
+            let (a, speed) = l.best();
+            let of = |f: &dyn Fn(&Peak) -> f64| peak.map_or(f64::NAN, f);
+            out.push(
+                Finding::info(
+                    "largest_displacement",
+                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s.", l.body, significant(speed, 6)),
+                )
+                .value(a, "m")
+                .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
+                .evidence("change of the residual with twice the samples", response.sampling, "")
+                .evidence("orders kept", response.discretisation.harmonics as f64, "")
+                .evidence("speed", speed, "rad/s")
+                .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
+                .evidence("relative slope along the branch", of(&|p| p.slope.abs()), "")
+                .evidence("scaled residual", of(&|p| p.residual), ""),
+            );
+        }
+        let dropped = worst(response, |p| p.truncation);
+        if request.harmonics.is_none() && dropped > request.truncation {
+            out.push(
+                Finding::warning(
+                    "harmonics_short",
+                    "The harmonics kept leave out {} of the nonlinear force at the worst point: a law with kinks converges slowly, and sharp details \
+                     of such states are not resolved.",
+                )
+                .value(dropped, "")
+                .evidence("orders kept", response.discretisation.harmonics as f64, ""),
+            );
+        }
+        if !request.stability {
+            out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."));
+        }
+        let states = || response.branches.iter().flat_map(|b| &b.points);
+        let (all, known) = (states().count(), states().filter(|p| p.exponents.is_some()).count());
+        if let Some(why) = &response.unjudged {
+            let of = if known == 0 { String::new() } else { format!(" of {} of {all} states", all - known) };
+            out.push(Finding::warning("stability_unknown", format!("Stability{of} was not judged: {why}.")));
+        }
+        if known > 0 {
+            out.extend(self.unstable(response));
+            out.extend(self.fitted());
+        }
+        out.extend(self.invalid(response));
+        if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
+            out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
+        }
+        out
+    }
+
+    /// Parts whose fitted time form stood for them in the judgement of stability.
+    fn fitted(&self) -> Vec<Finding> {
+        let fit = |slot: &Slot| match slot.physics {
+            Physics::Frequency(TimeForm::Fit(error)) => {
+                let text = format!("Stability was judged with the fitted time form of \"{}\"; the states themselves are exact.", slot.name);
+                Some(Finding::info("stability_fit", text).evidence("relative error of the fit", error, ""))
+            }
+            _ => None,
+        };
+        self.system.slots().iter().filter_map(fit).collect()
+    }
+
+    /// Intervals of speed in which a branch is unstable between its folds.
+    fn unstable(&self, response: &Response) -> Vec<Finding> {
+        let mut out = Vec::new();
+        for branch in &response.branches {
+            let Some(worst) =
+                branch.points.iter().filter(|p| p.growth() > 0.0 && p.unstable()).max_by(|a, b| a.growth().total_cmp(&b.growth()))
+            else {
+                continue;
+            };
+            let between_folds = branch.folds.len() >= 2 && branch.changes.is_empty() && {
+                let (a, b) = (branch.folds[0].after, branch.folds[1].after);
+                branch.points.iter().enumerate().all(|(i, p)| !p.unstable() || (i > a && i <= b))
+            };
+            if between_folds {
+                continue; // the dashed middle of the curve: said by the jumps
+            }
+            out.push(
+                Finding::warning(
+                    "unstable_states",
+                    format!(
+                        "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
+                        if branch.from_low { "low" } else { "high" },
+                        unstable_ranges(branch),
+                        significant(worst.speed, 5)
+                    ),
+                )
+                .value(worst.growth(), "1/s")
+                .evidence(
+                    "error of the growth rate",
+                    worst.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error),
+                    "1/s",
+                ),
+            );
+        }
+        out
+    }
+
+    fn invalid(&self, response: &Response) -> Vec<Finding> {
+        let mut worst: Vec<(String, f64, f64, f64)> = Vec::new();
+        for (b, branch) in response.branches.iter().enumerate() {
+            for (i, p) in branch.points.iter().enumerate() {
+                let (ratio, what) = &self.validity[b][i];
+                if *ratio <= 1.0 {
+                    continue;
+                }
+                match worst.iter_mut().find(|w| w.0 == *what) {
+                    None => worst.push((what.clone(), *ratio, p.speed, p.speed)),
+                    Some(w) => *w = (w.0.clone(), w.1.max(*ratio), w.2.min(p.speed), w.3.max(p.speed)),
+                }
+            }
+        }
+        worst
+            .into_iter()
+            .map(|(what, ratio, from, to)| {
+                Finding::invalid(
+                    "outside_validity",
+                    format!(
+                        "Some states between {} and {} rad/s lie outside the validity of a part ({what}): up to {{}} times the limit.",
+                        significant(from, 5),
+                        significant(to, 5)
+                    ),
+                )
+                .value(ratio, "")
+            })
+            .collect()
+    }
+}
+
+/// Ranges of speed over which consecutive points of a branch are unstable, in words.
+fn unstable_ranges(branch: &Traced) -> String {
+    const MOST: usize = 4;
+    let mut ranges = Vec::new();
+    let mut start = 0;
+    for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
+        let (first, last) = (start, start + run.len() - 1);
+        start += run.len();
+        // the middle of a curve that turns back is said by the jumps
+        let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
+        if !run[0].unstable() || turned_back {
+            continue;
+        }
+        let (from, to) = run.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.speed), b.max(p.speed)));
+        let (from, to) = (significant(from, 4), significant(to, 4));
+        ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
+    }
+    let more = ranges.len().saturating_sub(MOST);
+    let shown = ranges[..ranges.len() - more].join(", ");
+    if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
+}
+
+/// Where a slow sweep jumps, or that it does not.
+fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
+    let way = if up { "up" } else { "down" };
+    // along the branch from the end the sweep starts at, the first fold that turns against it
+    let forward = up == branch.from_low;
+    let mut folds: Vec<&Fold> = branch.folds.iter().collect();
+    if !forward {
+        folds.reverse();
+    }
+    let first = folds.into_iter().find(|f| f.upper == up);
+    let reaches = branch.end == End::Reached;
+    match first {
+        Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
+            .value(f.speed, "rad/s")
+            .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
+            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
+            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
+            .evidence("scaled residual", f.residual, ""),
+        None if reaches => Finding::info(
+            format!("no_jump_{way}"),
+            format!(
+                "A slow sweep {way} between {} and {} rad/s meets no jump; its states go on to the end of the range.",
+                significant(lo, 5),
+                significant(hi, 5)
+            ),
+        ),
+        None => match branch.points.last() {
+            Some(p) => Finding::warning(
+                format!("sweep_{way}_unfinished"),
+                format!("The states of a slow sweep {way} could be followed to {{}} only ({}).", reason(&branch.end)),
+            )
+            .value(p.speed, "rad/s"),
+            None => Finding::warning(
+                format!("sweep_{way}_unfinished"),
+                format!("The states of a slow sweep {way} were not followed ({}).", reason(&branch.end)),
+            ),
+        },
+    }
+}
+
+/// That a branch ends within the range beyond a fold, where the sweeps do not say so.
+fn unfinished(branch: &Traced) -> Option<Finding> {
+    let from = if branch.from_low { "low" } else { "high" };
+    let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
+    let text = format!("Beyond their folds the states from {from} speed could be followed to {{}} only ({}).", reason(&branch.end));
+    Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
+}
+
+fn reason(end: &End) -> String {
+    match end {
+        End::Reached => "the end of the range".into(),
+        End::StepTooSmall { why, .. } => refusal(why).into(),
+        End::NewtonFailed { residual, .. } => format!("the start did not converge, scaled residual {residual:.1e}"),
+        End::MaxPoints => "the largest number of points was used up".into(),
+        End::Cancelled => "stopped on request".into(),
+        End::Closed => "the branch closes on itself".into(),
+    }
+}
+
+/// Why a branch could not be followed further, and what helps.
+fn refusal(why: &Refusal) -> &'static str {
+    match why {
+        Refusal::Corrector(Cause::Undefined(why)) => why,
+        Refusal::Corrector(Cause::NotFinite) => {
+            "a force or its derivative is not a number there: a part is used outside the states for which it is defined"
+        }
+        Refusal::Corrector(Cause::Singular) => {
+            "the equations have no unique solution there: a coordinate is held by nothing, or branches meet"
+        }
+        Refusal::Corrector(_) => {
+            "the equations could not be solved beyond it: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Angle | Refusal::Reversal => {
+            "the states change direction too sharply there: keep more harmonics, or smooth the law of a part that changes its force abruptly"
+        }
+        Refusal::Strayed => "the nearest solution beyond it belongs to other states: narrow the range of speeds about it",
+        Refusal::Monitor => "the motion of a body changes too fast there, as at a resonance without damping: give the bodies some damping",
+        Refusal::Parameter => {
+            "the amplitude grows without limit while the speed stands still, as at a resonance without damping: give the machine damping"
+        }
+    }
+}
