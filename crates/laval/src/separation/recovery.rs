@@ -125,7 +125,7 @@ impl Curve {
 pub struct Needed {
     /// Time, s; infinite when the share is never caught, NaN without particles.
     pub time: f64,
-    /// Largest difference to the same with the first half and the first quarter of the places, s: what the sampling of places leaves open.
+    /// Largest difference to the same with the first half and the first quarter of the places, s: an indication of what the sampling of places leaves open, not a bound.
     pub spread: f64,
 }
 

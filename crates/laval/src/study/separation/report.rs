@@ -141,7 +141,7 @@ impl<'a> Found<'a> {
         };
         let mut finding = Finding::info("time_needed", text).value(needed.time, "s").evidence("time at hand", s.time, "s");
         if needed.spread.is_finite() {
-            finding = finding.evidence("difference to half of the places", needed.spread, "s");
+            finding = finding.evidence("largest difference with half or a quarter of the places", needed.spread, "s");
         }
         out.finding(finding)
     }
