@@ -255,7 +255,7 @@ impl<'a> Recovery<'a> {
     fn refine(&mut self, counted: f64) -> Result<(), Lost> {
         let spinning = self.spinning;
         let Kind::Smooth(curves) = &self.found else { return Ok(()) };
-        let exits: Result<Vec<Option<(f64, Option<Exit>)>>, Lost> = curves
+        let exits: Vec<Option<(f64, Option<Exit>)>> = curves
             .par_iter()
             .zip(&spinning.crowd)
             .map(|(c, m)| {
@@ -268,8 +268,7 @@ impl<'a> Recovery<'a> {
                 let particle = Particle { radius: 0.5 * ln_d.exp(), density: c.density };
                 Ok(Some((ln_d, spinning.exit(&particle, m)?)))
             })
-            .collect();
-        let exits = exits?;
+            .collect::<Result<_, Lost>>()?;
         if let Kind::Smooth(curves) = &mut self.found {
             for (c, found) in curves.iter_mut().zip(exits) {
                 if let Some((ln_d, exit)) = found {

@@ -55,7 +55,9 @@ pub(super) struct Peak {
 const WINDOWS: usize = 300;
 /// Relative distance of the load's speed from that of a peak beyond which the passage is simulated again, and how often at most.
 const NEAR: f64 = 0.05;
-const MOST_FLIGHTS: usize = 7;
+const MOST_FLIGHTS: usize = 8;
+/// Speeds, as shares of the top, for which the passage is judged with its own loads.
+const LOWER: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
 impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed.
@@ -65,7 +67,9 @@ impl Passage {
         out.add(system, cups, top, (top, duration), context)?;
         while !cups.is_empty() && out.flights.len() < MOST_FLIGHTS {
             let far = |p: &Peak| !((p.speed / p.load).ln().abs() <= NEAR) && p.speed > 0.0;
-            let Some(peak) = out.peaks(top).into_iter().filter(far).max_by(|a, b| a.displacement.total_cmp(&b.displacement)) else { break };
+            // also what moves most on the way to lower speeds
+            let all = LOWER.iter().flat_map(|share| out.peaks(share * top));
+            let Some(peak) = all.filter(far).max_by(|a, b| a.displacement.total_cmp(&b.displacement)) else { break };
             out.add(system, cups, peak.speed, (top, duration), context)?;
         }
         Ok(out)
