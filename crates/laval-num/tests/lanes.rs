@@ -44,7 +44,7 @@ impl Random {
             _ => (self.unit() - 0.5) * 8.0,
         }
     }
-    fn eight(&mut self) -> [f64; LANES] {
+    fn lanes(&mut self) -> [f64; LANES] {
         std::array::from_fn(|_| self.number())
     }
 }
@@ -100,7 +100,7 @@ impl Kernel for Values<'_> {
 fn lanes_equal_scalar_at_every_level() {
     let mut random = Random(7);
     for _ in 0..20_000 {
-        let (x, y) = (random.eight(), random.eight());
+        let (x, y) = (random.lanes(), random.lanes());
         let expected: [_; LANES] = std::array::from_fn(|i| everything(x[i], y[i]));
         for level in Level::supported() {
             let got = dispatch(level, Values(&x, &y));
@@ -128,7 +128,7 @@ impl Kernel for Derivatives<'_> {
 fn derivatives_in_lanes_equal_scalar_derivatives() {
     let mut random = Random(11);
     for _ in 0..5_000 {
-        let (x, y) = (random.eight(), random.eight());
+        let (x, y) = (random.lanes(), random.lanes());
         for level in Level::supported() {
             let got = dispatch(level, Derivatives(&x, &y));
             for i in 0..LANES {
@@ -151,7 +151,7 @@ impl Kernel for Kinks {
     fn run<S: LaneScalar>(self) {
         let zero = Dual::<S, 1>::seed(S::zero(), 0);
         for d in [zero.sqrt(), zero.pos(), zero.pow_pos(1.5), zero.pow_pos(10.0 / 9.0), zero.abs(), zero.norm2(Dual::zero())] {
-            assert_eq!((d.re.to_array(), d.eps[0].to_array()), ([0.0; 8], [0.0; 8]));
+            assert_eq!((d.re.to_array(), d.eps[0].to_array()), ([0.0; LANES], [0.0; LANES]));
         }
         let nan = S::cst(f64::NAN);
         for v in [nan.pos(), nan.abs(), nan.sqrt(), nan.exp(), nan.ln(), nan.sin(), nan.cos(), nan.atan2(S::one()), S::one().atan2(nan)] {
@@ -159,9 +159,9 @@ impl Kernel for Kinks {
         }
         for p in [0.5, 1.0, 1.1, 1.5, 2.0, -1.0] {
             assert!(nan.pow_pos(p).to_array().iter().all(|x| x.is_nan()));
-            assert_eq!(S::cst(-3.0).pow_pos(p).to_array(), [0.0; 8]);
+            assert_eq!(S::cst(-3.0).pow_pos(p).to_array(), [0.0; LANES]);
         }
-        assert_eq!(nan.select_pos(S::one(), S::zero()).to_array(), [0.0; 8]);
+        assert_eq!(nan.select_pos(S::one(), S::zero()).to_array(), [0.0; LANES]);
     }
 }
 
@@ -177,16 +177,16 @@ impl Kernel for Access {
     type Out = Level;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Level {
-        let mut x = S::from_array([0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        let mut x = S::from_array(std::array::from_fn(|i| i as f64));
         x = x.with(2, f64::NAN).with(5, f64::INFINITY);
         assert_eq!((x.get(1), x.get(5)), (1.0, f64::INFINITY));
-        assert_eq!(S::bits(x.lt(S::cst(4.0))).0, 0b0000_1011);
-        assert_eq!(S::bits(x.le(S::cst(4.0))).0, 0b0001_1011);
-        assert_eq!(x.finite().0, 0b1101_1011);
+        assert_eq!(S::bits(x.lt(S::cst(4.0))).0, 0b1011);
+        assert_eq!(S::bits(x.le(S::cst(4.0))).0, 0b1_1011);
+        assert_eq!(x.finite().0, !0b10_0100);
         let y = S::select(S::cst(4.0).lt(x), S::cst(-1.0), x);
-        assert_eq!(y.to_array()[3..], [3.0, 4.0, -1.0, -1.0, -1.0]);
+        assert_eq!(y.to_array()[3..8], [3.0, 4.0, -1.0, -1.0, -1.0]);
         assert!(S::bits(S::zero().lt(S::one())).all() && S::bits(S::one().lt(S::one())) == laval_num::lanes::LaneBits(0));
-        assert!(x.finite().get(0) && !x.finite().get(2) && !x.finite().get(8));
+        assert!(x.finite().get(0) && !x.finite().get(2) && !x.finite().get(LANES));
         S::LEVEL
     }
 }
@@ -266,7 +266,7 @@ fn erased_slots_give_the_same_bits() {
     let law: Box<dyn Erased> = Box::new(Hertz { stiffness: 3.7 });
     let mut random = Random(13);
     for _ in 0..2_000 {
-        let (x, y) = (random.eight(), random.eight());
+        let (x, y) = (random.lanes(), random.lanes());
         let expected: [_; LANES] = std::array::from_fn(|i| erased_call(&*law, [x[i], y[i]]));
         for level in Level::supported() {
             let got = dispatch(level, Call(&*law, &x, &y));

@@ -254,6 +254,61 @@ speed = { from = "1000 rad/s", to = "5000 rad/s", points = 60 }
     assert!((fold - last).abs() < 1.5 && states(fold + 1.5).len() == 1 && states(fold - 1.5).len() == 3, "{fold} {last}");
 }
 
+/// The branch that a slow run-up reaches: the larger state up to the fold where it ends, also where the smaller one keeps the limit.
+#[test]
+fn policies_choose_among_the_states() {
+    let text = |policy: &str, from: f64, to: f64| {
+        format!(
+            r#"
+[machine]
+name = "stiffening"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 2.4
+eccentricity = "50 um"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["rotor", "ground"]
+stiffness = 1.1e7
+cubic_stiffness = 8.7e12
+law = "isotropic"
+[[part]]
+kind = "damper"
+name = "air"
+between = ["rotor", "ground"]
+damping = 400
+[limits]
+displacement = "0.45 mm"
+[[study]]
+kind = "operating_window"
+speed = {{ from = "{from} rad/s", to = "{to} rad/s", points = 12 }}
+ramp = "2 s"
+branch_policy = "{policy}"
+"#
+        )
+    };
+    // between the folds
+    let outcomes: Vec<Outcome> = ["all", "reached", "highest"].iter().map(|p| run(&text(p, 2400.0, 2900.0))).collect();
+    let margin = |o: &Outcome| -> Vec<(f64, f64)> {
+        let t = o.find_table("margins").unwrap();
+        let rows = column(t, "speed").into_iter().zip(column(t, "margin")).zip(words(t, "requirement"));
+        rows.filter(|r| r.1 == "vibration").map(|r| r.0).collect()
+    };
+    let (all, reached, highest) = (margin(&outcomes[0]), margin(&outcomes[1]), margin(&outcomes[2]));
+    let states = column(outcomes[0].find_table("speeds").unwrap(), "states");
+    assert!(states.contains(&2.0), "no speed has two states");
+    for ((w, a), n) in all.iter().zip(&states) {
+        let other = |v: &[(f64, f64)]| v.iter().find(|x| x.0 == *w).map(|x| x.1);
+        if let (Some(r), Some(h)) = (other(&reached), other(&highest)) {
+            assert!((h - a).abs() < 1e-9, "{w}");
+            // going up slowly the larger state is kept until it ends
+            assert!((r - a).abs() < 1e-9, "{w} {n}: {r} {a}");
+        }
+    }
+}
+
 #[test]
 fn mistakes_are_told() {
     let one = |text: &str, code: &str| {
@@ -262,10 +317,10 @@ fn mistakes_are_told() {
         assert!(found.0.iter().all(|d| d.span.is_some()), "{found:?}");
     };
     let base = jeffcott(3000.0);
-    one(&base.replace("particle_density = 2000", "particle_density = 1000"), "operating_window.duty");
+    one(&base.replace("particle_density = 2000", "particle_density = 1000"), "separation.neutral");
     one(&base.replace("surface_radius = \"90 mm\"", "surface_radius = \"200 mm\""), "cup.radii");
     one(&base.replace("displacement = \"0.35 mm\"", "displacement = { rotr = \"0.35 mm\" }"), "limits.name");
-    one(&base.replace("start = \"slowest\"", "time = \"1 h\""), "operating_window.duty");
+    one(&base.replace("start = \"slowest\"", "time = \"1 h\""), "separation.throughput");
     one(&base.replace("[[cup]]", "[cup]"), "file.brackets");
     one(&base.replace("[suspension]", "[suspensoin]"), "file.unknown_table");
     one(&base.replace("viscosity = \"1 mPa s\"", ""), "suspension.viscosity");
@@ -275,7 +330,42 @@ fn mistakes_are_told() {
     one(&CUPS.replace("on = \"rotor\"", "on = \"rotr\""), "body.missing");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"3 g\", 0]"), "cup.count");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"-3 kg\", 0, 0, 0]"), "cup.negative");
+    one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"9.9 m\""), "cup.centre");
+    one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"99 m\""), "value.bounds");
+    one(&CUPS.replace("speed = { from", "branch_policy = \"reached\"\nspeed = { from"), "operating_window.duty");
     one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.duty");
+}
+
+/// The passage is judged with the load the cups have at its speed: at the resonance, low in the range, they hang lower and load the rotor less than at the top.
+#[test]
+fn passages_carry_the_load_of_their_speed() {
+    let soft = CUPS.replace("stiffness = 4e5", "stiffness = 300").replace("damping = 200", "damping = 4");
+    let text = soft.replace("displacement = \"0.1 mm\"", "passage_displacement = \"1 m\"").replace(
+        "speed = { from = \"1 rad/s\", to = \"600 rad/s\" }",
+        "speed = { from = \"1 rad/s\", to = \"60 rad/s\", points = 8 }\nramp = \"120 s\"",
+    );
+    let o = run(&text);
+    let up = o.findings.iter().find(|f| f.id == "passage_peak").unwrap();
+    let e = |what: &str| up.evidence.iter().find(|e| e.what == what).unwrap().value;
+    assert!((e("speed") / e("cups loaded as at") - 1.0).abs() < 0.05, "{} {}", e("speed"), e("cups loaded as at"));
+    // the same machine without cups, with their mass and unbalance at that speed written into the disc
+    let w = e("cups loaded as at");
+    let (mut a, mut b) = (0.0, std::f64::consts::FRAC_PI_2);
+    for _ in 0..200 {
+        let x = 0.5 * (a + b);
+        if 9.80665 * f64::sin(x) < w * w * (0.15 + 0.1 * f64::sin(x)) * f64::cos(x) { a = x } else { b = x }
+    }
+    let unbalance = |a: f64| 0.003 * (0.15 + 0.1 * a.sin());
+    let frozen = |unbalance: f64| {
+        let start = text.find("[[cup]]").unwrap();
+        let end = text.find("[limits]").unwrap();
+        let disc = format!("mass = 12.003\neccentricity = {:e}", unbalance / 12.003);
+        let o = run(&(text[..start].replace("mass = 10", &disc) + &text[end..]));
+        evidence(&o, "passage_peak")
+    };
+    let (own, top) = (frozen(unbalance(a)), frozen(unbalance(1.57)));
+    assert!((up.value.unwrap() / own - 1.0).abs() < 1e-3, "{} {own}", up.value.unwrap());
+    assert!(top > 1.05 * own, "the load at the top is larger: {top} {own}");
 }
 
 /// The uncertain window lies inside the plain one, and the map agrees with it at the value of the file.

@@ -28,6 +28,13 @@ fn close(got: f64, want: f64, tolerance: f64, what: &str) {
     assert!((got - want).abs() <= tolerance * want.abs(), "{what}: {got} wanted {want}, relative {:e}", (got / want - 1.0).abs());
 }
 
+/// A share of the table (over `whole`) as the count of the fixed set that it is.
+fn counts(share: &str, whole: f64) -> usize {
+    let count = number(share) / whole * N as f64;
+    assert!((count - count.round()).abs() < 1e-3, "{share} is no count");
+    count.round() as usize
+}
+
 struct Conf {
     turning: Turning,
     medium: Medium,
@@ -90,11 +97,10 @@ fn mean_times_and_surfaces() {
         let exact = exits.iter().map(|e| e.unwrap().time).sum::<f64>() / N as f64;
         close(exact, number(row[13]), 1e-9, row[0]);
         for (surface, k) in [(Surface::Wall, 15), (Surface::Bottom, 16), (Surface::Free, 17)] {
-            let share = c.products.iter().filter(|p| p.1 == surface).count() as f64 / N as f64;
-            assert!((share - number(row[k])).abs() <= 1.001 / N as f64, "{} {surface:?} {share}", row[0]);
+            assert_eq!(c.products.iter().filter(|p| p.1 == surface).count(), counts(row[k], 1.0), "{} {surface:?}", row[0]);
         }
         let changed = exits.iter().zip(&c.products).filter(|(e, p)| e.unwrap().surface != p.1).count();
-        assert!((changed as f64 - number(row[18])).abs() <= 1.0, "{}: {changed}", row[0]);
+        assert_eq!(changed as f64, number(row[18]), "{}", row[0]);
     }
 }
 
@@ -128,12 +134,11 @@ fn grade_efficiency_and_cut_size() {
         }
         let (_, c, times) = conf.as_ref().unwrap();
         let tau = c.sedimentation(number(row[1]) * 1e-6) * number(row[2]);
-        let share = |s: Surface| c.products.iter().filter(|p| p.0 <= tau && p.1 == s).count() as f64 / N as f64;
-        let one = 1.001 / N as f64;
-        assert!((efficiency(times, tau) - number(row[3])).abs() <= one, "{row:?}");
-        for (s, k) in [(Surface::Wall, 4), (Surface::Bottom, 5), (Surface::Free, 6)] {
-            assert!((share(s) - number(row[k])).abs() <= one, "{row:?}");
-        }
+        let caught = |s: Surface| c.products.iter().filter(|p| p.0 <= tau && p.1 == s).count();
+        let all = (efficiency(times, tau) * N as f64).round() as usize;
+        let found = [all, caught(Surface::Wall), caught(Surface::Bottom), caught(Surface::Free)];
+        let wanted = [3, 4, 5, 6].map(|k| counts(row[k], 1.0));
+        assert_eq!(found, wanted, "{row:?}");
     }
     for row in table!("ensemble_cut_size") {
         if conf.as_ref().is_none_or(|c| c.0 != row[0]) {
@@ -152,7 +157,7 @@ fn powders() {
         let law = Law::LogNormal { median: number(row[1]) * 1e-6, gsd: number(row[2]) };
         let t = number(row[3]);
         let caught = c.members.iter().zip(&c.products).filter(|(m, p)| p.0 <= c.sedimentation(law.quantile(m.point.size)) * t).count();
-        assert!((caught as f64 / N as f64 - number(row[4])).abs() <= 1.001 / N as f64, "{row:?}: {caught}");
+        assert_eq!(caught, counts(row[4], 1.0), "{row:?}");
         let taus: Vec<f64> = c.products.iter().map(|p| p.0).collect();
         let exact = powder_efficiency(&taus, &c.medium, &law, c.particle.density, t);
         // the table sums over the curve of quantiles
@@ -258,13 +263,13 @@ fn engineering_measures() {
 fn published_rotors() {
     let (medium, time) = (Medium::new(1000.0, 1.55e-3), 1800.0);
     let rates = |nm: f64| medium.rates(&Particle { radius: 0.5e-9 * nm, density: 1150.0 });
-    // path across the tube (mm), angle (degrees)
-    let tubes: [(&str, f64, f64); 5] = [
-        ("Type 45 Ti", 41.6, 24.0),
-        ("Type 60 Ti", 27.3, 23.5),
-        ("Type 70 Ti", 27.2, 23.0),
-        ("F-45-24-15", 15.6, 45.0),
-        ("TLA 110", 14.7, 28.0),
+    // path across the tube (mm), angle (degrees), its diameter (mm): the path is the diameter over the cosine
+    let tubes: [(&str, f64, f64, f64); 5] = [
+        ("Type 45 Ti", 41.6, 24.0, 38.0),
+        ("Type 60 Ti", 27.3, 23.5, 25.0),
+        ("Type 70 Ti", 27.2, 23.0, 25.0),
+        ("F-45-24-15", 15.6, 45.0, 11.0),
+        ("TLA 110", 14.7, 28.0, 13.0),
     ];
     for row in table!("published_rotors") {
         let n = |i: usize| number(row[i]);
@@ -278,8 +283,7 @@ fn published_rotors() {
         let tube = tubes.iter().find(|t| t.0 == row[1]);
         let share = |nm: f64| match tube {
             None => measures::pelleted_swinging(rates(nm).sedimentation, w, r_min, r_max, time),
-            // the path is the diameter over the cosine of the angle
-            Some((_, path, _)) => measures::pelleted_fixed_angle(rates(nm).sedimentation, w, mean, path * 1e-3, 0.0, time),
+            Some((_, path, ..)) => measures::pelleted_fixed_angle(rates(nm).sedimentation, w, mean, path * 1e-3, 0.0, time),
         };
         for (nm, k) in [(150.0, 7), (120.0, 9), (100.0, 11), (70.0, 13)] {
             close(100.0 * share(nm), n(k), 2e-6, &format!("{} {nm} nm", row[1]));
@@ -288,37 +292,26 @@ fn published_rotors() {
         // cut size: all are pelleted just above it
         close(share(n(5) * (1.0 + 1e-6)), 1.0, 1e-12, row[1]);
         assert!(share(n(5) * (1.0 - 1e-3)) < 1.0 && (n(5) - n(6)).abs() < 1.0, "{}", row[1]);
-        let (radius, hinge, length, tilt) = match tube {
-            None => (10.0, r_min, r_max - r_min, FRAC_PI_2),
-            Some((_, path, angle)) => {
-                let (s, c) = angle.to_radians().sin_cos();
-                let radius = 0.5e-3 * path * c;
-                (radius, r_min + radius * c, (r_max - r_min - 2.0 * radius * c) / s, angle.to_radians())
-            }
+        // a swinging tube is followed along its axis, as the formulas do; of a fixed-angle tube the circle across it at the mean radius, in the growing field
+        let (radius, hinge, ends, tilt) = match tube {
+            None => (10.0, r_min, (0.0, r_max - r_min), FRAC_PI_2),
+            Some((_, _, angle, diameter)) => (0.5e-3 * diameter, mean, (-1.0, 1.0), angle.to_radians()),
         };
         let cup = Cup {
             hanging: SwingingCup { hinge, body: Hanging::point(1.0, 0.1), damping: 0.0, gravity: 0.0 },
-            vessel: Cylinder { radius, bottom: length, top: 0.0 },
+            vessel: Cylinder { radius, bottom: ends.1, top: ends.0 },
             held: Some(tilt),
         };
         let turning = Separator::Cup(cup).at(w);
         let members = members(&turning, N);
         for (nm, k) in [(150.0, 15), (100.0, 16)] {
             let s = rates(nm).sedimentation;
-            let caught = members
-                .iter()
-                .filter(|m| {
-                    // a swinging tube is taken along its axis, as the formulas do
-                    let start = if tube.is_some() { m.start } else { [0.0, m.start[1], 0.0] };
-                    turning.drift(s, start).is_some_and(|e| e.time <= time)
-                })
-                .count();
-            let caught = 100.0 * caught as f64 / N as f64;
-            if tube.is_none() {
-                assert!((caught - n(k)).abs() <= 100.0 / N as f64, "{} {nm} nm: {caught}", row[1]);
-            } else {
+            let starts = members.iter().map(|m| if tube.is_some() { [m.start[0], 0.0, m.start[2]] } else { [0.0, m.start[1], 0.0] });
+            let caught = starts.filter(|start| turning.drift(s, *start).is_some_and(|e| e.time <= time)).count();
+            assert_eq!(caught, counts(row[k], 100.0), "{} {nm} nm", row[1]);
+            if tube.is_some() {
                 // the field grows on the way, which the formula leaves out
-                assert!(caught >= 100.0 * share(nm), "{} {nm} nm: {caught}", row[1]);
+                assert!(caught as f64 / N as f64 >= share(nm) - 1.0 / N as f64, "{} {nm} nm: {caught}", row[1]);
             }
         }
     }

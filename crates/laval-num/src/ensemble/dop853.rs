@@ -1,7 +1,7 @@
-//! One step of the explicit method of order 8 in eight lanes.
+//! One step of the explicit method of order 8 in lanes.
 
 use super::Crew;
-use crate::lanes::{LaneBits, LaneScalar};
+use crate::lanes::{Bits, LaneBits, LaneScalar};
 use crate::ode::tableau::{self as t8, Row};
 
 const STAGES: usize = 16;
@@ -10,11 +10,12 @@ const SAFETY: f64 = 0.9;
 const MIN_FACTOR: f64 = 1.0 / 3.0;
 const MAX_FACTOR: f64 = 6.0;
 
-/// Storage of the method: states and stages of eight members.
+/// Storage of the method: states and stages of the members.
 pub(super) struct Dop853<S> {
     n: usize,
     relative: Vec<S>,
     absolute: Vec<S>,
+    /// States at both ends of the step and of a stage, each with the crew's room behind it.
     y0: Vec<S>,
     y1: Vec<S>,
     w: Vec<S>,
@@ -35,40 +36,60 @@ pub(super) struct Attempt<S> {
     pub factor: S,
 }
 
+/// Distance of the stages in storage: odd, so that no two of them lie a multiple of 4096 bytes apart, which a processor takes for one place.
+#[inline(always)]
+fn stride(n: usize) -> usize {
+    n | 1
+}
+
 /// `out = y + h sum_m a_m k_m`.
 #[inline(always)]
 fn combine<S: LaneScalar, const N: usize>(out: &mut [S], y: &[S], h: S, k: &[S], row: &Row<N>) {
     let n = out.len();
-    let mut stages: [&[S]; N] = [&[]; N];
-    for m in 0..N {
-        stages[m] = &k[row[m].0 * n..][..n];
+    assert!(y.len() == n && k.len() == STAGES * stride(n));
+    // SAFETY: j is below the length of `out` and `y`, and a row names stages below STAGES
+    let mut j = 0;
+    while j + 2 <= n {
+        unsafe {
+            let (a, b) = (sum(k, n, row, j), sum(k, n, row, j + 1));
+            *out.get_unchecked_mut(j) = *y.get_unchecked(j) + h * a;
+            *out.get_unchecked_mut(j + 1) = *y.get_unchecked(j + 1) + h * b;
+        }
+        j += 2;
     }
-    let y = &y[..n];
-    for j in 0..n {
-        out[j] = y[j] + h * sum(&stages, row, j);
+    if j < n {
+        unsafe { *out.get_unchecked_mut(j) = *y.get_unchecked(j) + h * sum(k, n, row, j) };
     }
 }
 
+/// `sum_m a_m k_m` of state `j`.
+///
+/// # Safety
+/// `k` must have STAGES times `n` entries, more than `j` each.
 #[inline(always)]
-fn sum<S: LaneScalar, const N: usize>(stages: &[&[S]; N], row: &Row<N>, j: usize) -> S {
-    let mut s = stages[0][j].scale(row[0].1);
-    for m in 1..N {
-        s += stages[m][j].scale(row[m].1);
+unsafe fn sum<S: LaneScalar, const N: usize>(k: &[S], n: usize, row: &Row<N>, j: usize) -> S {
+    // SAFETY: as demanded
+    unsafe {
+        let n = stride(n);
+        let mut s = k.get_unchecked(row[0].0 * n + j).scale(row[0].1);
+        for m in 1..N {
+            s += k.get_unchecked(row[m].0 * n + j).scale(row[m].1);
+        }
+        s
     }
-    s
 }
 
 impl<S: LaneScalar> Dop853<S> {
-    pub fn new(n: usize) -> Self {
+    pub fn new(n: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
         Dop853 {
             n,
             relative: zeros(n),
             absolute: vec![S::one(); n],
-            y0: zeros(n),
-            y1: zeros(n),
-            w: zeros(n),
-            k: zeros(STAGES * n),
+            y0: zeros(n + room),
+            y1: zeros(n + room),
+            w: zeros(n + room),
+            k: zeros(STAGES * stride(n)),
             rows: zeros(ROWS * n),
             t0: S::zero(),
             t1: S::one(),
@@ -109,8 +130,12 @@ impl<S: LaneScalar> Dop853<S> {
     #[inline(always)]
     fn stages<C: Crew<S>>(&mut self, crew: &mut C, from: usize, to: usize) {
         let (n, h) = (self.n, self.h);
-        let (w, y, y1, k) = (&mut self.w, &self.y0, &mut self.y1, &mut self.k);
+        let (y, k) = (&self.y0[..n], &mut self.k);
         for i in from..=to {
+            let state = if i == 12 { &mut self.y1 } else { &mut self.w };
+            let w = &mut state[..n];
+            let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
+            crew.time(t);
             match i {
                 1 => combine(w, y, h, k, &t8::A1),
                 2 => combine(w, y, h, k, &t8::A2),
@@ -123,26 +148,25 @@ impl<S: LaneScalar> Dop853<S> {
                 9 => combine(w, y, h, k, &t8::A9),
                 10 => combine(w, y, h, k, &t8::A10),
                 11 => combine(w, y, h, k, &t8::A11),
-                12 => combine(y1, y, h, k, &t8::B),
+                12 => combine(w, y, h, k, &t8::B),
                 13 => combine(w, y, h, k, &t8::A13),
                 14 => combine(w, y, h, k, &t8::A14),
                 _ => combine(w, y, h, k, &t8::A15),
             }
-            let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
-            let state = if i == 12 { &*y1 } else { &*w };
-            crew.rhs(t, state, &mut k[i * n..(i + 1) * n]);
+            crew.rhs(t, state, &mut k[i * stride(n)..][..n]);
         }
     }
 
     /// Derivative at the start of the `fresh` lanes, and the length of a first step by one explicit Euler step (Hairer, Norsett, Wanner,
     /// Solving Ordinary Differential Equations I, section II.4).
     #[inline(always)]
-    pub fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: u8) -> S {
+    pub fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
         let n = self.n;
         let mut h0 = S::zero();
         for round in 0..2 {
             // a single place where the right side is inlined
-            let state = if round == 0 { &self.y0 } else { &self.w };
+            let state = if round == 0 { &mut self.y0 } else { &mut self.w };
+            crew.time(t0 + h0);
             crew.rhs(t0 + h0, state, &mut self.rows[..n]);
             if round == 1 {
                 break;
@@ -159,7 +183,7 @@ impl<S: LaneScalar> Dop853<S> {
         for j in 0..n {
             self.w[j] = self.rows[j] - self.k[j];
         }
-        let d2 = self.size(&self.w) / h0;
+        let d2 = self.size(&self.w[..n]) / h0;
         let d = S::select(d1.lt(d2), d2, d1);
         let floor = S::cst(1e-6);
         let flat = h0.scale(1e-3);
@@ -175,7 +199,7 @@ impl<S: LaneScalar> Dop853<S> {
     /// Length of an Euler step that changes the state by about a hundredth.
     #[inline(always)]
     fn euler_step(&self, span: S) -> S {
-        let (d0, d1, tiny) = (self.size(&self.y0), self.size(&self.k[..self.n]), S::cst(1e-5));
+        let (d0, d1, tiny) = (self.size(&self.y0[..self.n]), self.size(&self.k[..self.n]), S::cst(1e-5));
         let small = S::select(d0.lt(tiny), S::one(), S::select(d1.lt(tiny), S::one(), S::zero()));
         let guess = small.select_pos(S::cst(1e-6), (d0 / d1).scale(0.01));
         S::select(guess.lt(span), guess, span)
@@ -211,20 +235,15 @@ impl<S: LaneScalar> Dop853<S> {
     #[inline(always)]
     fn error(&self) -> (S, LaneBits) {
         let n = self.n;
-        let (mut e5s, mut e3s): ([&[S]; 8], [&[S]; 3]) = ([&[]; 8], [&[]; 3]);
-        for m in 0..8 {
-            e5s[m] = &self.k[t8::E5[m].0 * n..][..n];
-        }
-        for m in 0..3 {
-            e3s[m] = &self.k[t8::BHH[m].0 * n..][..n];
-        }
+        assert!(self.k.len() == STAGES * stride(n));
         let inverse_h = S::one() / self.h;
         let (mut e5, mut e3, mut finite) = (S::zero(), S::zero(), S::zero());
         for j in 0..n {
             let (y0, y1) = (self.y0[j], self.y1[j]);
             let (a, b) = (y0.abs(), y1.abs());
             let inverse = S::one() / (self.absolute[j] + self.relative[j] * S::select(a.lt(b), b, a));
-            let (x5, x3) = (sum(&e5s, &t8::E5, j), (y1 - y0) * inverse_h - sum(&e3s, &t8::BHH, j));
+            // SAFETY: asserted
+            let (x5, x3) = unsafe { (sum(&self.k, n, &t8::E5, j), (y1 - y0) * inverse_h - sum(&self.k, n, &t8::BHH, j)) };
             e5 += (x5 * inverse).square();
             e3 += (x3 * inverse).square();
             finite += y1.scale(0.0);
@@ -241,21 +260,21 @@ impl<S: LaneScalar> Dop853<S> {
         let (n, h) = (self.n, self.h);
         self.stages(crew, 13, 15);
         for j in 0..n {
-            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * n + j], self.y1[j] - self.y0[j]);
+            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * stride(n) + j], self.y1[j] - self.y0[j]);
             self.rows[j] = d;
             self.rows[n + j] = f0 - d;
             self.rows[2 * n + j] = d - f1 - (f0 - d);
         }
         self.w.fill(S::zero());
-        combine(&mut self.rows[3 * n..4 * n], &self.w, h, &self.k, &t8::D3);
-        combine(&mut self.rows[4 * n..5 * n], &self.w, h, &self.k, &t8::D4);
-        combine(&mut self.rows[5 * n..6 * n], &self.w, h, &self.k, &t8::D5);
-        combine(&mut self.rows[6 * n..7 * n], &self.w, h, &self.k, &t8::D6);
+        combine(&mut self.rows[3 * n..4 * n], &self.w[..n], h, &self.k, &t8::D3);
+        combine(&mut self.rows[4 * n..5 * n], &self.w[..n], h, &self.k, &t8::D4);
+        combine(&mut self.rows[5 * n..6 * n], &self.w[..n], h, &self.k, &t8::D5);
+        combine(&mut self.rows[6 * n..7 * n], &self.w[..n], h, &self.k, &t8::D6);
     }
 
     /// The lane's interpolant and its ends, to be read at several times: y0, y1, rows.
     pub fn extract(&self, lane: usize, out: &mut [f64]) {
-        for (x, s) in out.iter_mut().zip(self.y0.iter().chain(&self.y1).chain(&self.rows)) {
+        for (x, s) in out.iter_mut().zip(self.y0[..self.n].iter().chain(&self.y1[..self.n]).chain(&self.rows)) {
             *x = s.get(lane);
         }
     }
@@ -285,16 +304,16 @@ impl<S: LaneScalar> Dop853<S> {
 
     /// Makes the end of the step the start of the next in the lanes given.
     #[inline(always)]
-    pub fn advance(&mut self, accepted: u8) {
+    pub fn advance(&mut self, accepted: Bits) {
         let n = self.n;
-        if accepted == u8::MAX {
+        if accepted == Bits::MAX {
             std::mem::swap(&mut self.y0, &mut self.y1);
-            self.k.copy_within(12 * n..13 * n, 0);
+            self.k.copy_within(12 * stride(n)..12 * stride(n) + n, 0);
             return;
         }
         for j in 0..n {
             self.y0[j] = super::lanes_of(accepted, self.y1[j], self.y0[j]);
-            self.k[j] = super::lanes_of(accepted, self.k[12 * n + j], self.k[j]);
+            self.k[j] = super::lanes_of(accepted, self.k[12 * stride(n) + j], self.k[j]);
         }
     }
 }

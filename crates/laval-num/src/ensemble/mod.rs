@@ -1,4 +1,4 @@
-//! Time integration of many members at once: eight in lanes, each with its own time, step and end; a lane whose member is finished takes the
+//! Time integration of many members at once, in lanes, each with its own time, step and end; a lane whose member is finished takes the
 //! next one from the queue, so that no member waits for another.
 //!
 //! A [`Crew`] supplies the equations and the members; [`run`] integrates until the crew has no more. Within a lane every operation depends on
@@ -9,7 +9,7 @@ mod inside;
 #[cfg(test)]
 mod tests;
 
-use crate::lanes::{LANES, LaneScalar};
+use crate::lanes::{Bits, LANES, LaneScalar};
 use crate::ode::Cause;
 use dop853::Dop853;
 use inside::Inside;
@@ -95,13 +95,20 @@ pub struct Ended {
     pub rejected: u64,
 }
 
-/// Equations y' = f(t, y) for eight members, and where members come from and go.
+/// Equations y' = f(t, y) for the members in the lanes, and where members come from and go.
 pub trait Crew<S: LaneScalar> {
     /// Number of states.
     fn dim(&self) -> usize;
-    /// The right side in all lanes, each at its own time. Must be `#[inline(always)]`, as must what it calls. A lane without a member, or one
-    /// whose member is failing, may hold any values.
-    fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]);
+    /// Number of scratch entries wanted behind the states.
+    fn room(&self) -> usize {
+        0
+    }
+    /// What of the right side depends on time alone, as sines of phases: called before [`Crew::rhs`] with its time, ahead of the arithmetic that
+    /// gives its states, so that a processor does both side by side. Inlined like `rhs`.
+    fn time(&mut self, t: S);
+    /// The right side in all lanes, each at its own time; `y` are the states and [`Crew::room`] entries for any use. Must be
+    /// `#[inline(always)]`, as must what it calls. A lane without a member, or one whose member is failing, may hold any values.
+    fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]);
     /// Puts the next member into `lane`, its parameters into the equations. `None` when there is no more.
     fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg>;
     /// A leg of the member in `lane` has ended in the state `y`, which may be changed. `Some` continues the member, `None` ends it.
@@ -140,11 +147,11 @@ struct Roster<S> {
     steps: [u64; LANES],
     rejected: [u64; LANES],
     /// Lanes with a member.
-    active: u8,
+    active: Bits,
     /// Lanes whose derivative at the start is still to be computed.
-    fresh: u8,
+    fresh: Bits,
     /// Lanes whose last attempt was rejected.
-    repeated: u8,
+    repeated: Bits,
 }
 
 /// Steps between questions whether to cancel.
@@ -157,7 +164,7 @@ const PATIENCE: u32 = 64;
 #[inline(always)]
 pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
     let n = crew.dim();
-    let mut method = Dop853::<S>::new(n);
+    let mut method = Dop853::<S>::new(n, crew.room());
     let mut inside = Inside::new(n, crew.events());
     let zero = S::zero();
     let mut r = Roster {
@@ -202,7 +209,7 @@ pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
         // a step cut short by the end says nothing against the length proposed before
         let kept = S::select(last, S::select(h.lt(proposed), proposed, h), proposed);
         let rejected = r.active & !accepted;
-        r.next = if accepted == u8::MAX { kept } else { lanes_of(accepted, kept, proposed) };
+        r.next = if accepted == Bits::MAX { kept } else { lanes_of(accepted, kept, proposed) };
         r.repeated = rejected;
         let mut stopped = 0;
         if accepted != 0 {
@@ -212,7 +219,7 @@ pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
                 stopped = r.inside(wanted, t1, crew, &mut method, &mut inside);
             }
             let advanced = accepted & !stopped;
-            r.t = if advanced == u8::MAX { t1 } else { lanes_of(advanced, t1, r.t) };
+            r.t = if advanced == Bits::MAX { t1 } else { lanes_of(advanced, t1, r.t) };
             method.advance(advanced);
         }
         let full = r.count(accepted, rejected);
@@ -308,18 +315,18 @@ impl<S: LaneScalar> Roster<S> {
 
     /// Counts steps; the lanes whose limit is reached.
     #[inline(always)]
-    fn count(&mut self, accepted: u8, rejected: u8) -> u8 {
+    fn count(&mut self, accepted: Bits, rejected: Bits) -> Bits {
         let mut full = 0;
         for lane in 0..LANES {
             self.steps[lane] += u64::from(accepted >> lane & 1);
             self.rejected[lane] += u64::from(rejected >> lane & 1);
-            full |= u8::from(self.steps[lane] + self.rejected[lane] >= self.legs[lane].max_steps) << lane;
+            full |= Bits::from(self.steps[lane] + self.rejected[lane] >= self.legs[lane].max_steps) << lane;
         }
         full & (accepted | rejected)
     }
 
     /// Outputs and events of the step in the lanes `wanted`; the lanes in which a crossing ends the leg, put to their time and state.
-    fn inside<C: Crew<S>>(&mut self, wanted: u8, t1: S, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) -> u8 {
+    fn inside<C: Crew<S>>(&mut self, wanted: Bits, t1: S, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) -> Bits {
         let (t0, t1) = (self.t.to_array(), t1.to_array());
         let mut stopped = 0;
         for lane in each(wanted) {
@@ -334,26 +341,30 @@ impl<S: LaneScalar> Roster<S> {
 
     /// Lanes in which an output or an event may lie before `t1`.
     #[inline(always)]
-    fn wants_inside(&self, t1: S, events: usize) -> u8 {
-        if events > 0 { u8::MAX } else { S::bits(S::load(&self.next_output).le(t1)).0 }
+    fn wants_inside(&self, t1: S, events: usize) -> Bits {
+        if events > 0 { Bits::MAX } else { S::bits(S::load(&self.next_output).le(t1)).0 }
     }
 }
 
 /// Lanes of `a` where the bits are set, of `b` elsewhere.
 #[inline(always)]
-fn lanes_of<S: LaneScalar>(bits: u8, a: S, b: S) -> S {
-    S::select(S::zero().lt(S::load(&FLAGS[bits as usize])), a, b)
+fn lanes_of<S: LaneScalar>(bits: Bits, a: S, b: S) -> S {
+    let mut flags = [0.0; LANES];
+    for (eight, byte) in flags.chunks_exact_mut(8).zip(bits.to_le_bytes()) {
+        eight.copy_from_slice(&FLAGS[usize::from(byte)]);
+    }
+    S::select(S::zero().lt(S::load(&flags)), a, b)
 }
 
-/// One where a bit is set.
-static FLAGS: [[f64; LANES]; 256] = flags();
+/// One where a bit of a byte is set.
+static FLAGS: [[f64; 8]; 256] = flags();
 
-const fn flags() -> [[f64; LANES]; 256] {
-    let mut table = [[0.0; LANES]; 256];
+const fn flags() -> [[f64; 8]; 256] {
+    let mut table = [[0.0; 8]; 256];
     let mut bits = 0;
     while bits < 256 {
         let mut lane = 0;
-        while lane < LANES {
+        while lane < 8 {
             if bits >> lane & 1 == 1 {
                 table[bits][lane] = 1.0;
             }
@@ -366,7 +377,7 @@ const fn flags() -> [[f64; LANES]; 256] {
 
 /// No growth of the step right after a rejection.
 #[inline(always)]
-fn bound_after_rejection<S: LaneScalar>(factor: S, repeated: u8) -> S {
+fn bound_after_rejection<S: LaneScalar>(factor: S, repeated: Bits) -> S {
     if repeated == 0 {
         return factor;
     }
@@ -375,6 +386,6 @@ fn bound_after_rejection<S: LaneScalar>(factor: S, repeated: u8) -> S {
 }
 
 /// The set bits.
-fn each(bits: u8) -> impl Iterator<Item = usize> {
+fn each(bits: Bits) -> impl Iterator<Item = usize> {
     (0..LANES).filter(move |i| bits >> i & 1 == 1)
 }

@@ -31,8 +31,9 @@ impl<S: LaneScalar> Crew<S> for Oscillators<'_, S> {
     fn dim(&self) -> usize {
         2
     }
+    fn time(&mut self, _: S) {}
     #[inline(always)]
-    fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
+    fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
         let [w, d, v] = self.parameters;
         dy[0] = y[1];
         dy[1] = (v * t).sin_cos().1 - w * w * y[0] - d * y[1];
@@ -218,8 +219,9 @@ fn a_leg_can_be_limited_and_continued() {
         fn dim(&self) -> usize {
             2
         }
+        fn time(&mut self, _: S) {}
         #[inline(always)]
-        fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
+        fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
             self.0.rhs(t, y, dy);
         }
         fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg> {

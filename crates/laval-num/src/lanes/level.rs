@@ -8,11 +8,11 @@ use crate::scalar::Scalar;
 /// Instructions used for lanes, in rising order. The results are the same at every level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
-    /// What every processor of the target has (x86-64: SSE2, four registers of two).
+    /// What every processor of the target has (x86-64: SSE2, registers of two).
     Base,
-    /// AVX2, two registers of four.
+    /// AVX2, registers of four.
     Avx2,
-    /// AVX-512 F and DQ, one register of eight.
+    /// AVX-512 F and DQ, registers of eight.
     Avx512,
 }
 
@@ -60,8 +60,8 @@ pub trait Kernel {
 /// Runs `kernel` at `level`, or at the best level of the processor when that is lower.
 ///
 /// ```
-/// use laval_num::lanes::{Kernel, LaneScalar, Level, dispatch};
-/// struct Roots<'a>(&'a mut [[f64; 8]]);
+/// use laval_num::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
+/// struct Roots<'a>(&'a mut [[f64; LANES]]);
 /// impl Kernel for Roots<'_> {
 ///     type Out = ();
 ///     #[inline(always)]
@@ -71,9 +71,9 @@ pub trait Kernel {
 ///         }
 ///     }
 /// }
-/// let mut x = [[4.0; 8]; 3];
+/// let mut x = [[4.0; LANES]; 3];
 /// dispatch(Level::best(), Roots(&mut x));
-/// assert_eq!(x, [[2.0; 8]; 3]);
+/// assert_eq!(x, [[2.0; LANES]; 3]);
 /// ```
 #[inline]
 pub fn dispatch<K: Kernel>(level: Level, kernel: K) -> K::Out {

@@ -1,10 +1,11 @@
-//! Eight members at once: lanes for every processor level, chosen at run time.
+//! Members side by side: lanes for every processor level, chosen at run time.
 //!
 //! A computation written over [`LaneScalar`] (or plain [`Scalar`]) is a [`Kernel`]; [`dispatch`] enters it once with the lane type of
 //! the level, and everything inside is inlined there. A function of an object that must be erased is an
 //! [`Apply`], called through the slots of [`Slots`].
 //!
-//! The width is eight at every level and no operation is fused, so lanes, levels and `f64` agree bit for bit (any NaN counts as NaN).
+//! The width is the same at every level and no operation is fused, so lanes, levels and `f64` agree bit for bit (any NaN counts as NaN). It is two
+//! registers at the highest level: while one waits for a result the other computes, and what is not arithmetic is shared.
 
 // several arrays of registers are walked in step
 #![allow(clippy::needless_range_loop)]
@@ -26,9 +27,11 @@ use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Number of lanes at every level.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
+/// One bit for each lane.
+pub type Bits = u16;
 
-/// Eight doubles in `K` registers.
+/// Sixteen doubles in `K` registers.
 ///
 /// # Condition
 /// A type of a level above the baseline may be used only on a processor that has the level; [`dispatch`] and [`Slots`] see to that,
@@ -38,23 +41,23 @@ pub const LANES: usize = 8;
 pub struct Lanes<R, const K: usize>([R; K]);
 
 /// Lanes of plain doubles, for processors without a level of their own and as reference.
-pub type LanesPlain = Lanes<f64, 8>;
+pub type LanesPlain = Lanes<f64, 16>;
 /// Lanes at [`Level::Base`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesBase = Lanes<x86::Xmm, 4>;
+pub type LanesBase = Lanes<x86::Xmm, 8>;
 /// Lanes at [`Level::Base`].
 #[cfg(not(target_arch = "x86_64"))]
 pub type LanesBase = LanesPlain;
 /// Lanes at [`Level::Avx2`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesAvx2 = Lanes<x86::Ymm, 2>;
+pub type LanesAvx2 = Lanes<x86::Ymm, 4>;
 /// Lanes at [`Level::Avx512`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesAvx512 = Lanes<x86::Zmm, 1>;
+pub type LanesAvx512 = Lanes<x86::Zmm, 2>;
 
 /// One truth value per lane, bit `i` for lane `i`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LaneBits(pub u8);
+pub struct LaneBits(pub Bits);
 
 impl LaneBits {
     /// True when a lane holds.
@@ -65,7 +68,7 @@ impl LaneBits {
     /// True when all lanes hold.
     #[inline(always)]
     pub fn all(self) -> bool {
-        self.0 == u8::MAX
+        self.0 == Bits::MAX
     }
     /// Lane `i`.
     #[inline(always)]
@@ -74,15 +77,15 @@ impl LaneBits {
     }
 }
 
-/// A [`Scalar`] of eight lanes.
+/// A [`Scalar`] of all lanes.
 pub trait LaneScalar: Scalar + Entry {
     /// The level whose instructions the type uses.
     const LEVEL: Level;
     /// One register's truth values each.
     type Mask: Copy;
-    /// Reads eight values.
+    /// Reads the values of all lanes.
     fn load(from: &[f64; LANES]) -> Self;
-    /// Writes eight values.
+    /// Writes the values of all lanes.
     fn store(self, to: &mut [f64; LANES]);
     /// `self < o`, false on NaN.
     fn lt(self, o: Self) -> Self::Mask;
@@ -104,12 +107,12 @@ pub trait LaneScalar: Scalar + Entry {
         self.store(&mut x);
         x
     }
-    /// Lane `i < 8`.
+    /// Lane `i < LANES`.
     #[inline(always)]
     fn get(self, i: usize) -> f64 {
         self.to_array()[i]
     }
-    /// The same with lane `i < 8` replaced.
+    /// The same with lane `i < LANES` replaced.
     #[inline(always)]
     fn with(self, i: usize, x: f64) -> Self {
         let mut a = self.to_array();
@@ -171,7 +174,7 @@ where
     fn bits(mask: Self::Mask) -> LaneBits {
         let mut bits = 0;
         for i in 0..K {
-            bits |= R::mask_bits(mask[i]) << (i * R::WIDTH);
+            bits |= Bits::from(R::mask_bits(mask[i])) << (i * R::WIDTH);
         }
         LaneBits(bits)
     }
@@ -291,8 +294,8 @@ mod tests {
     /// On x86-64 nothing enters the lanes of plain doubles, so they are compared here.
     #[test]
     fn plain_lanes_equal_scalar() {
-        let x = [0.3, -2.5, 1e5, 2e6, 0.0, 17.0, f64::NAN, -0.0];
-        let y = [1.3, 2.5, -1e-5, 2e6, 0.0, -17.0, 3.0, f64::INFINITY];
+        let x = [0.3, -2.5, 1e5, 2e6, 0.0, 17.0, f64::NAN, -0.0].repeat(2).try_into().unwrap();
+        let y = [1.3, 2.5, -1e-5, 2e6, 0.0, -17.0, 3.0, f64::INFINITY].repeat(2).try_into().unwrap();
         let (a, b) = (Lanes(x), Lanes(y));
         let all = |f: &dyn Fn(f64, f64) -> f64, lanes: LanesPlain| {
             for i in 0..LANES {

@@ -13,18 +13,25 @@ pub struct Sparse<S> {
     start: Vec<u32>,
     /// Below `cols`.
     col: Vec<u32>,
+    /// Distance of the column's element from the first, bytes.
+    at: Vec<u32>,
     value: Vec<S>,
 }
 
 impl<S: LaneScalar> Sparse<S> {
     /// No entries.
     pub fn new(rows: usize, cols: usize) -> Self {
-        Sparse { rows, cols, start: vec![0; rows + 1], col: vec![], value: vec![] }
+        Sparse { rows, cols, start: vec![0; rows + 1], col: vec![], at: vec![], value: vec![] }
     }
 
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
+    }
+
+    /// Number of columns.
+    pub fn cols(&self) -> usize {
+        self.cols
     }
 
     /// Puts a member's matrix, of this size, into a lane.
@@ -44,6 +51,7 @@ impl<S: LaneScalar> Sparse<S> {
                 let at = span.start + self.col[span.clone()].partition_point(|&c| (c as usize) < j);
                 if at == span.end || self.col[at] as usize != j {
                     self.col.insert(at, j as u32);
+                    self.at.insert(at, (j * size_of::<S>()) as u32);
                     self.value.insert(at, S::zero().with(lane, x));
                     for s in &mut self.start[i + 1..] {
                         *s += 1;
@@ -62,13 +70,9 @@ impl<S: LaneScalar> Sparse<S> {
         assert!(x.len() == self.cols && place.len() == self.rows);
         let mut k = 0;
         for (&end, &at) in self.start[1..].iter().zip(place) {
-            let mut sum = S::zero();
-            while k < end as usize {
-                // SAFETY: k is below the last entry of `start`, the length of both lists; columns are below `cols`, the length of `x`
-                sum += unsafe { *self.value.get_unchecked(k) * *x.get_unchecked(*self.col.get_unchecked(k) as usize) };
-                k += 1;
-            }
-            out[at] = sum;
+            // SAFETY: `end` is at most the last entry of `start`, and `x` has `cols` entries
+            out[at] = unsafe { self.row(k, end as usize, x) };
+            k = end as usize;
         }
     }
 
@@ -81,14 +85,48 @@ impl<S: LaneScalar> Sparse<S> {
         assert!(x.len() == self.cols && out.len() == self.rows);
         let mut k = 0;
         for (&end, out) in self.start[1..].iter().zip(out) {
-            let mut sum = S::zero();
-            while k < end as usize {
-                // SAFETY: as in `times`
-                sum += unsafe { *self.value.get_unchecked(k) * *x.get_unchecked(*self.col.get_unchecked(k) as usize) };
-                k += 1;
-            }
-            *out = sum;
+            // SAFETY: as in `times`
+            *out = unsafe { self.row(k, end as usize, x) };
+            k = end as usize;
         }
+    }
+
+    /// The sum over the entries from `k` to `end`, from left to right.
+    ///
+    /// # Safety
+    /// `end` must not exceed the number of entries, nor `cols` the length of `x`.
+    #[inline(always)]
+    unsafe fn row(&self, mut k: usize, end: usize, x: &[S]) -> S {
+        // SAFETY: `product` is called below `end` only. Short rows are the rule: without a loop
+        unsafe {
+            match end - k {
+                0 => S::zero(),
+                1 => self.product(k, x),
+                2 => self.product(k, x) + self.product(k + 1, x),
+                3 => self.product(k, x) + self.product(k + 1, x) + self.product(k + 2, x),
+                4 => self.product(k, x) + self.product(k + 1, x) + self.product(k + 2, x) + self.product(k + 3, x),
+                _ => {
+                    let mut sum = self.product(k, x);
+                    loop {
+                        k += 1;
+                        if k == end {
+                            return sum;
+                        }
+                        sum += self.product(k, x);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Entry `k` times its element of `x`.
+    ///
+    /// # Safety
+    /// `k` must be below the number of entries, and `cols` not exceed the length of `x`.
+    #[inline(always)]
+    unsafe fn product(&self, k: usize, x: &[S]) -> S {
+        // SAFETY: both lists have as many entries, and columns are below `cols`
+        unsafe { *self.value.get_unchecked(k) * *x.as_ptr().byte_add(*self.at.get_unchecked(k) as usize) }
     }
 
     /// Where the entries of a row are.

@@ -1,6 +1,6 @@
 //! The planar machine of the benchmark written by hand in lanes: fixed arrays, its own equations, nothing general. Kept for comparison.
 
-use laval_num::lanes::{Kernel, LANES, LaneScalar, Level, dispatch};
+use laval_num::lanes::{Bits, Kernel, LANES, LaneScalar, Level, dispatch};
 use laval_num::ode::tableau::{self as t8, Row as Coefficients};
 
 pub struct Machine {
@@ -78,7 +78,7 @@ impl Kernel for Sweep<'_> {
         let (mut t, mut t_end, mut h) = (S::zero(), S::cst(f64::INFINITY), S::cst(1e-6));
         let mut y = [S::zero(); N];
         let mut k = [[S::zero(); N]; 13];
-        let (mut fresh, mut active, mut repeated) = (0u8, 0u8, 0u8);
+        let (mut fresh, mut active, mut repeated) = (Bits::MIN, Bits::MIN, Bits::MIN);
         for lane in 0..LANES {
             if next < count {
                 let v = self.speeds[next];
@@ -141,7 +141,7 @@ impl Kernel for Sweep<'_> {
             repeated = active & !accepted;
             h = d * factor;
             k[12] = rhs(damping, speed, force, t1, &y1);
-            if accepted == u8::MAX {
+            if accepted == Bits::MAX {
                 (y, k[0], t) = (y1, k[12], t1);
             } else {
                 for j in 0..N {
@@ -185,7 +185,7 @@ impl Kernel for Sweep<'_> {
 }
 
 #[inline(always)]
-fn pick<S: LaneScalar>(bits: u8, a: S, b: S) -> S {
+fn pick<S: LaneScalar>(bits: Bits, a: S, b: S) -> S {
     let mut flags = [0.0; LANES];
     for i in 0..LANES {
         flags[i] = f64::from(bits >> i & 1);

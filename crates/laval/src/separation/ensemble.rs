@@ -52,20 +52,35 @@ pub fn members(turning: &Turning, n: usize) -> Vec<Member> {
         .collect()
 }
 
+/// Members in pairs: a point of the set, and its mirror image with all shares counted from the other end but the angle. The pairs have no drift towards the low ends of
+/// the shares, which a set that is cut off has.
+pub fn paired_members(turning: &Turning, n: usize) -> Vec<Member> {
+    let mirrored =
+        |p: &Point| Point { along: 1.0 - p.along, area: 1.0 - p.area, turn: p.turn, size: 1.0 - p.size, density: 1.0 - p.density };
+    (1..=(n as u64).saturating_mul(1000))
+        .map(halton::point)
+        .flat_map(|p| [p, mirrored(&p)])
+        .filter_map(|point| turning.start(&point).map(|start| Member { point, start }))
+        .take(n)
+        .collect()
+}
+
 /// How the particles leave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Model {
-    /// Exact motion at constant speed, with inertia.
+    /// With inertia; where no closed form holds, of the particles alone whose inertia is felt.
+    Adaptive,
+    /// With inertia.
     Inertial,
     /// Drag and field in balance.
     Drifting,
 }
 
-/// Exit of one member; `None` when it never leaves.
+/// Exit of one member at constant speed with Stokes' drag; `None` when it never leaves.
 pub fn leave(turning: &Turning, medium: &Medium, particle: &Particle, member: &Member, model: Model) -> Option<Exit> {
     let rates = medium.rates(particle);
     match model {
-        Model::Inertial => turning.settle(&rates, member.start),
+        Model::Inertial | Model::Adaptive => turning.settle(&rates, member.start),
         Model::Drifting => turning.drift(rates.sedimentation, member.start),
     }
 }

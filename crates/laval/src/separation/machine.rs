@@ -15,11 +15,12 @@
 
 use super::closed::{Closed, Drifting, Steady};
 use super::cup::SwingingCup;
-use super::exit::{Cylinder, Exit, Gap, MOST, Surface, Vessel, first_exit};
+use super::exit::{Cylinder, Exit, Surface, first_exit};
 use super::halton::Point;
 use super::measures::{self, Cone, Sigma};
 use super::particle::Rates;
 use super::tube::{Filled, Tube};
+use super::vessel::Inside;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A swinging cup and the inside of it; the hinge is the origin of its axes.
@@ -99,26 +100,10 @@ pub struct Turning {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Space {
-    Cup(Steady, Cylinder),
-    Tube(Filled),
-    /// Between the surface and the bowl; with the residence volume.
-    Ring(f64, f64),
+    /// Where particles move along a path.
+    Path(Steady, Inside),
     Decanter(f64, f64),
-    /// Volume of the gaps and w^2-free Sigma times g.
     Discs(Discs),
-}
-
-impl Vessel for (f64, f64) {
-    #[inline]
-    fn gaps(&self, [_, y, z]: [f64; 3], [_, vy, vz]: [f64; 3]) -> [Gap; MOST] {
-        let (r2, rate) = (y * y + z * z, 2.0 * (y * vy + z * vz));
-        [
-            Gap { surface: Surface::Wall, value: self.1 * self.1 - r2, rate: -rate },
-            Gap { surface: Surface::Free, value: r2 - self.0 * self.0, rate },
-            Gap::NONE,
-            Gap::NONE,
-        ]
-    }
 }
 
 /// A ring of liquid: its axes are those of a tube at 90 degrees from the axis of spin.
@@ -132,10 +117,13 @@ impl Separator {
         let space = match self {
             Separator::Cup(c) => {
                 let tilt = c.held.unwrap_or_else(|| c.hanging.equilibrium(speed));
-                Space::Cup(Steady { speed, tilt, hinge: c.hanging.hinge, gravity: c.hanging.gravity }, c.vessel)
+                Space::Path(Steady { speed, tilt, hinge: c.hanging.hinge, gravity: c.hanging.gravity }, c.vessel.into())
             }
-            Separator::Tube(t, gravity) => Space::Tube(t.at(speed, *gravity)),
-            Separator::Bowl(b) => Space::Ring(b.surface, b.radius),
+            Separator::Tube(t, gravity) => {
+                let filled = t.at(speed, *gravity);
+                Space::Path(filled.steady(), Inside::Tube(filled))
+            }
+            Separator::Bowl(b) => Space::Path(ring(speed), Inside::Ring(b.surface, b.radius)),
             Separator::Discs(d) => Space::Discs(*d),
             Separator::Decanter(d) => Space::Decanter(d.surface, d.radius),
         };
@@ -167,6 +155,17 @@ impl Separator {
         }
     }
 
+    /// Width of the space that particles settle across, m.
+    pub fn width(&self) -> f64 {
+        match self {
+            Separator::Cup(c) => 2.0 * c.vessel.radius,
+            Separator::Tube(t, _) => 2.0 * t.radius,
+            Separator::Bowl(b) => b.radius - b.surface,
+            Separator::Discs(d) => d.spacing,
+            Separator::Decanter(d) => d.radius - d.surface,
+        }
+    }
+
     /// The word in the file.
     pub fn word(&self) -> &'static str {
         match self {
@@ -183,9 +182,15 @@ impl Turning {
     /// Where particles move, for machines with a path in space.
     pub fn steady(&self) -> Option<Steady> {
         match &self.space {
-            Space::Cup(steady, _) => Some(*steady),
-            Space::Tube(f) => Some(f.steady()),
-            Space::Ring(..) => Some(ring(self.speed)),
+            Space::Path(steady, _) => Some(*steady),
+            Space::Discs(_) | Space::Decanter(..) => None,
+        }
+    }
+
+    /// The liquid particles move in, for machines with a path in space.
+    pub fn inside(&self) -> Option<&Inside> {
+        match &self.space {
+            Space::Path(_, inside) => Some(inside),
             Space::Discs(_) | Space::Decanter(..) => None,
         }
     }
@@ -193,8 +198,8 @@ impl Turning {
     /// Tilt of a cup or tube, rad.
     pub fn tilt(&self) -> Option<f64> {
         match &self.space {
-            Space::Cup(steady, _) => Some(steady.tilt),
-            Space::Tube(f) => Some(f.steady().tilt),
+            Space::Path(_, Inside::Ring(..)) => None,
+            Space::Path(steady, _) => Some(steady.tilt),
             _ => None,
         }
     }
@@ -202,7 +207,7 @@ impl Turning {
     /// The liquid of a fixed-angle tube.
     pub fn filled(&self) -> Option<&Filled> {
         match &self.space {
-            Space::Tube(f) => Some(f),
+            Space::Path(_, Inside::Tube(f)) => Some(f),
             _ => None,
         }
     }
@@ -210,9 +215,9 @@ impl Turning {
     /// Radii between which the particles settle: surface and bottom on the axis of a cup, innermost and outermost liquid elsewhere, m.
     pub fn radii(&self) -> (f64, f64) {
         match &self.space {
-            Space::Cup(s, v) => (s.radius([0.0, v.top, 0.0]), s.radius([0.0, v.bottom, 0.0])),
-            Space::Tube(f) => f.radii(),
-            Space::Ring(a, b) | Space::Decanter(a, b) => (*a, *b),
+            Space::Path(s, Inside::Cup(v)) => (s.radius([0.0, v.top, 0.0]), s.radius([0.0, v.bottom, 0.0])),
+            Space::Path(_, Inside::Tube(f)) => f.radii(),
+            Space::Path(_, Inside::Ring(a, b)) | Space::Decanter(a, b) => (*a, *b),
             Space::Discs(d) => (d.inner, d.outer),
         }
     }
@@ -224,13 +229,13 @@ impl Turning {
             [rho * turn.cos(), from + (to - from) * p.along, rho * turn.sin()]
         };
         match &self.space {
-            Space::Cup(_, v) => Some(place(v.radius, v.top, v.bottom)),
-            Space::Tube(f) => {
+            Space::Path(_, Inside::Cup(v)) => Some(place(v.radius, v.top, v.bottom)),
+            Space::Path(_, Inside::Tube(f)) => {
                 let t = f.tube();
                 let r = place(t.radius, 0.0, t.length);
                 f.holds(r).then_some(r)
             }
-            Space::Ring(a, b) | Space::Decanter(a, b) => Some([0.0, (a * a + (b * b - a * a) * p.along).sqrt(), 0.0]),
+            Space::Path(_, Inside::Ring(a, b)) | Space::Decanter(a, b) => Some([0.0, (a * a + (b * b - a * a) * p.along).sqrt(), 0.0]),
             Space::Discs(_) => Some([0.0, p.along, 0.0]),
         }
     }
@@ -239,9 +244,9 @@ impl Turning {
     pub fn slowest(&self, heavy: bool) -> [f64; 3] {
         let pick = |inner: f64, outer: f64| if heavy { inner } else { outer };
         let y = match &self.space {
-            Space::Cup(_, v) => pick(v.top, v.bottom),
-            Space::Tube(f) => pick(f.axis_surface(), f.tube().length),
-            Space::Ring(a, b) | Space::Decanter(a, b) => pick(*a, *b),
+            Space::Path(_, Inside::Cup(v)) => pick(v.top, v.bottom),
+            Space::Path(_, Inside::Tube(f)) => pick(f.axis_surface(), f.tube().length),
+            Space::Path(_, Inside::Ring(a, b)) | Space::Decanter(a, b) => pick(*a, *b),
             Space::Discs(_) => 1.0,
         };
         [0.0, y, 0.0]
@@ -288,9 +293,13 @@ impl Turning {
         let field = (steady.speed * steady.speed * steady.radius(start)).hypot(steady.gravity);
         let settling = sedimentation.abs() * field;
         match &self.space {
-            Space::Cup(_, v) => first_exit(path, v, 1.05 * (v.bottom - v.top).max(v.radius) / settling),
-            Space::Tube(f) => first_exit(path, f, f.tube().radius / settling),
-            Space::Ring(a, b) => first_exit(path, &(*a, *b), (b - a) / settling),
+            Space::Path(_, inside) => {
+                let way = match inside {
+                    Inside::Cup(v) => 1.05 * (v.bottom - v.top).max(v.radius),
+                    other => other.width(),
+                };
+                first_exit(path, inside, way / settling)
+            }
             Space::Discs(_) | Space::Decanter(..) => None,
         }
     }

@@ -1,11 +1,14 @@
 //! Centrifugal separation: particles in cups, tubes, bowls and disc stacks, from the equations of motion to engineering measures.
 //!
-//! [`particle`] and [`frame`] state the equations; [`closed`] solves them at constant speed, [`motion`] integrates them otherwise, [`exit`] finds when and
-//! where a particle leaves the liquid. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`];
+//! [`particle`] and [`frame`] state the equations; [`closed`] solves them at constant speed, [`motion`] integrates them otherwise, [`drift`] does so for drag in balance
+//! with the field, [`exit`] finds when and where a particle leaves the liquid of a [`vessel`]. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`]; a [`batch`] with its run-up and the [`recovery`] it reaches are what
+//! studies ask for;
 //! [`load`] is what cups do to the rotor; [`measures`] are what engineers compare centrifuges by, [`validity`] tells where the model ends.
 
+pub mod batch;
 pub mod closed;
 pub mod cup;
+pub mod drift;
 pub mod ensemble;
 pub mod exit;
 pub mod frame;
@@ -18,6 +21,8 @@ pub mod motion;
 pub mod normal;
 pub mod particle;
 pub mod ramp;
+pub mod recovery;
 pub mod root;
 pub mod tube;
 pub mod validity;
+pub mod vessel;

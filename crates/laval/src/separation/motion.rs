@@ -10,10 +10,11 @@
 //! Sources: `theory/separation.md` sections 2, 5, 8.
 
 use super::cup::SwingingCup;
-use super::exit::{Cylinder, Exit, Vessel};
+use super::exit::{Exit, MOST, Vessel};
 use super::frame::{Pose, coriolis, gravity, transport};
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
+use super::vessel::Inside;
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
 use laval_num::ode::{Control, Direction, Dop853, End, Event, Failure, Method, Ode, Radau, Run, Step, StiffOde, Tolerance, integrate};
@@ -33,7 +34,7 @@ pub enum Tilt {
     Swinging(SwingingCup),
 }
 
-/// One particle in one cup.
+/// One particle in one vessel.
 #[derive(Clone, Debug)]
 pub struct Journey {
     /// The liquid.
@@ -44,8 +45,8 @@ pub struct Journey {
     pub ramp: Ramp,
     /// How the cup is held.
     pub tilt: Tilt,
-    /// The inside of the cup.
-    pub vessel: Cylinder,
+    /// The liquid it moves in.
+    pub vessel: Inside,
 }
 
 /// Position, velocity, and tilt with its rate.
@@ -249,8 +250,8 @@ struct Leg<'a> {
 }
 
 impl Leg<'_> {
-    fn control<'c>(&self, vessel: &Cylinder) -> Control<'c> {
-        let (length, speed) = (vessel.bottom - vessel.top, (vessel.bottom - vessel.top) / self.until.max(1e-300));
+    fn control<'c>(&self, vessel: &Inside) -> Control<'c> {
+        let (length, speed) = (vessel.length(), vessel.length() / self.until.max(1e-300));
         let a = 1e-2 * self.tolerance;
         let absolute = [length, length, length, speed, speed, speed, 1.0, 1.0].map(|x: f64| a * x.max(1e-3));
         Control::new(Tolerance::All(self.tolerance), Tolerance::Each(absolute.to_vec()))
@@ -259,11 +260,11 @@ impl Leg<'_> {
     fn run<'e, M: Method<Equations<'e>>>(&mut self, method: &mut M, equations: &mut Equations<'e>) -> Result<Leaves, Lost> {
         let vessel = equations.j.vessel;
         let gap = |i: usize| move |_: f64, y: &[f64]| vessel.gaps([y[0], y[1], y[2]], [y[3], y[4], y[5]])[i].value;
-        let (wall, bottom, free) = (gap(0), gap(1), gap(2));
+        let watched: [_; MOST] = std::array::from_fn(gap);
         let (reynolds, threshold) = (self.reynolds, equations.threshold);
         let re = move |_: f64, y: &[f64]| reynolds(y) - threshold;
         let falling = |g| Event::new(g).direction(Direction::Falling).terminal();
-        let mut events = vec![falling(&wall as &Gauge), falling(&bottom), falling(&free)];
+        let mut events: Vec<_> = watched.iter().map(|g| falling(g as &Gauge)).collect();
         if equations.j.medium.drag == Drag::SchillerNaumann {
             let way = if equations.turbulent { Direction::Falling } else { Direction::Rising };
             events.push(Event::new(&re).direction(way).terminal());
@@ -273,7 +274,7 @@ impl Leg<'_> {
         equations.rates(self.t, &self.y, &mut dy);
         let start = vessel.gaps([self.y[0], self.y[1], self.y[2]], [self.y[3], self.y[4], self.y[5]]);
         let push = vessel.gaps([self.y[0], self.y[1], self.y[2]], [dy[3], dy[4], dy[5]]);
-        if let Some(i) = (0..3).find(|&i| start[i].value < 0.0 || (start[i].value == 0.0 && start[i].rate + 1e-3 * push[i].rate < 0.0)) {
+        if let Some(i) = (0..MOST).find(|&i| start[i].value < 0.0 || (start[i].value == 0.0 && start[i].rate + 1e-3 * push[i].rate < 0.0)) {
             self.arrive(&vessel, i);
             return Ok(Leaves::Vessel);
         }
@@ -292,11 +293,11 @@ impl Leg<'_> {
         match run.end {
             End::Reached => Ok(Leaves::Nothing),
             End::Event { index, t } => {
-                let all: [&Gauge; 4] = [&wall, &bottom, &free, &re];
-                let g = |y: &[f64; STATES]| all[index](0.0, y);
+                let gauge: &Gauge = watched.get(index).map_or(&re, |g| g);
+                let g = |y: &[f64; STATES]| gauge(0.0, y);
                 let (t, y) = polish(method, equations, &self.control(&vessel), start, t, g)?;
                 (self.t, self.y) = (t, y);
-                if index < 3 {
+                if index < MOST {
                     self.arrive(&vessel, index);
                     Ok(Leaves::Vessel)
                 } else {
@@ -307,7 +308,7 @@ impl Leg<'_> {
         }
     }
 
-    fn arrive(&mut self, vessel: &Cylinder, index: usize) {
+    fn arrive(&mut self, vessel: &Inside, index: usize) {
         let y = &self.y;
         let (position, velocity) = ([y[0], y[1], y[2]], [y[3], y[4], y[5]]);
         let surface = vessel.gaps(position, velocity)[index].surface;

@@ -26,7 +26,7 @@ struct Law<'a, S> {
     states: Range<usize>,
 }
 
-/// Eight members, ready to be evaluated.
+/// The members in the lanes, ready to be evaluated.
 ///
 /// Every row of the machine is one sum over the terms (y, 1, cos(phase), sin(phase), forces of the nonlinear parts): what is known last comes
 /// last.
@@ -35,10 +35,12 @@ pub(super) struct Constant<'a, S> {
     /// Index in dy of each row: accelerations, then the states of linear parts.
     target: Vec<usize>,
     rows: Sparse<S>,
-    terms: Vec<S>,
     laws: Vec<Law<'a, S>>,
     speed: S,
+    /// Phase at time 0, and at the moment announced with its sine and cosine.
     phase: S,
+    now: S,
+    sine: (S, S),
 }
 
 impl<'a, S: LaneScalar> Constant<'a, S> {
@@ -64,7 +66,13 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
             });
             first += local;
         }
-        Constant { n, rows: Sparse::new(target.len(), first), target, terms: zeros(first), laws, speed: S::zero(), phase: S::zero() }
+        let zero = S::zero();
+        Constant { n, rows: Sparse::new(target.len(), first), target, laws, speed: zero, phase: zero, now: zero, sine: (zero, zero) }
+    }
+
+    /// Number of terms behind the states.
+    pub fn room(&self, dim: usize) -> usize {
+        self.rows.cols() - dim
     }
 
     /// Puts a member into a lane.
@@ -72,7 +80,7 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
         let compiled = Compiled::new(system, speed)?;
         let (n, dim) = (self.n, 2 * self.n + system.m());
         let rows = self.target.len();
-        let mut full = Mat::zeros(rows, self.terms.len());
+        let mut full = Mat::zeros(rows, self.rows.cols());
         let constant = dim;
         for i in 0..rows {
             for j in 0..2 * n {
@@ -116,21 +124,30 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
     }
 
     #[inline(always)]
-    pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
-        let n = self.n;
-        let phase = self.phase + self.speed * t;
-        dy[..n].copy_from_slice(&y[n..2 * n]);
-        let dim = y.len();
-        self.terms[..dim].copy_from_slice(y);
-        let (sin, cos) = phase.sin_cos();
-        self.terms[dim] = S::one();
-        self.terms[dim + 1] = cos;
-        self.terms[dim + 2] = sin;
+    pub fn time(&mut self, t: S) {
+        self.now = self.phase + self.speed * t;
+        self.sine = self.now.sin_cos();
+    }
+
+    #[inline(always)]
+    pub fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
+        let (n, dim, phase) = (self.n, dy.len(), self.now);
+        // in steps of two: a plain copy becomes a call
+        let mut j = 0;
+        while j + 1 < n {
+            (dy[j], dy[j + 1]) = (y[n + j], y[n + j + 1]);
+            j += 2;
+        }
+        if j < n {
+            dy[j] = y[n + j];
+        }
+        (y[dim], y[dim + 1], y[dim + 2]) = (S::one(), self.sine.1, self.sine.0);
         for law in &mut self.laws {
             let read = law.map.rows();
             law.map.times_in_order(&y[..2 * n], &mut law.local[..read]);
             let local = law.weight.len();
-            let force = &mut self.terms[law.first..law.first + local];
+            let (y, terms) = y.split_at_mut(law.first);
+            let force = &mut terms[..local];
             for f in force.iter_mut() {
                 *f = S::zero();
             }
@@ -147,6 +164,6 @@ impl<'a, S: LaneScalar> Constant<'a, S> {
             };
             S::enter::<Residual, _>(law.part, &mut args);
         }
-        self.rows.times(&self.terms, &self.target, dy);
+        self.rows.times(y, &self.target, dy);
     }
 }

@@ -143,8 +143,23 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
         self.dim
     }
 
+    fn room(&self) -> usize {
+        match &self.equations {
+            Equations::Constant(c) => c.room(self.dim),
+            Equations::General(_) => 0,
+        }
+    }
+
     #[inline(always)]
-    fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
+    fn time(&mut self, t: S) {
+        match &mut self.equations {
+            Equations::Constant(c) => c.time(t),
+            Equations::General(g) => g.time(t),
+        }
+    }
+
+    #[inline(always)]
+    fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
         match &mut self.equations {
             Equations::Constant(c) => c.rhs(t, y, dy),
             Equations::General(g) => g.rhs(t, y, dy),

@@ -79,7 +79,7 @@ impl<S: LaneScalar> Place<'_, S> {
     }
 }
 
-/// Eight members, ready to be evaluated.
+/// The members in the lanes, ready to be evaluated.
 pub(super) struct General<'a, S> {
     n: usize,
     m: usize,
@@ -92,6 +92,8 @@ pub(super) struct General<'a, S> {
     accel: Vec<S>,
     rate: Vec<S>,
     rate_a: Vec<S>,
+    /// Phase, speed and acceleration prescribed for the moment announced.
+    now: [S; 3],
 }
 
 impl<'a, S: LaneScalar> General<'a, S> {
@@ -131,6 +133,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
             accel: zeros(rows),
             rate: zeros(m),
             rate_a: zeros(m * rows),
+            now: [S::zero(); 3],
         }
     }
 
@@ -161,6 +164,15 @@ impl<'a, S: LaneScalar> General<'a, S> {
             let k = 2 * self.n + self.m;
             return Moment { phase: y[k], speed: y[k + 1], accel: S::zero(), t };
         }
+        let [phase, speed, accel] = self.now;
+        Moment { phase, speed, accel, t }
+    }
+
+    #[inline(always)]
+    pub fn time(&mut self, t: S) {
+        if self.free {
+            return;
+        }
         let times = t.to_array();
         let mut out = [[0.0; LANES]; 3];
         for lane in 0..LANES {
@@ -169,7 +181,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
                 (out[0][lane], out[1][lane], out[2][lane]) = (s.phase, s.speed, s.accel);
             }
         }
-        Moment { phase: S::load(&out[0]), speed: S::load(&out[1]), accel: S::load(&out[2]), t }
+        self.now = [S::load(&out[0]), S::load(&out[1]), S::load(&out[2])];
     }
 
     /// Mass matrix, and derivatives of the rates in the accelerations, with the rows at zero acceleration.

@@ -1,4 +1,4 @@
-//! Many motions of one machine at once, with other parameters, speeds or starts: eight in lanes on every core.
+//! Many motions of one machine at once, with other parameters, speeds or starts: in lanes on every core.
 //!
 //! A [`Voyage`] says where each member starts, what is watched on the way and what is kept of it; [`run`] integrates all members and returns what
 //! was kept, in order. The result of a member does not depend on the others, on the number of threads or on the processor level, bit for bit.

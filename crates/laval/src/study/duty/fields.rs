@@ -6,7 +6,9 @@ use std::f64::consts::FRAC_PI_2;
 const fn length(bounds: Bounds) -> FieldKind {
     FieldKind::Quantity { unit: "m", bounds }
 }
-const POSITIVE: FieldKind = length(Bounds::positive(100.0));
+/// Largest dimension of a cup or bowl, m; the largest centrifuges have a fifth of it.
+const LARGEST: f64 = 10.0;
+const POSITIVE: FieldKind = length(Bounds::positive(LARGEST));
 const ON: Field = Field::optional(
     "on",
     FieldKind::Attach { ground: false },
@@ -16,13 +18,13 @@ const ON: Field = Field::optional(
 const COUNT: Field = Field::optional("count", FieldKind::Integer { min: 1, max: 1000 }, "2", "how many, at equal pitch");
 const MASS: Field = Field::optional(
     "mass",
-    FieldKind::Quantity { unit: "kg", bounds: Bounds::positive(1e5) },
+    FieldKind::Quantity { unit: "kg", bounds: Bounds::positive(1e4) },
     "",
     "mass of one with its contents, m; needed when it loads a body",
 );
 const DIFFERENCES: Field = Field::optional(
     "mass_differences",
-    FieldKind::List { unit: "kg", bounds: Bounds::within(1e5) },
+    FieldKind::List { unit: "kg", bounds: Bounds::within(1e4) },
     "",
     "what each weighs more than mass, one after the other in the sense of rotation from the key mark; a missing one is - mass",
 );
@@ -30,12 +32,12 @@ const DIFFERENCES: Field = Field::optional(
 const SWINGING: &[Field] = &[
     ON,
     COUNT,
-    Field::required("hinge_radius", length(Bounds::up_to(100.0)), "radius of the hinge from the spin axis, L_st"),
+    Field::required("hinge_radius", length(Bounds::up_to(LARGEST)), "radius of the hinge from the spin axis, L_st"),
     Field::required("cup_radius", POSITIVE, "inner radius, r"),
     Field::required("bottom", POSITIVE, "distance from the hinge to the bottom along the cup, L"),
     Field::optional(
         "surface",
-        length(Bounds::within(100.0)),
+        length(Bounds::within(LARGEST)),
         "0 m",
         "distance from the hinge to the surface of the liquid along the cup, y_top",
     ),
@@ -52,20 +54,25 @@ const SWINGING: &[Field] = &[
         "a tilt from the vertical the cup is held at, instead of the one it swings out to",
     ),
     MASS,
-    Field::optional("centre_of_mass_across", length(Bounds::within(100.0)), "0 m", "centre of mass across the cup, outwards when it hangs"),
+    Field::optional(
+        "centre_of_mass_across",
+        length(Bounds::within(LARGEST)),
+        "0 m",
+        "centre of mass across the cup, outwards when it hangs",
+    ),
     Field::optional(
         "moment_along",
-        FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::positive(1e6) },
+        FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::positive(1e4) },
         "",
         "second moment about the hinge along the cup, Jy = int y^2 dm; that of a point mass when absent",
     ),
     Field::optional(
         "moment_across",
-        FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::up_to(1e6) },
+        FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::up_to(1e4) },
         "0 kg m^2",
         "second moment across the cup, Jx = int x^2 dm",
     ),
-    Field::optional("moment_product", FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::within(1e6) }, "0 kg m^2", "Jxy = int x y dm"),
+    Field::optional("moment_product", FieldKind::Quantity { unit: "kg m^2", bounds: Bounds::within(1e4) }, "0 kg m^2", "Jxy = int x y dm"),
     Field::optional(
         "hinge_damping",
         FieldKind::Quantity { unit: "1/s", bounds: Bounds::up_to(1e6) },
@@ -75,7 +82,7 @@ const SWINGING: &[Field] = &[
     DIFFERENCES,
     Field::optional(
         "centre_differences",
-        FieldKind::List { unit: "m", bounds: Bounds::within(10.0) },
+        FieldKind::List { unit: "m", bounds: Bounds::within(1.0) },
         "",
         "how much farther from the hinge each one's centre of mass lies: pellets of different height in cups that weigh the same",
     ),
@@ -84,7 +91,7 @@ const SWINGING: &[Field] = &[
 const FIXED_ANGLE: &[Field] = &[
     ON,
     COUNT,
-    Field::required("mouth_radius", length(Bounds::up_to(100.0)), "radius of the centre of the mouth from the spin axis"),
+    Field::required("mouth_radius", length(Bounds::up_to(LARGEST)), "radius of the centre of the mouth from the spin axis"),
     Field::required(
         "angle",
         FieldKind::Quantity { unit: "rad", bounds: Bounds { min: 0.0, max: FRAC_PI_2, min_open: true } },
@@ -94,7 +101,7 @@ const FIXED_ANGLE: &[Field] = &[
     Field::required("length", POSITIVE, "from the mouth to the bottom"),
     Field::optional(
         "surface",
-        length(Bounds::up_to(100.0)),
+        length(Bounds::up_to(LARGEST)),
         "0 m",
         "from the mouth to the surface of the liquid when the tube stands upright",
     ),
@@ -121,7 +128,7 @@ const DISCS: &[Field] = &[
 ];
 const DECANTER: &[Field] = &[
     Field::required("cylinder_length", POSITIVE, "length of the cylinder, L1"),
-    Field::required("cone_length", length(Bounds::up_to(100.0)), "wetted length of the cone, L2"),
+    Field::required("cone_length", length(Bounds::up_to(LARGEST)), "wetted length of the cone, L2"),
     Field::required("bowl_radius", POSITIVE, "inner radius of the bowl, r2"),
     Field::required("surface_radius", POSITIVE, "radius of the liquid's surface, r1"),
     Field::optional(
@@ -155,8 +162,8 @@ pub fn cup_kinds() -> Vec<KindInfo> {
 pub const SUSPENSION_DOC: &str = "What is separated: the liquid, and the size and density of the particles in it.";
 
 const VISCOSITY: FieldKind = FieldKind::Quantity { unit: "Pa s", bounds: Bounds::positive(1e7) };
-const SIZE: FieldKind = FieldKind::Quantity { unit: "m", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } };
-const DENSITY: FieldKind = FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds::positive(1e5) };
+const SIZE: FieldKind = FieldKind::Quantity { unit: "m", bounds: Bounds { min: 1e-9, max: 0.1, min_open: false } };
+const DENSITY: FieldKind = FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds { min: 0.01, max: 3e4, min_open: false } };
 const TEMPERATURE: FieldKind = FieldKind::Quantity { unit: "K", bounds: Bounds::closed(50.0, 3000.0) };
 
 /// Fields of `[suspension]`.

@@ -1,6 +1,7 @@
 //! The blocks `[[cup]]` and `[suspension]` of a machine file: what separates, and what is separated.
 
 mod fields;
+pub mod task;
 
 pub use fields::{SUSPENSION, SUSPENSION_DOC, cup_kinds};
 
@@ -72,6 +73,10 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
                     "measure surface and length from the mouth",
                 );
             }
+            if v.number("centre_of_mass").is_some_and(|l| !(l <= THICK * tube.length)) {
+                let message = "the centre of mass lies far below the bottom of the tube".into();
+                wrong(out, v, "centre_of_mass", "cup.centre", message, "measure it from the mouth, with contents");
+            }
             if tube.mouth - tube.radius * tube.angle.cos() <= 0.0 {
                 wrong(out, v, "mouth_radius", "cup.axis", "the tube reaches across the spin axis".into(), "increase mouth_radius");
             }
@@ -113,6 +118,9 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
     let load = load(extra, &separator, system, out);
     (out.0.len() == before).then_some(Vessel { name: extra.name.clone(), separator, load })
 }
+
+/// Largest size of a cup with its walls over that of its inside.
+const THICK: f64 = 1.5;
 
 fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
     let n = |field: &str| v.number(field).unwrap_or(0.0);
@@ -160,6 +168,27 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             "cup.empty",
             "the cup holds no liquid: its surface lies at the bottom or below".into(),
             "measure surface and bottom from the hinge, outwards",
+        );
+    }
+    // the bottom has a thickness and a foot
+    if !(along <= THICK * vessel.bottom) && v.number("centre_of_mass").is_some() {
+        wrong(
+            out,
+            v,
+            "centre_of_mass",
+            "cup.centre",
+            format!("the centre of mass lies {along} m from the hinge, far below the bottom of the cup at {} m", vessel.bottom),
+            "measure both from the hinge",
+        );
+    }
+    if !(body.across.abs() <= THICK * vessel.radius) {
+        wrong(
+            out,
+            v,
+            "centre_of_mass_across",
+            "cup.centre",
+            "the centre of mass lies outside the cup".into(),
+            "at most cup_radius to either side of its axis",
         );
     }
     let hinge = n("hinge_radius");
@@ -223,6 +252,10 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
         given
     };
     let (masses, centres) = (list("mass_differences"), list("centre_differences"));
+    if centres.iter().any(|d| !(d.abs() < centre)) {
+        let message = "a centre of mass would lie at the hinge or beyond it".into();
+        wrong(out, v, "centre_differences", "cup.centre", message, "differences are small against centre_of_mass");
+    }
     if masses.iter().any(|d| mass + d < 0.0) {
         wrong(out, v, "mass_differences", "cup.negative", "a cup would weigh less than nothing".into(), "a missing cup is minus its mass");
     }

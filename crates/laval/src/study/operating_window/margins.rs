@@ -1,56 +1,22 @@
 //! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
 
+use super::Policy;
 use super::coupling::loaded;
 use super::passage::Passage;
 use super::steady::{Branches, State, linear, spectrum};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::Attach;
 use crate::model::system::System;
-use crate::separation::ensemble::{Model, leave, members, quantile, sorted};
 use crate::separation::load::Ring;
 use crate::separation::machine::Separator;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
-use crate::study::duty::{Suspension, Vessel};
+use crate::study::duty::task::{Task, needed};
 use crate::study::limits::Limits;
 use laval_num::complex::C64;
 
 /// Names of the requirements, in the order they are shown.
 pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
-
-/// What is to be separated, and in what time.
-#[derive(Clone, Debug)]
-pub(super) struct Duty {
-    pub vessel: Vessel,
-    pub suspension: Suspension,
-    /// Time at hand, s; residence time where liquid flows through.
-    pub time: f64,
-    pub recovery: f64,
-    /// Only particles of this diameter count, m.
-    pub diameter: Option<f64>,
-    pub particles: usize,
-    pub slowest: bool,
-}
-
-impl Duty {
-    /// Time in which the recovery is reached at a speed, s; infinite when never.
-    pub fn needed(&self, speed: f64) -> f64 {
-        let turning = self.vessel.separator.at(speed);
-        let mut crowd = members(&turning, self.particles);
-        let heavy = self.suspension.powder.density.quantile(0.5) > self.suspension.medium.density;
-        if self.slowest {
-            // one start, as many sizes as the powder needs
-            crowd.truncate(if self.diameter.is_some() || self.suspension.powder.size.is_single() { 1 } else { self.particles });
-            crowd.iter_mut().for_each(|m| m.start = turning.slowest(heavy));
-        }
-        let times = sorted(crowd.iter().map(|m| {
-            let p = self.suspension.powder.particle(&m.point);
-            let p = Particle { radius: self.diameter.map_or(p.radius, |d| 0.5 * d), ..p };
-            leave(&turning, &self.suspension.medium, &p, m, Model::Inertial).map(|e| e.time)
-        }));
-        quantile(&times, self.recovery)
-    }
-}
 
 /// A requirement at a speed.
 #[derive(Clone, Debug)]
@@ -106,13 +72,12 @@ impl Point {
 /// What is asked of the machine.
 #[derive(Clone)]
 pub(super) struct Asked {
-    pub duty: Option<Duty>,
+    pub duty: Option<Task>,
     pub limits: Limits,
     pub cups: Vec<(Attach, Ring)>,
     /// Time of the run-up to the top of the range, s.
     pub ramp: Option<f64>,
-    /// The run-up takes its time from the duty.
-    pub counts_ramp: bool,
+    pub policy: Policy,
     pub top: f64,
 }
 
@@ -154,13 +119,17 @@ impl Judge<'_> {
         let nonlinear = !self.branches.is_empty();
         // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
         let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
-        let growth = if nonlinear { worst_growth(&states) } else { eigen };
+        let met = self.judged(system, met, speed);
+        let growth = if nonlinear { worst_growth(&met, &states) } else { eigen };
         let mut margins = Vec::new();
-        let mut needed = f64::NAN;
+        let mut time = f64::NAN;
         if let Some(duty) = &asked.duty {
-            needed = duty.needed(speed) + self.ramp_loss(speed);
-            let value = 1.0 - needed / duty.time;
-            margins.push(margin(0, if value.is_finite() { value } else { f64::NAN }, "time"));
+            // a path that cannot be computed leaves the margin undefined
+            let found = needed(&duty.batch, speed, duty.recovery);
+            time = found.as_ref().map_or(f64::NAN, |n| n.time);
+            let value = 1.0 - time / duty.time;
+            let detail = found.map_or_else(|d| d.message, |_| "time".into());
+            margins.push(margin(0, if value.is_finite() { value } else { f64::NAN }, detail));
         }
         margins.extend(self.vibration(system, &met));
         margins.extend(self.self_centred(system, &met));
@@ -195,21 +164,32 @@ impl Judge<'_> {
             };
             margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
         }
-        let time = asked.duty.as_ref().map_or(0.0, |d| d.time);
+        let duration = asked.duty.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
-        let energy = 0.5 * spin_inertia(system, speed) * speed * speed + torque * speed.abs() * time;
+        let energy = 0.5 * spin_inertia(system, speed) * speed * speed + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
         let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
-        Ok(Point { speed, margins, needed, tilt, unbalance, states: met.len(), energy, growth })
+        Ok(Point { speed, margins, needed: time, tilt, unbalance, states: met.len(), energy, growth })
     }
 
-    /// Time the run-up takes beyond what it separates, s.
-    pub fn ramp_loss(&self, speed: f64) -> f64 {
-        match self.asked.ramp {
-            // at constant acceleration a third of the run-up counts
-            Some(t) if self.asked.counts_ramp => 2.0 / 3.0 * t * speed.abs() / self.asked.top,
-            _ => 0.0,
+    /// Of the stable states that exist at a speed those that are judged.
+    fn judged<'s>(&self, system: &System, met: Vec<&'s State>, speed: f64) -> Vec<&'s State> {
+        if met.len() < 2 {
+            return met;
         }
+        let chosen = match self.asked.policy {
+            Policy::All => return met,
+            Policy::Highest => {
+                let margin = |s: &&&State| self.vibration(system, &[**s]).map_or(0.0, |m| m.value);
+                met.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)))
+            }
+            Policy::Reached => {
+                let Some(moved) = self.passage.and_then(|p| p.reached(speed)) else { return met };
+                let far = |s: &&&State| s.displacement.iter().zip(&moved).map(|(a, b)| (a / b).ln().abs()).fold(0.0, f64::max);
+                met.iter().min_by(|a, b| far(a).total_cmp(&far(b)))
+            }
+        };
+        chosen.copied().into_iter().collect()
     }
 
     fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
@@ -258,11 +238,10 @@ impl Judge<'_> {
 }
 
 /// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.
-fn worst_growth(states: &[State]) -> f64 {
-    let of = |stable: bool| states.iter().filter(move |s| s.stable == stable).map(|s| s.growth);
-    match of(true).reduce(f64::max) {
+fn worst_growth(judged: &[&State], states: &[State]) -> f64 {
+    match judged.iter().map(|s| s.growth).reduce(f64::max) {
         Some(g) => g,
-        None => of(false).reduce(f64::min).unwrap_or(f64::NAN),
+        None => states.iter().filter(|s| !s.stable).map(|s| s.growth).reduce(f64::min).unwrap_or(f64::NAN),
     }
 }
 
@@ -282,13 +261,13 @@ fn spin_inertia(system: &System, speed: f64) -> f64 {
 }
 
 /// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.
-pub(super) fn radial_guess(duty: &Duty) -> Option<f64> {
+pub(super) fn radial_guess(duty: &Task) -> Option<f64> {
     let (r1, r2) = match &duty.vessel.separator {
         Separator::Cup(c) => (c.hanging.hinge + c.vessel.top, c.hanging.hinge + c.vessel.bottom),
         other => other.at(100.0).radii(),
     };
     let p = &duty.suspension.powder;
-    let radius = 0.5 * duty.diameter.unwrap_or_else(|| p.size.quantile(1.0 - duty.recovery));
+    let radius = 0.5 * duty.batch.from.unwrap_or_else(|| p.size.quantile(1.0 - duty.recovery));
     let s = duty.suspension.medium.rates(&Particle { radius, density: p.density.quantile(0.5) }).sedimentation.abs();
     let w = ((r2 / r1).ln() / (s * duty.time)).sqrt();
     w.is_finite().then_some(w)

@@ -14,7 +14,8 @@
 //!
 //! Symbols: w spin speed; p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
 //!
-//! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept.
+//! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
+//! parameters, which bounds it where margins depend on them monotonically.
 //!
 //! Sources: `theory/separation.md` section 13.
 
@@ -25,6 +26,7 @@ mod report;
 mod steady;
 mod window;
 
+use super::duty::task::{self, DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
 use super::duty::{self, CUP};
 use super::limits;
 use super::support::{SPEED_RANGE, range};
@@ -33,11 +35,11 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, RangeValue, Value, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
-use crate::separation::particle::Drag;
+use crate::separation::batch::RunUp;
 use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::solve::scalar::maximum;
-use margins::{Asked, Duty, Judge, Point, radial_guess};
+use margins::{Asked, Judge, Point, radial_guess};
 use passage::Passage;
 use steady::Branches;
 use window::{Interval, dips, intervals, scan};
@@ -53,6 +55,17 @@ pub enum Objective {
     Energy,
     /// Smallest vibration.
     Amplitude,
+}
+
+/// Which of several stable steady states of a nonlinear machine is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Policy {
+    /// All of them.
+    All,
+    /// The one nearest to the motion of the simulated run-up as it passes the speed.
+    Reached,
+    /// The one with the least margin of vibration.
+    Highest,
 }
 
 /// See the [module](self).
@@ -86,31 +99,12 @@ impl Study for OperatingWindow {
             "",
             "time in which cups must have separated",
         ),
-        Field::optional(
-            "throughput",
-            FieldKind::Quantity { unit: "m^3/s", bounds: Bounds::positive(1e3) },
-            "",
-            "flow that a bowl, disc stack or decanter must clear",
-        ),
-        Field::optional(
-            "recovery",
-            FieldKind::Quantity { unit: "", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } },
-            "0.95",
-            "share to be caught, q",
-        ),
-        Field::optional(
-            "diameter",
-            FieldKind::Quantity { unit: "m", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } },
-            "",
-            "the share counts among particles of this size and larger, instead of the whole powder",
-        ),
-        Field::optional("particles", FieldKind::Integer { min: 16, max: 1_000_000 }, "1024", "particles of the fixed set"),
-        Field::optional(
-            "start",
-            FieldKind::Choice(&[("even", "spread evenly over the liquid"), ("slowest", "all on the axis where it takes longest")]),
-            "even",
-            "where particles start",
-        ),
+        THROUGHPUT,
+        RECOVERY,
+        DIAMETER,
+        PARTICLES,
+        MODEL,
+        START,
         Field::optional(
             "ramp",
             FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e7) },
@@ -128,6 +122,16 @@ impl Study for OperatingWindow {
             ]),
             "margin",
             "what the recommended speed is best for",
+        ),
+        Field::optional(
+            "branch_policy",
+            FieldKind::Choice(&[
+                ("all", "every stable steady state must keep the limits"),
+                ("reached", "the one that the run-up of the file leads to, and valid for that run-up only"),
+                ("highest", "the one with the largest vibration against its limits"),
+            ]),
+            "all",
+            "which of several steady states of a nonlinear machine is judged",
         ),
         Field::optional(
             "speed_tolerance",
@@ -235,7 +239,7 @@ impl Study for OperatingWindow {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let Some(main) = self.evaluate(system, context, self.speed.points.unwrap_or(SPEEDS), true, None)? else {
+        let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
             let end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
             return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end));
         };
@@ -243,6 +247,16 @@ impl Study for OperatingWindow {
         let map = self.mapped(system, context, &main)?;
         report::Found { study: self, main, robust, map }.outcome(context)
     }
+}
+
+/// How carefully a range is looked at.
+enum Care<'a> {
+    /// Ends, narrow places, the best speed.
+    Full,
+    /// The ends of the windows.
+    Ends,
+    /// These speeds alone.
+    Only(&'a [f64]),
 }
 
 /// One machine evaluated over the range.
@@ -281,58 +295,14 @@ impl OperatingWindow {
             out.push(Diagnostic::error("operating_window.duty", message).at(v.span_of(field)).help(help));
         };
         let (time, throughput) = (v.number("time"), v.number("throughput"));
+        let ramp = v.number("ramp");
         let mut duty = None;
         if has("suspension") && has("cup") {
-            let (vessel, suspension) = (duty::the_vessel(v, system, out)?, duty::the_suspension(v, system, out)?);
-            let time = match (vessel.separator.flow_volume(), time, throughput) {
-                (Some(volume), None, Some(q)) => volume / q,
-                (None, Some(t), None) => t,
-                (Some(_), ..) => {
-                    wrong(
-                        out,
-                        "throughput",
-                        "liquid flows through this machine: the throughput it must clear is needed",
-                        "add throughput = \"500 l/h\", and no time",
-                    );
-                    return None;
-                }
-                (None, ..) => {
-                    wrong(
-                        out,
-                        "time",
-                        "the time in which the cups must have separated is needed",
-                        "add time = \"30 min\", and no throughput",
-                    );
-                    return None;
-                }
-            };
-            if suspension.medium.drag != Drag::Stokes {
-                wrong(
-                    out,
-                    "",
-                    "a window follows particles with Stokes' drag only",
-                    "use drag = \"stokes\" in [suspension]; the study separation follows the other law at one speed",
-                );
-                return None;
+            let mut task = task::task(v, system, None, out)?;
+            if let Some(t) = ramp.filter(|_| v.flag("count_ramp").unwrap_or(true)) {
+                task.batch.run_up = RunUp::Linear(t / self.speed.to);
             }
-            if suspension.powder.density.quantile(0.5) == suspension.medium.density {
-                wrong(
-                    out,
-                    "",
-                    "particles and liquid have the same density: nothing separates at any speed",
-                    "give particle_density another value than liquid_density",
-                );
-                return None;
-            }
-            duty = Some(Duty {
-                vessel,
-                suspension,
-                time,
-                recovery: v.number("recovery").unwrap_or(0.95),
-                diameter: v.number("diameter"),
-                particles: v.integer("particles").map_or(1024, |n| n.max(1) as usize),
-                slowest: v.choice("start") == Some("slowest"),
-            });
+            duty = Some(task);
         } else if time.is_some() || throughput.is_some() {
             let field = if time.is_some() { "time" } else { "throughput" };
             wrong(
@@ -351,7 +321,20 @@ impl OperatingWindow {
             .filter(|e| e.word == "cup")
             .filter_map(|e| duty::vessel(e, system, &mut Diagnostics::default())?.load)
             .collect();
-        let ramp = v.number("ramp");
+        let policy = match v.choice("branch_policy") {
+            Some("reached") => Policy::Reached,
+            Some("highest") => Policy::Highest,
+            _ => Policy::All,
+        };
+        if policy == Policy::Reached && ramp.is_none() {
+            wrong(
+                out,
+                "branch_policy",
+                "the state that a run-up leads to needs the time of the run-up",
+                "add ramp = \"60 s\": the time to the top of the range of speeds",
+            );
+            return None;
+        }
         if ramp.is_none() && (!limits.passage.is_empty() || limits.torque.is_some()) {
             wrong(
                 out,
@@ -361,25 +344,24 @@ impl OperatingWindow {
             );
             return None;
         }
-        Some(Asked { duty, limits, cups, ramp, counts_ramp: v.flag("count_ramp").unwrap_or(true), top: self.speed.to })
+        Some(Asked { duty, limits, cups, ramp, policy, top: self.speed.to })
     }
 
     /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
-    fn evaluate(
-        &self,
-        system: &System,
-        context: &Context,
-        count: usize,
-        careful: bool,
-        known: Option<&Passage>,
-    ) -> Result<Option<Evaluated>, Diagnostic> {
+    fn evaluate(&self, system: &System, context: &Context, care: Care, known: Option<&Passage>) -> Result<Option<Evaluated>, Diagnostic> {
         let asked = self.asked(system, &mut Diagnostics::default()).ok_or_else(|| {
             Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension")
         })?;
         let (from, to) = (self.speed.from, self.speed.to);
-        let mut speeds = RangeValue { points: Some(count), ..self.speed }.linspace(count);
+        let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
+        let count = if careful { self.speed.points.unwrap_or(SPEEDS) } else { SPEEDS / 2 };
+        let mut speeds = match care {
+            Care::Only(grid) => grid.to_vec(),
+            _ => RangeValue { points: Some(count), ..self.speed }.linspace(count),
+        };
         let branches = self.branches(system, &asked, context)?;
         let folds: Vec<f64> = branches.iter().flat_map(|b| b.1.folds()).collect();
+        let folds = if only { vec![] } else { folds };
         speeds.extend(folds.iter().flat_map(|w| [w * (1.0 - 1e-4), w * (1.0 + 1e-4)]));
         if careful {
             // loads at both ends bound where resonances lie
@@ -393,19 +375,17 @@ impl OperatingWindow {
                 }
             }
         }
-        if let Some(w) = asked.duty.as_ref().and_then(radial_guess) {
+        if let Some(w) = asked.duty.as_ref().filter(|_| !only).and_then(radial_guess) {
             speeds.extend([0.5 * w, 0.8 * w, w]);
         }
         speeds.retain(|w| *w >= from && *w <= to);
         speeds.sort_by(f64::total_cmp);
         speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
-        let limited = !asked.limits.passage.is_empty() || asked.limits.torque.is_some();
+        let limited =
+            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && !branches.is_empty());
         let passage = match asked.ramp.filter(|_| limited) {
             Some(_) if known.is_some() => known.cloned(),
-            Some(duration) => {
-                let (changed, _) = coupling::loaded(system, &asked.cups, to)?;
-                Some(Passage::simulate(changed.as_ref().unwrap_or(system), to, duration, context)?)
-            }
+            Some(duration) => Some(Passage::simulate(system, &asked.cups, to, duration, context)?),
             None => None,
         };
         let judge = Judge { system, asked: &asked, branches: &branches, passage: passage.as_ref() };
@@ -420,7 +400,7 @@ impl OperatingWindow {
             points.extend(scan(&judge, &more, |_| !context.cancelled())?.unwrap_or_default());
             points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
-        let found = intervals(&judge, &mut points, Point::feasible)?;
+        let found = if only { vec![] } else { intervals(&judge, &mut points, Point::feasible)? };
         let mechanical = if careful && asked.duty.is_some() { intervals(&judge, &mut points, |p| p.feasible_without(0))? } else { vec![] };
         let best = if careful { self.best(&judge, &points)? } else { None };
         let harmonics = branches.first().map(|b| b.1.harmonics());
@@ -493,7 +473,7 @@ impl OperatingWindow {
                 changed = Some(varied(now, path, x * (1.0 + sign * share))?);
             }
             let known = main.passage.as_ref().filter(|_| self.uncertain.iter().all(|u| only_liquid(system, &u.0)));
-            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, SPEEDS / 2, false, known)? else {
+            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, Care::Ends, known)? else {
                 return Ok(None);
             };
             let other: Vec<(f64, f64)> = found.intervals.iter().map(|i| (i.low.speed, i.high.speed)).collect();
@@ -512,9 +492,9 @@ impl OperatingWindow {
         for x in r.linspace(12) {
             let changed = varied(system, path, x)?;
             let known = main.passage.as_ref().filter(|_| only_liquid(system, path));
-            let Some(found) = self.evaluate(&changed, context, SPEEDS / 2, false, known)? else { return Ok(None) };
             let grid = RangeValue { points: Some(SPEEDS / 2), ..self.speed }.linspace(SPEEDS / 2);
-            for w in grid {
+            let Some(found) = self.evaluate(&changed, context, Care::Only(&grid), known)? else { return Ok(None) };
+            for &w in &grid {
                 if let Some(p) = found.points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
                     let binding = p.binding().map_or("", |m| margins::NAMES[m.name]);
                     cells.push((w, x, p.least().max(-1.0), binding));

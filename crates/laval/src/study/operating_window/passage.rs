@@ -1,9 +1,13 @@
 //! The way up through the resonances, and down again: largest displacements and torque up to every speed.
 //!
-//! One simulation up to the top of the range and one down, with the load of the cups at the top, where their unbalance is largest.
+//! Simulated to the top of the range and back. The cups load the rotor as they do at one speed in each simulation; every speed is judged by the simulation whose load
+//! is that of the nearest speed, and wherever a body moves most, the passage is simulated again with the load of just that speed.
 
+use super::coupling::loaded;
 use crate::diagnostic::Diagnostic;
+use crate::model::field::Attach;
 use crate::model::system::System;
+use crate::separation::load::Ring;
 use crate::solve::motion::flight::{Choice, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
@@ -15,91 +19,179 @@ use laval_num::ode::End;
 #[derive(Clone)]
 pub(super) struct Passage {
     bodies: Vec<String>,
-    /// By window: speed reached, largest displacement of each body in it, largest torque.
-    windows: Vec<(f64, Vec<f64>, f64)>,
-    /// Displacement of each body over all windows, and the speed it happens at.
-    pub peaks: Vec<(String, f64, f64)>,
-    /// Largest torque, N m.
-    pub torque: f64,
-    /// Steps of both integrations.
+    flights: Vec<Flight>,
+    /// Steps of all integrations.
     pub steps: u64,
 }
 
+/// A passage with the load of the cups at one speed.
+#[derive(Clone)]
+struct Flight {
+    load: f64,
+    ways: [Vec<Stretch>; 2],
+}
+
+/// A stretch of the way.
+#[derive(Clone)]
+struct Stretch {
+    /// Its lowest and its highest speed, rad/s.
+    speeds: (f64, f64),
+    /// Largest displacement of each body, m, and the speed it happens at.
+    moved: Vec<(f64, f64)>,
+    /// Torque of the drive, N m.
+    torque: f64,
+}
+
+/// The largest displacement of a body on one way.
+pub(super) struct Peak {
+    pub body: String,
+    pub up: bool,
+    pub displacement: f64,
+    pub speed: f64,
+    /// Speed whose load the cups have in the simulation, rad/s.
+    pub load: f64,
+}
+
 const WINDOWS: usize = 300;
+/// Relative distance of the load's speed from that of a peak beyond which the passage is simulated again, and how often at most.
+const NEAR: f64 = 0.05;
+const MOST_FLIGHTS: usize = 8;
+/// Speeds, as shares of the top, for which the passage is judged with its own loads.
+const LOWER: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
 impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed.
-    pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
+    pub fn simulate(system: &System, cups: &[(Attach, Ring)], top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
         let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
-        let mut out = Passage { bodies, windows: vec![], peaks: vec![], torque: 0.0, steps: 0 };
-        let mut state: Option<(Vec<f64>, f64)> = None;
-        for (from, to) in [(0.0, top), (top, 0.0)] {
-            let phase = state.as_ref().map_or(0.0, |s| s.1);
-            let programme = Programme::ramp(from, to, duration, Shape::Linear, phase)
-                .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help("give the ramp another duration"))?;
-            let mut motion = Motion::new(system, SpinLaw::Programme(programme.clone()))?;
-            let y = state.take().map_or_else(|| vec![0.0; laval_num::ode::Ode::dim(&motion)], |s| s.0);
-            let outputs: Vec<f64> = (0..=WINDOWS).map(|k| duration * k as f64 / WINDOWS as f64).collect();
-            let plan = Plan {
-                t_end: duration,
-                choice: Choice::Auto,
-                relative: 1e-7,
-                absolute: 1e-9,
-                outputs: &outputs,
-                windows: WINDOWS,
-                rest: &[],
-                kick: None,
-                max_steps: context.work_limit.min(20_000_000),
-                cancel: &|| context.cancelled(),
-                progress: &|_| (),
-            };
-            let flight = fly(&mut motion, &y, &plan)?;
-            out.steps += flight.run.work.steps;
-            if flight.run.end != End::Reached {
-                return Err(Diagnostic::error(
-                    "operating_window.passage",
-                    format!("the passage could not be computed beyond {:.5} rad/s", programme.at(flight.run.t).speed),
-                )
-                .help("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound"));
-            }
-            let dim = flight.state.len();
-            let mut torques = Vec::new();
-            for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
-                torques.push(motion.torque(t, y).unwrap_or(f64::NAN).abs());
-            }
-            for k in 0..WINDOWS {
-                let ends = [k, k + 1].map(|i| programme.at(duration * i as f64 / WINDOWS as f64).speed);
-                let amplitudes: Vec<f64> = flight.windows.iter().map(|w| w[k].peak.amplitude).collect();
-                let torque = torques.get(k).copied().unwrap_or(f64::NAN);
-                out.windows.push((ends[0].min(ends[1]), amplitudes, torque));
-            }
-            for (name, p) in out.bodies.iter().zip(&flight.peaks) {
-                out.peaks.push((name.clone(), p.amplitude, programme.at(p.t).speed));
-            }
-            // NaN stays
-            out.torque = torques.into_iter().fold(out.torque, |m, x| if x > m || x.is_nan() { x } else { m });
-            state = Some((flight.state, programme.at(duration).phase));
+        let mut out = Passage { bodies, flights: vec![], steps: 0 };
+        out.add(system, cups, top, (top, duration), context)?;
+        while !cups.is_empty() && out.flights.len() < MOST_FLIGHTS {
+            let far = |p: &Peak| !((p.speed / p.load).ln().abs() <= NEAR) && p.speed > 0.0;
+            // also what moves most on the way to lower speeds
+            let all = LOWER.iter().flat_map(|share| out.peaks(share * top));
+            let Some(peak) = all.filter(far).max_by(|a, b| a.displacement.total_cmp(&b.displacement)) else { break };
+            out.add(system, cups, peak.speed, (top, duration), context)?;
         }
         Ok(out)
+    }
+
+    fn add(&mut self, system: &System, cups: &[(Attach, Ring)], load: f64, way: (f64, f64), context: &Context) -> Result<(), Diagnostic> {
+        let (changed, _) = loaded(system, cups, load)?;
+        let (ways, steps) = both_ways(changed.as_ref().unwrap_or(system), way, context)?;
+        self.steps += steps;
+        self.flights.push(Flight { load, ways });
+        Ok(())
+    }
+
+    /// Stretches of a way, each with the load of the nearest speed, up to a speed.
+    fn stretches(&self, way: usize, speed: f64) -> impl Iterator<Item = (&Stretch, f64)> {
+        let count = self.flights.first().map_or(0, |f| f.ways[way].len());
+        (0..count).filter_map(move |k| {
+            let at = self.flights.first()?.ways[way].get(k)?;
+            let middle = 0.5 * (at.speeds.0 + at.speeds.1);
+            let far = |f: &&Flight| (f.load / middle).ln().abs();
+            let flight = self.flights.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
+            (at.speeds.0 <= speed).then_some((&flight.ways[way][k], flight.load))
+        })
+    }
+
+    /// Largest displacement of each body on the way up to a speed and down again.
+    pub fn peaks(&self, speed: f64) -> Vec<Peak> {
+        let mut out = Vec::new();
+        for (way, up) in [(0, true), (1, false)] {
+            for (k, body) in self.bodies.iter().enumerate() {
+                let moved = self.stretches(way, speed).filter_map(|(s, load)| s.moved.get(k).map(|m| (*m, load)));
+                // NaN before all
+                let largest = moved.reduce(|a, b| if b.0.0 > a.0.0 || b.0.0.is_nan() { b } else { a });
+                out.extend(largest.map(|((displacement, speed), load)| Peak { body: body.clone(), up, displacement, speed, load }));
+            }
+        }
+        out
+    }
+
+    /// Largest torque of the way to a speed and back, N m; NaN stays.
+    pub fn torque(&self, speed: f64) -> f64 {
+        let both = self.stretches(0, speed).chain(self.stretches(1, speed));
+        both.fold(0.0, |m: f64, (s, _)| if s.torque > m || s.torque.is_nan() { s.torque } else { m })
+    }
+
+    /// Displacement of each body when the run-up passes a speed, m.
+    pub fn reached(&self, speed: f64) -> Option<Vec<f64>> {
+        let (stretch, _) = self.stretches(0, speed).last()?;
+        Some(stretch.moved.iter().map(|m| m.0).collect())
     }
 
     /// Margin of the passage to a speed and back.
     pub fn margin(&self, speed: f64, limits: &Limits) -> (f64, String) {
         let mut worst = (f64::INFINITY, "passage".to_string());
-        for (from, amplitudes, torque) in self.windows.iter().filter(|w| w.0 <= speed) {
-            let of = |name: &str| self.bodies.iter().position(|b| b == name).and_then(|k| amplitudes.get(k).copied());
-            let moved = limits.passage.iter().filter_map(|l| of(&l.name).map(|a| (1.0 - a / l.value, &l.name)));
-            for (m, name) in moved {
+        for p in self.peaks(speed) {
+            for limit in limits.passage.iter().filter(|l| l.name == p.body) {
+                let m = 1.0 - p.displacement / limit.value;
                 if !(m >= worst.0) {
-                    worst = (m, format!("displacement of {name} at {from:.4} rad/s"));
+                    worst = (m, format!("displacement of {} at {:.4} rad/s", p.body, p.speed));
                 }
             }
-            if let Some(limit) = limits.torque
-                && !(1.0 - torque / limit >= worst.0)
-            {
-                worst = (1.0 - torque / limit, format!("torque at {from:.4} rad/s"));
+        }
+        if let Some(limit) = limits.torque {
+            let m = 1.0 - self.torque(speed) / limit;
+            if !(m >= worst.0) {
+                worst = (m, "torque".to_string());
             }
         }
         if worst.0 == f64::INFINITY { (1.0, worst.1) } else { worst }
     }
+}
+
+/// Up from rest to the top speed and down again, and the steps it took.
+fn both_ways(system: &System, (top, duration): (f64, f64), context: &Context) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
+    let mut ways = [vec![], vec![]];
+    let mut steps = 0;
+    let mut state: Option<(Vec<f64>, f64)> = None;
+    for (way, (from, to)) in ways.iter_mut().zip([(0.0, top), (top, 0.0)]) {
+        let phase = state.as_ref().map_or(0.0, |s| s.1);
+        let programme = Programme::ramp(from, to, duration, Shape::Linear, phase)
+            .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help("give the ramp another duration"))?;
+        let mut motion = Motion::new(system, SpinLaw::Programme(programme.clone()))?;
+        let y = state.take().map_or_else(|| vec![0.0; laval_num::ode::Ode::dim(&motion)], |s| s.0);
+        let outputs: Vec<f64> = (0..=WINDOWS).map(|k| duration * k as f64 / WINDOWS as f64).collect();
+        let plan = Plan {
+            t_end: duration,
+            choice: Choice::Auto,
+            relative: 1e-7,
+            absolute: 1e-9,
+            outputs: &outputs,
+            windows: WINDOWS,
+            rest: &[],
+            kick: None,
+            max_steps: context.work_limit.min(20_000_000),
+            cancel: &|| context.cancelled(),
+            progress: &|_| (),
+        };
+        let flight = fly(&mut motion, &y, &plan)?;
+        steps += flight.run.work.steps;
+        if flight.run.end != End::Reached {
+            return Err(Diagnostic::error(
+                "operating_window.passage",
+                format!("the passage could not be computed beyond {:.5} rad/s", programme.at(flight.run.t).speed),
+            )
+            .help("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound"));
+        }
+        let dim = flight.state.len();
+        let mut torques = Vec::new();
+        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+            torques.push(motion.torque(t, y).unwrap_or(f64::NAN).abs());
+        }
+        for k in 0..WINDOWS {
+            let [a, b] = [k, k + 1].map(|i| programme.at(duration * i as f64 / WINDOWS as f64).speed);
+            let moved = flight.windows.iter().map(|w| (w[k].peak.amplitude, programme.at(w[k].peak.t).speed)).collect();
+            let torque = torques.get(k).copied().unwrap_or(f64::NAN);
+            way.push(Stretch { speeds: (a.min(b), a.max(b)), moved, torque });
+        }
+        // from the lowest speed on, both ways
+        if to < from {
+            way.reverse();
+        }
+        state = Some((flight.state, programme.at(duration).phase));
+    }
+    Ok((ways, steps))
 }

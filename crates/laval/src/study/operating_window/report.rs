@@ -2,7 +2,7 @@
 
 use super::margins::{NAMES, Point};
 use super::window::{End, excluding, relaxations};
-use super::{Evaluated, Map, Objective, OperatingWindow, Robust};
+use super::{Evaluated, Map, Objective, OperatingWindow, Policy, Robust};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
@@ -27,11 +27,11 @@ fn rpm(w: f64) -> String {
 /// A requirement in words.
 fn words(name: &str) -> &'static str {
     match name {
-        "separation" => "the separation takes too long",
+        "separation" => "the time that the separation takes",
         "vibration" => "a vibration limit",
-        "self_centred" => "the rotor does not centre itself",
+        "self_centred" => "the self-centring of the rotor",
         "stable" => "stability",
-        "clear" => "a natural frequency comes too close",
+        "clear" => "the clearance of a natural frequency",
         "passage" => "the passage of the resonances",
         "strength" => "the highest speed",
         _ => "the range looked at",
@@ -219,18 +219,31 @@ impl Found<'_> {
             ));
         }
         if let Some(h) = m.harmonics {
-            out = out.finding(Finding::info("nonlinear", "Steady states of the nonlinear machine are those of all its branches; a speed where any stable one breaks a limit is outside.").evidence("orders kept", h as f64, ""));
+            let judged = match m.asked.policy {
+                Policy::All => "a speed where any stable one breaks a limit is outside",
+                Policy::Reached => {
+                    "of several stable ones that is judged which the run-up of this file leads to; the window holds for this run-up only"
+                }
+                Policy::Highest => "of several stable ones that with the largest vibration is judged",
+            };
+            let text = format!("Steady states of the nonlinear machine are those of all its branches; {judged}.");
+            out = out.finding(Finding::info("nonlinear", text).evidence("orders kept", h as f64, ""));
         }
         for w in &m.folds {
             out = out.special_point(SpecialPoint::new("fold", *w, (*w, *w)).status(Status::Bracketed));
         }
         if let Some(p) = &m.passage {
-            for (k, (name, amplitude, speed)) in p.peaks.iter().enumerate() {
-                let way = if 2 * k < p.peaks.len() { "up" } else { "down" };
-                let text = format!("On the way {way} \"{name}\" moves by up to {{}}, at {}.", rpm(*speed));
-                out = out.finding(Finding::info("passage_peak", text).value(*amplitude, "m").evidence("speed", *speed, "rad/s"));
+            let top = m.asked.top;
+            for peak in p.peaks(top) {
+                let way = if peak.up { "up" } else { "down" };
+                let text = format!("On the way {way} \"{}\" moves by up to {{}}, at {}.", peak.body, rpm(peak.speed));
+                let mut f = Finding::info("passage_peak", text).value(peak.displacement, "m").evidence("speed", peak.speed, "rad/s");
+                if !m.asked.cups.is_empty() {
+                    f = f.evidence("cups loaded as at", peak.load, "rad/s");
+                }
+                out = out.finding(f.of(peak.body));
             }
-            out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque, "N m"));
+            out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque(top), "N m"));
         }
         if let (Some(t), Some(duty), Some(best)) = (m.asked.ramp, &m.asked.duty, &m.best) {
             let (_, r2) = duty.vessel.separator.at(best.speed).radii();

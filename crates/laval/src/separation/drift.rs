@@ -1,0 +1,391 @@
+//! Particles whose drag balances the field at every moment, where the closed form does not hold: while the speed changes, and beyond Stokes' law.
+//!
+//! Equations, F the acceleration that drives a particle relative to the liquid:
+//!
+//! ```text
+//! r' = s F/f(Re)          Re f(Re) = Re of Stokes' velocity |s F|          F = g - a_e with the tilt of equilibrium at the speed of the moment
+//! disc stack: throughput that just lifts a particle across all gaps   N int 2 pi r v(r) dr/tan th,   v(r) its velocity in the field w^2 r
+//! ```
+//!
+//! Steps of Runge and Kutta (order 4) shorter than a fiftieth of the vessel's width; the exit is solved for within its step. Where the drag law jumps (Re = 1000)
+//! the velocity stays at the jump until the field has grown by its 0.4 %.
+//!
+//! Symbols: s sedimentation coefficient; a_e acceleration of the frame ([`super::frame`]).
+//!
+//! Validity: drag rate n far above the spin speed: the time is off by about (w/n)^2, the place by w/n; the cup follows its equilibrium.
+//!
+//! Sources: `theory/separation.md` sections 2, 3, 6 and 8.
+
+use super::closed::Steady;
+use super::cup::SwingingCup;
+use super::exit::{Exit, MOST, Vessel};
+use super::machine::Discs;
+use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
+use super::ramp::Ramp;
+use super::root::root;
+use super::vessel::Inside;
+use std::f64::consts::PI;
+
+/// How fast a particle settles in a field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settling {
+    sedimentation: f64,
+    /// Reynolds number over the velocity, s/m; 0 with Stokes' law.
+    per_speed: f64,
+}
+
+impl Settling {
+    /// Of one particle.
+    pub fn new(medium: &Medium, particle: &Particle) -> Self {
+        let per_speed = match medium.drag {
+            Drag::Stokes => 0.0,
+            Drag::SchillerNaumann => medium.reynolds(particle, 1.0),
+        };
+        Settling { sedimentation: medium.rates(particle).sedimentation, per_speed }
+    }
+
+    /// Velocity over the driving acceleration of this size (m/s^2), s.
+    pub fn mobility(&self, acceleration: f64) -> f64 {
+        let stokes = self.per_speed * (self.sedimentation * acceleration).abs();
+        if stokes > 0.0 { self.sedimentation * reynolds(stokes) / stokes } else { self.sedimentation }
+    }
+
+    fn velocity(&self, f: [f64; 3]) -> [f64; 3] {
+        let m = if self.per_speed > 0.0 { self.mobility((f[0] * f[0] + f[1] * f[1] + f[2] * f[2]).sqrt()) } else { self.sedimentation };
+        [m * f[0], m * f[1], m * f[2]]
+    }
+}
+
+/// Reynolds number of a particle whose velocity by Stokes' law has the Reynolds number `stokes`: the root of Re f(Re) = stokes.
+pub fn reynolds(stokes: f64) -> f64 {
+    if stokes >= TURBULENT * turbulent::<f64>(TURBULENT) {
+        return (stokes * 24.0 / 0.44).sqrt();
+    }
+    if stokes >= TURBULENT * transitional::<f64>(TURBULENT) {
+        return TURBULENT;
+    }
+    // Re f(Re) is convex and rises: Newton from above converges from above
+    let mut re = stokes;
+    for _ in 0..50 {
+        let power = 0.15 * re.powf(0.687);
+        let step = (re * (1.0 + power) - stokes) / (1.0 + 1.687 * power);
+        re -= step;
+        // NaN ends here
+        if !(step.abs() > 1e-15 * re) {
+            break;
+        }
+    }
+    re
+}
+
+/// The driving acceleration at one moment, linear in the place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Field {
+    w2: f64,
+    accel: f64,
+    sin: f64,
+    cos: f64,
+    hinge: f64,
+    gravity: f64,
+}
+
+impl Field {
+    fn new((speed, accel): (f64, f64), tilt: f64, hinge: f64, gravity: f64) -> Self {
+        let (sin, cos) = tilt.sin_cos();
+        Field { w2: speed * speed, accel, sin, cos, hinge, gravity }
+    }
+
+    #[inline]
+    fn at(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let radius = self.hinge + self.cos * x + self.sin * y;
+        let out = self.w2 * radius + self.accel * z;
+        [self.cos * out - self.gravity * self.sin, self.sin * out + self.gravity * self.cos, self.w2 * z - self.accel * radius]
+    }
+}
+
+/// The fields at the begin, the middle and the end of a step.
+type Fields = [Field; 3];
+
+fn shifted(r: [f64; 3], v: [f64; 3], h: f64) -> [f64; 3] {
+    [r[0] + h * v[0], r[1] + h * v[1], r[2] + h * v[2]]
+}
+
+fn step(s: &Settling, fields: &Fields, r: [f64; 3], h: f64) -> [f64; 3] {
+    let k1 = s.velocity(fields[0].at(r));
+    let k2 = s.velocity(fields[1].at(shifted(r, k1, 0.5 * h)));
+    let k3 = s.velocity(fields[1].at(shifted(r, k2, 0.5 * h)));
+    let k4 = s.velocity(fields[2].at(shifted(r, k3, h)));
+    std::array::from_fn(|i| r[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]))
+}
+
+/// A particle under way, or its exit.
+enum Way {
+    Inside([f64; 3]),
+    Left(Exit),
+}
+
+/// A step that stays in the liquid: the place at its end; `None` when a surface is passed.
+#[inline]
+fn free(s: &Settling, fields: &Fields, inside: &Inside, r: [f64; 3], h: f64) -> Option<[f64; 3]> {
+    let next = step(s, fields, r, h);
+    // NaN fails
+    inside.gaps(next, [0.0; 3]).iter().all(|g| g.value >= 0.0).then_some(next)
+}
+
+/// One step of duration `h` from `t`; `fields(share)` are those of the part of the step up to `share`.
+fn advance(s: &Settling, fields: &dyn Fn(f64) -> Fields, inside: &Inside, t: f64, r: [f64; 3], h: f64) -> Option<Way> {
+    let whole = fields(1.0);
+    let next = step(s, &whole, r, h);
+    let v = s.velocity(whole[2].at(next));
+    let gaps = inside.gaps(next, v);
+    if gaps.iter().any(|g| g.value.is_nan()) {
+        return None;
+    }
+    let part = |share: f64| {
+        let f = fields(share);
+        let x = step(s, &f, r, share * h);
+        let v = s.velocity(f[2].at(x));
+        (x, v)
+    };
+    let found = (0..MOST).filter(|&i| gaps[i].value < 0.0).filter_map(|i| {
+        let gap = |share: f64| {
+            let (x, v) = part(share);
+            let g = inside.gaps(x, v)[i];
+            (g.value, g.rate * h)
+        };
+        // a particle that is outside at the begin has left there
+        let share = if gap(0.0).0 <= 0.0 { 0.0 } else { root(gap, 0.0, 1.0)? };
+        Some((share, i))
+    });
+    match found.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        None => Some(Way::Inside(next)),
+        Some((share, i)) => {
+            let (position, velocity) = part(share);
+            Some(Way::Left(Exit { time: t + share * h, surface: gaps[i].surface, position, velocity }))
+        }
+    }
+}
+
+/// Largest way of a step over the width of the vessel.
+const WAY: f64 = 0.02;
+/// Most steps of one particle at a held speed.
+const MOST_STEPS: usize = 20_000;
+
+/// Settling at a held speed from `start` at the time `t`.
+fn held(s: &Settling, steady: &Steady, inside: &Inside, start: [f64; 3], mut t: f64) -> Option<Exit> {
+    let field = Field::new((steady.speed, 0.0), steady.tilt, steady.hinge, steady.gravity);
+    let fields = |_: f64| [field; 3];
+    let mut r = start;
+    for _ in 0..MOST_STEPS {
+        let v = s.velocity(field.at(r));
+        let h = WAY * inside.width() / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+        // nothing moves; NaN ends here
+        if !(h < 1e15) {
+            return None;
+        }
+        match advance(s, &fields, inside, t, r, h)? {
+            Way::Inside(next) => (r, t) = (next, t + h),
+            Way::Left(exit) => return Some(exit),
+        }
+    }
+    None
+}
+
+/// First exit at constant speed by the drag law of the medium; with Stokes' law that of [`super::machine::Turning::drift`].
+pub fn settle(medium: &Medium, particle: &Particle, steady: &Steady, inside: &Inside, start: [f64; 3]) -> Option<Exit> {
+    held(&Settling::new(medium, particle), steady, inside, start, 0.0)
+}
+
+/// Residence time after which a particle that enters a disc stack at the share `entry` of a gap is caught, s.
+pub fn lifted(medium: &Medium, particle: &Particle, discs: &Discs, speed: f64, entry: f64, volume: f64) -> Option<f64> {
+    const CELLS: usize = 64;
+    let s = Settling::new(medium, particle);
+    let (from, width) = (discs.inner, (discs.outer - discs.inner) / CELLS as f64);
+    // Gauss with two points in each cell
+    let sum: f64 = (0..CELLS)
+        .flat_map(|k| [-1.0, 1.0].map(|e| from + width * (k as f64 + 0.5 + 0.5 * e / 3f64.sqrt())))
+        .map(|r| {
+            let a = speed * speed * r;
+            r * s.mobility(a) * a
+        })
+        .sum();
+    let throughput = (discs.gaps * 2.0 * PI * sum * 0.5 * width / discs.angle.tan()).abs();
+    let time = entry * volume / throughput;
+    time.is_finite().then_some(time)
+}
+
+/// A run-up of swinging cups with the tilts of equilibrium on the way, for many particles.
+#[derive(Clone, Debug)]
+pub struct Climb {
+    cells: Vec<Cell>,
+    ramp: Ramp,
+    hinge: f64,
+    gravity: f64,
+    /// After the run-up.
+    steady: Steady,
+}
+
+#[derive(Clone, Debug)]
+struct Cell {
+    from: f64,
+    step: f64,
+    /// At the begin, the middle and the end.
+    tilts: [f64; 3],
+    fields: Fields,
+}
+
+/// Cells of a run-up from rest, and between two knots of a table.
+const CELLS: usize = 64;
+const TABLE_CELLS: usize = 32;
+
+impl Climb {
+    /// The way of a cup; `held` is a tilt it is held at.
+    pub fn new(cup: &SwingingCup, held: Option<f64>, ramp: &Ramp) -> Self {
+        let tilt = |t: f64| held.unwrap_or_else(|| cup.equilibrium(ramp.at(t).0));
+        let duration = ramp.duration();
+        let mut edges = vec![0.0];
+        match ramp {
+            Ramp::Table(_) => {
+                for knot in ramp.knots().filter(|k| *k > 0.0) {
+                    let from = edges[edges.len() - 1];
+                    edges.extend((1..=TABLE_CELLS).map(|k| from + (knot - from) * k as f64 / TABLE_CELLS as f64));
+                }
+            }
+            // most of the tilt happens early
+            _ => edges.extend((1..=CELLS).map(|k| duration * (k as f64 / CELLS as f64).powf(1.5))),
+        }
+        let mut cells: Vec<Cell> = Vec::new();
+        for e in edges.windows(2).filter(|e| e[1] > e[0]) {
+            let times = [e[0], 0.5 * (e[0] + e[1]), e[1]];
+            let first = cells.last().map_or_else(|| tilt(times[0]), |c| c.tilts[2]);
+            let tilts = [first, tilt(times[1]), tilt(times[2])];
+            let fields = std::array::from_fn(|i| Field::new(ramp.at(times[i]), tilts[i], cup.hinge, cup.gravity));
+            cells.push(Cell { from: e[0], step: e[1] - e[0], tilts, fields });
+        }
+        let speed = ramp.final_speed();
+        let settled = held.unwrap_or_else(|| cup.equilibrium(speed));
+        let steady = Steady { speed, tilt: settled, hinge: cup.hinge, gravity: cup.gravity };
+        Climb { cells, ramp: ramp.clone(), hinge: cup.hinge, gravity: cup.gravity, steady }
+    }
+
+    /// The field within a cell, its tilt by the parabola through the three that are known.
+    fn between(&self, c: &Cell, u: f64) -> Field {
+        let [a, m, b] = c.tilts;
+        let tilt = a + u * (4.0 * m - 3.0 * a - b + u * 2.0 * (a - 2.0 * m + b));
+        Field::new(self.ramp.at(c.from + u * c.step), tilt, self.hinge, self.gravity)
+    }
+
+    /// First exit of a particle released at rest at t = 0; `after` finds it at the held speed, from a place and a velocity.
+    pub fn settle(
+        &self,
+        medium: &Medium,
+        particle: &Particle,
+        inside: &Inside,
+        start: [f64; 3],
+        after: impl FnOnce([f64; 3], [f64; 3]) -> Option<Exit>,
+    ) -> Option<Exit> {
+        let s = Settling::new(medium, particle);
+        let mut r = start;
+        let way = WAY * inside.width();
+        for c in &self.cells {
+            let v = s.velocity(c.fields[2].at(r));
+            let parts = ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt() * c.step / way).ceil().clamp(1.0, 4096.0);
+            if parts == 1.0
+                && let Some(next) = free(&s, &c.fields, inside, r, c.step)
+            {
+                r = next;
+                continue;
+            }
+            let mut k = 0.0;
+            while k < parts {
+                let (from, width) = (k / parts, 1.0 / parts);
+                let fields = |share: f64| {
+                    if parts == 1.0 && share == 1.0 { c.fields } else { [0.0, 0.5, 1.0].map(|u| self.between(c, from + u * share * width)) }
+                };
+                match advance(&s, &fields, inside, c.from + from * c.step, r, c.step * width)? {
+                    Way::Inside(next) => r = next,
+                    Way::Left(exit) => return Some(exit),
+                }
+                k += 1.0;
+            }
+        }
+        let t = self.ramp.duration();
+        if medium.drag == Drag::SchillerNaumann {
+            return held(&s, &self.steady, inside, r, t);
+        }
+        let f = Field::new((self.steady.speed, 0.0), self.steady.tilt, self.hinge, self.gravity).at(r);
+        after(r, s.velocity(f)).map(|e| Exit { time: e.time + t, ..e })
+    }
+
+    /// The held state after the run-up.
+    pub fn steady(&self) -> Steady {
+        self.steady
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::separation::cup::Hanging;
+    use crate::separation::exit::Cylinder;
+    use crate::separation::machine::{Bowl, Cup, Separator};
+
+    #[test]
+    fn the_reynolds_number_is_inverted() {
+        for re in [1e-9f64, 0.1, 5.0, 300.0, 999.0] {
+            let back = reynolds(re * transitional::<f64>(re));
+            assert!((back / re - 1.0).abs() < 1e-13, "{re} {back}");
+        }
+        for re in [1001.0f64, 1e5] {
+            assert!((reynolds(re * turbulent::<f64>(re)) / re - 1.0).abs() < 1e-13);
+        }
+        let gap = 0.5 * TURBULENT * (transitional::<f64>(TURBULENT) + turbulent::<f64>(TURBULENT));
+        assert_eq!(reynolds(gap), TURBULENT);
+    }
+
+    /// With Stokes' law the steps give the closed form without inertia, in every vessel.
+    #[test]
+    fn steps_meet_the_closed_form() {
+        let cup = Cup {
+            hanging: SwingingCup { hinge: 0.08, body: Hanging::point(1.0, 0.06), damping: 0.0, gravity: 9.80665 },
+            vessel: Cylinder { radius: 0.014, bottom: 0.1, top: 0.0 },
+            held: None,
+        };
+        let tube = super::super::tube::Tube { mouth: 0.045, angle: 0.5, radius: 0.012, length: 0.09, surface: 0.02 };
+        let bowl = Bowl { length: 0.5, radius: 0.1, surface: 0.05 };
+        let medium = Medium::new(998.2, 1e-3);
+        for separator in [Separator::Cup(cup), Separator::Tube(tube, 9.80665), Separator::Bowl(bowl)] {
+            let turning = separator.at(100.0);
+            let (steady, inside) = (turning.steady().unwrap(), turning.inside().unwrap());
+            for density in [2650.0, 900.0] {
+                let p = Particle { radius: 5e-6, density };
+                for point in (1..20).map(crate::separation::halton::point) {
+                    let Some(start) = turning.start(&point) else { continue };
+                    let a = settle(&medium, &p, &steady, inside, start).unwrap();
+                    let b = turning.drift(medium.rates(&p).sedimentation, start).unwrap();
+                    assert!((a.time / b.time - 1.0).abs() < 1e-8 && a.surface == b.surface, "{} {a:?} {b:?}", separator.word());
+                }
+            }
+        }
+    }
+
+    /// Horizontal, without gravity, on the axis: the run-up counts for its integral of w^2.
+    #[test]
+    fn the_run_up_counts_for_its_integral() {
+        let cup = SwingingCup { hinge: 0.1, body: Hanging::point(1.0, 0.06), damping: 0.0, gravity: 0.0 };
+        let inside = Inside::Cup(Cylinder { radius: 0.5, bottom: 0.2, top: 0.0 });
+        let (medium, p) = (Medium { gravity: 0.0, ..Medium::new(1000.0, 1e-3) }, Particle { radius: 1e-6, density: 2000.0 });
+        let s = medium.rates(&p).sedimentation;
+        let w: f64 = 300.0;
+        for ramp in [Ramp::Linear(w, 20.0), Ramp::Smooth(w, 20.0)] {
+            let climb = Climb::new(&cup, Some(0.5 * PI), &ramp);
+            let steady = climb.steady();
+            let exit = climb
+                .settle(&medium, &p, &inside, [0.0, 0.05, 0.0], |r, _| held(&Settling::new(&medium, &p), &steady, &inside, r, 0.0))
+                .unwrap();
+            let want = (0.3f64 / 0.15).ln() / (s * w * w) + 20.0 - ramp.equivalent();
+            // Euler's acceleration turns the path out of the plane a little
+            assert!((exit.time / want - 1.0).abs() < 1e-6, "{ramp:?} {} {want}", exit.time);
+        }
+    }
+}

@@ -1,0 +1,392 @@
+//! How much of a powder is caught by a time, and the time a share takes, without the steps of counted particles.
+//!
+//! Equations: for N places of the fixed set, with `d_i(t)` the smallest diameter that leaves from the place i by the time t,
+//!
+//! ```text
+//! eta(t) = (1/N) sum_i P(size >= d_i(t))          t_q: the smallest t with eta(t) >= q
+//! ```
+//!
+//! The sum over sizes is exact; only the places are sampled. Without inertia `d_i^2 = const tau_i/t`, which is the first estimate; then the exits of particles
+//! of just those diameters are computed, `ln T` is joined straight over `ln d`, and so on until t_q no longer changes. Powders of single sizes or classes are
+//! counted: place by place, class by class.
+//!
+//! Validity: larger particles leave no later than smaller ones of the same start and density.
+//!
+//! Sources: `theory/separation.md` sections 6 and 9.
+
+use super::batch::Spinning;
+use super::ensemble::quantile;
+use super::exit::{Exit, Surface};
+use super::law::Law;
+use super::motion::Lost;
+use super::particle::Particle;
+use super::ramp::Ramp;
+use rayon::prelude::*;
+
+/// Time counted as the field works: during a run-up less than at full speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clock {
+    /// Times and counted times, s, joined straight; empty: both are equal.
+    points: Vec<(f64, f64)>,
+}
+
+impl Clock {
+    /// Every second counts.
+    pub fn plain() -> Self {
+        Clock { points: vec![] }
+    }
+
+    /// By the field (centrifugal and gravity) at a radius, over the field at the speed that is held.
+    pub fn new(ramp: &Ramp, radius: f64, gravity: f64) -> Self {
+        const CELLS: usize = 400;
+        let field = |t: f64| (ramp.at(t).0.powi(2) * radius).hypot(gravity);
+        let (duration, full) = (ramp.duration(), (ramp.final_speed().powi(2) * radius).hypot(gravity));
+        let h = duration / CELLS as f64;
+        let mut points = vec![(0.0, 0.0)];
+        let mut sum = 0.0;
+        for k in 0..CELLS {
+            let t = h * k as f64;
+            sum += h / 6.0 * (field(t) + 4.0 * field(t + 0.5 * h) + field(t + h)) / full;
+            points.push((t + h, sum));
+        }
+        // a field that vanishes throughout counts nothing
+        if points.windows(2).all(|w| w[1].1 > w[0].1 && w[1].0 > w[0].0) { Clock { points } } else { Clock::plain() }
+    }
+
+    /// Counted time at a time, s.
+    pub fn counted(&self, t: f64) -> f64 {
+        Self::map(&self.points, t, |p| p.0, |p| p.1)
+    }
+    /// Time of a counted time, s.
+    pub fn time(&self, counted: f64) -> f64 {
+        Self::map(&self.points, counted, |p| p.1, |p| p.0)
+    }
+
+    fn map(points: &[(f64, f64)], x: f64, from: impl Fn(&(f64, f64)) -> f64, to: impl Fn(&(f64, f64)) -> f64) -> f64 {
+        let k = points.partition_point(|p| from(p) < x);
+        match (k.checked_sub(1).and_then(|i| points.get(i)), points.get(k)) {
+            (Some(a), Some(b)) => to(a) + (to(b) - to(a)) * (x - from(a)) / (from(b) - from(a)),
+            (Some(last), None) => to(last) + (x - from(last)),
+            _ => x,
+        }
+    }
+}
+
+/// Time of exit over size for one place and density, in logarithms.
+#[derive(Clone, Debug)]
+struct Curve {
+    density: f64,
+    /// ln of the product of sedimentation coefficient and counted time without inertia; `None`: never leaves.
+    product: Option<f64>,
+    /// ln of the sedimentation coefficient of a diameter of 1 m.
+    unit: f64,
+    /// (ln diameter, ln counted time), diameters increasing, times falling.
+    nodes: Vec<(f64, f64)>,
+    surface: Option<Surface>,
+}
+
+impl Curve {
+    /// ln of the smallest diameter that leaves by a counted time (its ln).
+    fn critical(&self, counted: f64) -> f64 {
+        let Some(product) = self.product else { return f64::INFINITY };
+        let k = self.nodes.partition_point(|n| n.1 > counted);
+        let between = |a: (f64, f64), b: (f64, f64)| a.0 + (b.0 - a.0) * (counted - a.1) / (b.1 - a.1);
+        match (k.checked_sub(1).map(|i| self.nodes[i]), self.nodes.get(k)) {
+            (None, None) => 0.5 * (product - self.unit - counted),
+            // small particles: Stokes
+            (None, Some(b)) => b.0 - 0.5 * (counted - b.1),
+            (Some(a), Some(b)) => between(a, *b),
+            (Some(b), None) => {
+                let slope = match k.checked_sub(2).map(|i| self.nodes[i]) {
+                    Some(a) => ((b.1 - a.1) / (b.0 - a.0)).clamp(-2.5, -0.2),
+                    None => -2.0,
+                };
+                b.0 + (counted - b.1) / slope
+            }
+        }
+    }
+
+    fn add(&mut self, diameter: f64, exit: Option<Exit>, clock: &Clock) {
+        let Some(e) = exit else { return };
+        let node = (diameter, clock.counted(e.time).max(f64::MIN_POSITIVE).ln());
+        self.surface = Some(e.surface);
+        let k = self.nodes.partition_point(|n| n.0 < node.0);
+        // the curve falls: a larger particle is not later
+        let fits =
+            k.checked_sub(1).is_none_or(|i| self.nodes[i].1 > node.1) && self.nodes.get(k).is_none_or(|n| n.1 < node.1 && n.0 > node.0);
+        if fits && node.1.is_finite() {
+            self.nodes.insert(k, node);
+        }
+    }
+}
+
+/// What a share takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Needed {
+    /// Time, s; infinite when the share is never caught, NaN without particles.
+    pub time: f64,
+    /// Largest difference to the same with the first half and the first quarter of the places, s: an indication of what the sampling of places leaves open, not a bound.
+    pub spread: f64,
+}
+
+/// The recovery of a batch at one speed.
+pub struct Recovery<'a> {
+    spinning: &'a Spinning<'a>,
+    found: Kind,
+}
+
+enum Kind {
+    Smooth(Vec<Curve>),
+    /// Exit time, surface, place and weight, in order of time.
+    Counted(Vec<(f64, Option<Surface>, usize, f64)>),
+}
+
+/// Change of ln t that ends the search: what is left is its square times the curvature of ln T over ln d; most rounds; share of the powder that no longer counts.
+const CONVERGED: f64 = 1e-6;
+const ROUNDS: usize = 20;
+const SETTLED: f64 = 1e-10;
+const NOTHING: f64 = 1e-9;
+
+impl<'a> Recovery<'a> {
+    /// Without exits known yet.
+    ///
+    /// # Errors
+    /// When an integration fails.
+    pub fn new(spinning: &'a Spinning<'a>) -> Result<Self, Lost> {
+        let b = spinning.batch;
+        let least = b.from.unwrap_or(0.0);
+        let classes: Option<Vec<(f64, f64)>> = match &b.powder.size {
+            // a powder without particles as large as those that count: those
+            Law::Single(d) => Some(vec![(d.max(least), 1.0)]),
+            Law::Classes(all) => Some(all.iter().copied().filter(|c| c.0 >= least).collect()),
+            law if b.from.is_some_and(|d| !(law.above(d) > 0.0)) => Some(vec![(least, 1.0)]),
+            _ => None,
+        };
+        let found = match classes {
+            Some(classes) => {
+                let sum: f64 = classes.iter().map(|c| c.1).sum();
+                let all: Result<Vec<_>, Lost> = (0..spinning.crowd.len() * classes.len())
+                    .into_par_iter()
+                    .map(|k| {
+                        let (i, (d, share)) = (k / classes.len(), classes[k % classes.len()]);
+                        let m = &spinning.crowd[i];
+                        let p = Particle { radius: 0.5 * d, density: b.powder.density.quantile(m.point.density) };
+                        let exit = spinning.exit(&p, m)?;
+                        let time = exit.map_or(f64::INFINITY, |e| e.time);
+                        Ok((time, exit.map(|e| e.surface), i, share / sum / spinning.crowd.len() as f64))
+                    })
+                    .collect();
+                let mut all = all?;
+                all.sort_by(|a, b| a.0.total_cmp(&b.0));
+                Kind::Counted(all)
+            }
+            None => {
+                let curves = spinning
+                    .crowd
+                    .par_iter()
+                    .map(|m| {
+                        let density = b.powder.density.quantile(m.point.density);
+                        let unit = b.medium.rates(&Particle { radius: 0.5, density }).sedimentation;
+                        let exit = spinning.turning.drift(unit.signum(), m.start).filter(|e| e.time > 0.0 && unit != 0.0);
+                        Curve {
+                            density,
+                            product: exit.map(|e| e.time.ln()),
+                            unit: unit.abs().ln(),
+                            nodes: vec![],
+                            surface: exit.map(|e| e.surface),
+                        }
+                    })
+                    .collect();
+                Kind::Smooth(curves)
+            }
+        };
+        Ok(Recovery { spinning, found })
+    }
+
+    /// Share of the powder whose logarithms of diameters lie above `ln_d`.
+    fn above(&self, ln_d: f64) -> f64 {
+        let b = self.spinning.batch;
+        let d = ln_d.exp();
+        match b.from {
+            Some(least) => b.powder.size.above(d.max(least)) / b.powder.size.above(least),
+            None => b.powder.size.above(d),
+        }
+    }
+
+    fn smooth(&self, curves: &[Curve], counted: f64) -> f64 {
+        curves.iter().map(|c| self.above(c.critical(counted))).sum::<f64>() / curves.len() as f64
+    }
+
+    /// ln of the counted time in which the share is caught, from an estimate of it; infinite when never.
+    fn solve(&self, curves: &[Curve], share: f64, guess: f64) -> f64 {
+        let miss = |x: f64| self.smooth(curves, x) - share * (1.0 - 1e-13);
+        let (mut low, mut high) = (guess - 0.01, guess + 0.01);
+        let (mut below, mut beyond) = (miss(low), miss(high));
+        let mut width = 0.05;
+        // NaN ends at once
+        while below >= 0.0 || beyond < 0.0 {
+            if width > 2000.0 {
+                return if beyond < 0.0 { f64::INFINITY } else { low };
+            }
+            if below >= 0.0 {
+                (high, beyond) = (low, below);
+                low -= width;
+                below = miss(low);
+            } else {
+                (low, below) = (high, beyond);
+                high += width;
+                beyond = miss(high);
+            }
+            width *= 2.0;
+        }
+        for k in 0..200 {
+            if !(high - low > 1e-13) {
+                break;
+            }
+            // secant, and the middle every third time
+            let x = if k % 3 == 2 { 0.5 * (low + high) } else { low + (high - low) * (below / (below - beyond)).clamp(1e-4, 1.0 - 1e-4) };
+            let f = miss(x);
+            if f >= 0.0 { (high, beyond) = (x, f) } else { (low, below) = (x, f) }
+        }
+        high
+    }
+
+    /// Computes the exits of the particles that are just caught by a counted time.
+    fn refine(&mut self, counted: f64) -> Result<(), Lost> {
+        let spinning = self.spinning;
+        let Kind::Smooth(curves) = &self.found else { return Ok(()) };
+        let exits: Vec<Option<(f64, Option<Exit>)>> = curves
+            .par_iter()
+            .zip(&spinning.crowd)
+            .map(|(c, m)| {
+                let ln_d = c.critical(counted);
+                let share = self.above(ln_d);
+                let known = c.nodes.iter().any(|n| (n.0 - ln_d).abs() < 1e-13);
+                if c.product.is_none() || !(share > NOTHING && 1.0 - share > NOTHING) || known {
+                    return Ok(None);
+                }
+                let particle = Particle { radius: 0.5 * ln_d.exp(), density: c.density };
+                Ok(Some((ln_d, spinning.exit(&particle, m)?)))
+            })
+            .collect::<Result<_, Lost>>()?;
+        if let Kind::Smooth(curves) = &mut self.found {
+            for (c, found) in curves.iter_mut().zip(exits) {
+                if let Some((ln_d, exit)) = found {
+                    c.add(ln_d, exit, &spinning.clock);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes along exits of the members with their own sizes.
+    pub fn learn(&mut self, exits: &[Option<Exit>]) {
+        let spinning = self.spinning;
+        if let Kind::Smooth(curves) = &mut self.found {
+            for ((c, m), e) in curves.iter_mut().zip(&spinning.crowd).zip(exits) {
+                c.add(spinning.batch.powder.size.quantile(m.point.size).ln(), *e, &spinning.clock);
+            }
+        }
+    }
+
+    /// Time a share takes.
+    ///
+    /// # Errors
+    /// When an integration fails.
+    pub fn needed(&mut self, share: f64) -> Result<Needed, Lost> {
+        let spinning = self.spinning;
+        if spinning.crowd.is_empty() {
+            return Ok(Needed { time: f64::NAN, spread: f64::NAN });
+        }
+        let parts = [2, 4].map(|k| spinning.crowd.len().div_ceil(k));
+        // NaN stays
+        let largest = |time: f64, other: [f64; 2]| other.map(|t| (t - time).abs()).into_iter().reduce(|a, b| if a >= b { a } else { b });
+        if let Kind::Counted(all) = &self.found {
+            let of = |n: usize| order(&all.iter().filter(|x| x.2 < n).map(|x| (x.0, x.3)).collect::<Vec<_>>(), share);
+            let time = of(spinning.crowd.len());
+            return Ok(Needed { time, spread: largest(time, parts.map(of)).unwrap_or(f64::NAN) });
+        }
+        let mut x = self.guess();
+        for round in 0..ROUNDS {
+            let Kind::Smooth(curves) = &self.found else { break };
+            let next = self.solve(curves, share, x);
+            if !next.is_finite() {
+                return Ok(Needed { time: f64::INFINITY, spread: f64::NAN });
+            }
+            let done = round > 0 && (next - x).abs() < CONVERGED;
+            x = next;
+            if done {
+                break;
+            }
+            self.refine(x)?;
+        }
+        let Kind::Smooth(curves) = &self.found else { return Ok(Needed { time: f64::NAN, spread: f64::NAN }) };
+        let time = spinning.clock.time(x.exp());
+        let other = parts.map(|n| spinning.clock.time(self.solve(&curves[..n], share, x).exp()));
+        Ok(Needed { time, spread: largest(time, other).unwrap_or(f64::NAN) })
+    }
+
+    /// A counted time (its ln) from which to search: of a particle of median size.
+    fn guess(&self) -> f64 {
+        let Kind::Smooth(curves) = &self.found else { return 0.0 };
+        let d = self.spinning.batch.powder.size.quantile(0.5).ln();
+        let times = curves.iter().filter_map(|c| Some(c.product? - c.unit - 2.0 * d)).filter(|x| x.is_finite());
+        times.reduce(f64::max).unwrap_or(0.0)
+    }
+
+    /// Share caught by a time, with the exits of the particles just caught by then.
+    ///
+    /// # Errors
+    /// When an integration fails.
+    pub fn caught(&mut self, time: f64) -> Result<f64, Lost> {
+        let counted = self.spinning.clock.counted(time).ln();
+        let mut share = self.share(time);
+        for _ in 0..ROUNDS {
+            self.refine(counted)?;
+            let next = self.share(time);
+            let done = (next - share).abs() < SETTLED;
+            share = next;
+            if done {
+                break;
+            }
+        }
+        Ok(share)
+    }
+
+    /// Share caught by a time, from the exits known.
+    pub fn share(&self, time: f64) -> f64 {
+        match &self.found {
+            Kind::Counted(all) => all.iter().take_while(|x| x.0 <= time).map(|x| x.3).sum(),
+            Kind::Smooth(curves) => self.smooth(curves, self.spinning.clock.counted(time).ln()),
+        }
+    }
+
+    /// The part of it that leaves through a surface.
+    pub fn share_at(&self, time: f64, surface: Surface) -> f64 {
+        match &self.found {
+            Kind::Counted(all) => all.iter().take_while(|x| x.0 <= time).filter(|x| x.1 == Some(surface)).map(|x| x.3).sum(),
+            Kind::Smooth(curves) => {
+                let counted = self.spinning.clock.counted(time).ln();
+                let own = curves.iter().filter(|c| c.surface == Some(surface));
+                own.map(|c| self.above(c.critical(counted))).sum::<f64>() / curves.len() as f64
+            }
+        }
+    }
+}
+
+/// Weighted order statistic: the first time by which the share has left.
+fn order(all: &[(f64, f64)], share: f64) -> f64 {
+    let Some(first) = all.first() else { return f64::NAN };
+    // equal weights: the order statistic by its number
+    if all.iter().all(|x| x.1 == first.1) {
+        let times: Vec<f64> = all.iter().map(|x| x.0).collect();
+        return quantile(&times, share);
+    }
+    let total: f64 = all.iter().map(|x| x.1).sum();
+    let mut sum = 0.0;
+    let found = all.iter().find(|x| {
+        sum += x.1;
+        sum >= (share - 1e-9 / all.len() as f64) * total
+    });
+    found.or(all.last()).map_or(f64::NAN, |x| x.0)
+}

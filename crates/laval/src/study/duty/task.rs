@@ -1,0 +1,162 @@
+//! What a study asks of a separation: the same words, the same checks and the same particles in every study.
+
+use super::{Suspension, Vessel, the_suspension, the_vessel, wrong};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::System;
+use crate::outcome::quantity;
+use crate::separation::batch::{Batch, RunUp};
+use crate::separation::ensemble::Model;
+use crate::separation::machine::Separator;
+use crate::separation::motion::Lost;
+use crate::separation::particle::Drag;
+use crate::separation::recovery::{Needed, Recovery};
+
+/// A separation that is asked for.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// What separates.
+    pub vessel: Vessel,
+    /// What is separated.
+    pub suspension: Suspension,
+    /// Time at hand, s: from the start of the run-up; the residence time of a machine that liquid flows through.
+    pub time: f64,
+    /// Throughput, m^3/s, when it was given.
+    pub throughput: Option<f64>,
+    /// Share to be caught.
+    pub recovery: f64,
+    /// How it is computed; without a run-up yet.
+    pub batch: Batch,
+}
+
+/// Throughput.
+pub const THROUGHPUT: Field = Field::optional(
+    "throughput",
+    FieldKind::Quantity { unit: "m^3/s", bounds: Bounds::positive(1e3) },
+    "",
+    "flow through a bowl, disc stack or decanter; it gives the residence time",
+);
+/// Share.
+pub const RECOVERY: Field = Field::optional(
+    "recovery",
+    FieldKind::Quantity { unit: "", bounds: Bounds { min: 0.0, max: 1.0, min_open: true } },
+    "0.95",
+    "share to be caught, q",
+);
+/// Size.
+pub const DIAMETER: Field = Field::optional(
+    "diameter",
+    FieldKind::Quantity { unit: "m", bounds: Bounds { min: 0.0, max: 0.1, min_open: true } },
+    "",
+    "the share counts among the particles of this size and larger, instead of the whole powder",
+);
+/// Places.
+pub const PARTICLES: Field = Field::optional(
+    "particles",
+    FieldKind::Integer { min: 16, max: 10_000_000 },
+    "1024",
+    "places of the fixed set at which particles start",
+);
+/// Model.
+pub const MODEL: Field = Field::optional(
+    "model",
+    FieldKind::Choice(&[
+        (
+            "adaptive",
+            "exact at a held speed with Stokes' drag; otherwise with inertia for particles whose drag rate is below 300 times the spin speed, drifting for the rest",
+        ),
+        ("exact", "inertia of every particle, the swing of the cups in a run-up"),
+        ("drifting", "drag and field in balance"),
+    ]),
+    "adaptive",
+    "motion of the particles",
+);
+/// Start.
+pub const START: Field = Field::optional(
+    "start",
+    FieldKind::Choice(&[
+        ("even", "spread evenly over the liquid"),
+        ("slowest", "all on the axis where it takes longest: full clearing, as k-factor and Sigma count"),
+    ]),
+    "even",
+    "where particles start",
+);
+
+/// Reads a task; says all that is wrong. `time` holds when none is given.
+pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagnostics) -> Option<Task> {
+    let before = out.0.len();
+    let vessel = the_vessel(values, system, out);
+    let suspension = the_suspension(values, system, out);
+    let (vessel, suspension) = (vessel?, suspension?);
+    let throughput = values.number("throughput");
+    let time = match (vessel.separator.flow_volume(), throughput, values.number("time")) {
+        (Some(volume), Some(q), None) => volume / q,
+        (None, None, given) => match given.or(time) {
+            Some(t) => t,
+            None => {
+                let message = "the time in which the cups must have separated is needed".into();
+                wrong(out, values, "time", "separation.time", message, "add time = \"30 min\"");
+                return None;
+            }
+        },
+        (Some(_), ..) => {
+            let message = format!("liquid flows through \"{}\": its throughput is needed, not a time", vessel.name);
+            wrong(out, values, "throughput", "separation.throughput", message, "add throughput = \"500 l/h\", and no time");
+            return None;
+        }
+        (None, Some(_), _) => {
+            let message = format!("nothing flows through \"{}\"", vessel.name);
+            wrong(out, values, "throughput", "separation.throughput", message, "give time = \"10 min\" instead");
+            return None;
+        }
+    };
+    let nonlinear = suspension.medium.drag == Drag::SchillerNaumann;
+    if nonlinear && matches!(vessel.separator, Separator::Decanter(_)) {
+        let message = "a decanter is counted by its Sigma, which exists for Stokes' drag alone".into();
+        wrong(out, values, "cup", "separation.drag", message, "use drag = \"stokes\" in [suspension], or a tubular_bowl of the same Sigma");
+    }
+    let (powder, liquid) = (&suspension.powder, suspension.medium.density);
+    if powder.density.quantile(0.5) == liquid && powder.density.is_single() {
+        let message = "particles and liquid have the same density: nothing separates".into();
+        wrong(out, values, "", "separation.neutral", message, "give particle_density another value than liquid_density");
+    }
+    let (wide, middle) = (vessel.separator.width(), powder.size.quantile(0.5));
+    if !(middle <= wide) {
+        let message =
+            format!("particles of {} do not fit into \"{}\", which is {} wide", quantity(middle, "m"), vessel.name, quantity(wide, "m"));
+        wrong(out, values, "", "separation.size", message, "check the unit of the diameter in [suspension]");
+    }
+    if out.0.len() > before {
+        return None;
+    }
+    let batch = Batch {
+        separator: vessel.separator,
+        medium: suspension.medium,
+        powder: suspension.powder.clone(),
+        from: values.number("diameter"),
+        places: values.integer("particles").map_or(1024, |n| n.max(1) as usize),
+        slowest: values.choice("start") == Some("slowest"),
+        model: match values.choice("model") {
+            Some("drifting") => Model::Drifting,
+            Some("exact") => Model::Inertial,
+            _ => Model::Adaptive,
+        },
+        run_up: RunUp::None,
+    };
+    Some(Task { vessel, suspension, time, throughput, recovery: values.number("recovery").unwrap_or(0.95), batch })
+}
+
+/// A particle whose path could not be computed.
+pub fn lost(Lost(why): Lost) -> Diagnostic {
+    Diagnostic::error("separation.motion", format!("the path of a particle could not be computed: {why}"))
+        .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
+}
+
+/// Time a share of a batch takes at a speed.
+///
+/// # Errors
+/// When a path cannot be computed.
+pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<Needed, Diagnostic> {
+    let spinning = batch.at(speed);
+    Recovery::new(&spinning).and_then(|mut r| r.needed(share)).map_err(lost)
+}

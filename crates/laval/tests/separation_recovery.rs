@@ -1,0 +1,209 @@
+//! The one account of time of all studies: it converges with the number of places, meets second methods, and is the same in the window and in the separation.
+
+mod common;
+
+use laval::file::load;
+use laval::outcome::Outcome;
+use laval::separation::batch::{Batch, RunUp};
+use laval::separation::cup::{Hanging, SwingingCup};
+use laval::separation::ensemble::{Model, Powder, leave, members, paired_members, quantile, sorted};
+use laval::separation::exit::Cylinder;
+use laval::separation::law::Law;
+use laval::separation::machine::{Bowl, Cup, Discs, Separator};
+use laval::separation::particle::{Drag, Medium, Particle};
+use laval::separation::recovery::{Needed, Recovery};
+use laval::separation::tube::Tube;
+use laval::study::Context;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+const RPM: f64 = PI / 30.0;
+
+fn cups(damping: f64) -> Separator {
+    Separator::Cup(Cup {
+        hanging: SwingingCup { hinge: 0.2, body: Hanging::point(2.6, 0.17), damping, gravity: 9.80665 },
+        vessel: Cylinder { radius: 0.045, bottom: 0.3, top: 0.02 },
+        held: None,
+    })
+}
+
+/// Sand in hot crude oil.
+fn sand(places: usize) -> Batch {
+    Batch {
+        separator: cups(2.0),
+        medium: Medium { volume_fraction: 0.02, ..Medium::new(870.0, 15e-3) },
+        powder: Powder { size: Law::RosinRammler { characteristic: 25e-6, spread: 1.3 }, density: Law::Single(2650.0) },
+        from: None,
+        places,
+        slowest: false,
+        model: Model::Adaptive,
+        run_up: RunUp::None,
+    }
+}
+
+fn needed(batch: &Batch, speed: f64, share: f64) -> Needed {
+    let spinning = batch.at(speed);
+    Recovery::new(&spinning).unwrap().needed(share).unwrap()
+}
+
+/// Doubling the places closes in on one value, with and without the run-up; the difference to half and a quarter of the places tells what is left.
+#[test]
+fn times_converge_with_the_places() {
+    let w = 1174.0 * RPM;
+    for run_up in [RunUp::None, RunUp::Linear(60.0 / (2600.0 * RPM))] {
+        let at = |places: usize| needed(&Batch { run_up: run_up.clone(), ..sand(places) }, w, 0.95);
+        let limit = at(1 << 17);
+        for k in 8..=15 {
+            let n = at(1 << k);
+            let error = (n.time - limit.time).abs();
+            // faster than random places, whose error falls like N^-1/2
+            assert!(error < limit.time * f64::from(1 << k).powf(-0.75), "{k}: {error:e}");
+            // the differences between parts of the set tell how much is left open
+            assert!(error < 2.0 * n.spread, "{k}: {error:e} {n:?}");
+        }
+        // any number of places, not only powers of two
+        for places in [1000, 3000, 5000] {
+            let n = at(places);
+            assert!((n.time - limit.time).abs() < limit.time * (places as f64).powf(-0.75), "{places}");
+        }
+    }
+}
+
+/// A second method: sizes sampled as well, a million particles counted one by one.
+#[test]
+fn counted_particles_meet_the_sum() {
+    let (batch, w) = (sand(1 << 13), 1174.0 * RPM);
+    let turning = batch.separator.at(w);
+    let crowd = members(&turning, 1 << 20);
+    let times: Vec<Option<f64>> = crowd
+        .par_iter()
+        .map(|m| leave(&turning, &batch.medium, &batch.powder.particle(&m.point), m, Model::Inertial).map(|e| e.time))
+        .collect();
+    let times = sorted(times.into_iter());
+    let spinning = batch.at(w);
+    let mut recovery = Recovery::new(&spinning).unwrap();
+    for share in [0.5, 0.9, 0.95] {
+        let n = recovery.needed(share).unwrap();
+        let counted = quantile(&times, share);
+        assert!((n.time / counted - 1.0).abs() < 2e-3, "{share}: {} {counted}", n.time);
+        // and back
+        assert!((recovery.caught(n.time).unwrap() - share).abs() < 1e-8);
+    }
+}
+
+/// A powder of one size and one of classes: the order statistics of the members.
+#[test]
+fn single_sizes_are_counted() {
+    let batch = Batch { powder: Powder { size: Law::Single(8e-6), density: Law::Single(2650.0) }, ..sand(999) };
+    let w = 1000.0 * RPM;
+    let turning = batch.separator.at(w);
+    let time = |d: f64| {
+        let p = Particle { radius: 0.5 * d, density: 2650.0 };
+        paired_members(&turning, 999)
+            .iter()
+            .map(|m| leave(&turning, &batch.medium, &p, m, Model::Inertial).map(|e| e.time))
+            .collect::<Vec<_>>()
+    };
+    let single = sorted(time(8e-6).into_iter());
+    for share in [0.1, 0.5, 0.95, 1.0] {
+        assert_eq!(needed(&batch, w, share).time, quantile(&single, share));
+    }
+    let classes = Law::classes(&[4e-6, 8e-6], &[1.0, 1.0]).unwrap();
+    let both = sorted(time(8e-6).into_iter().chain(time(4e-6)));
+    let batch = Batch { powder: Powder { size: classes, ..batch.powder.clone() }, ..batch };
+    assert_eq!(needed(&batch, w, 0.7).time, quantile(&both, 0.7));
+    // only the larger class counts
+    let larger = Batch { from: Some(5e-6), ..batch };
+    assert_eq!(needed(&larger, w, 0.7).time, quantile(&single, 0.7));
+}
+
+/// Inertia in the run-up, and the swing of the cups: what the adaptive account leaves out.
+#[test]
+fn run_up_with_and_without_inertia() {
+    let w = 1174.0 * RPM;
+    let batch = Batch { run_up: RunUp::Linear(60.0 / (2600.0 * RPM)), ..sand(24) };
+    let exact = needed(&Batch { model: Model::Inertial, ..batch.clone() }, w, 0.95).time;
+    let adaptive = needed(&batch, w, 0.95).time;
+    assert!((adaptive / exact - 1.0).abs() < 2e-5, "{exact} {adaptive}");
+    // a run-up that is most of the time: the cups swing while particles settle
+    let slow = Batch { run_up: RunUp::Smooth(400.0 / w), ..batch };
+    let (a, b) = (needed(&Batch { model: Model::Inertial, ..slow.clone() }, w, 0.6).time, needed(&slow, w, 0.6).time);
+    assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+}
+
+/// The drag law of Schiller and Naumann in every vessel that has a path: drifting against the full integration.
+#[test]
+fn nonlinear_drag_in_every_vessel() {
+    let tube = Separator::Tube(Tube { mouth: 0.045, angle: 0.5, radius: 0.012, length: 0.09, surface: 0.02 }, 9.80665);
+    let bowl = Separator::Bowl(Bowl { length: 0.5, radius: 0.1, surface: 0.05 });
+    for (separator, w, viscosity) in [(cups(0.0), 100.0, 0.03), (tube, 300.0, 0.1), (bowl, 300.0, 0.1)] {
+        let medium = Medium { drag: Drag::SchillerNaumann, ..Medium::new(900.0, viscosity) };
+        let powder = Powder { size: Law::LogNormal { median: 200e-6, gsd: 1.5 }, density: Law::Single(2650.0) };
+        let batch = Batch { separator, medium, powder, model: Model::Drifting, ..sand(24) };
+        let drifting = needed(&batch, w, 0.9).time;
+        let exact = needed(&Batch { model: Model::Inertial, ..batch.clone() }, w, 0.9).time;
+        let stokes = needed(&Batch { medium: Medium { drag: Drag::Stokes, ..medium }, ..batch.clone() }, w, 0.9).time;
+        assert!((drifting / exact - 1.0).abs() < 2e-2, "{}: {drifting} {exact}", separator.word());
+        assert!(exact > 1.04 * stokes, "{}: the law makes a difference", separator.word());
+    }
+    // a disc stack: small particles as by Stokes' law, large ones later
+    let discs = Separator::Discs(Discs { inner: 0.08, outer: 0.25, angle: 0.96, gaps: 100.0, spacing: 0.5e-3 });
+    let time = |d: f64, drag: Drag| {
+        let powder = Powder { size: Law::Single(d), density: Law::Single(2650.0) };
+        needed(&Batch { separator: discs, medium: Medium { drag, ..Medium::new(900.0, 1e-3) }, powder, ..sand(64) }, 400.0, 1.0).time
+    };
+    assert!((time(1e-9, Drag::SchillerNaumann) / time(1e-9, Drag::Stokes) - 1.0).abs() < 1e-6);
+    assert!(time(1e-4, Drag::SchillerNaumann) > 2.0 * time(1e-4, Drag::Stokes));
+}
+
+fn run(text: &str, study: usize) -> Outcome {
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+    loaded.studies[study].study.run(&loaded.system, &Context::quiet("recovery")).unwrap_or_else(|d| panic!("{d:?}"))
+}
+
+/// The example asks both studies: at the recommended speed both say the same, and the lower end of the window just separates.
+#[test]
+fn the_window_and_the_separation_agree() {
+    let text = include_str!("../../../examples/05-oil-desludging/machine.toml");
+    let text = &text[..text.find("# The separation at the recommended speed").unwrap()];
+    let window = run(text, 0);
+    let speeds = window.find_table("speeds").unwrap();
+    let at = |name: &str, i: usize| speeds.column(name).unwrap().number(i).unwrap();
+    let low = window.find_table("window").unwrap().column("low").unwrap().number(0).unwrap();
+    let rows: Vec<usize> = (0..speeds.rows()).filter(|&i| at("speed", i) >= low * (1.0 - 1e-12)).step_by(40).collect();
+    assert!(rows.len() >= 3);
+    for i in rows {
+        let (w, t) = (at("speed", i), at("time", i));
+        let ramp = 60.0 * w / (2600.0 * RPM);
+        let study = format!(
+            "[[study]]\nkind = \"separation\"\nspeed = {w:e}\ntime = \"8 min\"\nparticles = 2048\nramp = {ramp:e}\nramp_shape = \"linear\"\n"
+        );
+        let separation = run(&format!("{text}\n{study}"), 1);
+        let found = separation.findings.iter().find(|f| f.id == "time_needed").unwrap().value.unwrap();
+        assert!((found / t - 1.0).abs() < 1e-9, "{w}: {found} {t}");
+        if (w / low - 1.0).abs() < 1e-9 {
+            let caught = separation.findings.iter().find(|f| f.id == "caught").unwrap().value.unwrap();
+            assert!((caught - 0.95).abs() < 1e-8, "{caught}");
+        }
+    }
+}
+
+/// No start leaves much earlier or later with inertia than without: small particles in every place of the set, on the surfaces too.
+#[test]
+fn inertia_of_small_particles_is_small() {
+    let (batch, w) = (sand(1 << 15), 1174.0 * RPM);
+    let spinning = batch.at(w);
+    for d in [1e-6, 3e-6] {
+        let p = Particle { radius: 0.5 * d, density: 2650.0 };
+        let s = batch.medium.rates(&p).sedimentation;
+        let mut worst = (0.0, 0);
+        for (i, m) in spinning.crowd.iter().enumerate() {
+            let (a, b) = (spinning.exit(&p, m).unwrap().unwrap(), spinning.turning.drift(s, m.start).unwrap());
+            let off = (a.time / b.time - 1.0).abs();
+            if off > worst.0 {
+                worst = (off, i);
+            }
+        }
+        assert!(worst.0 < 1e-2, "{d}: {worst:?}");
+    }
+}
