@@ -10,7 +10,7 @@ use crate::separation::ensemble::Model;
 use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
-use crate::separation::recovery::{Needed, Recovery};
+use crate::separation::recovery::Recovery;
 
 /// A separation that is asked for.
 #[derive(Clone, Debug)]
@@ -152,11 +152,11 @@ pub fn lost(Lost(why): Lost) -> Diagnostic {
         .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
 }
 
-/// Time a share of a batch takes at a speed.
+/// Time a share of a batch takes at a speed, s.
 ///
 /// # Errors
 /// When a path cannot be computed.
-pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<Needed, Diagnostic> {
+pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<f64, Diagnostic> {
     let spinning = batch.at(speed);
-    Recovery::new(&spinning).and_then(|mut r| r.needed(share)).map_err(lost)
+    Recovery::new(&spinning).and_then(|mut r| r.time(share)).map_err(lost)
 }
