@@ -16,6 +16,8 @@ const CSS: &str = include_str!("assets/report.css");
 const JS: &str = include_str!("assets/report.js");
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
+/// Special points shown without unfolding.
+const FEW_POINTS: usize = 12;
 /// Results listed in the summary; warnings are always listed.
 const MOST_RESULTS: usize = 10;
 
@@ -193,9 +195,15 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
 fn special(s: &mut String, o: &Outcome) {
     let (name, unit) = o.parameter.as_ref().map_or(("at", String::new()), |p| (p.name.as_str(), unit_text(&p.unit)));
     let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
+    // many would push the figures of the next study out of sight
+    let folded = o.special_points.len() > FEW_POINTS;
+    s.push_str("<h3>Special points</h3>\n");
+    if folded {
+        let _ = writeln!(s, "<details class=\"table\"><summary>Located points <span class=\"kind\">{} points</span></summary>", o.special_points.len());
+    }
     let _ = write!(
         s,
-        "<h3>Special points</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Special points\"><table><thead><tr><th class=\"w\">kind</th>\
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Special points\"><table><thead><tr><th class=\"w\">kind</th>\
          <th>{}{unit}</th><th>bracket width{unit}</th><th class=\"w\">status</th><th class=\"w\">evidence</th></tr></thead><tbody>",
         escape(name)
     );
@@ -218,6 +226,9 @@ fn special(s: &mut String, o: &Outcome) {
     s.push_str("</tbody></table></div>\n");
     if o.special_points.len() > MOST_ROWS {
         let _ = writeln!(s, "<p class=\"more\">and {} more in results.json</p>", o.special_points.len() - MOST_ROWS);
+    }
+    if folded {
+        s.push_str("</details>\n");
     }
 }
 
