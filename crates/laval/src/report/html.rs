@@ -199,7 +199,11 @@ fn special(s: &mut String, o: &Outcome) {
     let folded = o.special_points.len() > FEW_POINTS;
     s.push_str("<h3>Special points</h3>\n");
     if folded {
-        let _ = writeln!(s, "<details class=\"table\"><summary>Located points <span class=\"kind\">{} points</span></summary>", o.special_points.len());
+        let _ = writeln!(
+            s,
+            "<details class=\"table\"><summary>Located points <span class=\"kind\">{} points</span></summary>",
+            o.special_points.len()
+        );
     }
     let _ = write!(
         s,
