@@ -75,7 +75,7 @@ fn a_case_that_holds() {
 fn a_wrong_value_fails() {
     let dir = Dir::new("validate-wrong");
     dir.file("validation/linear/mass.md", PAGE);
-    dir.file("validation/linear/wrong.md", &PAGE.replace("| 10 |", "| 10.001 |"));
+    dir.file("validation/linear/wrong.md", PAGE.replace("| 10 |", "| 10.001 |"));
     let (code, out, err) = validate(&dir, &[]);
     assert_eq!(code, 1);
     assert!(out.contains("open  CHANGED"), "{out}");
@@ -92,7 +92,7 @@ fn a_stated_difference_that_is_gone_fails() {
         .replace("| Verdict | agrees |", "| Verdict | differs (explained) |")
         .replace("tolerance |\n| --- |", "tolerance | verdict |\n| --- | --- |")
         .replace("1e-12 relative |", "1e-12 relative | differs |");
-    dir.file("validation/linear/mass.md", &format!("{page}\n## Why it differs\n\nIt does not.\n"));
+    dir.file("validation/linear/mass.md", format!("{page}\n## Why it differs\n\nIt does not.\n"));
     let (code, _, err) = validate(&dir, &[]);
     assert_eq!(code, 1);
     assert!(err.contains("agrees instead of differs") && err.contains("states \"differs (explained)\""), "{err}");
@@ -101,8 +101,8 @@ fn a_stated_difference_that_is_gone_fails() {
 #[test]
 fn a_case_that_cannot_run_or_be_read_fails_at_its_line() {
     let dir = Dir::new("validate-broken");
-    dir.file("validation/linear/machine.md", &PAGE.replace("stiffness = \"400 N/m\"", "stiffness = \"400 kg\""));
-    dir.file("validation/linear/page.md", &PAGE.replace("closed form", "hearsay"));
+    dir.file("validation/linear/machine.md", PAGE.replace("stiffness = \"400 N/m\"", "stiffness = \"400 kg\""));
+    dir.file("validation/linear/page.md", PAGE.replace("closed form", "hearsay"));
     let (code, out, err) = validate(&dir, &[]);
     assert_eq!(code, 1);
     assert!(out.contains("cannot run") && out.contains("cannot be read"), "{out}");
