@@ -20,7 +20,7 @@ use super::recovery::Clock;
 use super::vessel::Inside;
 
 /// Drag rate over spin speed n/w below which inertia is taken along.
-pub const FELT: f64 = 300.0;
+pub const FELT: f64 = 100.0;
 /// Local error of integrations, relative.
 pub const EXACT: f64 = 1e-9;
 

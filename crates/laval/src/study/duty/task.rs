@@ -63,7 +63,7 @@ pub const MODEL: Field = Field::optional(
     FieldKind::Choice(&[
         (
             "adaptive",
-            "exact at a held speed with Stokes' drag; otherwise with inertia for particles whose drag rate is below 300 times the spin speed, drifting for the rest",
+            "exact at a held speed with Stokes' drag; otherwise with inertia for particles whose drag rate is below 100 times the spin speed, drifting for the rest",
         ),
         ("exact", "inertia of every particle, the swing of the cups in a run-up"),
         ("drifting", "drag and field in balance"),

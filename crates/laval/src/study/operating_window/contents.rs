@@ -17,6 +17,8 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::field::Attach;
 use crate::model::system::System;
+use crate::separation::cup::Hanging;
+use crate::separation::exit::Cylinder;
 use crate::separation::load::Ring;
 use crate::separation::machine::Separator;
 use crate::study::duty::task::Task;
@@ -39,20 +41,10 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[(Attach, Ring)], own
     }
     let mut out = Changed { cups: cups.to_vec(), overrides: vec![] };
     match (&task.vessel.separator, own) {
-        (Separator::Cup(cup), Some(k)) => {
-            let (v, body) = (&cup.vessel, &mut out.cups.get_mut(k)?.1.cup.body);
-            let moved = excess * v.volume();
-            let end = if excess > 0.0 { v.bottom } else { v.top };
-            let (middle, square) = (0.5 * (v.top + v.bottom), (v.top * v.top + v.top * v.bottom + v.bottom * v.bottom) / 3.0);
-            body.along += moved * (end - middle) / body.mass;
-            body.moment_along += moved * (end * end - square);
-        }
+        (Separator::Cup(cup), Some(k)) => settled(&mut out.cups.get_mut(k)?.1.cup.body, &cup.vessel, excess),
         (Separator::Tube(t, _), Some(k)) => {
-            let body = &mut out.cups.get_mut(k)?.1.cup.body;
-            let moved = excess * std::f64::consts::PI * t.radius * t.radius * (t.length - t.surface);
-            let (end, middle) = (if excess > 0.0 { t.length } else { t.surface }, 0.5 * (t.surface + t.length));
-            body.along += moved * (end - middle) / body.mass;
-            body.moment_along = body.moment_along.max(body.mass * body.along * body.along);
+            let inside = Cylinder { radius: t.radius, bottom: t.length, top: t.surface };
+            settled(&mut out.cups.get_mut(k)?.1.cup.body, &inside, excess);
         }
         (Separator::Cup(_) | Separator::Tube(..), None) => return None,
         _ => {
@@ -70,6 +62,14 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[(Attach, Ring)], own
     Some(out)
 }
 
+/// The particles of a vessel, with the density `excess` more than the liquid they displace when spread over it, gathered at its bottom (light ones at its surface).
+fn settled(body: &mut Hanging, v: &Cylinder, excess: f64) {
+    let moved = excess * v.volume();
+    let end = if excess > 0.0 { v.bottom } else { v.top };
+    body.along += moved * (end - 0.5 * (v.top + v.bottom)) / body.mass;
+    body.moment_along += moved * (end * end - (v.top * v.top + v.top * v.bottom + v.bottom * v.bottom) / 3.0);
+}
+
 /// The machine with these parameters.
 pub(super) fn overridden(system: &System, overrides: &[(String, f64)]) -> Result<System, Diagnostic> {
     let by_path: Vec<(&str, f64)> = overrides.iter().map(|(p, x)| (p.as_str(), *x)).collect();
@@ -77,4 +77,38 @@ pub(super) fn overridden(system: &System, overrides: &[(String, f64)]) -> Result
         let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
         Diagnostic::error("operating_window.contents", format!("the machine with what it has separated does not exist: {why}"))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Slices of the suspension, before and after, summed one by one.
+    #[test]
+    fn slices_add_up() {
+        let v = Cylinder { radius: 0.04, bottom: 0.3, top: 0.05 };
+        let (empty, density, n) = ((1.4, 0.2, 0.08), 900.0, 20_000);
+        let height = (v.bottom - v.top) / n as f64;
+        let area = std::f64::consts::PI * v.radius * v.radius;
+        let filled = |extra: f64| -> Hanging {
+            let slice = |k: usize| (area * height * (density + extra), v.top + height * (k as f64 + 0.5));
+            let sum = |p: i32| (0..n).map(|k| slice(k).0 * slice(k).1.powi(p)).sum::<f64>();
+            let mass = empty.0 + sum(0);
+            let along = (empty.0 * empty.1 + sum(1)) / mass;
+            Hanging { mass, along, moment_along: empty.2 + sum(2), ..Hanging::point(mass, along) }
+        };
+        for excess in [150.0, -60.0] {
+            let mut body = filled(excess);
+            settled(&mut body, &v, excess);
+            // clear liquid, and what the particles weigh more (light ones: less) at the end
+            let (clear, end, m) = (filled(0.0), if excess > 0.0 { v.bottom } else { v.top }, excess * v.volume());
+            let along = (clear.mass * clear.along + m * end) / (clear.mass + m);
+            assert!((body.mass / (clear.mass + m) - 1.0).abs() < 1e-12);
+            assert!(
+                (body.along / along - 1.0).abs() < 1e-8 && (body.moment_along / (clear.moment_along + m * end * end) - 1.0).abs() < 1e-8
+            );
+            // both move the centre of mass to the bottom
+            assert!(body.along > filled(excess).along);
+        }
+    }
 }
