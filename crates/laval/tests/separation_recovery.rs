@@ -234,7 +234,8 @@ fn paths_end_at_the_exits() {
             let p = particle(12e-6);
             let exit = spinning.exit(&p, m).unwrap().unwrap();
             let path = spinning.places(&p, m, f64::INFINITY, 40).unwrap();
-            assert!(path.len() > 5 && path.windows(2).all(|p| p[1].time > p[0].time), "{i}");
+            let far = (0..3).map(|k| (exit.position[k] - m.start[k]).powi(2)).sum::<f64>().sqrt() > 2e-3;
+            assert!(path.len() > if far { 5 } else { 1 } && path.windows(2).all(|p| p[1].time > p[0].time), "{i}");
             let (first, last) = (path[0], path[path.len() - 1]);
             assert!((0..3).all(|k| (first.at[k] - m.start[k]).abs() < 1e-12), "{i} {first:?} {m:?}");
             assert_eq!((last.time, last.at), (exit.time, exit.position), "{i}");

@@ -142,7 +142,7 @@ enum Kind {
 }
 
 /// Change of ln t that ends the search: what is left is its square times the curvature of ln T over ln d; most rounds; share of the powder that no longer counts.
-const CONVERGED: f64 = 3e-5;
+const CONVERGED: f64 = 1e-6;
 const ROUNDS: usize = 20;
 const SETTLED: f64 = 1e-10;
 const NOTHING: f64 = 1e-9;

@@ -49,10 +49,13 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[(Attach, Ring)], own
         (Separator::Cup(_) | Separator::Tube(..), None) => return None,
         _ => {
             let clear = medium.density / (medium.density + excess);
-            for slot in system.slots().iter().filter(|s| s.part.kind() == "liquid") {
-                let path = format!("{}.density", slot.name);
-                let now = system.param(&path).and_then(|i| system.params().get(*i.first()?).copied());
-                out.overrides.extend(now.map(|rho| (path, rho * clear)));
+            for slot in system.slots() {
+                let get =
+                    |field: &str| system.param(&format!("{}.{field}", slot.name)).and_then(|i| system.params().get(*i.first()?).copied());
+                // what fills a cavity
+                if let (Some(_), Some(rho)) = (get("cavity_radius"), get("density")) {
+                    out.overrides.push((format!("{}.density", slot.name), rho * clear));
+                }
             }
             if out.overrides.is_empty() {
                 return None;

@@ -93,7 +93,8 @@ impl Study for OperatingWindow {
     const KIND: &'static str = "operating_window";
     const DOC: &'static str = "At which speeds the machine may run: stable, its limits kept, the way up survived, and the suspension separated in the time at \
         hand; what binds at each end, the recommended speed, the shortest time, and what to relax when nothing fits. Uses the blocks \
-        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked.";
+        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is judged with the contents as they are before and after the \
+        separation: particles spread over the cups and all at their bottoms, bowls full of suspension and of clear liquid.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds looked at; points (120 unless given) are added where something happens"),
         CUP,
