@@ -6,6 +6,7 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::Finding;
 use crate::solve::rest::rest;
+use crate::units::check_dimension;
 use laval_num::dense::{Lu, Mat};
 
 /// `initial`.
@@ -102,6 +103,17 @@ pub(super) enum Entry {
     State(usize),
 }
 
+impl Entry {
+    /// SI unit of its values.
+    fn unit(self, system: &System) -> String {
+        match self {
+            Entry::Coordinate(i) => system.coordinates()[i].dof.unit.to_string(),
+            Entry::Rate(i) => format!("{}/s", system.coordinates()[i].dof.unit),
+            Entry::State(i) => system.states()[i].dof.unit.to_string(),
+        }
+    }
+}
+
 /// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).
 fn entry(system: &System, name: &str) -> Option<Entry> {
     if let Some(coordinate) = name.strip_suffix('\'') {
@@ -116,7 +128,8 @@ const LARGEST_START: f64 = 1e9;
 /// Reads a state map; says all that is wrong.
 pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
     let mut out: Vec<(Entry, f64)> = Vec::new();
-    for (name, value, span) in values.state_map(field).unwrap_or_default() {
+    let units = values.units_of(field);
+    for (k, (name, value, span)) in values.state_map(field).unwrap_or_default().iter().enumerate() {
         let Some(found) = entry(system, name) else {
             diagnostics.push(
                 Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
@@ -127,6 +140,12 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
             );
             continue;
         };
+        if let Some(Some(given)) = units.get(k)
+            && let Err(e) = check_dimension(given, &found.unit(system))
+        {
+            diagnostics.push(Diagnostic { help: e.help.map(Into::into), ..Diagnostic::error(e.code, e.message).at(span.clone()) });
+            continue;
+        }
         if !(value.abs() <= LARGEST_START) {
             let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
             diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
