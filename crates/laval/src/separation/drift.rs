@@ -477,7 +477,8 @@ mod tests {
         }
     }
 
-    /// The series in the sedimentation coefficient, taken for all but places near a surface, gives what the steps give.
+    /// The series in the sedimentation coefficient, taken for all but places near a surface, gives what the steps give: exactly where both take the
+    /// same steps, else (fast particles divide theirs) to the error of a step, a few millionths of the way.
     #[test]
     fn the_series_is_the_steps() {
         let cup = SwingingCup { hinge: 0.2, body: Hanging::point(2.6, 0.17), damping: 0.0, gravity: 9.80665 };
@@ -500,7 +501,8 @@ mod tests {
                         let way = (0..3).map(|k| (b[k] - start[k]).powi(2)).sum::<f64>().sqrt();
                         assert!(way > 1e-5 * (1 + i) as f64, "{way:e}");
                         for k in 0..3 {
-                            assert!((a[k] - b[k]).abs() < 1e-8 * way, "{d:e} {start:?}: {a:?} {b:?}");
+                            let error = if i == 0 { 1e-8 } else { 1e-5 };
+                            assert!((a[k] - b[k]).abs() < error * way, "{d:e} {start:?}: {a:?} {b:?}");
                         }
                     }
                 }

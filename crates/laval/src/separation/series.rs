@@ -10,7 +10,8 @@
 //!
 //! Symbols: s sedimentation coefficient, s; `theta = |s| int |A| dt`.
 //!
-//! Validity: taken where theta is at most 0.3 (what is left out is below 1e-9 of the way) and where no surface is within reach of the particle, whose way is bounded
+//! Validity: taken where theta is at most 0.3 (what is left out is below 1e-9 of the way; the steps themselves err by a few
+//! millionths of it) and where no surface is within reach of the particle, whose way is bounded
 //! by `|s| int max|A r + b| dt` over the liquid. Elsewhere the particle is followed step by step.
 //!
 //! Sources: G. Peano, Math. Ann. 32 (1888) 450; `theory/separation.md` sections 6 and 8.

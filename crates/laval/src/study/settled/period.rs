@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn settling_is_no_subharmonic() {
         let beat = |size: f64| judged(move |j| 1.0 + size * (std::f64::consts::TAU * j / 9.0).cos(), None, false).verdict;
-        assert_eq!((beat(3e-6), beat(1e-4), beat(1e-8)), (Verdict::NotSettled, Verdict::Period(9), Verdict::Period(1)));
+        assert_eq!((beat(3e-6), beat(1e-4), beat(1e-11)), (Verdict::NotSettled, Verdict::Period(9), Verdict::Period(1)));
     }
 
     #[test]
