@@ -6,6 +6,7 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::Finding;
 use crate::solve::rest::rest;
+use crate::units::{Dimension, parse_unit};
 use laval_num::dense::{Lu, Mat};
 
 /// `initial`.
@@ -102,6 +103,25 @@ pub(super) enum Entry {
     State(usize),
 }
 
+impl Entry {
+    /// Place in the state (q, v, z).
+    pub fn index(self, system: &System) -> usize {
+        match self {
+            Entry::Coordinate(i) => i,
+            Entry::Rate(i) => system.n() + i,
+            Entry::State(i) => 2 * system.n() + i,
+        }
+    }
+}
+
+/// Names and units of the state (q, v, z): `drum.x`, `drum.x'`, `liquid.surface_x`.
+pub(super) fn state_names(system: &System) -> Vec<(String, String)> {
+    let rate = |unit: &str| if unit.is_empty() { "1/s".to_string() } else { format!("{unit}/s") };
+    let coordinates = system.coordinates().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()));
+    let rates = system.coordinates().iter().map(|c| (format!("{}'", c.name), rate(c.dof.unit)));
+    coordinates.chain(rates).chain(system.states().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()))).collect()
+}
+
 /// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).
 fn entry(system: &System, name: &str) -> Option<Entry> {
     if let Some(coordinate) = name.strip_suffix('\'') {
@@ -116,7 +136,8 @@ const LARGEST_START: f64 = 1e9;
 /// Reads a state map; says all that is wrong.
 pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
     let mut out: Vec<(Entry, f64)> = Vec::new();
-    for (name, value, span) in values.state_map(field).unwrap_or_default() {
+    let (units, known) = (values.units_of(field), state_names(system));
+    for (i, (name, value, span)) in values.state_map(field).unwrap_or_default().iter().enumerate() {
         let Some(found) = entry(system, name) else {
             diagnostics.push(
                 Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
@@ -127,6 +148,14 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
             );
             continue;
         };
+        let wanted = &known[found.index(system)].1;
+        if let Some(Some(given)) = units.get(i)
+            && !same_dimension(given, wanted)
+        {
+            let given = if given.is_empty() { "a pure number" } else { given };
+            let message = format!("\"{name}\" is in {wanted}, not in {given}");
+            diagnostics.push(Diagnostic::error("unit.dimension", message).at(span.clone()).label("wrong dimension"));
+        }
         if !(value.abs() <= LARGEST_START) {
             let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
             diagnostics.push(Diagnostic::error("state.bounds", message).at(span.clone()));
@@ -137,6 +166,14 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
         out.push((found, *value));
     }
     out
+}
+
+fn same_dimension(a: &str, b: &str) -> bool {
+    let read = |unit: &str| if unit.is_empty() { Some(Dimension::default()) } else { parse_unit(unit).ok().map(|u| u.dimension) };
+    match (read(a), read(b)) {
+        (Some(a), Some(b)) => a.same(&b),
+        _ => a == b,
+    }
 }
 
 fn nearest(system: &System, name: &str) -> String {
