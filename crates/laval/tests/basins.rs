@@ -17,7 +17,12 @@ use laval::store::Keep;
 use laval::study::{Context, Progress};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A rigid rotor in a cubic bearing, two motions between 2600 and 3200 rad/s.
+/// A rigid rotor in a cubic bearing of the same stiffness in all directions: two motions between 2600 and 3200 rad/s.
+fn round(damping: f64) -> String {
+    machine(damping, "0 deg").replace("per_axis", "isotropic")
+}
+
+/// The same with a law for each axis: x and y are two oscillators that know nothing of each other.
 fn machine(damping: f64, phase: &str) -> String {
     format!(
         r#"
@@ -106,8 +111,8 @@ fn stable(system: &System, speed: f64) -> Vec<f64> {
 #[test]
 fn attractors_are_the_stable_motions_of_harmonic_balance() {
     for (speed, count) in [(2200, 1), (2800, 2), (3600, 1)] {
-        for settling in ["decay", "shooting"] {
-            let l = loaded(&machine(600.0, "0 deg"), &format!("speed = {speed}\npoints = 10\nsettling = \"{settling}\"\n{PLANE}"));
+        for settling in if count == 2 { &["decay", "shooting"][..] } else { &["decay"] } {
+            let l = loaded(&round(600.0), &format!("speed = {speed}\npoints = 9\nsettling = \"{settling}\"\n{PLANE}"));
             let o = run_in(&l, &Context::quiet("b"));
             let known = stable(&l.system, f64::from(speed));
             let peaks = numbers(&o, "attractors", "amplitude.drum");
@@ -118,9 +123,9 @@ fn attractors_are_the_stable_motions_of_harmonic_balance() {
             assert_eq!(finding(&o, "attractors").value, Some(count as f64));
             // every cell is counted once
             let (cells, shares) = (numbers(&o, "attractors", "cells"), numbers(&o, "attractors", "share"));
-            assert_eq!(cells.iter().sum::<f64>(), 100.0);
+            assert_eq!(cells.iter().sum::<f64>(), 81.0);
             for ((n, p), error) in cells.iter().zip(&shares).zip(numbers(&o, "attractors", "share_error")) {
-                assert!((p - n / 100.0).abs() < 1e-15 && (error - (p * (1.0 - p) / 100.0).sqrt()).abs() < 1e-15);
+                assert!((p - n / 81.0).abs() < 1e-15 && (error - (p * (1.0 - p) / 81.0).sqrt()).abs() < 1e-15);
             }
             if settling == "shooting" {
                 let modulus = numbers(&o, "attractors", "multiplier");
@@ -133,24 +138,34 @@ fn attractors_are_the_stable_motions_of_harmonic_balance() {
 /// The state of an attractor, given as the start of another grid, ends in it; and the smallest disturbance is that of the table.
 #[test]
 fn disturbances_are_measured_from_the_undisturbed_start() {
-    let o = run(&machine(600.0, "0 deg"), &format!("speed = 2800\npoints = 13\n{PLANE}"));
+    let o = run(&round(600.0), &format!("speed = 2800\npoints = 9\n{PLANE}"));
     let (attractor, state, value) =
         (numbers(&o, "poincare", "attractor"), texts(&o, "poincare", "state"), numbers(&o, "poincare", "value"));
-    for k in [1.0, 2.0] {
+    let heights = numbers(&o, "attractors", "amplitude.drum");
+    assert_eq!(heights.len(), 2);
+    let mut left = 0;
+    for (k, height) in [1.0, 2.0].into_iter().zip(heights) {
         let own: Vec<String> =
             (0..value.len()).filter(|&i| attractor[i] == k).map(|i| format!("\"{}\" = {:e}", state[i], value[i])).collect();
         assert_eq!(own.len(), 4);
-        let study = format!("speed = 2800\npoints = 13\n{PLANE}initial = {{ {} }}", own.join(", "));
-        let o = run(&machine(600.0, "0 deg"), &study);
-        assert_eq!(texts(&o, "undisturbed", "end"), [format!("attractor {k}")]);
+        let o = run(&round(600.0), &format!("speed = 2800\npoints = 9\n{PLANE}initial = {{ {} }}", own.join(", ")));
+        // numbers are those of this grid, which begins with other rates
+        let end = texts(&o, "undisturbed", "end")[0].strip_prefix("attractor ").unwrap().parse::<usize>().unwrap();
+        assert!((numbers(&o, "attractors", "amplitude.drum")[end - 1] - height).abs() < 1e-5 * height, "{k}");
         let start = (numbers(&o, "undisturbed", "x")[0], numbers(&o, "undisturbed", "y")[0]);
         let (x, y, ends) = (numbers(&o, "cells", "x"), numbers(&o, "cells", "y"), numbers(&o, "cells", "attractor"));
-        let others = (0..x.len()).filter(|&i| ends[i] != k).map(|i| (x[i] - start.0).hypot(y[i] - start.1));
+        let others = (0..x.len()).filter(|&i| ends[i] != end as f64).map(|i| (x[i] - start.0).hypot(y[i] - start.1));
         let nearest = others.fold(f64::INFINITY, f64::min);
-        let told = finding(&o, "smallest_disturbance");
-        assert!((told.value.unwrap() - nearest).abs() < 1e-12, "{told:?} {nearest}");
-        assert!(told.evidence.iter().any(|e| e.what == "farthest nearer cell that does not" && e.value < nearest));
+        if nearest.is_finite() {
+            left += 1;
+            let told = finding(&o, "smallest_disturbance");
+            assert!((told.value.unwrap() - nearest).abs() < 1e-12, "{told:?} {nearest}");
+            assert!(told.evidence.iter().any(|e| e.what == "farthest nearer cell that does not" && e.value < nearest));
+        } else {
+            assert!(finding(&o, "undisturbed").text.contains("every cell of the grid"));
+        }
     }
+    assert!(left > 0);
 }
 
 /// A quarter turn of start and unbalance turns the map: (x, y) becomes (-y, x).
@@ -161,17 +176,34 @@ fn the_map_turns_with_the_unbalance() {
     let read = |o: &Outcome| (numbers(o, "cells", "attractor"), numbers(o, "cells", "amplitude.drum"));
     let ((a, peak), (b, other)) = (read(&o), read(&turned));
     assert!(a.contains(&1.0) && a.contains(&2.0));
-    let mut same = 0;
+    // attractors that are mirror images have one amplitude: which comes first says nothing
+    let mut names = std::collections::BTreeMap::new();
     for i in 0..11 {
         for j in 0..11 {
             let (from, to) = (j * 11 + i, i * 11 + (10 - j));
-            same += usize::from(a[from] == b[to]);
+            assert_eq!(*names.entry(a[from] as usize).or_insert(b[to]), b[to], "{i} {j}");
             assert!((peak[from] - other[to]).abs() < 1e-5 * peak[from], "{i} {j}");
         }
     }
-    assert_eq!(same, 121);
+    assert_eq!(names.len(), numbers(&turned, "attractors", "attractor").len());
     // and not by itself
     assert_ne!(a, b);
+}
+
+/// Oscillators that know nothing of each other, of two motions each, have four together, and the map is the product of theirs.
+#[test]
+fn basins_of_independent_axes_are_products() {
+    let o = run(&machine(600.0, "0 deg"), &format!("speed = 2800\npoints = 11\n{PLANE}"));
+    assert_eq!(numbers(&o, "attractors", "attractor").len(), 4);
+    let a = numbers(&o, "cells", "attractor");
+    let at = |i: usize, j: usize| a[j * 11 + i] as usize;
+    for i in 0..11 {
+        for k in 0..11 {
+            // two columns agree everywhere or nowhere, and so do two rows
+            let (column, row) = (|j: usize| at(i, j) == at(k, j), |j: usize| at(j, i) == at(j, k));
+            assert!((0..11).all(|j| column(j) == column(0) && row(j) == row(0)), "{i} {k}");
+        }
+    }
 }
 
 struct Stop<'a>(u64, &'a AtomicBool);
@@ -225,12 +257,12 @@ fn what_does_not_settle_is_no_attractor() {
     let soft = machine(600.0, "0 deg")
         .replace("cubic_stiffness = 8.7e10", "cubic_stiffness = -8.7e10")
         .replace("eccentricity = 1e-3", "eccentricity = 1e-6");
-    let o = run(&soft, &format!("speed = 800\npoints = 12\n{}", PLANE.replace("12 mm", "20 mm")));
+    let o = run(&soft, &format!("speed = 800\npoints = 6\ntolerance = 1e-3\n{}", PLANE.replace("12 mm", "20 mm")));
     let ends = texts(&o, "cells", "end");
     let failed = ends.iter().filter(|e| *e == "failed").count();
     let told: f64 = o.findings.iter().filter(|f| f.id == "failed_motions").filter_map(|f| f.value).sum();
-    assert!(failed > 0 && failed < 144 && told == failed as f64, "{failed} {told}");
-    assert_eq!(numbers(&o, "attractors", "cells").iter().sum::<f64>() + failed as f64, 144.0);
+    assert!(failed > 0 && failed < 36 && told == failed as f64, "{failed} {told}");
+    assert_eq!(numbers(&o, "attractors", "cells").iter().sum::<f64>() + failed as f64, 36.0);
 }
 
 #[test]
@@ -239,8 +271,8 @@ fn mistakes_are_told_where_they_stand() {
     let fine = both("\"drum.x\" = 0, \"drum.y'\" = 0", "\"drum.x\" = \"1 mm\", \"drum.y'\" = \"2 m/s\"");
     for (study, code, place) in [
         (fine.replace("2800", "0"), "basins.speed", "0"),
-        (fine.replace("speed = 2800", ""), "study.speed", "basins"),
-        (both("\"drum.x\" = 0", "\"drum.x\" = 1"), "basins.axes", "drum.x"),
+        (fine.replace("speed = 2800", ""), "study.speed", "study"),
+        (both("\"drum.x\" = 0", "\"drum.x\" = 1, \"drum.y\" = 1"), "basins.axes", "drum.x"),
         (both("\"drum.x\" = 0, \"drum.y\" = 0", "\"drum.x\" = 1, \"drum.x'\" = 1"), "basins.axes", "drum.x'"),
         (fine.replace("drum.y'", "drum.w"), "coordinate.unknown", "drum.w"),
         (fine.replace("2 m/s", "2 mm"), "unit.dimension", "2 mm"),
