@@ -389,3 +389,73 @@ fn robust_windows_and_maps() {
         .collect();
     assert!(kept.iter().any(|x| x.1 == 0.5e-3) && kept.iter().all(|x| x.1 < 1.2e-3 && x.0 > 91.0));
 }
+
+/// A bowl is judged full of suspension and full of clear liquid: the larger growth rate of both machines.
+#[test]
+fn stability_before_and_after_the_separation() {
+    let text = |particle: f64, density: f64, fraction: f64| {
+        format!(
+            r#"
+[machine]
+name = "bowl"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 1
+[[part]]
+kind = "shaft_lumped"
+name = "shaft"
+between = ["rotor", "ground"]
+stiffness = 3600
+[[part]]
+kind = "damper"
+name = "external"
+between = ["rotor", "ground"]
+damping = 20
+[[part]]
+kind = "liquid"
+name = "contents"
+in = "rotor"
+fill = {{ free_surface_radius = "20 mm" }}
+cavity_radius = "50 mm"
+cavity_height = "50 mm"
+wave_damping = "2 1/s"
+density = {density:e}
+[[cup]]
+kind = "tubular_bowl"
+length = "50 mm"
+bowl_radius = "50 mm"
+surface_radius = "20 mm"
+[suspension]
+liquid_density = 800
+viscosity = "1 mPa s"
+particle_density = {particle}
+volume_fraction = {fraction}
+diameter = "10 um"
+[[study]]
+kind = "operating_window"
+speed = {{ from = "10 rad/s", to = "200 rad/s", points = 12 }}
+throughput = "100 l/h"
+particles = 16
+"#
+        )
+    };
+    let growth = |particle: f64, density: f64, fraction: f64| {
+        let o = run(&text(particle, density, fraction));
+        let s = o.find_table("speeds").unwrap();
+        column(s, "speed").into_iter().zip(column(s, "growth")).collect::<Vec<_>>()
+    };
+    // a fifth of heavy particles: 1200 kg/m^3 as fed, 800 when clear; of light ones 700 as fed
+    let mut decided = [0, 0];
+    for (particle, mixed) in [(2800.0, 1200.0), (300.0, 700.0)] {
+        let (both, fed, clear) = (growth(particle, mixed, 0.2), growth(particle, mixed, 0.0), growth(particle, 800.0, 0.0));
+        let at = |all: &[(f64, f64)], w: f64| all.iter().find(|x| (x.0 / w - 1.0).abs() < 1e-12).map(|x| x.1);
+        for (w, g) in &both {
+            let (Some(a), Some(b)) = (at(&fed, *w), at(&clear, *w)) else { continue };
+            assert!((g - a.max(b)).abs() < 1e-9 * (1.0 + g.abs()), "{w}: {g} {a} {b}");
+            assert!((a - b).abs() > 1e-6, "{w}: the density makes a difference");
+            decided[usize::from(b > a)] += 1;
+        }
+    }
+    assert!(decided[0] > 0 && decided[1] > 0 && decided[0] + decided[1] >= 24, "{decided:?}");
+}

@@ -207,3 +207,105 @@ fn inertia_of_small_particles_is_small() {
         assert!(worst.0 < 1e-2, "{d}: {worst:?}");
     }
 }
+
+/// Paths begin where particles start and end where and when they leave, in every vessel and by every way of computing; two of these ways meet in between.
+#[test]
+fn paths_end_at_the_exits() {
+    let (w, run_up) = (1174.0 * RPM, RunUp::Linear(60.0 / (2600.0 * RPM)));
+    let tube = Separator::Tube(Tube { mouth: 0.045, angle: 0.5, radius: 0.012, length: 0.09, surface: 0.02 }, 9.80665);
+    let bowl = Separator::Bowl(Bowl { length: 0.5, radius: 0.1, surface: 0.05 });
+    let nonlinear = Medium { drag: Drag::SchillerNaumann, ..sand(16).medium };
+    let climbing = Batch { run_up: run_up.clone(), ..sand(16) };
+    let batches = [
+        sand(16),
+        climbing.clone(),
+        Batch { model: Model::Inertial, ..climbing.clone() },
+        Batch { model: Model::Drifting, ..climbing.clone() },
+        Batch { medium: nonlinear, ..climbing.clone() },
+        Batch { medium: nonlinear, ..sand(16) },
+        Batch { separator: tube, run_up: run_up.clone(), ..sand(16) },
+        Batch { separator: tube, medium: nonlinear, run_up, ..sand(16) },
+        Batch { separator: bowl, ..sand(16) },
+    ];
+    let particle = |d: f64| Particle { radius: 0.5 * d, density: 2650.0 };
+    for (i, batch) in batches.iter().enumerate() {
+        let spinning = batch.at(w);
+        for m in &spinning.crowd {
+            let p = particle(12e-6);
+            let exit = spinning.exit(&p, m).unwrap().unwrap();
+            let path = spinning.places(&p, m, f64::INFINITY, 40).unwrap();
+            let far = (0..3).map(|k| (exit.position[k] - m.start[k]).powi(2)).sum::<f64>().sqrt() > 2e-3;
+            assert!(path.len() > if far { 5 } else { 1 } && path.windows(2).all(|p| p[1].time > p[0].time), "{i}");
+            let (first, last) = (path[0], path[path.len() - 1]);
+            assert!((0..3).all(|k| (first.at[k] - m.start[k]).abs() < 1e-12), "{i} {first:?} {m:?}");
+            assert_eq!((last.time, last.at), (exit.time, exit.position), "{i}");
+            // no jump on the way, and none at the end
+            let step = |p: &[laval::separation::places::Place]| (0..3).map(|k| (p[1].at[k] - p[0].at[k]).powi(2)).sum::<f64>().sqrt();
+            assert!(path.windows(2).all(|p| step(p) < 0.05), "{i} {path:?}");
+            // cut off at a time
+            let half = 0.5 * exit.time;
+            let part = spinning.places(&p, m, half, 40).unwrap();
+            assert!(part.last().is_some_and(|p| p.time <= half * (1.0 + 1e-12)), "{i}");
+        }
+    }
+    // with and without inertia: the same way at the same time
+    let (a, b) = (batches[1].at(w), batches[2].at(w));
+    for m in &a.crowd {
+        let p = particle(3e-6);
+        let (x, y) = (a.places(&p, m, 200.0, 40).unwrap(), b.places(&p, m, 200.0, 40).unwrap());
+        let (x, y) = (x[x.len() - 1], y[y.len() - 1]);
+        assert!((x.time / y.time - 1.0).abs() < 1e-3 && (x.radius - y.radius).abs() < 1e-4, "{x:?} {y:?}");
+    }
+}
+
+/// The speed a recovery needs with a programme: the same programme with all its speeds in proportion takes just the time at hand; so with nonlinear drag.
+#[test]
+fn speeds_are_found_with_programmes() {
+    let file = |last: f64, drag: &str| {
+        let speeds = [0.0, 0.4 * last, last].map(|w| format!("{w:e}")).join(", ");
+        format!(
+            r#"
+[machine]
+name = "cups"
+[[part]]
+kind = "disc"
+name = "rotor"
+mass = 10
+[[part]]
+kind = "shaft_lumped"
+name = "shaft"
+between = ["rotor", "ground"]
+stiffness = 4e5
+[[cup]]
+kind = "swinging"
+centre_of_mass = "170 mm"
+hinge_radius = "200 mm"
+cup_radius = "45 mm"
+bottom = "300 mm"
+[suspension]
+liquid_density = 870
+viscosity = "15 mPa s"
+particle_density = 2650
+characteristic_diameter = "25 um"
+spread = 1.3
+drag = "{drag}"
+[[study]]
+kind = "separation"
+time = "5 min"
+particles = 64
+programme = {{ time = [0, 30, 90], speed = [{speeds}] }}
+"#
+        )
+    };
+    for drag in ["stokes", "schiller_naumann"] {
+        let value = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).and_then(|f| f.value).unwrap();
+        let found = value(&run(&file(150.0, drag), 0), "speed_needed");
+        let again = run(&file(found, drag), 0);
+        assert!((value(&again, "time_needed") / 300.0 - 1.0).abs() < 1e-6, "{drag}: {}", value(&again, "time_needed"));
+        assert!(again.find_table("demand").is_some() && again.find_table("sensitivity").is_some());
+    }
+    // with the inertia of every particle the speed is not searched for, and that is said
+    let o = run(&file(150.0, "stokes").replace("particles = 64", "particles = 16\nmodel = \"exact\""), 0);
+    let told = o.findings.iter().find(|f| f.id == "speed_needed").unwrap();
+    assert!(told.value.is_none() && told.text.contains("drifting"), "{}", told.text);
+}

@@ -165,19 +165,36 @@ impl<F: Apply<T>, T> Slots<F> for T {
     }
 }
 
-/// A scalar that knows its slot: `f64` and the lanes of each level.
+/// A scalar that knows its slot: `f64`, which is one lane, and the lanes of each level.
 pub trait Entry: Scalar {
+    /// The same with another value in a lane (below the number of lanes).
+    fn with(self, lane: usize, x: f64) -> Self;
     /// Calls the slot of this scalar.
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>);
 }
 
+#[inline(always)]
+fn replaced<S: LaneScalar>(of: S, lane: usize, x: f64) -> S {
+    let mut a = of.to_array();
+    a[lane] = x;
+    S::from_array(a)
+}
+
 impl Entry for f64 {
+    #[inline(always)]
+    fn with(self, _: usize, x: f64) -> f64 {
+        x
+    }
     #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, f64>) {
         slots.scalar(args);
     }
 }
 impl Entry for LanesBase {
+    #[inline(always)]
+    fn with(self, lane: usize, x: f64) -> Self {
+        replaced(self, lane, x)
+    }
     #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {
         slots.base(args);
@@ -186,6 +203,10 @@ impl Entry for LanesBase {
 #[cfg(target_arch = "x86_64")]
 impl Entry for LanesAvx2 {
     #[inline(always)]
+    fn with(self, lane: usize, x: f64) -> Self {
+        replaced(self, lane, x)
+    }
+    #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {
         // SAFETY: the condition for using the type
         unsafe { slots.avx2(args) };
@@ -193,6 +214,10 @@ impl Entry for LanesAvx2 {
 }
 #[cfg(target_arch = "x86_64")]
 impl Entry for LanesAvx512 {
+    #[inline(always)]
+    fn with(self, lane: usize, x: f64) -> Self {
+        replaced(self, lane, x)
+    }
     #[inline(always)]
     fn enter<F: Family, T: Slots<F> + ?Sized>(slots: &T, args: &mut F::Args<'_, Self>) {
         // SAFETY: the condition for using the type

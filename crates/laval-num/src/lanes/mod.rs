@@ -112,13 +112,6 @@ pub trait LaneScalar: Scalar + Entry {
     fn get(self, i: usize) -> f64 {
         self.to_array()[i]
     }
-    /// The same with lane `i < LANES` replaced.
-    #[inline(always)]
-    fn with(self, i: usize, x: f64) -> Self {
-        let mut a = self.to_array();
-        a[i] = x;
-        Self::from_array(a)
-    }
     /// Lanes that are NaN or infinite are false.
     #[inline(always)]
     fn finite(self) -> LaneBits {

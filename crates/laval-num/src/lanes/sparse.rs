@@ -1,10 +1,10 @@
-//! Sparse matrices of lanes: an entry is where any member has one; members without it have a zero there.
+//! Sparse matrices of one member or of lanes: an entry is where any member has one; members without it have a zero there.
 
-use super::LaneScalar;
+use super::Entry;
 use crate::dense::Mat;
 use std::ops::Range;
 
-/// Sparse matrix of lanes, row by row, columns in increasing order.
+/// Sparse matrix, row by row, columns in increasing order.
 #[derive(Debug)]
 pub struct Sparse<S> {
     rows: usize,
@@ -18,7 +18,7 @@ pub struct Sparse<S> {
     value: Vec<S>,
 }
 
-impl<S: LaneScalar> Sparse<S> {
+impl<S: Entry> Sparse<S> {
     /// No entries.
     pub fn new(rows: usize, cols: usize) -> Self {
         Sparse { rows, cols, start: vec![0; rows + 1], col: vec![], at: vec![], value: vec![] }
@@ -144,7 +144,7 @@ impl<S: LaneScalar> Sparse<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::{Kernel, Level, dispatch};
+    use crate::lanes::{Kernel, LaneScalar, Level, dispatch};
 
     struct Products;
     impl Kernel for Products {

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::write::{Format, WriteError, Written, place, write_all};
+use crate::outcome::End;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,7 +20,7 @@ struct Entry {
 
 /// As [`write`](super::write()), into a folder that may hold the results of earlier runs. `studies` names every study of the machine file, run or not.
 /// Afterwards no file stands there that laval wrote earlier for a study which is no longer in the file, or for a table or figure that a study run
-/// now no longer has. A file laval did not write, or that was changed since, stays. `manifest.json` keeps the list.
+/// now no longer has; a refused study keeps what it had. A file laval did not write, or that was changed since, stays. `manifest.json` keeps the list.
 ///
 /// # Errors
 /// As [`write`](super::write()).
@@ -39,7 +40,8 @@ pub fn renew(dir: &Path, report: &Report, formats: &[Format], studies: &[&str]) 
         let gone = |s: &String| !studies.contains(&s.as_str());
         let replaced = |s: &String| {
             let format = formats.iter().any(|f| name.ends_with(&format!(".{}", f.word())));
-            format && report.outcomes.iter().any(|o| &o.name == s)
+            // a study that was refused has not replaced what it had
+            format && report.outcomes.iter().any(|o| &o.name == s && o.end != End::Refused)
         };
         if entry.study.as_ref().is_some_and(|s| gone(s) || replaced(s)) {
             remove(dir, &name, &entry.hash);

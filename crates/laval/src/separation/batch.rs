@@ -20,7 +20,7 @@ use super::recovery::Clock;
 use super::vessel::Inside;
 
 /// Drag rate over spin speed n/w below which inertia is taken along.
-pub const FELT: f64 = 300.0;
+pub const FELT: f64 = 100.0;
 /// Local error of integrations, relative.
 pub const EXACT: f64 = 1e-9;
 
@@ -33,7 +33,7 @@ pub enum RunUp {
     Linear(f64),
     /// The smooth law; time per speed, s^2/rad.
     Smooth(f64),
-    /// As written, whatever the speed.
+    /// In the times written, with all its speeds in proportion to the last.
     Programme(Ramp),
 }
 
@@ -45,7 +45,7 @@ impl RunUp {
             RunUp::None => None,
             RunUp::Linear(k) => (w > 0.0).then(|| Ramp::Linear(w, k * w)),
             RunUp::Smooth(k) => (w > 0.0).then(|| Ramp::Smooth(w, k * w)),
-            RunUp::Programme(ramp) => Some(ramp.clone()),
+            RunUp::Programme(ramp) => Some(ramp.ending_at(speed)),
         }
     }
 }
@@ -83,7 +83,7 @@ pub struct Spinning<'a> {
     pub ramp: Option<Ramp>,
     /// Time, counted as the field works.
     pub clock: Clock,
-    climb: Option<Climb>,
+    pub(super) climb: Option<Climb>,
 }
 
 impl Batch {
@@ -108,7 +108,7 @@ impl Batch {
             }
         };
         let climb = match (&self.separator, &ramp) {
-            (Separator::Cup(c), Some(ramp)) => Some(Climb::new(&c.hanging, c.held, ramp)),
+            (Separator::Cup(c), Some(ramp)) => Some(Climb::new(&c.hanging, c.held, ramp, &c.vessel)),
             _ => None,
         };
         Spinning { batch: self, turning, crowd, ramp, clock, climb }
@@ -126,7 +126,8 @@ impl Spinning<'_> {
         self.ramp.as_ref().map_or(0.0, Ramp::duration)
     }
 
-    fn inertial(&self, particle: &Particle) -> bool {
+    /// The particle is integrated with its inertia, where no closed form holds.
+    pub(super) fn inertial(&self, particle: &Particle) -> bool {
         match self.batch.model {
             Model::Inertial => true,
             Model::Drifting => false,
@@ -247,7 +248,7 @@ impl Spinning<'_> {
     }
 }
 
-fn horizon(inside: &Inside, steady: &Steady, sedimentation: f64, place: [f64; 3]) -> f64 {
+pub(super) fn horizon(inside: &Inside, steady: &Steady, sedimentation: f64, place: [f64; 3]) -> f64 {
     let field = (steady.speed.powi(2) * steady.radius(place)).hypot(steady.gravity);
     inside.length() / (sedimentation.abs() * field)
 }

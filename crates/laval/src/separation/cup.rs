@@ -94,11 +94,14 @@ impl SwingingCup {
         // the last fall through zero: farthest out
         let mut found = None;
         let nudge = if low == 0.0 { 1e-9 } else { 0.0 };
+        let mut before = self.drive(w, low.max(nudge));
         for k in 0..steps {
             let (a, b) = (at(k).max(nudge), at(k + 1));
-            if self.drive(w, a) > 0.0 && self.drive(w, b) <= 0.0 {
+            let drive = self.drive(w, b);
+            if before > 0.0 && drive <= 0.0 {
                 found = root(|x| self.drive_and_slope(w, x), a, b).or(found);
             }
+            before = drive;
         }
         found.unwrap_or(0.0)
     }

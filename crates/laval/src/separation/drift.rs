@@ -18,11 +18,12 @@
 
 use super::closed::Steady;
 use super::cup::SwingingCup;
-use super::exit::{Exit, MOST, Vessel};
+use super::exit::{Cylinder, Exit, MOST, Vessel};
 use super::machine::Discs;
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
 use super::root::root;
+use super::series::{Affine, Series};
 use super::vessel::Inside;
 use std::f64::consts::PI;
 
@@ -101,6 +102,20 @@ impl Field {
         let out = self.w2 * radius + self.accel * z;
         [self.cos * out - self.gravity * self.sin, self.sin * out + self.gravity * self.cos, self.w2 * z - self.accel * radius]
     }
+
+    fn tilt(&self) -> f64 {
+        self.sin.atan2(self.cos)
+    }
+
+    /// The same as a matrix and what it adds.
+    fn matrix(&self) -> Affine {
+        let (s, c, w2, a) = (self.sin, self.cos, self.w2, self.accel);
+        let out = [w2 * c, w2 * s, a, w2 * self.hinge];
+        let (mut x, mut y) = (out.map(|o| c * o), out.map(|o| s * o));
+        x[3] -= self.gravity * s;
+        y[3] += self.gravity * c;
+        [x, y, [-a * c, -a * s, w2, -a * self.hinge]]
+    }
 }
 
 /// The fields at the begin, the middle and the end of a step.
@@ -171,12 +186,29 @@ const WAY: f64 = 0.02;
 /// Most steps of one particle at a held speed.
 const MOST_STEPS: usize = 20_000;
 
+/// Who looks at the places on the way.
+pub trait Seen {
+    /// At a time, s, and a place, m.
+    fn at(&mut self, t: f64, place: [f64; 3]);
+}
+
+impl Seen for () {
+    fn at(&mut self, _: f64, _: [f64; 3]) {}
+}
+
+impl Seen for Vec<(f64, [f64; 3])> {
+    fn at(&mut self, t: f64, place: [f64; 3]) {
+        self.push((t, place));
+    }
+}
+
 /// Settling at a held speed from `start` at the time `t`.
-fn held(s: &Settling, steady: &Steady, inside: &Inside, start: [f64; 3], mut t: f64) -> Option<Exit> {
+fn held(s: &Settling, steady: &Steady, inside: &Inside, start: [f64; 3], mut t: f64, seen: &mut impl Seen) -> Option<Exit> {
     let field = Field::new((steady.speed, 0.0), steady.tilt, steady.hinge, steady.gravity);
     let fields = |_: f64| [field; 3];
     let mut r = start;
     for _ in 0..MOST_STEPS {
+        seen.at(t, r);
         let v = s.velocity(field.at(r));
         let h = WAY * inside.width() / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
         // nothing moves; NaN ends here
@@ -193,7 +225,19 @@ fn held(s: &Settling, steady: &Steady, inside: &Inside, start: [f64; 3], mut t: 
 
 /// First exit at constant speed by the drag law of the medium; with Stokes' law that of [`super::machine::Turning::drift`].
 pub fn settle(medium: &Medium, particle: &Particle, steady: &Steady, inside: &Inside, start: [f64; 3]) -> Option<Exit> {
-    held(&Settling::new(medium, particle), steady, inside, start, 0.0)
+    follow(medium, particle, steady, inside, start, &mut ())
+}
+
+/// The same, with a look at every step.
+pub fn follow(
+    medium: &Medium,
+    particle: &Particle,
+    steady: &Steady,
+    inside: &Inside,
+    start: [f64; 3],
+    seen: &mut impl Seen,
+) -> Option<Exit> {
+    held(&Settling::new(medium, particle), steady, inside, start, 0.0, seen)
 }
 
 /// Residence time after which a particle that enters a disc stack at the share `entry` of a gap is caught, s.
@@ -218,6 +262,7 @@ pub fn lifted(medium: &Medium, particle: &Particle, discs: &Discs, speed: f64, e
 #[derive(Clone, Debug)]
 pub struct Climb {
     cells: Vec<Cell>,
+    series: Series,
     ramp: Ramp,
     hinge: f64,
     gravity: f64,
@@ -240,7 +285,7 @@ const TABLE_CELLS: usize = 32;
 
 impl Climb {
     /// The way of a cup; `held` is a tilt it is held at.
-    pub fn new(cup: &SwingingCup, held: Option<f64>, ramp: &Ramp) -> Self {
+    pub fn new(cup: &SwingingCup, held: Option<f64>, ramp: &Ramp, vessel: &Cylinder) -> Self {
         let tilt = |t: f64| held.unwrap_or_else(|| cup.equilibrium(ramp.at(t).0));
         let duration = ramp.duration();
         let mut edges = vec![0.0];
@@ -265,7 +310,13 @@ impl Climb {
         let speed = ramp.final_speed();
         let settled = held.unwrap_or_else(|| cup.equilibrium(speed));
         let steady = Steady { speed, tilt: settled, hinge: cup.hinge, gravity: cup.gravity };
-        Climb { cells, ramp: ramp.clone(), hinge: cup.hinge, gravity: cup.gravity, steady }
+        // the place of the liquid farthest from the hinge bounds every radius
+        let farthest = cup.hinge + vessel.bottom.abs().max(vessel.top.abs()).hypot(vessel.radius);
+        let series = Series::new(cells.iter().map(|c| {
+            let norm = c.fields.iter().map(|f| f.w2 + f.accel.abs()).fold(0.0, f64::max);
+            (c.step, c.fields.map(|f| f.matrix()), norm, norm * farthest + cup.gravity)
+        }));
+        Climb { cells, series, ramp: ramp.clone(), hinge: cup.hinge, gravity: cup.gravity, steady }
     }
 
     /// The field within a cell, its tilt by the parabola through the three that are known.
@@ -273,6 +324,12 @@ impl Climb {
         let [a, m, b] = c.tilts;
         let tilt = a + u * (4.0 * m - 3.0 * a - b + u * 2.0 * (a - 2.0 * m + b));
         Field::new(self.ramp.at(c.from + u * c.step), tilt, self.hinge, self.gravity)
+    }
+
+    /// Tilt at a time, rad.
+    pub fn tilt(&self, t: f64) -> f64 {
+        let k = self.cells.partition_point(|c| c.from + c.step < t);
+        self.cells.get(k).map_or(self.steady.tilt, |c| self.between(c, ((t - c.from) / c.step).max(0.0)).tilt())
     }
 
     /// First exit of a particle released at rest at t = 0; `after` finds it at the held speed, from a place and a velocity.
@@ -285,9 +342,29 @@ impl Climb {
         after: impl FnOnce([f64; 3], [f64; 3]) -> Option<Exit>,
     ) -> Option<Exit> {
         let s = Settling::new(medium, particle);
+        if medium.drag == Drag::Stokes
+            && let Some(r) = self.series.end(s.sedimentation, start, inside.clear(start))
+        {
+            return self.held(&s, inside, r, after, &mut ());
+        }
+        self.follow(medium, particle, inside, start, after, &mut ())
+    }
+
+    /// The same, step by step through the run-up (and beyond it where no closed form holds), with a look at each.
+    pub fn follow(
+        &self,
+        medium: &Medium,
+        particle: &Particle,
+        inside: &Inside,
+        start: [f64; 3],
+        after: impl FnOnce([f64; 3], [f64; 3]) -> Option<Exit>,
+        seen: &mut impl Seen,
+    ) -> Option<Exit> {
+        let s = Settling::new(medium, particle);
         let mut r = start;
         let way = WAY * inside.width();
         for c in &self.cells {
+            seen.at(c.from, r);
             let v = s.velocity(c.fields[2].at(r));
             let parts = ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt() * c.step / way).ceil().clamp(1.0, 4096.0);
             if parts == 1.0
@@ -309,9 +386,21 @@ impl Climb {
                 k += 1.0;
             }
         }
+        self.held(&s, inside, r, after, seen)
+    }
+
+    /// After the run-up.
+    fn held(
+        &self,
+        s: &Settling,
+        inside: &Inside,
+        r: [f64; 3],
+        after: impl FnOnce([f64; 3], [f64; 3]) -> Option<Exit>,
+        seen: &mut impl Seen,
+    ) -> Option<Exit> {
         let t = self.ramp.duration();
-        if medium.drag == Drag::SchillerNaumann {
-            return held(&s, &self.steady, inside, r, t);
+        if s.per_speed > 0.0 {
+            return held(s, &self.steady, inside, r, t, seen);
         }
         let f = Field::new((self.steady.speed, 0.0), self.steady.tilt, self.hinge, self.gravity).at(r);
         after(r, s.velocity(f)).map(|e| Exit { time: e.time + t, ..e })
@@ -378,14 +467,45 @@ mod tests {
         let s = medium.rates(&p).sedimentation;
         let w: f64 = 300.0;
         for ramp in [Ramp::Linear(w, 20.0), Ramp::Smooth(w, 20.0)] {
-            let climb = Climb::new(&cup, Some(0.5 * PI), &ramp);
+            let vessel = Cylinder { radius: 0.5, bottom: 0.2, top: 0.0 };
+            let climb = Climb::new(&cup, Some(0.5 * PI), &ramp, &vessel);
             let steady = climb.steady();
-            let exit = climb
-                .settle(&medium, &p, &inside, [0.0, 0.05, 0.0], |r, _| held(&Settling::new(&medium, &p), &steady, &inside, r, 0.0))
-                .unwrap();
+            let exit = climb.settle(&medium, &p, &inside, [0.0, 0.05, 0.0], |r, _| settle(&medium, &p, &steady, &inside, r)).unwrap();
             let want = (0.3f64 / 0.15).ln() / (s * w * w) + 20.0 - ramp.equivalent();
             // Euler's acceleration turns the path out of the plane a little
             assert!((exit.time / want - 1.0).abs() < 1e-6, "{ramp:?} {} {want}", exit.time);
         }
+    }
+
+    /// The series in the sedimentation coefficient, taken for all but places near a surface, gives what the steps give.
+    #[test]
+    fn the_series_is_the_steps() {
+        let cup = SwingingCup { hinge: 0.2, body: Hanging::point(2.6, 0.17), damping: 0.0, gravity: 9.80665 };
+        let vessel = Cylinder { radius: 0.045, bottom: 0.3, top: 0.02 };
+        let (inside, medium) = (Inside::Cup(vessel), Medium::new(870.0, 15e-3));
+        let mut taken = 0;
+        for ramp in [Ramp::Linear(120.0, 27.0), Ramp::Smooth(-120.0, 27.0)] {
+            let climb = Climb::new(&cup, None, &ramp, &vessel);
+            let reached = |r: [f64; 3], _: [f64; 3]| {
+                Some(Exit { time: 0.0, surface: super::super::exit::Surface::Bottom, position: r, velocity: [0.0; 3] })
+            };
+            for density in [2650.0, 400.0] {
+                for (i, d) in [2e-6, 5e-6, 10e-6].into_iter().enumerate() {
+                    let p = Particle { radius: 0.5 * d, density };
+                    let s = medium.rates(&p).sedimentation;
+                    for start in [[0.0, 0.15, 0.0], [0.01, 0.1, -0.02], [-0.02, 0.2, 0.015]] {
+                        let Some(a) = climb.series.end(s, start, inside.clear(start)) else { continue };
+                        taken += 1;
+                        let b = climb.follow(&medium, &p, &inside, start, reached, &mut ()).unwrap().position;
+                        let way = (0..3).map(|k| (b[k] - start[k]).powi(2)).sum::<f64>().sqrt();
+                        assert!(way > 1e-5 * (1 + i) as f64, "{way:e}");
+                        for k in 0..3 {
+                            assert!((a[k] - b[k]).abs() < 1e-8 * way, "{d:e} {start:?}: {a:?} {b:?}");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(taken > 20, "{taken}");
     }
 }

@@ -116,6 +116,15 @@ impl Law {
         }
     }
 
+    /// Share above the value whose logarithm this is.
+    pub fn above_ln(&self, ln_x: f64) -> f64 {
+        match self {
+            Law::LogNormal { median, gsd } => normal::probability((median.ln() - ln_x) / gsd.ln()),
+            Law::RosinRammler { characteristic, spread } => (-(spread * (ln_x - characteristic.ln())).exp()).exp(),
+            _ => self.above(ln_x.exp()),
+        }
+    }
+
     /// All particles have one value.
     pub fn is_single(&self) -> bool {
         matches!(self, Law::Single(_))
@@ -150,6 +159,7 @@ mod tests {
             for i in 1..100 {
                 let u = i as f64 / 100.0;
                 assert!((1.0 - law.above(law.quantile(u)) - u).abs() < 1e-13, "{law:?} {u}");
+                assert!((1.0 - law.above_ln(law.quantile(u).ln()) - u).abs() < 1e-13, "{law:?} {u}");
             }
         }
     }

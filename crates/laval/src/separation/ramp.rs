@@ -26,6 +26,8 @@ pub struct Table {
     curve: Interpolant,
     times: Vec<f64>,
     last: f64,
+    /// All speeds are multiplied by this.
+    scale: f64,
 }
 
 impl Ramp {
@@ -35,7 +37,17 @@ impl Ramp {
     /// Times that do not increase, columns of different lengths, numbers that are not finite.
     pub fn table(times: &[f64], speeds: &[f64]) -> Result<Self, TableError> {
         let curve = Interpolant::new(times, speeds)?;
-        Ok(Ramp::Table(Table { curve, times: times.to_vec(), last: speeds.last().copied().unwrap_or(0.0) }))
+        Ok(Ramp::Table(Table { curve, times: times.to_vec(), last: speeds.last().copied().unwrap_or(0.0), scale: 1.0 }))
+    }
+
+    /// The law with all its speeds in proportion, so that it ends at this speed (rad/s).
+    pub fn ending_at(&self, speed: f64) -> Self {
+        match self {
+            Ramp::Constant(_) => Ramp::Constant(speed),
+            Ramp::Linear(_, d) => Ramp::Linear(speed, *d),
+            Ramp::Smooth(_, d) => Ramp::Smooth(speed, *d),
+            Ramp::Table(t) => Ramp::Table(Table { scale: if speed == t.last { 1.0 } else { speed / t.last }, ..t.clone() }),
+        }
     }
 
     /// Speed and its rate at a time.
@@ -48,7 +60,10 @@ impl Ramp {
                 (w * u * u * u * (10.0 + u * (6.0 * u - 15.0)), w * 30.0 * u * u * (1.0 - u) * (1.0 - u) / d)
             }
             Ramp::Linear(w, _) | Ramp::Smooth(w, _) => (*w, 0.0),
-            Ramp::Table(table) => table.curve.value_and_slope(t),
+            Ramp::Table(table) => {
+                let (w, slope) = table.curve.value_and_slope(t);
+                (table.scale * w, table.scale * slope)
+            }
         }
     }
 
@@ -56,7 +71,7 @@ impl Ramp {
     pub fn final_speed(&self) -> f64 {
         match self {
             Ramp::Constant(w) | Ramp::Linear(w, _) | Ramp::Smooth(w, _) => *w,
-            Ramp::Table(t) => t.last,
+            Ramp::Table(t) => t.scale * t.last,
         }
     }
 
@@ -98,7 +113,7 @@ impl Ramp {
                         }
                     }
                 }
-                sum / (t.last * t.last)
+                sum / self.final_speed().powi(2)
             }
         }
     }
@@ -121,6 +136,10 @@ mod tests {
             let sum: f64 = (0..n).map(|i| r.at((i as f64 + 0.5) * 9.0 / n as f64).0.powi(2)).sum::<f64>() * 9.0 / n as f64;
             assert!((r.equivalent() - sum / 1e4).abs() < 1e-7, "{r:?}");
             assert_eq!(r.at(20.0), (100.0, 0.0));
+            // all speeds in proportion: the same time at full speed
+            let faster = r.ending_at(250.0);
+            assert!((faster.at(3.1).0 / r.at(3.1).0 - 2.5).abs() < 1e-14 && (faster.at(3.1).1 / r.at(3.1).1 - 2.5).abs() < 1e-14);
+            assert!((faster.equivalent() / r.equivalent() - 1.0).abs() < 1e-14);
         }
     }
 }

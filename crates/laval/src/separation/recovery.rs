@@ -205,11 +205,10 @@ impl<'a> Recovery<'a> {
 
     /// Share of the powder whose logarithms of diameters lie above `ln_d`.
     fn above(&self, ln_d: f64) -> f64 {
-        let b = self.spinning.batch;
-        let d = ln_d.exp();
-        match b.from {
-            Some(least) => b.powder.size.above(d.max(least)) / b.powder.size.above(least),
-            None => b.powder.size.above(d),
+        let size = &self.spinning.batch.powder.size;
+        match self.spinning.batch.from {
+            Some(least) => size.above_ln(ln_d.max(least.ln())) / size.above(least),
+            None => size.above_ln(ln_d),
         }
     }
 
@@ -239,14 +238,24 @@ impl<'a> Recovery<'a> {
             }
             width *= 2.0;
         }
-        for k in 0..200 {
+        // Illinois: the secant, with the value at an end that stays halved, so that both ends close in
+        let mut stayed = 0;
+        for k in 1..200 {
             if !(high - low > 1e-13) {
                 break;
             }
-            // secant, and the middle every third time
-            let x = if k % 3 == 2 { 0.5 * (low + high) } else { low + (high - low) * (below / (below - beyond)).clamp(1e-4, 1.0 - 1e-4) };
+            let share = if k % 12 == 0 { 0.5 } else { (below / (below - beyond)).clamp(1e-5, 1.0 - 1e-5) };
+            let x = low + (high - low) * share;
             let f = miss(x);
-            if f >= 0.0 { (high, beyond) = (x, f) } else { (low, below) = (x, f) }
+            if f >= 0.0 {
+                (high, beyond) = (x, f);
+                below *= if stayed > 0 { 0.5 } else { 1.0 };
+                stayed = 1;
+            } else {
+                (low, below) = (x, f);
+                beyond *= if stayed < 0 { 0.5 } else { 1.0 };
+                stayed = -1;
+            }
         }
         high
     }
@@ -289,29 +298,46 @@ impl<'a> Recovery<'a> {
         }
     }
 
-    /// Time a share takes.
+    /// Time a share takes, and how well it is known.
     ///
     /// # Errors
     /// When an integration fails.
     pub fn needed(&mut self, share: f64) -> Result<Needed, Lost> {
+        let time = self.time(share)?;
+        let spinning = self.spinning;
+        if !time.is_finite() {
+            return Ok(Needed { time, spread: f64::NAN });
+        }
+        let other = [2, 4].map(|k| {
+            let places = spinning.crowd.len().div_ceil(k);
+            match &self.found {
+                Kind::Counted(all) => counted(all, places, share),
+                Kind::Smooth(curves) => spinning.clock.time(self.solve(&curves[..places], share, spinning.clock.counted(time).ln()).exp()),
+            }
+        });
+        // NaN stays
+        let spread = other.map(|t| (t - time).abs()).into_iter().reduce(|a, b| if a >= b { a } else { b });
+        Ok(Needed { time, spread: spread.unwrap_or(f64::NAN) })
+    }
+
+    /// Time a share takes, s; infinite when the share is never caught, NaN without particles.
+    ///
+    /// # Errors
+    /// When an integration fails.
+    pub fn time(&mut self, share: f64) -> Result<f64, Lost> {
         let spinning = self.spinning;
         if spinning.crowd.is_empty() {
-            return Ok(Needed { time: f64::NAN, spread: f64::NAN });
+            return Ok(f64::NAN);
         }
-        let parts = [2, 4].map(|k| spinning.crowd.len().div_ceil(k));
-        // NaN stays
-        let largest = |time: f64, other: [f64; 2]| other.map(|t| (t - time).abs()).into_iter().reduce(|a, b| if a >= b { a } else { b });
         if let Kind::Counted(all) = &self.found {
-            let of = |n: usize| order(&all.iter().filter(|x| x.2 < n).map(|x| (x.0, x.3)).collect::<Vec<_>>(), share);
-            let time = of(spinning.crowd.len());
-            return Ok(Needed { time, spread: largest(time, parts.map(of)).unwrap_or(f64::NAN) });
+            return Ok(counted(all, spinning.crowd.len(), share));
         }
         let mut x = self.guess();
         for round in 0..ROUNDS {
             let Kind::Smooth(curves) = &self.found else { break };
             let next = self.solve(curves, share, x);
             if !next.is_finite() {
-                return Ok(Needed { time: f64::INFINITY, spread: f64::NAN });
+                return Ok(f64::INFINITY);
             }
             let done = round > 0 && (next - x).abs() < CONVERGED;
             x = next;
@@ -320,10 +346,7 @@ impl<'a> Recovery<'a> {
             }
             self.refine(x)?;
         }
-        let Kind::Smooth(curves) = &self.found else { return Ok(Needed { time: f64::NAN, spread: f64::NAN }) };
-        let time = spinning.clock.time(x.exp());
-        let other = parts.map(|n| spinning.clock.time(self.solve(&curves[..n], share, x).exp()));
-        Ok(Needed { time, spread: largest(time, other).unwrap_or(f64::NAN) })
+        Ok(spinning.clock.time(x.exp()))
     }
 
     /// A counted time (its ln) from which to search: of a particle of median size.
@@ -372,6 +395,11 @@ impl<'a> Recovery<'a> {
             }
         }
     }
+}
+
+/// Weighted order statistic of the first places.
+fn counted(all: &[(f64, Option<Surface>, usize, f64)], places: usize, share: f64) -> f64 {
+    order(&all.iter().filter(|x| x.2 < places).map(|x| (x.0, x.3)).collect::<Vec<_>>(), share)
 }
 
 /// Weighted order statistic: the first time by which the share has left.

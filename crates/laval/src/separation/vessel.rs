@@ -33,6 +33,14 @@ impl Inside {
             Inside::Ring(a, b) => b - a,
         }
     }
+    /// Distance of a place to the nearest surface, m: exact in a cup, 0 (not known) elsewhere.
+    #[inline]
+    pub fn clear(&self, [x, y, z]: [f64; 3]) -> f64 {
+        match self {
+            Inside::Cup(c) => (c.radius - x.hypot(z)).min(c.bottom - y).min(y - c.top),
+            Inside::Tube(_) | Inside::Ring(..) => 0.0,
+        }
+    }
     /// Length over which the distance to a surface changes, m.
     pub fn width(&self) -> f64 {
         match self {

@@ -6,7 +6,7 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::Finding;
 use crate::solve::rest::rest;
-use crate::units::{Dimension, parse_unit};
+use crate::units::check_dimension;
 use laval_num::dense::{Lu, Mat};
 
 /// `initial`.
@@ -112,6 +112,14 @@ impl Entry {
             Entry::State(i) => 2 * system.n() + i,
         }
     }
+    /// SI unit of its values.
+    fn unit(self, system: &System) -> String {
+        match self {
+            Entry::Coordinate(i) => system.coordinates()[i].dof.unit.to_string(),
+            Entry::Rate(i) => format!("{}/s", system.coordinates()[i].dof.unit),
+            Entry::State(i) => system.states()[i].dof.unit.to_string(),
+        }
+    }
 }
 
 /// Names and units of the state (q, v, z): `drum.x`, `drum.x'`, `liquid.surface_x`.
@@ -136,8 +144,8 @@ const LARGEST_START: f64 = 1e9;
 /// Reads a state map; says all that is wrong.
 pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnostics: &mut Diagnostics) -> Vec<(Entry, f64)> {
     let mut out: Vec<(Entry, f64)> = Vec::new();
-    let (units, known) = (values.units_of(field), state_names(system));
-    for (i, (name, value, span)) in values.state_map(field).unwrap_or_default().iter().enumerate() {
+    let units = values.units_of(field);
+    for (k, (name, value, span)) in values.state_map(field).unwrap_or_default().iter().enumerate() {
         let Some(found) = entry(system, name) else {
             diagnostics.push(
                 Diagnostic::error("coordinate.unknown", format!("there is no coordinate or state \"{name}\""))
@@ -148,13 +156,11 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
             );
             continue;
         };
-        let wanted = &known[found.index(system)].1;
-        if let Some(Some(given)) = units.get(i)
-            && !same_dimension(given, wanted)
+        if let Some(Some(given)) = units.get(k)
+            && let Err(e) = check_dimension(given, &found.unit(system))
         {
-            let given = if given.is_empty() { "a pure number" } else { given };
-            let message = format!("\"{name}\" is in {wanted}, not in {given}");
-            diagnostics.push(Diagnostic::error("unit.dimension", message).at(span.clone()).label("wrong dimension"));
+            diagnostics.push(Diagnostic { help: e.help.map(Into::into), ..Diagnostic::error(e.code, e.message).at(span.clone()) });
+            continue;
         }
         if !(value.abs() <= LARGEST_START) {
             let message = format!("\"{name}\" is {value:e}; it must lie between {:e} and {LARGEST_START:e} in SI units", -LARGEST_START);
@@ -166,14 +172,6 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
         out.push((found, *value));
     }
     out
-}
-
-fn same_dimension(a: &str, b: &str) -> bool {
-    let read = |unit: &str| if unit.is_empty() { Some(Dimension::default()) } else { parse_unit(unit).ok().map(|u| u.dimension) };
-    match (read(a), read(b)) {
-        (Some(a), Some(b)) => a.same(&b),
-        _ => a == b,
-    }
 }
 
 fn nearest(system: &System, name: &str) -> String {

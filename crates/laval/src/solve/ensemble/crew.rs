@@ -1,11 +1,11 @@
 //! The lanes of one thread: members in, rows out.
 
-use super::constant::Constant;
 use super::general::General;
 use super::{Ended, Form, Grid, Leg, LegEnd, Next, Voyage};
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::solve::motion::SpinLaw;
+use crate::solve::motion::constant::Constant;
 use crate::solve::programme::Programme;
 use laval_num::ensemble::{Crew, Seat};
 use laval_num::lanes::{LANES, LaneScalar};

@@ -12,7 +12,6 @@
 //!
 //! with n the nonlinear parts only, one call for each and all lanes; any other motion is evaluated part by part.
 
-mod constant;
 mod crew;
 mod general;
 

@@ -11,10 +11,11 @@
 //! The energy account appends four integrals from the start: heat, work of the parts' own sources, work of the drive, work of the weight. Stored energy
 //! changes by `-heat + sources + drive + weight`: what is missing is the error of the integration.
 //!
-//! A machine of constant mass at constant speed is compiled once: its linear parts become one dense matrix, and only nonlinear parts and
-//! memory states are evaluated at every call.
+//! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, sparse ([`constant`]) or, beside memory
+//! states, dense ([`compiled`]), and only nonlinear parts and memory states are evaluated at every call.
 
 pub(super) mod compiled;
+pub(super) mod constant;
 mod direct;
 pub mod flight;
 mod stiff;
@@ -25,6 +26,7 @@ use crate::model::erased::D1;
 use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
 use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
 use compiled::Compiled;
+use constant::Constant;
 use direct::Direct;
 use laval_num::ode::{Failure, Ode};
 use stiff::Elimination;
@@ -47,9 +49,45 @@ pub struct Motion<'a> {
     law: SpinLaw,
     account: bool,
     direct: Direct,
-    compiled: Option<Compiled>,
+    steady: Option<Steady<'a>>,
     elimination: Elimination,
     power: PowerScratch,
+}
+
+/// The compiled forms.
+enum Steady<'a> {
+    /// Without memory: the equations, the state with their room behind it, and its rates.
+    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>),
+    Dense(Box<Compiled>),
+}
+
+impl<'a> Steady<'a> {
+    fn new(system: &'a System, speed: f64, phase: f64) -> Result<Self, Failure> {
+        if system.slots().iter().any(|s| s.memory > 0) {
+            return Ok(Steady::Dense(Box::new(Compiled::new(system, speed)?)));
+        }
+        let mut equations = Constant::new(system);
+        equations.load(0, system, speed, phase)?;
+        let dim = 2 * system.n() + system.m();
+        let room = equations.room(dim);
+        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim]))
+    }
+
+    /// Fills `accel` and `rate` of `out`.
+    fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
+        match self {
+            Steady::Dense(c) => c.evaluate(system, t, spin, y, out),
+            Steady::Sparse(equations, state, rates) => {
+                let n = system.n();
+                // the account of energy may stand behind the states
+                state[..rates.len()].copy_from_slice(&y[..rates.len()]);
+                equations.time(t);
+                equations.rhs(t, state, rates);
+                out.accel[..n].copy_from_slice(&rates[n..2 * n]);
+                out.rate.copy_from_slice(&rates[2 * n..]);
+            }
+        }
+    }
 }
 
 #[derive(Default)]
@@ -103,7 +141,7 @@ impl<'a> Motion<'a> {
         let mut motion = Motion {
             system,
             direct: Direct::new(system, free),
-            compiled: None,
+            steady: None,
             elimination: Elimination::new(system, free),
             law,
             account: false,
@@ -123,7 +161,7 @@ impl<'a> Motion<'a> {
             && let Some(speed) = p.constant_speed()
             && motion.direct.constant_mass()
         {
-            motion.compiled = Some(Compiled::new(system, speed).map_err(fail)?);
+            motion.steady = Some(Steady::new(system, speed, p.at(0.0).phase).map_err(fail)?);
         }
         Ok(motion)
     }
@@ -190,7 +228,7 @@ impl<'a> Motion<'a> {
     }
     /// The integration uses the matrices compiled for a constant speed.
     pub fn is_compiled(&self) -> bool {
-        self.compiled.is_some()
+        self.steady.is_some()
     }
 
     /// Phase and speed at a state; the acceleration is that of the programme (0 when free: ask [`Motion::accelerations`]).
@@ -206,8 +244,8 @@ impl<'a> Motion<'a> {
 
     fn accelerate(&mut self, t: f64, y: &[f64]) -> Result<Spin, Failure> {
         let spin = self.spin(t, y);
-        match &mut self.compiled {
-            Some(c) => c.evaluate(self.system, t, spin, y, &mut self.direct),
+        match &mut self.steady {
+            Some(s) => s.evaluate(self.system, t, spin, y, &mut self.direct),
             None => self.direct.evaluate(self.system, t, spin, y)?,
         }
         Ok(Spin { accel: if self.is_free() { self.direct.accel[self.system.n()] } else { spin.accel }, ..spin })

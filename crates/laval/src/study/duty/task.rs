@@ -10,7 +10,7 @@ use crate::separation::ensemble::Model;
 use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
-use crate::separation::recovery::{Needed, Recovery};
+use crate::separation::recovery::Recovery;
 
 /// A separation that is asked for.
 #[derive(Clone, Debug)]
@@ -63,7 +63,7 @@ pub const MODEL: Field = Field::optional(
     FieldKind::Choice(&[
         (
             "adaptive",
-            "exact at a held speed with Stokes' drag; otherwise with inertia for particles whose drag rate is below 300 times the spin speed, drifting for the rest",
+            "exact at a held speed with Stokes' drag; otherwise with inertia for particles whose drag rate is below 100 times the spin speed, drifting for the rest",
         ),
         ("exact", "inertia of every particle, the swing of the cups in a run-up"),
         ("drifting", "drag and field in balance"),
@@ -152,11 +152,11 @@ pub fn lost(Lost(why): Lost) -> Diagnostic {
         .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
 }
 
-/// Time a share of a batch takes at a speed.
+/// Time a share of a batch takes at a speed, s.
 ///
 /// # Errors
 /// When a path cannot be computed.
-pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<Needed, Diagnostic> {
+pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<f64, Diagnostic> {
     let spinning = batch.at(speed);
-    Recovery::new(&spinning).and_then(|mut r| r.needed(share)).map_err(lost)
+    Recovery::new(&spinning).and_then(|mut r| r.time(share)).map_err(lost)
 }

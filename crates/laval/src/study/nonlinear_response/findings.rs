@@ -176,7 +176,10 @@ fn unstable_ranges(branch: &Traced) -> String {
         if !run[0].unstable() || turned_back {
             continue;
         }
-        let (from, to) = run.iter().fold((f64::INFINITY, 0.0f64), |(a, b), p| (a.min(p.speed), b.max(p.speed)));
+        // to where the stability is lost and regained, not to the nearest points computed
+        let located = branch.changes.iter().filter(|c| c.after + 1 == first || c.after == last).map(|c| c.speed);
+        let speeds = run.iter().map(|p| p.speed).chain(located);
+        let (from, to) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
         let (from, to) = (significant(from, 4), significant(to, 4));
         ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
     }

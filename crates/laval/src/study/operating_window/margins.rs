@@ -1,6 +1,7 @@
 //! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
 
 use super::Policy;
+use super::contents::{Changed, overridden};
 use super::coupling::loaded;
 use super::passage::Passage;
 use super::steady::{Branches, State, linear, spectrum};
@@ -75,6 +76,8 @@ pub(super) struct Asked {
     pub duty: Option<Task>,
     pub limits: Limits,
     pub cups: Vec<(Attach, Ring)>,
+    /// What the separation changes.
+    pub after: Option<Changed>,
     /// Time of the run-up to the top of the range, s.
     pub ramp: Option<f64>,
     pub policy: Policy,
@@ -89,6 +92,10 @@ pub(super) struct Judge<'a> {
     pub branches: &'a [(f64, Branches)],
     pub passage: Option<&'a Passage>,
 }
+
+/// Which state of the contents decides.
+const BEFORE: &str = " before the separation";
+const AFTER: &str = " after the separation";
 
 fn margin(name: usize, value: f64, detail: impl Into<String>) -> Margin {
     Margin { name, value, detail: detail.into() }
@@ -105,36 +112,77 @@ impl Judge<'_> {
     /// # Errors
     /// When the machine cannot be evaluated at all.
     pub fn at(&self, speed: f64) -> Result<Point, Diagnostic> {
+        let mut point = self.mechanical(speed)?;
+        self.separated(&mut point);
+        Ok(point)
+    }
+
+    /// Adds the requirement on the separation, or replaces it.
+    pub fn separated(&self, point: &mut Point) {
+        let Some(duty) = &self.asked.duty else { return };
+        // a path that cannot be computed leaves the margin undefined
+        let found = needed(&duty.batch, point.speed, duty.recovery);
+        let time = found.as_ref().map_or(f64::NAN, |t| *t);
+        let value = 1.0 - time / duty.time;
+        let detail = found.map_or_else(|d| d.message, |_| "time".into());
+        point.needed = time;
+        point.margins.retain(|m| m.name != 0);
+        point.margins.insert(0, margin(0, if value.is_finite() { value } else { f64::NAN }, detail));
+    }
+
+    /// Steady states of a machine with its load at a speed, and the growth rate about rest.
+    fn states(&self, system: &System, speed: f64, eigen: f64) -> Result<Vec<State>, Diagnostic> {
+        if self.branches.is_empty() {
+            return Ok(linear(system, speed, eigen)?.into_iter().collect());
+        }
+        let nearest = self.branches.iter().min_by(|a, b| (a.0 - speed).abs().total_cmp(&(b.0 - speed).abs()));
+        nearest.map_or(Ok(vec![]), |b| b.1.at(system, speed))
+    }
+
+    /// Largest growth rate of the machine whose contents have separated; `None` where they weigh as before.
+    fn growth_after(&self, speed: f64) -> Result<Option<f64>, Diagnostic> {
+        let Some(after) = &self.asked.after else { return Ok(None) };
+        let thinner = if after.overrides.is_empty() { None } else { Some(overridden(self.system, &after.overrides)?) };
+        let unloaded = thinner.as_ref().unwrap_or(self.system);
+        let (changed, _) = loaded(unloaded, &after.cups, speed)?;
+        let system = changed.as_ref().unwrap_or(unloaded);
+        let eigen = spectrum(system, speed)?.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        if self.branches.is_empty() {
+            return Ok(Some(eigen));
+        }
+        let states = self.states(system, speed, eigen)?;
+        let met = self.judged(system, states.iter().filter(|s| s.stable).collect(), speed);
+        Ok(Some(worst_growth(&met, &states)))
+    }
+
+    /// All requirements but that on the separation.
+    fn mechanical(&self, speed: f64) -> Result<Point, Diagnostic> {
         let asked = self.asked;
         let (changed, loads) = loaded(self.system, &asked.cups, speed)?;
         let system = changed.as_ref().unwrap_or(self.system);
         let spectrum = spectrum(system, speed)?;
         let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
-        let states: Vec<State> = if self.branches.is_empty() {
-            linear(system, speed, eigen)?.into_iter().collect()
-        } else {
-            let nearest = self.branches.iter().min_by(|a, b| (a.0 - speed).abs().total_cmp(&(b.0 - speed).abs()));
-            nearest.map_or(Ok(vec![]), |b| b.1.at(system, speed))?
-        };
+        let states = self.states(system, speed, eigen)?;
         let nonlinear = !self.branches.is_empty();
         // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
         let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
         let met = self.judged(system, met, speed);
-        let growth = if nonlinear { worst_growth(&met, &states) } else { eigen };
+        let before = if nonlinear { worst_growth(&met, &states) } else { eigen };
+        // stable before and after the separation; NaN stays
+        let (growth, when) = match self.growth_after(speed)? {
+            None => (before, ""),
+            Some(after) if !(after <= before) => (after, AFTER),
+            Some(_) => (before, BEFORE),
+        };
         let mut margins = Vec::new();
-        let mut time = f64::NAN;
-        if let Some(duty) = &asked.duty {
-            // a path that cannot be computed leaves the margin undefined
-            let found = needed(&duty.batch, speed, duty.recovery);
-            time = found.as_ref().map_or(f64::NAN, |n| n.time);
-            let value = 1.0 - time / duty.time;
-            let detail = found.map_or_else(|d| d.message, |_| "time".into());
-            margins.push(margin(0, if value.is_finite() { value } else { f64::NAN }, detail));
-        }
         margins.extend(self.vibration(system, &met));
         margins.extend(self.self_centred(system, &met));
         let limit = asked.limits.growth;
-        margins.push(margin(3, if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() }, "growth rate"));
+        margins.push(margin(
+            3,
+            if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() },
+            format!("growth rate{when}"),
+        ));
         if let Some(clearance) = asked.limits.clearance {
             let mut all: Vec<(f64, String)> = Vec::new();
             for h in &asked.limits.orders {
@@ -169,7 +217,7 @@ impl Judge<'_> {
         let energy = 0.5 * spin_inertia(system, speed) * speed * speed + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
         let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
-        Ok(Point { speed, margins, needed: time, tilt, unbalance, states: met.len(), energy, growth })
+        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth })
     }
 
     /// Of the stable states that exist at a speed those that are judged.

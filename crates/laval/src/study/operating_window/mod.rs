@@ -9,7 +9,7 @@
 //! strength      1 - w/w_max(density)
 //! ```
 //!
-//! The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin (or serves another
+//! `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin (or serves another
 //! objective). At every speed the machine carries its cups at the tilt of that speed.
 //!
 //! Symbols: w spin speed; p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
@@ -19,6 +19,7 @@
 //!
 //! Sources: `theory/separation.md` section 13.
 
+mod contents;
 mod coupling;
 mod margins;
 mod passage;
@@ -41,6 +42,7 @@ use crate::solve::rest::rest;
 use crate::solve::scalar::maximum;
 use margins::{Asked, Judge, Point, radial_guess};
 use passage::Passage;
+use rayon::prelude::*;
 use steady::Branches;
 use window::{Interval, dips, intervals, scan};
 
@@ -80,6 +82,8 @@ pub struct OperatingWindow {
 
 /// Speeds of the scan unless given, and of a map.
 const SPEEDS: usize = 120;
+/// Most places where particles start in a map.
+const MAP_PLACES: usize = 256;
 /// Loads at which branches of a nonlinear machine are followed.
 const LOADS: usize = 5;
 /// Most uncertain parameters: their corners are all evaluated.
@@ -89,7 +93,8 @@ impl Study for OperatingWindow {
     const KIND: &'static str = "operating_window";
     const DOC: &'static str = "At which speeds the machine may run: stable, its limits kept, the way up survived, and the suspension separated in the time at \
         hand; what binds at each end, the recommended speed, the shortest time, and what to relax when nothing fits. Uses the blocks \
-        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked.";
+        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is judged with the contents as they are before and after the \
+        separation: particles spread over the cups and all at their bottoms, bowls full of suspension and of clear liquid.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds looked at; points (120 unless given) are added where something happens"),
         CUP,
@@ -314,13 +319,13 @@ impl OperatingWindow {
             return None;
         }
         let limits = limits::of(system);
-        let cups = system
-            .machine
-            .extras
-            .iter()
-            .filter(|e| e.word == "cup")
-            .filter_map(|e| duty::vessel(e, system, &mut Diagnostics::default())?.load)
-            .collect();
+        let vessels = system.machine.extras.iter().filter(|e| e.word == "cup");
+        let loading = vessels.filter_map(|e| duty::vessel(e, system, &mut Diagnostics::default())).filter_map(|c| Some((c.name, c.load?)));
+        let (names, cups): (Vec<String>, Vec<_>) = loading.unzip();
+        let after = duty.as_ref().and_then(|task| {
+            let own = names.iter().position(|n| *n == task.vessel.name);
+            contents::changed(system, task, &cups, own)
+        });
         let policy = match v.choice("branch_policy") {
             Some("reached") => Policy::Reached,
             Some("highest") => Policy::Highest,
@@ -344,16 +349,25 @@ impl OperatingWindow {
             );
             return None;
         }
-        Some(Asked { duty, limits, cups, ramp, policy, top: self.speed.to })
+        Some(Asked { duty, limits, cups, after, ramp, policy, top: self.speed.to })
+    }
+
+    /// The same for a machine that was read before; for a map with fewer places.
+    fn fitting(&self, system: &System, map: bool) -> Result<Asked, Diagnostic> {
+        let mut asked = self.asked(system, &mut Diagnostics::default()).ok_or_else(|| {
+            Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension")
+        })?;
+        if let Some(duty) = asked.duty.as_mut().filter(|_| map) {
+            duty.batch.places = duty.batch.places.min(MAP_PLACES);
+        }
+        Ok(asked)
     }
 
     /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
     fn evaluate(&self, system: &System, context: &Context, care: Care, known: Option<&Passage>) -> Result<Option<Evaluated>, Diagnostic> {
-        let asked = self.asked(system, &mut Diagnostics::default()).ok_or_else(|| {
-            Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension")
-        })?;
-        let (from, to) = (self.speed.from, self.speed.to);
         let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
+        let asked = self.fitting(system, only)?;
+        let (from, to) = (self.speed.from, self.speed.to);
         let count = if careful { self.speed.points.unwrap_or(SPEEDS) } else { SPEEDS / 2 };
         let mut speeds = match care {
             Care::Only(grid) => grid.to_vec(),
@@ -489,13 +503,30 @@ impl OperatingWindow {
         let Some((path, r)) = &self.map else { return Ok(None) };
         let mut cells = Vec::new();
         let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or_else(|| extra_unit(path), |s| s.unit);
+        let grid = RangeValue { points: Some(SPEEDS / 2), ..self.speed }.linspace(SPEEDS / 2);
+        // what does not weigh changes the separation alone
+        let moving = match only_friction(system, path) {
+            true => self.evaluate(system, context, Care::Only(&grid), main.passage.as_ref())?,
+            false => None,
+        };
         for x in r.linspace(12) {
             let changed = varied(system, path, x)?;
-            let known = main.passage.as_ref().filter(|_| only_liquid(system, path));
-            let grid = RangeValue { points: Some(SPEEDS / 2), ..self.speed }.linspace(SPEEDS / 2);
-            let Some(found) = self.evaluate(&changed, context, Care::Only(&grid), known)? else { return Ok(None) };
+            let points = if let Some(moving) = &moving {
+                if context.cancelled() {
+                    return Ok(None);
+                }
+                let asked = self.fitting(&changed, true)?;
+                let judge = Judge { system: &changed, asked: &asked, branches: &[], passage: main.passage.as_ref() };
+                let mut points = moving.points.clone();
+                points.par_iter_mut().for_each(|p| judge.separated(p));
+                points
+            } else {
+                let known = main.passage.as_ref().filter(|_| only_liquid(system, path));
+                let Some(found) = self.evaluate(&changed, context, Care::Only(&grid), known)? else { return Ok(None) };
+                found.points
+            };
             for &w in &grid {
-                if let Some(p) = found.points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
+                if let Some(p) = points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
                     let binding = p.binding().map_or("", |m| margins::NAMES[m.name]);
                     cells.push((w, x, p.least().max(-1.0), binding));
                 }
@@ -503,6 +534,13 @@ impl OperatingWindow {
         }
         Ok(Some(Map { path: path.clone(), unit, cells }))
     }
+}
+
+/// The parameter belongs to the suspension and weighs nothing: it changes the times of the separation alone.
+fn only_friction(system: &System, path: &str) -> bool {
+    let field = path.split('.').nth(1).unwrap_or_default();
+    let named = ["temperature", "viscosity", "drop_viscosity", "shape_factor", "hindered_exponent", "added_mass", "lift"].contains(&field);
+    only_liquid(system, path) && named
 }
 
 /// The parameter belongs to the suspension: the machine moves the same whatever it is.

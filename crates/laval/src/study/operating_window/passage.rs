@@ -157,8 +157,9 @@ fn both_ways(system: &System, (top, duration): (f64, f64), context: &Context) ->
         let plan = Plan {
             t_end: duration,
             choice: Choice::Auto,
-            relative: 1e-7,
-            absolute: 1e-9,
+            // the peaks hold to about five digits
+            relative: 1e-6,
+            absolute: 1e-8,
             outputs: &outputs,
             windows: WINDOWS,
             rest: &[],

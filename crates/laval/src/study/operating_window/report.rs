@@ -2,7 +2,7 @@
 
 use super::margins::{NAMES, Point};
 use super::window::{End, excluding, relaxations};
-use super::{Evaluated, Map, Objective, OperatingWindow, Policy, Robust};
+use super::{Evaluated, MAP_PLACES, Map, Objective, OperatingWindow, Policy, Robust};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
@@ -77,6 +77,7 @@ impl Found<'_> {
     fn windows(&self, mut out: Outcome) -> Outcome {
         let ended = |e: &End, side: &str| match e.event {
             "domain limit" => format!("{side}, by the range looked at"),
+            event if e.binding == "stable" => format!("{side}, by stability ({}, {event})", e.detail),
             event => format!("{side}, by {} ({event})", words(&e.binding)),
         };
         for i in &self.main.intervals {
@@ -297,7 +298,12 @@ impl Found<'_> {
             )
             .float("tilt", "rad", "tilt of the cups; NaN without cups", column(&|x| x.tilt))
             .float("unbalance", "kg m", "unbalance of the cups; NaN where it cannot be computed", column(&|x| x.unbalance))
-            .float("growth", "1/s", "largest growth rate; NaN where there is none to tell", column(&|x| x.growth))
+            .float(
+                "growth",
+                "1/s",
+                "largest growth rate, before and after the separation; NaN where there is none to tell",
+                column(&|x| x.growth),
+            )
             .int("states", "", "number of steady states met", p.iter().map(|x| x.states as i64).collect())
             .float(
                 "energy",
@@ -364,13 +370,16 @@ impl Found<'_> {
     fn map_table(&self) -> Built<Option<Table>> {
         let Some(map) = &self.map else { return Ok(None) };
         let c = &map.cells;
-        Table::new("map", format!("Least margin over spin speed and {}", map.path))
-            .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.0).collect())
-            .float(map.path.clone(), map.unit, "parameter", c.iter().map(|c| c.1).collect())
-            .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.2).collect())
-            .text("binding", "requirement with the least margin", c.iter().map(|c| c.3.into()).collect())
-            .build()
-            .map(Some)
+        let mut table =
+            Table::new("map", format!("Least margin over spin speed and {} (separation from at most {MAP_PLACES} places)", map.path))
+                .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.0).collect())
+                .float(map.path.clone(), map.unit, "parameter", c.iter().map(|c| c.1).collect())
+                .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.2).collect())
+                .text("binding", "requirement with the least margin", c.iter().map(|c| c.3.into()).collect());
+        if map.unit == "K" {
+            table = table.float("celsius", "degC", "parameter in degrees Celsius", c.iter().map(|c| c.1 - 273.15).collect());
+        }
+        table.build().map(Some)
     }
 
     fn figures(&self, mut out: Outcome) -> Outcome {
@@ -413,7 +422,8 @@ impl Found<'_> {
                 "Pa s" => ("mPa s", 1e3),
                 u => (u, 1.0),
             };
-            let heat = Heat::new("map", "speed", map.path.clone(), "margin", Axis::new("least margin", "")).diverging().contour(0.0);
+            let (unit, column) = if unit == "K" { ("°C", "celsius".to_string()) } else { (unit, map.path.clone()) };
+            let heat = Heat::new("map", "speed", column, "margin", Axis::new("least margin", "")).diverging().contour(0.0);
             let panel = Panel::new(Axis::new(map.path.clone(), unit).factor(factor)).mark(heat);
             let alt = format!("Least margin over spin speed and {}; the curve is the edge of the window.", map.path);
             out = out.figure(Figure::new("map", "Window over speed and parameter", alt).x(speed()).panel(panel));

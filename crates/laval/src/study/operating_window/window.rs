@@ -11,6 +11,8 @@ pub(super) struct End {
     pub speed: f64,
     /// The requirement that ends it, or `range`.
     pub binding: String,
+    /// What binds in it.
+    pub detail: String,
     /// crossing, jump, eigenvalue crossing, domain limit.
     pub event: &'static str,
     /// Width of the bracket, rad/s.
@@ -90,7 +92,13 @@ fn end(inside: &Point, outside: &Point) -> End {
     } else {
         "crossing"
     };
-    End { speed: inside.speed, binding: name.to_string(), event, bracket: (inside.speed - outside.speed).abs() }
+    End {
+        speed: inside.speed,
+        binding: name.to_string(),
+        detail: binding.map_or_else(String::new, |m| m.detail.clone()),
+        event,
+        bracket: (inside.speed - outside.speed).abs(),
+    }
 }
 
 /// Intervals in which `keeps` holds; points are in order of speed. The points made on the way are added.
@@ -101,7 +109,7 @@ pub(super) fn intervals(
 ) -> Result<Vec<Interval>, Diagnostic> {
     let mut out: Vec<Interval> = Vec::new();
     let mut made = Vec::new();
-    let limit = |p: &Point| End { speed: p.speed, binding: "range".into(), event: "domain limit", bracket: 0.0 };
+    let limit = |p: &Point| End { speed: p.speed, binding: "range".into(), detail: String::new(), event: "domain limit", bracket: 0.0 };
     let mut low: Option<End> = None;
     for i in 0..points.len() {
         let p = &points[i];

@@ -11,11 +11,11 @@ use crate::study::duty::task::needed;
 use crate::study::support::RPM;
 
 /// Highest speed shown over that of the study.
-const HIGHEST_SHOWN: f64 = 4.0;
+pub(super) const HIGHEST_SHOWN: f64 = 4.0;
 
 /// Time a batch takes at a speed, s; NaN where a path cannot be computed.
 fn time_of(batch: &Batch, speed: f64, share: f64) -> f64 {
-    needed(batch, speed, share).map_or(f64::NAN, |n| n.time)
+    needed(batch, speed, share).unwrap_or(f64::NAN)
 }
 
 /// A law with all values times a factor.
@@ -46,10 +46,9 @@ fn moved(law: &Law, liquid: f64, by: f64) -> Law {
 }
 
 impl Found<'_> {
-    /// Another speed can be asked for: there is no programme, and no particle after the other must be integrated with its inertia.
+    /// Another speed can be asked for: no particle after the other must be integrated with its inertia.
     pub fn any_speed(&self) -> bool {
-        let programme = matches!(self.study.task.batch.run_up, RunUp::Programme(_));
-        self.study.speed != 0.0 && !programme && self.affordable(HIGHEST_SHOWN * self.study.speed)
+        self.study.speed != 0.0 && self.affordable(HIGHEST_SHOWN * self.study.speed)
     }
 
     fn affordable(&self, speed: f64) -> bool {
@@ -113,17 +112,22 @@ impl Found<'_> {
             Some(q) => format!("at {} l/h", significant(q * 3.6e6, 4)),
             None => format!("in {}", quantity(s.time, "s")),
         };
+        let with = match s.batch.run_up {
+            RunUp::None => "",
+            RunUp::Linear(_) | RunUp::Smooth(_) => ", the run-up at the same acceleration included",
+            RunUp::Programme(_) => ", with all speeds of the programme in proportion to the last",
+        };
         match self.speed_needed() {
             Ok((0.0, _)) => {
                 Finding::info("speed_needed", format!("Gravity alone catches {name} {time}: no spin is needed, {{}}.")).value(0.0, "rad/s")
             }
-            Ok((w, bracket)) => Finding::info("speed_needed", format!("Catching {name} {time} takes at least {{}}."))
+            Ok((w, bracket)) => Finding::info("speed_needed", format!("Catching {name} {time} takes at least {{}}{with}."))
                 .value(w, "rad/s")
                 .shown_as(w * RPM, "rpm")
                 .evidence("width of the bracket", bracket, "rad/s")
                 .evidence("places of the fixed set", s.batch.places as f64, ""),
             Err(highest) => {
-                let text = format!("No speed up to {} rpm catches {name} {time}.", significant(highest * RPM, 4));
+                let text = format!("No speed up to {} rpm catches {name} {time}{with}.", significant(highest * RPM, 4));
                 Finding::warning("speed_needed", text)
             }
         }

@@ -52,6 +52,9 @@ impl Found<'_> {
             out = out.figure(
                 Figure::new("paths", "Paths in the cup", alt).x(Axis::new("along the cup", "mm").factor(1e3)).panel(side).panel(turned),
             );
+            let panel = Panel::new(Axis::new("radius", "mm").factor(1e3)).mark(Line::new("paths", "time", "radius").group("particle"));
+            let alt = "Distance of some particles from the spin axis over time, until they leave or the time at hand ends.";
+            out = out.figure(Figure::new("paths_time", "Way to the outside", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel));
         }
         if out.find_table("released").is_some() {
             let place = |c: &str| Line::new("released", "time", c).name(c);

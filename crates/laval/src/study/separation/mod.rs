@@ -48,7 +48,8 @@ impl Study for Separation {
     const KIND: &'static str = "separation";
     const DOC: &'static str = "Particles of the suspension followed through a cup, tube, bowl or disc stack at one speed: share caught over time, cut size, \
         grade efficiency, where the pellet lies, the time and speed a recovery needs with their sensitivities, and engineering measures \
-        (RCF, k-factor, Sigma). Needs the blocks [[cup]] and [suspension].";
+        (RCF, k-factor, Sigma). Speeds are searched on the same account of time as everything else, with the run-up at the same acceleration; not where every \
+        particle must be integrated with its inertia (model = \"exact\" with a run-up or nonlinear drag). Needs the blocks [[cup]] and [suspension].";
     const FIELDS: &'static [Field] = &[
         CUP,
         Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),
@@ -70,12 +71,17 @@ impl Study for Separation {
             "",
             "place [x, y, z] in the cup of one particle of median size, released at rest and followed",
         ),
-        Field::optional("paths", FieldKind::Integer { min: 0, max: 200 }, "12", "particles whose paths are shown"),
+        Field::optional(
+            "paths",
+            FieldKind::Integer { min: 0, max: 200 },
+            "12",
+            "particles whose paths are shown, the first of the set, until they leave or the time at hand ends",
+        ),
         Field::optional(
             "ramp",
             FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e7) },
             "",
-            "time of the run-up from rest, counted in the time at hand; particles settle on the way, cups swing out",
+            "time of the run-up from rest, counted in the time at hand; particles settle on the way, cups swing out; of fixed-angle tubes an estimate by the field at mean radius",
         ),
         Field::optional(
             "ramp_shape",
@@ -87,7 +93,7 @@ impl Study for Separation {
             "programme",
             FieldKind::Columns(&[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")]),
             "",
-            "speeds at given times, joined smoothly, instead of speed and ramp",
+            "speeds at given times, joined smoothly, instead of speed and ramp; the speed a recovery needs and the sensitivities scale all of them",
         ),
         Field::optional(
             "transfer_k",

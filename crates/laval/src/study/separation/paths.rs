@@ -9,6 +9,7 @@ use crate::separation::ensemble::Model;
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::Separator;
 use crate::separation::motion::Tilt;
+use crate::separation::places::Place;
 use crate::study::duty::task::lost;
 
 impl Found<'_> {
@@ -56,37 +57,33 @@ impl Found<'_> {
         .map(Some)
     }
 
-    pub fn paths_table(&self) -> Built<Option<Table>> {
-        let (s, batch) = (self.study, self.spinning.batch);
-        let Some(steady) = self.spinning.turning.steady().filter(|_| s.paths > 0 && !self.spinning.integrated()) else { return Ok(None) };
-        let mut columns: [Vec<f64>; 5] = Default::default();
-        let mut number = Vec::new();
-        let mut shown = 0;
-        for (m, e) in self.spinning.crowd.iter().zip(&self.exits) {
-            let Some(e) = e else { continue };
-            if shown == s.paths {
-                break;
-            }
-            shown += 1;
-            let rates = batch.medium.rates(&batch.powder.particle(&m.point));
-            let path = Closed::new(&rates, &steady, m.start, [0.0; 3]);
-            for k in 0..=40 {
-                let t = e.time * k as f64 / 40.0;
-                let x = path.at(t).0;
-                number.push(shown as i64);
-                for (c, v) in columns.iter_mut().zip([t, x[0], x[1], x[2], steady.radius(x)]) {
-                    c.push(v);
-                }
-            }
+    /// Paths of the first particles of the set, until they leave or the time at hand ends.
+    pub fn paths(&self) -> Result<Vec<(f64, Vec<Place>)>, Diagnostic> {
+        let (s, powder) = (self.study, &self.spinning.batch.powder);
+        let shown = self.spinning.crowd.iter().take(s.paths);
+        let found: Result<Vec<_>, _> = shown
+            .map(|m| {
+                let particle = powder.particle(&m.point);
+                Ok((2.0 * particle.radius, self.spinning.places(&particle, m, s.task.time, 40)?))
+            })
+            .collect();
+        found.map_err(lost)
+    }
+
+    pub fn paths_table(paths: &[(f64, Vec<Place>)]) -> Built<Option<Table>> {
+        let rows = || paths.iter().enumerate().flat_map(|(k, (d, places))| places.iter().map(move |p| (k, *d, p)));
+        if rows().next().is_none() {
+            return Ok(None);
         }
-        let [t, x, y, z, r] = columns;
-        Table::new("paths", "Paths of some particles in the axes of the cup")
-            .int("particle", "", "number of the particle", number)
-            .float("time", "s", "time", t)
-            .float("x", "m", "across the cup", x)
-            .float("y", "m", "along the cup, from the hinge or mouth", y)
-            .float("z", "m", "across the cup, in the sense of rotation", z)
-            .float("radius", "m", "distance from the spin axis", r)
+        let column = |f: &dyn Fn(&Place) -> f64| rows().map(|r| f(r.2)).collect();
+        Table::new("paths", "Paths of some particles in the axes of the cup, until they leave or the time at hand ends")
+            .int("particle", "", "number of the particle", rows().map(|r| r.0 as i64 + 1).collect())
+            .float("diameter", "m", "its diameter", rows().map(|r| r.1).collect())
+            .float("time", "s", "time", column(&|p| p.time))
+            .float("x", "m", "across the cup", column(&|p| p.at[0]))
+            .float("y", "m", "along the cup, from the hinge or mouth", column(&|p| p.at[1]))
+            .float("z", "m", "across the cup, in the sense of rotation", column(&|p| p.at[2]))
+            .float("radius", "m", "distance from the spin axis", column(&|p| p.radius))
             .build()
             .map(Some)
     }

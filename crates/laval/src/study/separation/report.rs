@@ -1,6 +1,7 @@
 //! What a separation study tells: findings.
 
 use super::Separation;
+use super::demand::HIGHEST_SHOWN;
 use super::tables::validity_table;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -45,6 +46,13 @@ impl<'a> Found<'a> {
         let name = self.share();
         if self.any_speed() {
             out = out.finding(self.speed_finding(&name));
+        } else if study.speed != 0.0 {
+            let text = format!(
+                "The speed that catches {name} and the sensitivities are not searched for: at up to {} times this speed every particle would be integrated with its \
+                 inertia. Ask with model = \"drifting\", which leaves the inertia out, or look at single speeds.",
+                significant(HIGHEST_SHOWN, 2)
+            );
+            out = out.finding(Finding::info("speed_needed", text));
         }
         out = self.describe(out);
         let wall = self.exits.iter().filter(|e| e.is_some_and(|e| e.surface == Surface::Wall)).count() as f64 / self.exits.len() as f64;
@@ -68,6 +76,7 @@ impl<'a> Found<'a> {
             };
             out = out.finding(finding);
         }
+        let paths = self.paths()?;
         let built = || -> Built<Outcome> {
             let mut out = out.table(self.efficiency_table()?);
             out = out.table(self.measures_table()?);
@@ -83,7 +92,7 @@ impl<'a> Found<'a> {
             if let Some(t) = self.pellet_table()? {
                 out = out.table(t);
             }
-            if let Some(t) = self.paths_table()? {
+            if let Some(t) = Self::paths_table(&paths)? {
                 out = out.table(t);
             }
             Ok(out)
@@ -112,7 +121,11 @@ impl<'a> Found<'a> {
         let speed = if still { "without spin".to_string() } else { format!("at {rpm}") };
         let run_up = match self.spinning.duration() {
             0.0 => String::new(),
-            t => format!(", the run-up of {} included", quantity(t, "s")),
+            t => {
+                // the liquid of a tube shifts while the speed changes
+                let how = if matches!(s.vessel.separator, Separator::Tube(..)) { " by an estimate (field at mean radius)" } else { "" };
+                format!(", the run-up of {} included{how}", quantity(t, "s"))
+            }
         };
         let at = match s.throughput {
             Some(q) => format!("{speed} and {} l/h", significant(q * 3.6e6, 4)),

@@ -13,6 +13,10 @@ pub const FEWEST: usize = 3 * LONGEST;
 /// Change over a third of the record, over the size of the motion, above which a motion that does not repeat is called so even where the
 /// settling was cut short.
 const CLEAR: f64 = 1e-2;
+/// Tolerances by which points must differ from turn to turn before their motion is called subharmonic, and by which they must change before it is
+/// called one that does not repeat: smaller differences are settling that is not over.
+const SUBHARMONIC: f64 = 10.0;
+const CHANGING: f64 = 100.0;
 /// Size of a motion over typical sizes below which its changes are judged as if it were that large.
 const SMALLEST: f64 = 1e-3;
 
@@ -103,6 +107,7 @@ impl Sections {
         let size = self.amplitude();
         let noise = 100.0 * rules.relative * size;
         let third = (self.points.len().saturating_sub(1)) / 3;
+        let turn = largest((third..self.points.len().saturating_sub(1)).map(|j| self.apart(&self.points[j], &self.points[j + 1])));
         let mut first = None;
         for k in 1..=LONGEST {
             let lag = k * (third / k).max(1);
@@ -121,13 +126,15 @@ impl Sections {
                 d2 * decay.max(measured)
             };
             let judged = (still / size, d2 / size);
-            if judged.0 <= rules.tolerance && once <= rules.tolerance * size {
+            let clear = k == 1 || turn > SUBHARMONIC * rules.tolerance * size;
+            if judged.0 <= rules.tolerance && once <= rules.tolerance * size && clear {
                 return Judged { verdict: Verdict::Period(k), remaining: judged.0 };
             }
             first = first.or(Some(judged));
         }
         let (remaining, change) = first.unwrap_or((f64::NAN, f64::NAN));
-        let verdict = if bounded && change < CLEAR { Verdict::NotSettled } else { Verdict::NotPeriodic };
+        let small = if bounded { CLEAR } else { CHANGING * rules.tolerance };
+        let verdict = if change < small { Verdict::NotSettled } else { Verdict::NotPeriodic };
         Judged { verdict, remaining: if remaining.is_finite() { remaining } else { f64::NAN } }
     }
 }
@@ -172,6 +179,13 @@ mod tests {
         // a slow mode that the record alone would not show
         let slow = |known| judged(|j| 1.0 + 1e-4 * (-1e-5 * j).exp(), known, true).verdict;
         assert_eq!(slow(Some(1e-5)), Verdict::NotSettled);
+    }
+
+    /// A slowly decaying beat repeats after nine turns as well as it repeats at all: no subharmonic.
+    #[test]
+    fn settling_is_no_subharmonic() {
+        let beat = |size: f64| judged(move |j| 1.0 + size * (std::f64::consts::TAU * j / 9.0).cos(), None, false).verdict;
+        assert_eq!((beat(3e-6), beat(1e-4), beat(1e-8)), (Verdict::NotSettled, Verdict::Period(9), Verdict::Period(1)));
     }
 
     #[test]

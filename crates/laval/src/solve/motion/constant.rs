@@ -1,12 +1,13 @@
-//! Members of constant mass at constant speeds: the linear parts as one sparse matrix of lanes, and a call for each nonlinear part.
+//! One member, or those in lanes, of constant mass at constant speeds and without memory: the linear parts as one sparse matrix, and a call for
+//! each nonlinear part.
 
+use super::compiled::Compiled;
 use crate::model::erased::Erased;
 use crate::model::lanes::{Residual, ResidualArgs};
 use crate::model::part::{At, Rows};
 use crate::model::system::System;
-use crate::solve::motion::compiled::Compiled;
 use laval_num::dense::Mat;
-use laval_num::lanes::{LaneScalar, Sparse};
+use laval_num::lanes::{Entry, Sparse};
 use laval_num::ode::Failure;
 use std::ops::Range;
 
@@ -26,11 +27,11 @@ struct Law<'a, S> {
     states: Range<usize>,
 }
 
-/// The members in the lanes, ready to be evaluated.
+/// The members, ready to be evaluated.
 ///
 /// Every row of the machine is one sum over the terms (y, 1, cos(phase), sin(phase), forces of the nonlinear parts): what is known last comes
 /// last.
-pub(super) struct Constant<'a, S> {
+pub(in crate::solve) struct Constant<'a, S> {
     n: usize,
     /// Index in dy of each row: accelerations, then the states of linear parts.
     target: Vec<usize>,
@@ -43,7 +44,7 @@ pub(super) struct Constant<'a, S> {
     sine: (S, S),
 }
 
-impl<'a, S: LaneScalar> Constant<'a, S> {
+impl<'a, S: Entry> Constant<'a, S> {
     pub fn new(base: &'a System) -> Self {
         let (n, m) = (base.n(), base.m());
         let states = base.linear_states(crate::model::linear::Form::Time);
