@@ -185,7 +185,9 @@ impl Settling<'_> {
     fn leg(log: &mut Log, periods: u64, first_step: Option<f64>) -> Leg {
         let t1 = log.period * periods as f64;
         log.done += periods;
-        Leg { first_step, ..Leg::new(0.0, t1) }
+        // as many a period as the longest leg may take: a motion that flies apart is not followed for millions
+        let whole = Leg::new(0.0, t1);
+        Leg { first_step, max_steps: (whole.max_steps / LONGEST_LEG).saturating_mul(periods), ..whole }
     }
 
     /// A leg of shooting: all begin with the same step, so that their errors are nearly the same.
