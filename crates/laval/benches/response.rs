@@ -6,7 +6,11 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
+#[path = "common/processor.rs"]
+mod processor;
+
 use laval::solve::harmonic::response::{Request, respond};
+use processor::processor;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
@@ -46,11 +50,4 @@ fn main() {
             println!("    fold at {:.10} rad/s", fold.speed);
         }
     }
-}
-
-fn processor() -> String {
-    std::fs::read_to_string("/proc/cpuinfo")
-        .ok()
-        .and_then(|t| t.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split(':').nth(1)).map(|s| s.trim().to_string()))
-        .unwrap_or_else(|| std::env::consts::ARCH.to_string())
 }

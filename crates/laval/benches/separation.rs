@@ -3,14 +3,19 @@
 //!
 //! `nice -n -19 taskset -c 0 cargo bench -p laval --bench separation`
 
+#[path = "common/clock.rs"]
+mod clock;
+#[path = "common/processor.rs"]
+mod processor;
+
+use clock::clock;
 use laval::separation::cup::{Hanging, SwingingCup};
 use laval::separation::ensemble::{Model, Powder, leave, members, powder_efficiency, products};
 use laval::separation::exit::Cylinder;
 use laval::separation::law::Law;
 use laval::separation::machine::{Cup, Separator};
 use laval::separation::particle::Medium;
-use std::sync::OnceLock;
-use std::time::Instant;
+use processor::processor;
 
 fn main() {
     let n = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(1_000_000);
@@ -42,19 +47,4 @@ fn main() {
     let few = members(&turning, 4096.min(n));
     let taus: Vec<f64> = products(&turning, &few, 1.0).into_iter().flatten().map(|p| p.0).collect();
     println!("exact sum over sizes, {} places: {}", taus.len(), powder_efficiency(&taus, &medium, &size, 2650.0, 10.0));
-}
-
-/// Time this thread has spent on a processor, s, which others on the machine do not disturb; the wall clock where the system does not tell.
-fn clock() -> f64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    let start = START.get_or_init(Instant::now);
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |t| t * 1e-9)
-}
-
-fn processor() -> String {
-    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = info.lines().find_map(|l| l.strip_prefix("model name")).map(|l| l.trim_start_matches([' ', '\t', ':']).to_string());
-    name.unwrap_or_else(|| std::env::consts::ARCH.to_string())
 }

@@ -307,10 +307,18 @@ fn codes(edits: &[(&str, &str)]) -> Vec<&'static str> {
 }
 
 #[test]
+fn starts_have_the_unit_of_their_coordinate() {
+    for (from, to) in [("\"0.1 mm\"", "\"0.1 kg\""), ("\"0.1 mm\"", "\"0.1 mm/s\""), ("\"0.1 m/s\"", "\"0.1 m\"")] {
+        assert_eq!(codes(&[(from, to)]), ["unit.dimension"], "{to}");
+    }
+    assert!(codes(&[("\"0.1 m/s\"", "\"6 m/min\"")]).is_empty());
+}
+
+#[test]
 fn what_refers_to_a_broken_block_is_not_blamed() {
     // a coordinate that only the right value would give, of a liquid that cannot be built, of a part of unknown kind, under a name that cannot be one
     assert_eq!(
-        codes(&[("diametral_inertia = \"0.8 kg m^2\"", "diametral_inertai = 0.8"), ("\"rotor.x\" = \"0.1 mm\"", "\"rotor.tilt_x\" = 0.1")]),
+        codes(&[("diametral_inertia = \"0.8 kg m^2\"", "diametral_inertai = 0.8"), ("\"rotor.x\"", "\"rotor.tilt_x\"")]),
         ["key.unknown"]
     );
     assert_eq!(codes(&[("kind = \"liquid\"", "kind = \"liqid\""), ("\"rotor.x\"", "\"oil.surface_x\"")]), ["kind.unknown"]);

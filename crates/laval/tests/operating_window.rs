@@ -188,10 +188,8 @@ fn cups_load_their_rotor() {
     }
 }
 
-/// A machine with a stiffening bearing: between its folds two stable states exist, and the larger one closes the window.
-#[test]
-fn coexisting_states_close_the_window() {
-    let text = r#"
+/// A rotor on a stiffening bearing.
+const STIFFENING: &str = r#"
 [machine]
 name = "stiffening"
 [[part]]
@@ -213,11 +211,13 @@ between = ["rotor", "ground"]
 damping = 400
 [limits]
 displacement = "0.45 mm"
-[[study]]
-kind = "operating_window"
-speed = { from = "1000 rad/s", to = "5000 rad/s", points = 60 }
 "#;
-    let o = run(text);
+
+/// A machine with a stiffening bearing: between its folds two stable states exist, and the larger one closes the window.
+#[test]
+fn coexisting_states_close_the_window() {
+    let study = "[[study]]\nkind = \"operating_window\"\nspeed = { from = \"1000 rad/s\", to = \"5000 rad/s\", points = 60 }\n";
+    let o = run(&format!("{STIFFENING}{study}"));
     let s = o.find_table("speeds").unwrap();
     // circular motion z = a exp(i W t): [(k + k3 a^2 - m W^2)^2 + (c W)^2] a^2 = (m e W^2)^2, a cubic in a^2
     let states = |w: f64| -> Vec<f64> {
@@ -259,28 +259,7 @@ speed = { from = "1000 rad/s", to = "5000 rad/s", points = 60 }
 fn policies_choose_among_the_states() {
     let text = |policy: &str, from: f64, to: f64| {
         format!(
-            r#"
-[machine]
-name = "stiffening"
-[[part]]
-kind = "disc"
-name = "rotor"
-mass = 2.4
-eccentricity = "50 um"
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["rotor", "ground"]
-stiffness = 1.1e7
-cubic_stiffness = 8.7e12
-law = "isotropic"
-[[part]]
-kind = "damper"
-name = "air"
-between = ["rotor", "ground"]
-damping = 400
-[limits]
-displacement = "0.45 mm"
+            r#"{STIFFENING}
 [[study]]
 kind = "operating_window"
 speed = {{ from = "{from} rad/s", to = "{to} rad/s", points = 12 }}

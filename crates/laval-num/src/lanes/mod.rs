@@ -30,8 +30,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub const LANES: usize = 16;
 /// One bit for each lane.
 pub type Bits = u16;
+const _: () = assert!(Bits::BITS as usize == LANES);
 
-/// Sixteen doubles in `K` registers.
+/// A double for each lane, in `K` registers.
 ///
 /// # Condition
 /// A type of a level above the baseline may be used only on a processor that has the level; [`dispatch`] and [`Slots`] see to that,
@@ -41,19 +42,19 @@ pub type Bits = u16;
 pub struct Lanes<R, const K: usize>([R; K]);
 
 /// Lanes of plain doubles, for processors without a level of their own and as reference.
-pub type LanesPlain = Lanes<f64, 16>;
+pub type LanesPlain = Lanes<f64, LANES>;
 /// Lanes at [`Level::Base`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesBase = Lanes<x86::Xmm, 8>;
+pub type LanesBase = Lanes<x86::Xmm, { LANES / 2 }>;
 /// Lanes at [`Level::Base`].
 #[cfg(not(target_arch = "x86_64"))]
 pub type LanesBase = LanesPlain;
 /// Lanes at [`Level::Avx2`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesAvx2 = Lanes<x86::Ymm, 4>;
+pub type LanesAvx2 = Lanes<x86::Ymm, { LANES / 4 }>;
 /// Lanes at [`Level::Avx512`].
 #[cfg(target_arch = "x86_64")]
-pub type LanesAvx512 = Lanes<x86::Zmm, 2>;
+pub type LanesAvx512 = Lanes<x86::Zmm, { LANES / 8 }>;
 
 /// One truth value per lane, bit `i` for lane `i`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

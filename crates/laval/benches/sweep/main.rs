@@ -2,18 +2,24 @@
 //! tolerance 1e-8, absolute 1e-11, in microseconds of one core per speed and period.
 //!
 //! The machine comes from a file and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
-//! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare.sh` adds other programs on the same work.
+//! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare/compare.sh` adds other programs on the same work.
 //!
 //! `cargo bench -p laval --bench sweep [-- source]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each.
 
+#[path = "../common/clock.rs"]
+mod clock;
 mod kernel;
+#[path = "../common/processor.rs"]
+mod processor;
 
+use clock::clock;
 use laval::model::system::System;
 use laval::solve::ensemble::{self, Ended, Form, Leg, Next, Settings, Start, Voyage};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval_num::lanes::Level;
 use laval_num::ode::{Control, Dop853, integrate};
+use processor::processor;
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 use std::time::Instant;
@@ -109,15 +115,6 @@ fn deviation(case: Case, speeds: &[f64], ends: &[Row]) -> f64 {
     worst
 }
 
-/// Time this thread has spent on a processor, s, which others on the machine do not disturb; the wall clock where the system does not tell.
-fn clock() -> f64 {
-    static START: OnceLock<Instant> = OnceLock::new();
-    let start = START.get_or_init(Instant::now);
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |t| t * 1e-9)
-}
-
 /// Least time of some runs, s, and the last result.
 fn least<T>(clock: fn() -> f64, runs: usize, mut f: impl FnMut() -> T) -> (f64, T) {
     let (mut best, mut last) = (f64::INFINITY, None);
@@ -207,11 +204,4 @@ fn report(what: &str, time: f64, work: f64, hand: Option<f64>, deviation: f64, e
     let per_step = time * 1e9 / steps as f64;
     let ratio = hand.map_or(String::new(), |h| format!(", {:.2} of by hand", time / h));
     println!("    {what:24} {:7.2} us per speed and period{ratio}, {per_step:.0} ns a step, deviation {deviation:.1e}", time * 1e6 / work);
-}
-
-fn processor() -> String {
-    std::fs::read_to_string("/proc/cpuinfo")
-        .ok()
-        .and_then(|t| t.lines().find(|l| l.starts_with("model name")).and_then(|l| l.split(':').nth(1)).map(|s| s.trim().to_string()))
-        .unwrap_or_else(|| std::env::consts::ARCH.to_string())
 }

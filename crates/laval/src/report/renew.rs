@@ -139,6 +139,15 @@ mod tests {
     }
 
     #[test]
+    fn a_refused_study_keeps_what_it_had() {
+        let d = Dir::new("refused");
+        renew(&d.0, &report(&["a"]), FORMATS, &["a"]).unwrap();
+        let refused = Report { outcomes: vec![Outcome::new("k", "a").end(End::Refused)], ..Report::default() };
+        renew(&d.0, &refused, FORMATS, &["a"]).unwrap();
+        assert!(d.has("a/t.csv"));
+    }
+
+    #[test]
     fn foreign_and_changed_files_stay() {
         let d = Dir::new("foreign");
         renew(&d.0, &report(&["a", "b"]), FORMATS, &["a", "b"]).unwrap();

@@ -116,7 +116,10 @@ impl Entry {
     fn unit(self, system: &System) -> String {
         match self {
             Entry::Coordinate(i) => system.coordinates()[i].dof.unit.to_string(),
-            Entry::Rate(i) => format!("{}/s", system.coordinates()[i].dof.unit),
+            Entry::Rate(i) => match system.coordinates()[i].dof.unit {
+                "" => "1/s".to_string(),
+                unit => format!("{unit}/s"),
+            },
             Entry::State(i) => system.states()[i].dof.unit.to_string(),
         }
     }
@@ -159,7 +162,8 @@ pub(super) fn state_map(values: &Values, field: &str, system: &System, diagnosti
         if let Some(Some(given)) = units.get(k)
             && let Err(e) = check_dimension(given, &found.unit(system))
         {
-            diagnostics.push(Diagnostic { help: e.help.map(Into::into), ..Diagnostic::error(e.code, e.message).at(span.clone()) });
+            diagnostics
+                .push(Diagnostic { help: e.help.map(Into::into), ..Diagnostic::error(e.code, e.message).at(span.clone()).about(name) });
             continue;
         }
         if !(value.abs() <= LARGEST_START) {
