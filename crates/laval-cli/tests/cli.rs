@@ -294,6 +294,8 @@ fn ctrl_c_keeps_what_was_done() {
     child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{err}");
     assert!(err.contains("stopping") && err.contains("not run: after"), "{err}");
+    // 1e7 s at 1000 rpm: said before it begins, also where standard error is no terminal
+    assert!(err.starts_with("long: 1.67·10⁸ turns of the rotor to integrate, 10⁷ s\n"), "{err}");
     let results = json(&dir.0.join("out/pump/results.json"));
     assert_eq!(results["studies"][0]["name"], "response");
     assert!(results["studies"][1]["end"]["kind"] == "cancelled");

@@ -76,6 +76,8 @@ pub struct OperatingWindow {
 
 /// Speeds of the scan unless given, and of a map.
 const SPEEDS: usize = 120;
+/// Values of the parameter of a map unless given.
+const MAP_POINTS: usize = 12;
 /// Most places where particles start in a map.
 const MAP_PLACES: usize = 256;
 
@@ -153,6 +155,10 @@ impl Study for OperatingWindow {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let corners = if self.uncertain.is_empty() { 0 } else { 1usize << self.uncertain.len() };
+        let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
+        let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
+        context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
         let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
             let end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
             return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end));

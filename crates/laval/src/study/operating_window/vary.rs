@@ -3,7 +3,7 @@
 use super::evaluate::{Care, Evaluated};
 use super::margins::{self, Judge};
 use super::request::fitting;
-use super::{OperatingWindow, SPEEDS};
+use super::{MAP_POINTS, OperatingWindow, SPEEDS};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
@@ -65,7 +65,7 @@ impl OperatingWindow {
             true => self.evaluate(system, context, Care::Only(&grid), main.passage.as_ref())?,
             false => None,
         };
-        for x in r.linspace(12) {
+        for x in r.linspace(MAP_POINTS) {
             let changed = varied(system, path, x)?;
             let points = if let Some(moving) = &moving {
                 if context.cancelled() {
