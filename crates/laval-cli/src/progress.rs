@@ -1,46 +1,151 @@
-//! How far a study is, shown when it takes longer than a second and somebody watches.
+//! How far a study is: a bar where somebody watches, a calm line now and then where standard error is a file or a pipe.
 
 use crate::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use laval::study::Progress;
 use std::io::{self, IsTerminal};
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Time before anything is shown.
+/// Time before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
+/// Time between two lines.
+const CALM: Duration = Duration::from_secs(10);
+/// Steps of a bar.
+const STEPS: u64 = 10_000;
 
-/// A progress bar on standard error.
+/// Work done, and since when.
+#[derive(Clone, Copy, Debug)]
+struct Pace {
+    /// Units done, those of an earlier run among them.
+    done: u64,
+    /// Units in all; 0 when unknown.
+    total: u64,
+    /// Of units under way, the share that is done.
+    part: f64,
+    /// Units done where the clock began.
+    from: f64,
+    since: Instant,
+}
+
+impl Pace {
+    fn new(now: Instant) -> Pace {
+        Pace { done: 0, total: 0, part: 0.0, from: 0.0, since: now }
+    }
+
+    fn at(&self) -> f64 {
+        self.done as f64 + self.part
+    }
+
+    /// Share of the work that is done, when its total is known.
+    fn share(&self) -> Option<f64> {
+        (self.total > 0).then(|| (self.at() / self.total as f64).clamp(0.0, 1.0))
+    }
+
+    /// Time left at the rate so far; unknown before anything is done.
+    fn left(&self, now: Instant) -> Option<Duration> {
+        let (fresh, open) = (self.at() - self.from, self.total as f64 - self.at());
+        if self.total == 0 || !(fresh > 0.0) {
+            return None;
+        }
+        Duration::try_from_secs_f64(now.duration_since(self.since).as_secs_f64() * open.max(0.0) / fresh).ok()
+    }
+
+    /// `12 % done, about 40 s left`.
+    fn words(&self, now: Instant) -> String {
+        let done = match self.share() {
+            Some(share) => format!("{:.0} % done", (100.0 * share).floor()),
+            None => format!("{} steps done", self.done),
+        };
+        match self.left(now) {
+            Some(left) => format!("{done}, about {} left", words(left)),
+            None => done,
+        }
+    }
+}
+
+/// A time for people, to the unit that matters.
+fn words(t: Duration) -> String {
+    let s = t.as_secs_f64();
+    let (x, unit) = match s {
+        s if s < 90.0 => (s, "s"),
+        s if s < 5400.0 => (s / 60.0, "min"),
+        s if s < 172_800.0 => (s / 3600.0, "h"),
+        s => (s / 86_400.0, "days"),
+    };
+    format!("{:.0} {unit}", x.ceil())
+}
+
+/// Shows the progress of one study on standard error.
 pub struct Bar {
     name: String,
-    start: Instant,
+    quiet: bool,
     watched: bool,
+    begun: Instant,
+    pace: Mutex<Pace>,
+    /// When a line was written last.
+    said: Mutex<Instant>,
     bar: OnceLock<ProgressBar>,
 }
 
 impl Bar {
     /// For the study `name`; `quiet` shows nothing.
     pub fn new(name: &str, quiet: bool) -> Bar {
-        Bar { name: name.to_string(), start: Instant::now(), watched: !quiet && io::stderr().is_terminal(), bar: OnceLock::new() }
+        let now = Instant::now();
+        Bar {
+            name: name.to_string(),
+            quiet,
+            watched: io::stderr().is_terminal(),
+            begun: now,
+            pace: Mutex::new(Pace::new(now)),
+            said: Mutex::new(now),
+            bar: OnceLock::new(),
+        }
     }
 
-    fn begin(&self, done: u64, total: u64) -> ProgressBar {
-        let bar = if total > 0 { ProgressBar::new(total) } else { ProgressBar::new_spinner() };
-        let template = if total > 0 {
-            "{prefix}  {wide_bar} {pos}/{len}  {per_sec}  {eta} left"
-        } else {
-            "{prefix}  {spinner} {pos}  {per_sec}  {elapsed}"
-        };
-        if let Ok(style) = ProgressStyle::with_template(template) {
+    fn bar(&self) -> ProgressBar {
+        let bar = ProgressBar::new(STEPS);
+        if let Ok(style) = ProgressStyle::with_template("{prefix}  {wide_bar} {msg}") {
             bar.set_style(style);
         }
         bar.set_prefix(self.name.clone());
         bar.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
-        // the rate counts from here: what is done already took another time, or another run
-        bar.set_position(done);
-        bar.tick();
-        bar.reset_eta();
-        bar.with_elapsed(self.start.elapsed())
+        bar
+    }
+
+    /// Remembers how far it is and shows it when it is time to.
+    fn update(&self, change: impl FnOnce(&mut Pace)) {
+        if self.quiet {
+            return;
+        }
+        let pace = {
+            let mut pace = self.pace.lock().unwrap_or_else(PoisonError::into_inner);
+            change(&mut pace);
+            *pace
+        };
+        let now = Instant::now();
+        if self.watched {
+            if now.duration_since(self.begun) > PATIENCE {
+                let bar = self.bar.get_or_init(|| self.bar());
+                bar.set_position((pace.share().unwrap_or(0.0) * STEPS as f64) as u64);
+                bar.set_message(pace.words(now));
+            }
+            return;
+        }
+        // whoever finds it locked knows that a line is being written
+        let Ok(mut said) = self.said.try_lock() else { return };
+        if now.duration_since(*said) >= CALM {
+            *said = now;
+            terminal::complain(&format!("{}: {}\n", self.name, pace.words(now)));
+        }
+    }
+
+    fn say(&self, text: &str) {
+        let say = || terminal::complain(&format!("{}: {text}\n", self.name));
+        match self.bar.get() {
+            Some(bar) => bar.suspend(say),
+            None => say(),
+        }
     }
 
     /// Takes the bar away.
@@ -53,28 +158,56 @@ impl Bar {
 
 impl Progress for Bar {
     fn report(&self, done: u64, total: u64) {
-        if self.watched && self.start.elapsed() > PATIENCE {
-            let bar = self.bar.get_or_init(|| self.begin(done, total));
-            if total > 0 {
-                bar.set_length(total);
-            }
-            bar.set_position(done);
-        }
+        self.update(|p| (p.done, p.total) = (done, total));
+    }
+
+    fn part(&self, share: f64) {
+        self.update(|p| p.part = share);
     }
 
     fn restored(&self, done: u64, total: u64) {
-        self.report(done, total);
-        if let Some(bar) = self.bar.get() {
-            bar.tick();
-            bar.reset_eta();
+        // the rate counts from here: what is done already took another run
+        self.update(|p| *p = Pace { done, total, from: done as f64, ..Pace::new(Instant::now()) });
+    }
+
+    fn job(&self, text: &str) {
+        if !self.quiet {
+            self.say(text);
         }
     }
 
     fn note(&self, text: &str) {
-        let say = || terminal::complain(&format!("{}: {text}\n", self.name));
-        match self.bar.get() {
-            Some(bar) => bar.suspend(say),
-            None => say(),
-        }
+        self.say(text);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_left_follows_from_the_rate_of_this_run() {
+        let start = Instant::now();
+        let after = |s: u64| start + Duration::from_secs(s);
+        let mut p = Pace { total: 400, ..Pace::new(start) };
+        assert_eq!((p.words(after(5)).as_str(), p.left(after(5))), ("0 % done", None));
+        // one member of 400 half done
+        p.part = 0.5;
+        assert_eq!(p.left(after(5)), Some(Duration::from_secs(3995)));
+        (p.done, p.part) = (100, 0.0);
+        assert_eq!(p.words(after(20)), "25 % done, about 60 s left");
+        // of 200 there already, nothing is known of the rate
+        let mut p = Pace { done: 200, from: 200.0, ..p };
+        assert_eq!(p.words(after(20)), "50 % done");
+        p.done = 300;
+        assert_eq!(p.words(after(300)), "75 % done, about 5 min left");
+        let unknown = Pace { total: 0, done: 1234, ..p };
+        assert_eq!(unknown.words(after(300)), "1234 steps done");
+    }
+
+    #[test]
+    fn times_for_people() {
+        let shown = |s: f64| words(Duration::from_secs_f64(s));
+        assert_eq!([shown(0.2), shown(89.0), shown(100.0), shown(7200.0), shown(1e6)], ["1 s", "89 s", "2 min", "2 h", "12 days"]);
     }
 }

@@ -172,7 +172,12 @@ impl<'a> Run<'a> {
                 break;
             }
             match refusals.iter().find(|r| r.studies.contains(&i)) {
-                Some(r) => self.refused(study, &r.diagnostic),
+                Some(r) if r.studies[0] == i => self.refused(study, Finding::warning("refused", r.diagnostic.to_string())),
+                // the reason names all studies and stands once
+                Some(r) => {
+                    let text = format!("It is refused for the same reason as study \"{}\".", self.loaded.studies[r.studies[0]].name);
+                    self.refused(study, Finding::info("refused_alike", text));
+                }
                 None => self.study(study),
             }
             if i < last && written.elapsed() > KEEP_EVERY {
@@ -207,7 +212,7 @@ impl<'a> Run<'a> {
             Some(Ok(outcome)) => outcome,
             Some(Err(d)) => {
                 let d = self.complain(named, d);
-                return self.refused(named, &d);
+                return self.refused(named, Finding::warning("refused", d.to_string()));
             }
             None => {
                 terminal::complain(&format!("laval: study \"{}\" has no result\n", named.name));
@@ -238,9 +243,9 @@ impl<'a> Run<'a> {
     }
 
     /// A refusal as it stands in the report.
-    fn refused(&mut self, named: &NamedStudy, d: &Diagnostic) {
+    fn refused(&mut self, named: &NamedStudy, why: Finding) {
         let outcome = Outcome::new(named.study.kind(), &named.name).end(End::Refused);
-        self.report.outcomes.push(outcome.finding(Finding::warning("refused", d.to_string())));
+        self.report.outcomes.push(outcome.finding(why));
         self.code = self.code.max(WRONG);
     }
 

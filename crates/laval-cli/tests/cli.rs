@@ -219,12 +219,21 @@ fn check_says_what_a_run_would_refuse() {
     let said = dir.laval(["check", "pump.toml"]);
     said.refused(&["studies \"campbell\", \"critical_speeds\"", "no stiffness at rest"]);
     assert_eq!(said.err.matches("no stiffness at rest").count(), 1, "{}", said.err);
-    let json: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
-    assert_eq!((&json["ok"], json["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
+    let told: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
+    assert_eq!((&told["ok"], told["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
     // a run says it once as well, and does the rest
     let run = dir.laval(["run", "pump.toml"]);
     assert_eq!((run.code, run.err.matches("no stiffness at rest").count()), (1, 1), "{}", run.err);
     assert!(run.out.starts_with("response\n"), "{}", run.out);
+    // and the report once, among the findings and with the first of the studies
+    let results = json(&dir.0.join("out/pump/results.json"));
+    let reasons: Vec<&str> = results["studies"].as_array().unwrap().iter().filter_map(|s| s["findings"][0]["id"].as_str()).collect();
+    assert_eq!(reasons.iter().filter(|c| **c == "refused").count(), 1, "{reasons:?}");
+    assert!(results["studies"][1]["end"]["kind"] == "refused" && results["studies"][2]["end"]["kind"] == "refused");
+    let page = fs::read_to_string(dir.0.join("out/pump/report.html")).unwrap();
+    let body = page.split("id=\"input\"").next().unwrap();
+    assert_eq!(body.matches("no stiffness at rest").count(), 2, "{body}");
+    assert!(body.contains("studies &quot;campbell&quot;, &quot;critical_speeds&quot;: ") && !body.contains("about ="), "{body}");
 }
 
 #[test]
@@ -285,6 +294,8 @@ fn ctrl_c_keeps_what_was_done() {
     child.stderr.take().unwrap().read_to_string(&mut err).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{err}");
     assert!(err.contains("stopping") && err.contains("not run: after"), "{err}");
+    // 1e7 s at 1000 rpm: said before it begins, also where standard error is no terminal
+    assert!(err.starts_with("long: 1.67·10⁸ turns of the rotor to integrate, 10⁷ s\n"), "{err}");
     let results = json(&dir.0.join("out/pump/results.json"));
     assert_eq!(results["studies"][0]["name"], "response");
     assert!(results["studies"][1]["end"]["kind"] == "cancelled");

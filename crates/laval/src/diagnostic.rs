@@ -30,8 +30,24 @@ pub struct Diagnostic {
     pub label: Option<Box<str>>,
     /// What to do about it.
     pub help: Option<Box<str>>,
-    /// The name that does not exist, where that is what is wrong: `drum.q`.
-    pub about: Option<Box<str>>,
+    /// The name that does not exist, where that is what is wrong.
+    pub about: Option<Box<Absent>>,
+}
+
+/// A name that does not exist.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Absent {
+    /// As it stands in the file: `drum.q`.
+    pub name: String,
+    /// Further places that use it, in order.
+    pub also: Vec<Span>,
+}
+
+impl Absent {
+    /// The block the name begins with: `drum`.
+    pub fn block(&self) -> &str {
+        self.name.split('.').next().unwrap_or_default()
+    }
 }
 
 impl Diagnostic {
@@ -55,8 +71,12 @@ impl Diagnostic {
     }
     /// Adds the name that does not exist.
     pub fn about(mut self, name: impl Into<String>) -> Self {
-        self.about = Some(name.into().into());
+        self.about = Some(Box::new(Absent { name: name.into(), also: Vec::new() }));
         self
+    }
+    /// Further places where the same name is missing.
+    pub fn also(&self) -> &[Span] {
+        self.about.as_ref().map_or(&[], |a| &a.also)
     }
     /// Adds help.
     pub fn help(mut self, help: impl Into<String>) -> Self {

@@ -10,8 +10,11 @@ use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
+use laval::solve::extrema::{curve, seeds};
+use laval::solve::rest::rest;
 use laval::study::forced_response::{ForcedResponse, at_speed};
 use laval::study::{Context, Study};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(system: &System, from: f64, to: f64) -> Outcome {
     ForcedResponse { speed: RangeValue { from, to, points: None } }.run(system, &Context::quiet("response")).unwrap()
@@ -228,4 +231,48 @@ fn stopped_early_nothing_is_claimed_of_the_rest() {
     assert!(out.end_in_words().contains("--work-limit"));
     let f = out.findings.iter().find(|f| f.id == "no_resonance").unwrap();
     assert!(f.text.contains("before the study stopped"), "{f:?}");
+}
+
+/// Twelve discs in a row: bodies share what the search for their extrema computes, and it ends where the amplitude is stationary.
+#[test]
+fn extrema_of_many_bodies_are_found_in_few_solutions() {
+    let mut text = String::from("[machine]\nname = \"row\"\n");
+    for i in 0..12 {
+        text += &format!(
+            "[[part]]\nkind = \"disc\"\nname = \"d{i}\"\nmass = {}\neccentricity = \"{} um\"\n",
+            2.0 + 0.1 * f64::from(i % 5),
+            10 + 3 * (i % 4)
+        );
+        text += &format!("[[part]]\nkind = \"damper\"\nname = \"c{i}\"\nbetween = [\"d{i}\", \"ground\"]\ndamping = 20\n");
+    }
+    for i in 0..=12 {
+        let (a, b) =
+            (if i == 0 { "ground".into() } else { format!("d{}", i - 1) }, if i == 12 { "ground".into() } else { format!("d{i}") });
+        text += &format!("[[part]]\nkind = \"shaft_lumped\"\nname = \"s{i}\"\nbetween = [\"{a}\", \"{b}\"]\nstiffness = 1e6\n");
+    }
+    let system = laval::file::load(&text).unwrap_or_else(|d| panic!("{d:?}")).system;
+    let states = AtomicU64::new(0);
+    let state = |w: f64| {
+        states.fetch_add(1, Ordering::Relaxed);
+        rest(&system, w)
+    };
+    let mut speeds = RangeValue { from: 10.0, to: 1600.0, points: Some(5) }.linspace(5);
+    speeds.extend(seeds(&system, &state, 10.0, 1600.0, &mut |_| true).unwrap());
+    states.store(0, Ordering::Relaxed);
+    let at: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
+    let found = curve(&system, &state, speeds, &at, &mut |_| true).unwrap();
+    let searched = states.load(Ordering::Relaxed) - found.solved;
+    assert!(found.extrema.len() > 100, "{}", found.extrema.len());
+    assert!(searched < 5 * found.extrema.len() as u64, "{searched} solutions for {} extrema", found.extrema.len());
+    for e in &found.extrema {
+        let h = 1e-5 * e.speed;
+        let value = |w: f64| at_speed(&system, w).unwrap().unwrap().major(at[e.body]).ln();
+        let (before, here, after) = (value(e.speed - h), value(e.speed), value(e.speed + h));
+        assert!((here - e.value.ln()).abs() < 1e-10, "{e:?}");
+        let bend = 2.0 * here - before - after;
+        assert!(if e.maximum { bend > 0.0 } else { bend < 0.0 }, "{e:?}");
+        // distance of the vertex of the parabola through the three
+        let off = 0.5 * h * (after - before) / bend;
+        assert!(off.abs() < 1e-7 * e.speed, "{e:?}: {off}");
+    }
 }

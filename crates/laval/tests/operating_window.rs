@@ -315,6 +315,31 @@ fn mistakes_are_told() {
     one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.duty");
 }
 
+#[test]
+fn all_wrong_fields_are_told_at_once() {
+    let fields = r#"speed = { from = "600 rad/s", to = "1 rad/s" }
+objective = "time"
+branch_policy = "reached"
+uncertain = { rotor.mass = 0.1, shaft.stiffnes = 0.1 }
+map = { parameter = "air.damping", from = 300, to = 100 }
+"#;
+    let text = CUPS.replace("speed = { from = \"1 rad/s\", to = \"600 rad/s\" }\n", fields);
+    let found = load(&text).err().expect("five mistakes");
+    let mut lines: Vec<(usize, &str)> =
+        found.0.iter().map(|d| (text[..d.span.clone().expect("a place").start].matches('\n').count(), d.code)).collect();
+    let first = lines[0].0;
+    lines.iter_mut().for_each(|l| l.0 -= first);
+    let all = ["study.range", "operating_window.objective", "operating_window.duty", "parameter.unknown", "study.range"];
+    assert_eq!(lines, all.into_iter().enumerate().collect::<Vec<_>>(), "{found:?}");
+    // what is asked of the separation as well
+    let text = jeffcott(3000.0)
+        .replace("particle_density = 2000", "particle_density = 1000")
+        .replace("start = \"slowest\"", "time = \"1 h\"\nbranch_policy = \"reached\"");
+    let mut codes: Vec<&str> = load(&text).err().expect("three mistakes").0.iter().map(|d| d.code).collect();
+    codes.sort_unstable();
+    assert_eq!(codes, ["operating_window.duty", "separation.neutral", "separation.throughput"]);
+}
+
 /// The passage is judged with the load the cups have at its speed: at the resonance, low in the range, they hang lower and load the rotor less than at the top.
 #[test]
 fn passages_carry_the_load_of_their_speed() {

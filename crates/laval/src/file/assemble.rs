@@ -59,18 +59,20 @@ impl Loaded {
         for r in &mut out {
             // only some studies can be asked about another state
             let about = |k: &&usize| self.spec.study(&self.studies[**k].name).is_some_and(|b| b.values.get("about").is_some());
-            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning")
-                && let Some(&k) = r.studies.iter().find(about)
-            {
+            let able: Vec<usize> = r.studies.iter().filter(about).copied().collect();
+            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning") && !able.is_empty() {
                 let help = r.diagnostic.help.as_deref().unwrap_or_default();
-                let first = &self.studies[k].name;
-                r.diagnostic.help = Some(format!("give study \"{first}\" about = \"turning\"; or {help}").into());
+                r.diagnostic.help = Some(format!("give {} about = \"turning\"; or {help}", self.in_words(&able)).into());
             }
-            let names: Vec<String> = r.studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
-            let word = if names.len() == 1 { "study" } else { "studies" };
-            r.diagnostic.message = format!("{word} {}: {}", names.join(", "), r.diagnostic.message);
+            r.diagnostic.message = format!("{}: {}", self.in_words(&r.studies), r.diagnostic.message);
         }
         out
+    }
+
+    /// Studies by their names.
+    fn in_words(&self, studies: &[usize]) -> String {
+        let names: Vec<String> = studies.iter().map(|&k| format!("\"{}\"", self.studies[k].name)).collect();
+        format!("{} {}", if names.len() == 1 { "study" } else { "studies" }, names.join(", "))
     }
 }
 
@@ -319,5 +321,15 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
         // campbell knows no other state
         assert!(r[0].diagnostic.help.as_deref().is_some_and(|h| h.starts_with("give study \"modes\" about")), "{:?}", r[0].diagnostic);
         assert!(load(MACHINE).unwrap_or_else(|d| panic!("{d:?}")).refusals().is_empty());
+        let map = "[[study]]\nkind = \"stability_map\"\nspeed = { from = 1, to = 100 }\n";
+        let help = |studies: &str| {
+            let l = load(&format!("{MACHINE}{hertz}{studies}")).unwrap_or_else(|d| panic!("{d:?}"));
+            l.refusals()[0].diagnostic.help.as_deref().unwrap_or_default().to_string()
+        };
+        let campbell = "[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";
+        assert!(
+            help(&format!("{campbell}{map}{studies}")).starts_with("give studies \"stability_map\", \"modes\" about = \"turning\"; or ")
+        );
+        assert!(!help(campbell).contains("about"), "{}", help(campbell));
     }
 }

@@ -21,6 +21,8 @@ struct Raw<'n, 'a> {
     who: String,
     /// Nothing was wrong with it so far.
     sound: bool,
+    /// The name it was given cannot be one.
+    misnamed: bool,
 }
 
 /// What a block at the top of the file is, also when its header is misspelt.
@@ -86,7 +88,7 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
                 kind_span: get(b.table, "kind").and_then(|e| e.node.span.clone()),
                 name_span: get(b.table, "name").and_then(|e| e.node.span.clone()),
             };
-            Drafted { word: b.word, block, sound: b.sound && unread.is_empty() && errors(out) == before, unread }
+            Drafted { word: b.word, block, sound: b.sound && unread.is_empty() && errors(out) == before, unread, misnamed: b.misnamed }
         };
         raw.iter().map(one).collect()
     };
@@ -157,7 +159,7 @@ fn single<'n, 'a>(e: &'n Entry<'a>, word: &str, out: &mut Diagnostics) -> Option
 fn gather_one<'n, 'a>(e: &'n Entry<'a>, word: &'static str, known: &'n [KindInfo], out: &mut Diagnostics) -> Option<Raw<'n, 'a>> {
     let sound = e.node.table().is_some() && e.key == word;
     let (table, span) = single(e, word, out)?;
-    Some(Raw { word, table, span, info: known.first(), name: word.to_string(), who: format!("[{word}]"), sound })
+    Some(Raw { word, table, span, info: known.first(), name: word.to_string(), who: format!("[{word}]"), sound, misnamed: false })
 }
 
 fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
@@ -264,7 +266,16 @@ fn gather<'n, 'a>(
             None => kind.to_string(),
         };
         let sound = errors(out) == before && top.entry.key == what && matches!(top.entry.node.data, Data::List(_));
-        blocks.push(Raw { word: what, table, span: node.span.clone(), info, name, who, sound });
+        blocks.push(Raw {
+            word: what,
+            table,
+            span: node.span.clone(),
+            info,
+            misnamed: given.is_some() && name.is_empty(),
+            name,
+            who,
+            sound,
+        });
     }
     let mut count: BTreeMap<&str, usize> = BTreeMap::new();
     for b in blocks.iter_mut().filter(|b| b.name.is_empty()) {

@@ -15,6 +15,8 @@ pub(super) struct Drafted {
     pub unread: Vec<&'static str>,
     /// Nothing is wrong with it.
     pub sound: bool,
+    /// The name it was given cannot be one; it bears another.
+    pub misnamed: bool,
 }
 
 /// A file as far as it could be read.
@@ -58,7 +60,7 @@ impl Draft {
 
 impl From<&Spec> for Draft {
     fn from(spec: &Spec) -> Self {
-        let sound = |word: &'static str, b: &Block| Drafted { word, block: b.clone(), unread: Vec::new(), sound: true };
+        let sound = |word: &'static str, b: &Block| Drafted { word, block: b.clone(), unread: Vec::new(), sound: true, misnamed: false };
         Draft {
             machine: spec.machine.clone(),
             machine_unread: Vec::new(),

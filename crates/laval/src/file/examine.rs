@@ -6,10 +6,9 @@
 
 use super::assemble::{extra, machine};
 use super::draft::{Draft, Drafted, invented};
-use super::naming::may_be_meant;
 use super::stand_in::{NOWHERE, Side, number};
-use super::{Block, joints, stages};
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use super::{Block, absent, joints, stages};
+use crate::diagnostic::{Absent, Diagnostic, Diagnostics, Severity};
 use crate::model::field::{Attach, Bounds, Extra, KindInfo, Value};
 use crate::model::params::ParamSlot;
 use crate::model::system::{PartInput, System};
@@ -31,7 +30,8 @@ pub(super) fn all(draft: &Draft, mut found: Diagnostics) -> Diagnostics {
         }
         found.push(d);
     }
-    found
+    let registry = parts::registry();
+    absent::gather(draft, found, |kind| kind.is_empty() || invented_part(&registry, kind, Side::Low).is_some_and(|p| p.0.layout().body))
 }
 
 /// The file with one choice of what stands in.
@@ -69,11 +69,7 @@ impl<'a> World<'a> {
             }
             Err(found) => self.out.0.extend(found.0),
         }
-        let names = || self.draft.parts.iter().map(|d| d.block.name.as_str());
-        let doubtful = |name: &str| {
-            let head = name.split('.').next().unwrap_or_default();
-            self.draft.parts.is_empty() || self.doubtful.contains(head) || may_be_meant(head, names())
-        };
+        let doubtful = |a: &Absent| self.draft.parts.is_empty() || self.doubtful.contains(a.block());
         self.out.0.retain(|d| d.severity == Severity::Error && !d.about.as_deref().is_some_and(doubtful));
         self.out
     }

@@ -1,7 +1,6 @@
 //! The points that parts are attached to.
 
 use super::Block;
-use super::naming::may_be_meant;
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::{Attach, Value};
 use crate::model::system::PartInput;
@@ -25,13 +24,10 @@ pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[Str
         };
         let span = block.values.span_of(field);
         let Some(i) = parts.iter().position(|p| &p.name == name) else {
-            if may_be_meant(name, parts.iter().map(|p| p.name.as_str())) {
-                return;
-            }
             let near = nearest(name, bodies.iter().copied().chain(ground.then_some("ground")));
             let help = near.map_or_else(known, |n| format!("did you mean \"{n}\"? {}", capital(&known())));
             let message = format!("{} \"{}\" is attached to \"{name}\", which does not exist", block.kind, block.name);
-            out.push(Diagnostic::error("body.missing", message).at(span).label("no such body").help(help));
+            out.push(Diagnostic::error("body.missing", message).at(span).label("no such body").about(name).help(help));
             return;
         };
         if !is_body(i) {

@@ -10,6 +10,7 @@ pub mod render;
 pub mod schema;
 pub mod writer;
 
+mod absent;
 mod blocks;
 mod declared;
 mod draft;

@@ -2,7 +2,7 @@
 
 use super::tree::{Entry, get};
 use super::values::{clip, suggestion};
-use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::KindInfo;
 
 /// Longest name of a block.
@@ -80,12 +80,4 @@ pub(super) fn read_name(e: &Entry, what: &str, out: &mut Diagnostics) -> Option<
 pub(super) fn valid_name(t: &str) -> bool {
     let inner = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ');
     t.len() <= MAX_NAME && t.starts_with(|c: char| c.is_ascii_alphanumeric()) && !t.ends_with(' ') && t.chars().all(inner) && t != "ground"
-}
-
-/// Where two blocks have the same name, one of them was meant to have another: a name that resembles none may be that one, and is not held
-/// against who uses it.
-pub(super) fn may_be_meant<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> bool {
-    let all: Vec<&str> = names.collect();
-    let twice = (1..all.len()).any(|i| all[..i].contains(&all[i]));
-    twice && nearest(name, all).is_none()
 }

@@ -27,11 +27,19 @@ impl Context<'_> {
         (self.out.0.len() == before).then_some(InnerStudy { name: None, kind: info.kind, values })
     }
 
+    /// Which studies of the file another study can run: not those that run one themselves.
+    fn answering(&self, name: &str) -> String {
+        let nests = |k: &KindInfo| k.fields.iter().any(|f| f.kind == FieldKind::Study);
+        let names = self.studies.iter().filter(|s| s.info.is_none_or(|k| !nests(k))).map(|s| s.name);
+        let help = suggestion(name, names, "studies of this file that can be run");
+        help.unwrap_or_else(|| "add such a study to this file, or write { kind = \"critical_speeds\", .. } here".to_string())
+    }
+
     fn named_study(&mut self, field: &str, node: &Node, name: &str) -> Option<InnerStudy> {
         let studies = self.studies;
         let Some(found) = studies.iter().find(|s| s.name == name) else {
             let message = format!("{} is {:?}, but no study has that name", subject(self.who, field), clip(name));
-            let help = suggestion(name, studies.iter().map(|s| s.name), "studies of this file");
+            let help = self.answering(name);
             self.error("study.unknown", node.span.clone(), message, "no such study", help);
             return None;
         };
@@ -59,7 +67,8 @@ impl Context<'_> {
             return Some(());
         }
         let message = format!("{} cannot be a study of kind {:?}, which runs a study itself", subject(self.who, field), info.kind);
-        self.error("study.nested", node.span.clone(), message, "runs another study", None);
+        let help = self.answering("");
+        self.error("study.nested", node.span.clone(), message, "runs another study", help);
         None
     }
 

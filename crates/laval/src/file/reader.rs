@@ -29,6 +29,15 @@ pub(super) fn read_draft(text: &str, catalog: &Catalog) -> (Option<Draft>, Diagn
         );
         return (None, out);
     }
+    if let Some(at) = text.find('\0') {
+        out.push(
+            Diagnostic::error("file.binary", format!("the file is no text: byte {} is NUL (0x00), which no text holds", at + 1))
+                .at(at..at + 1)
+                .label("NUL")
+                .help("save it as UTF-8 text; files in UTF-16, and files that were damaged, hold such bytes"),
+        );
+        return (None, out);
+    }
     let (table, errors) = DeTable::parse_recoverable(text);
     let root = tree::from_table(table.into_inner());
     let draft = blocks::read_tree(text, &root, catalog, &mut out);

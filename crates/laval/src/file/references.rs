@@ -1,14 +1,18 @@
 //! What refers to something else in the file: points of bodies, parameters, coordinates and their values.
 
-use super::naming::may_be_meant;
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::{Attach, Bounds, Value};
 
 /// The SI unit in which each entry of a table of values was given; none for a bare number.
 pub(super) type Units = Vec<Option<String>>;
+
+/// A block is named like the fixed surroundings, which is said at its name.
+fn named_ground(names: &[(String, &'static str)]) -> bool {
+    names.iter().any(|n| n.0 == "ground")
+}
 
 impl Context<'_> {
     pub(super) fn attach(&mut self, field: &str, node: &Node, ground: bool) -> Option<Attach> {
@@ -17,6 +21,10 @@ impl Context<'_> {
                 cx.wrong_type(field, n, "the name of a body", "write \"drum\", or { body = \"drum\", at = \"40 mm\" }".to_string());
                 return None;
             };
+            if t == "ground" && named_ground(cx.parts) {
+                // a block bears this name, which none may have: what is meant is open
+                return None;
+            }
             if t == "ground" && !ground {
                 let message = format!("{} must be a body; the ground is not allowed here", subject(cx.who, field));
                 cx.error("value.ground", n.span.clone(), message, "not a body", None);
@@ -87,12 +95,10 @@ impl Context<'_> {
         let found = self.parts.iter().find(|p| p.0 == block).map(|p| p.1);
         let names = || self.parts.iter().map(|p| p.0.as_str());
         let Some(kind) = found else {
-            if may_be_meant(block, names()) {
-                return None;
-            }
             let message = format!("{} is {:?}, but no part is named {:?}", subject(self.who, field), clip(path), clip(block));
             let help = suggestion(block, names(), "parts of this file");
-            self.error("parameter.unknown", node.span.clone(), message, "no such part", help);
+            let d = Diagnostic::error("parameter.unknown", message).at(node.span.clone()).label("no such part").about(path);
+            self.out.push(Diagnostic { help: help.map(Into::into), ..d });
             return None;
         };
         let Some(info) = self.catalog.described(kind) else { return Some(None) };

@@ -37,18 +37,19 @@ const LONGEST_LINE: usize = 400;
 
 struct Shown<'a> {
     d: &'a Diagnostic,
+    message: String,
     source: &'a NamedSource<String>,
     span: Span,
 }
 
 impl fmt::Debug for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.d.message)
+        f.write_str(&self.message)
     }
 }
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.d.message)
+        f.write_str(&self.message)
     }
 }
 impl std::error::Error for Shown<'_> {}
@@ -104,9 +105,25 @@ fn word(s: Severity) -> &'static str {
     }
 }
 
+/// The message, with the lines of the other places where the same is wrong.
+fn message(d: &Diagnostic, text: &str) -> String {
+    /// Most lines named.
+    const LINES: usize = 8;
+    let mut lines: Vec<usize> = d.also().iter().map(|s| line_column(text, clamp(text, s).start).0).collect();
+    lines.dedup();
+    let left = lines.len().saturating_sub(LINES);
+    let mut shown: Vec<String> = lines.iter().take(LINES).map(usize::to_string).collect();
+    let last = if left > 0 { Some(format!("{left} more")) } else { shown.pop() };
+    match (shown.as_slice(), last) {
+        (_, None) => d.message.clone(),
+        ([], Some(one)) => format!("{} (also named in line {one})", d.message),
+        (many, Some(last)) => format!("{} (also named in lines {} and {last})", d.message, many.join(", ")),
+    }
+}
+
 fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str) {
     let place = d.span.as_ref().map(|s| line_column(text, clamp(text, s).start)).map_or(String::new(), |(l, c)| format!(":{l}:{c}"));
-    let _ = writeln!(out, "{file}{place}: {}[{}]: {}", word(d.severity), d.code, d.message);
+    let _ = writeln!(out, "{file}{place}: {}[{}]: {}", word(d.severity), d.code, message(d, text));
     if let Some(h) = &d.help {
         let _ = writeln!(out, "  help: {h}");
     }
@@ -131,7 +148,7 @@ pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> 
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width.clamp(40, 400)).with_links(false).with_context_lines(1);
         let written = match span {
-            Some(span) => handler.render_report(&mut out, &Shown { d, source: &source, span }),
+            Some(span) => handler.render_report(&mut out, &Shown { d, message: message(d, text), source: &source, span }),
             None => {
                 one_line(&mut out, d, text, file);
                 Ok(())
@@ -148,17 +165,20 @@ pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> 
     out
 }
 
-/// Diagnostics for tools: code, severity, message, label, help, and the place in bytes and in lines and columns from 1.
+/// Diagnostics for tools: code, severity, message, label, help, and the place in bytes and in lines and columns from 1, with the other places (`also`)
+/// where the same name is missing.
 pub fn to_json(diagnostics: &Diagnostics, text: &str) -> Json {
     let mut sorted = diagnostics.clone();
     sorted.sort_by_place();
     let one = |d: &Diagnostic| {
-        let place = d.span.as_ref().map(|s| {
+        let place = |s: &Span| {
             let s = clamp(text, s);
             let ((line, column), (end_line, end_column)) = (line_column(text, s.start), line_column(text, s.end));
             json!({ "start": s.start, "end": s.end, "line": line, "column": column, "end_line": end_line, "end_column": end_column })
-        });
-        json!({ "code": d.code, "severity": word(d.severity), "message": d.message, "place": place, "label": d.label, "help": d.help })
+        };
+        let also: Vec<Json> = d.also().iter().map(place).collect();
+        let place = d.span.as_ref().map(place);
+        json!({ "code": d.code, "severity": word(d.severity), "message": d.message, "place": place, "also": also, "label": d.label, "help": d.help })
     };
     Json::Array(sorted.0.iter().map(one).collect())
 }

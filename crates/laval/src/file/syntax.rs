@@ -64,8 +64,17 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         let missing = matches!(d.code, "key.missing" | "kind.missing" | "file.no_parts" | "file.no_machine" | "parameter.unknown");
         !missing && !orphan && d.span.as_ref().is_none_or(|s| !lines.iter().any(|l| l.start <= s.start && s.start <= l.end))
     });
+    // what only the whole tree could tell
+    if let Some(last) = found.iter_mut().max_by_key(|d| d.span.as_ref().map(|s| s.start)) {
+        let help = last.help.take().map_or_else(|| ONLY_SYNTAX.to_string(), |h| format!("{h} ({ONLY_SYNTAX})"));
+        last.help = Some(help.into());
+    }
     out.0.extend(found);
 }
+
+/// What a file with mistakes of syntax was not examined for.
+const ONLY_SYNTAX: &str =
+    "so far only the syntax and single values were checked: how parts and studies fit together is looked at once the syntax is right";
 
 /// A list or table that nobody closed.
 struct Unclosed {
@@ -134,6 +143,14 @@ fn explain(text: &str, e: &Error, at: Span, line: Span) -> Diagnostic {
         at
     };
     let d = |message: &str, label: &str| Diagnostic::error("toml.syntax", message).at(span.clone()).label(label);
+    if let Some((i, c)) = source.char_indices().find(|(_, c)| c.is_ascii_control() && *c != '\t' && *c != '\r') {
+        let code = format!("0x{:02x}", c as u32);
+        let place = line.start + i..line.start + i + 1;
+        return Diagnostic::error("toml.syntax", format!("this line holds the control character {code}, which no text has"))
+            .at(place)
+            .label(code)
+            .help("remove it");
+    }
     if e.message().starts_with("duplicate key") {
         let word = text.get(span.clone()).unwrap_or("").trim();
         if body.starts_with('[') {

@@ -263,6 +263,8 @@ impl End {
 pub struct SpecialPoint {
     /// Stable machine name: `fold`, `neimark_sacker`, `critical_speed`.
     pub kind: String,
+    /// What it belongs to among others of its kind: a body; empty when the kind says it.
+    pub subject: String,
     /// Value of the study's parameter.
     pub at: f64,
     /// Interval of the parameter that holds the point.
@@ -276,7 +278,13 @@ pub struct SpecialPoint {
 impl SpecialPoint {
     /// A located point.
     pub fn new(kind: impl Into<String>, at: f64, bracket: (f64, f64)) -> Self {
-        SpecialPoint { kind: kind.into(), at, bracket, status: Status::Located, evidence: Vec::new() }
+        SpecialPoint { kind: kind.into(), subject: String::new(), at, bracket, status: Status::Located, evidence: Vec::new() }
+    }
+
+    /// Says what it belongs to, so that it is found again in the outcome of another machine: `of("drum")`.
+    pub fn of(mut self, subject: impl Into<String>) -> Self {
+        self.subject = subject.into();
+        self
     }
 
     /// Sets the status.

@@ -10,7 +10,8 @@
 //! (C + m e^2 + (A - C) tau^2) W' + Im(conj(p) z_c'') + (C/2)(alpha'' beta - alpha beta'') + skew terms = torque
 //! ```
 //!
-//! Symbols: m mass, kg; e eccentricity, m; A diametral and C polar moment of inertia about the centre of mass, kg m^2; tau skew, rad.
+//! Symbols: m mass, kg; e eccentricity, m; A diametral and C polar moment of inertia about the centre of mass, kg m^2; tau skew, rad; phi_e, phi_t angles of
+//! eccentricity and skew from the key mark, rad.
 //!
 //! Validity: small tilt; spin row linear in skew.
 //!
@@ -33,8 +34,8 @@ params! {
         unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";
         polar_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "polar moment of inertia C";
         diametral_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "diametral moment of inertia A; when given, the disc tilts";
-        skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau between principal axis and shaft (dynamic unbalance)";
-        skew_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the skew from the key mark";
+        skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau by which the principal axis is turned out of the shaft (dynamic unbalance)";
+        skew_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "angle phi_t from the key mark to the axis about which the skew turns; the upper end of the principal axis then leans a quarter turn behind it";
         centre_of_mass: scalar, "m", Bounds::within(100.0), default 0.0, "height h of the centre of mass above the reference point";
     }
 }

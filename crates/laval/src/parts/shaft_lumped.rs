@@ -23,6 +23,7 @@ use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
+use crate::units::format_si;
 use laval_num::scalar::Scalar;
 
 params! {
@@ -34,6 +35,15 @@ params! {
         tilt_stiffness: scalar, "N m/rad", Bounds::up_to(1e15), default 0.0, "tilt stiffness kt; when given, the shaft acts on tilt";
         material_damping: scalar, "s", Bounds::up_to(1e3), default 0.0, "damping of the material b = c/k, in axes that turn with the rotor";
     }
+}
+
+/// A limit with four digits that does not exceed it, so that the value that is printed is admissible.
+fn below(limit: f64) -> f64 {
+    if !(limit > 0.0 && limit.is_finite()) {
+        return limit;
+    }
+    let unit = 10f64.powi(limit.log10().floor() as i32 - 3);
+    (limit / unit * (1.0 + 4.0 * f64::EPSILON)).floor() * unit
 }
 
 /// See the [module](self).
@@ -172,15 +182,13 @@ impl Part for ShaftLumped {
         let [kx, ky] = p.stiffness;
         let mut wrong = Vec::new();
         if p.cross_stiffness * p.cross_stiffness > kx * ky {
-            wrong.push((
-                "cross_stiffness",
-                format!("cross_stiffness is at most sqrt(kx ky) = {} N/m: more would push outwards", (kx * ky).sqrt()),
-            ));
+            let limit = format_si(below((kx * ky).sqrt()), "N/m");
+            wrong.push(("cross_stiffness", format!("cross_stiffness is at most sqrt(kx ky) = {limit}: more would push outwards")));
         } else if p.coupling != 0.0 && p.coupling * p.coupling > p.tilt_stiffness * least(p) {
-            let limit = (p.tilt_stiffness * least(p)).sqrt();
+            let limit = format_si(below((p.tilt_stiffness * least(p)).sqrt()), "N/rad");
             wrong.push((
                 "coupling",
-                format!("coupling is at most sqrt(stiffness tilt_stiffness) = {limit} N/rad: more would give energy when bent (a clamped shaft has 0.87 of that)"),
+                format!("coupling is at most sqrt(stiffness tilt_stiffness) = {limit}: more would give energy when bent (a clamped shaft has 0.87 of that)"),
             ));
         }
         if !self.tilts && (p.coupling != 0.0 || p.tilt_stiffness != 0.0) {

@@ -16,6 +16,8 @@ const CSS: &str = include_str!("assets/report.css");
 const JS: &str = include_str!("assets/report.js");
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
+/// Relative width of a bracket above which it says where a located point was looked for, not how well it is known.
+const SEARCHED: f64 = 1e-6;
 /// Special points shown without unfolding.
 const FEW_POINTS: usize = 12;
 /// Results listed in the summary; warnings are always listed.
@@ -192,6 +194,13 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
     s.push_str("</section>\n");
 }
 
+/// How far the ends of a point's bracket lie apart; nothing where the point's own equations were solved and the bracket is merely where it was
+/// looked for.
+fn width(p: &SpecialPoint) -> String {
+    let width = p.bracket.1 - p.bracket.0;
+    if p.status == Status::Located && width > SEARCHED * p.at.abs() { "–".into() } else { significant(width, 2) }
+}
+
 fn special(s: &mut String, o: &Outcome) {
     let (name, unit) = o.parameter.as_ref().map_or(("at", String::new()), |p| (p.name.as_str(), unit_text(&p.unit)));
     let unit = if unit.is_empty() { String::new() } else { format!("<small>[{}]</small>", escape(&unit)) };
@@ -212,7 +221,8 @@ fn special(s: &mut String, o: &Outcome) {
         escape(name)
     );
     for p in o.special_points.iter().take(MOST_ROWS) {
-        let SpecialPoint { kind, at, bracket, status, evidence } = p;
+        let SpecialPoint { kind, subject, at, status, evidence, .. } = p;
+        let of = if subject.is_empty() { String::new() } else { format!(", {}", escape(subject)) };
         let status = match status {
             Status::Doubtful(reason) => format!("! doubtful: {}", escape(reason)),
             s => s.word().into(),
@@ -220,10 +230,10 @@ fn special(s: &mut String, o: &Outcome) {
         let list: Vec<String> = evidence.iter().map(|e| format!("{} {}", escape(&e.what), escape(&quantity(e.value, &e.unit)))).collect();
         let _ = write!(
             s,
-            "<tr><td class=\"w\">{}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
+            "<tr><td class=\"w\">{}{of}</td><td>{}</td><td>{}</td><td class=\"w\">{status}</td><td class=\"w\">{}</td></tr>",
             escape(&kind.replace('_', " ")),
             significant(*at, 7),
-            significant(bracket.1 - bracket.0, 2),
+            width(p),
             list.join(", ")
         );
     }

@@ -100,6 +100,9 @@ fn evidence(list: &[Evidence]) -> Vec<Value> {
 fn special(p: &SpecialPoint) -> Value {
     let mut out =
         json!({ "kind": p.kind, "at": number(p.at), "bracket": [number(p.bracket.0), number(p.bracket.1)], "status": p.status.word() });
+    if !p.subject.is_empty() {
+        out["subject"] = json!(p.subject);
+    }
     if let Status::Doubtful(reason) = &p.status {
         out["reason"] = json!(reason);
     }

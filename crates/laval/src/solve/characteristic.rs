@@ -85,8 +85,8 @@ pub struct Characteristic<'a> {
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
     grid: Grid<Complex<D1>>,
-    /// Tangents of nonlinear parts in sector coordinates: multiplied by 1, s, s^2.
-    nonlinear: [Mat<C64>; 3],
+    /// Tangents of nonlinear parts in sector coordinates: multiplied by 1, s, s^2; none where all parts are linear.
+    nonlinear: Option<[Mat<C64>; 3]>,
     states: Vec<usize>,
     sectors: Sectors,
     frame: Frame,
@@ -104,27 +104,12 @@ impl<'a> Characteristic<'a> {
         let states: Vec<usize> = model.states.iter().chain(&own).copied().collect();
         let coordinates = coordinate_sectors(system);
         let sectors = Sectors::chain(&[&coordinates, &state_sectors(system, &states)]);
-        let (v, a) = (about.velocity(&coordinates), about.acceleration(&coordinates));
-        let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
-        let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
-        system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
-        let (n, first) = (system.n(), system.n() + model.states.len());
-        let size = n + states.len();
-        let nonlinear = [0, 1, 2].map(|power| {
-            let (top, bottom) = [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)][power];
-            let m = Mat::from_fn(size, size, |i, j| match (i < n, j < n) {
-                (true, true) => top[(i, j)],
-                (true, false) if power == 0 && j >= first => t.z[(i, states[j - n])],
-                (false, true) if i >= first => -bottom[(states[i - n], j)],
-                (false, false) if i >= first && j >= first => match power {
-                    0 => -t.rate_z[(states[i - n], states[j - n])],
-                    1 if i == j => 1.0,
-                    _ => 0.0,
-                },
-                _ => 0.0,
-            });
-            sectors.polarised(&sectors, &m)
-        });
+        let n = system.n();
+        let nonlinear = system
+            .slots()
+            .iter()
+            .any(|s| !s.is_linear())
+            .then(|| tangents(system, about, &coordinates, &sectors, &states, n + model.states.len()));
         let (frame, speed) = (about.frame, about.speed);
         Characteristic { system, params, model, scratch, grid: Grid::empty(), nonlinear, states, sectors, frame, speed, n }
     }
@@ -156,7 +141,7 @@ impl<'a> Characteristic<'a> {
     /// T(s) and dT/ds.
     pub fn at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
         self.linear_at(s, value, slope);
-        let [k, d, m] = &self.nonlinear;
+        let Some([k, d, m]) = &self.nonlinear else { return };
         for j in 0..self.sectors.len() {
             let s = s + self.shift(self.sectors.of(j));
             for i in 0..self.sectors.len() {
@@ -254,6 +239,39 @@ impl<'a> Characteristic<'a> {
         }
         None
     }
+}
+
+/// Tangents of the nonlinear parts at the equilibrium over the unknowns, in sector coordinates: in the unknowns, their first and second rates.
+/// States from `first` on are those of nonlinear parts.
+fn tangents(
+    system: &System,
+    about: &Equilibrium,
+    coordinates: &Sectors,
+    sectors: &Sectors,
+    states: &[usize],
+    first: usize,
+) -> [Mat<C64>; 3] {
+    let n = system.n();
+    let size = n + states.len();
+    let (v, a) = (about.velocity(coordinates), about.acceleration(coordinates));
+    let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
+    let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
+    system.tangent(&at, false, &mut t, &mut ts, |s| !s.is_linear());
+    [0, 1, 2].map(|power| {
+        let (top, bottom) = [(&t.q, &t.rate_q), (&t.v, &t.rate_v), (&t.a, &t.rate_a)][power];
+        let m = Mat::from_fn(size, size, |i, j| match (i < n, j < n) {
+            (true, true) => top[(i, j)],
+            (true, false) if power == 0 && j >= first => t.z[(i, states[j - n])],
+            (false, true) if i >= first => -bottom[(states[i - n], j)],
+            (false, false) if i >= first && j >= first => match power {
+                0 => -t.rate_z[(states[i - n], states[j - n])],
+                1 if i == j => 1.0,
+                _ => 0.0,
+            },
+            _ => 0.0,
+        });
+        sectors.polarised(sectors, &m)
+    })
 }
 
 /// A root of the characteristic function.

@@ -1,9 +1,9 @@
 //! The synchronous response over the speed on a grid that is refined where it bends, and its maxima and minima.
 
 use super::characteristic::Equilibrium;
+use super::extremum::Search;
 use super::linear_response::{Response, response};
 use super::locate::{State, crossing};
-use super::scalar::maximum;
 use super::sweep::{Sweep, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -143,12 +143,17 @@ fn still(loudest: f64) -> f64 {
 
 /// Damping ratio below which a resonance counts as undamped: its width is that of rounding.
 const NARROW: f64 = 1e-9;
+/// Multiple of [`NARROW`] at which the amplitude beside a pole has fallen, and by how much at least.
+const FAR: f64 = 1e3;
+const STEEP: f64 = 30.0;
+/// Responses beyond the neighbours of an extremum that guide its search.
+const BESIDE: usize = 2;
 
 /// The amplitude still grows as 1/distance where a resonance of damping ratio [`NARROW`] is already round.
 fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
     let beside = |d: f64| Some(value(speed - d * speed)?.max(value(speed + d * speed)?));
-    match (beside(10.0 * NARROW), beside(1e3 * NARROW)) {
-        (Some(near), Some(far)) => near > 30.0 * far,
+    match (beside(10.0 * NARROW), beside(FAR * NARROW)) {
+        (Some(near), Some(far)) => near > STEEP * far,
         (None, _) => true,
         _ => false,
     }
@@ -169,68 +174,71 @@ pub fn curve(
     // two crossings at one speed seed the same points twice, but for rounding
     speeds.dedup_by(|b, a| *b - *a <= 1e-8 * b.abs());
     let mut out = Curve { complete: true, ..Curve::default() };
-    // intervals still to be looked at, the leftmost last
-    let mut right: Vec<(f64, usize)> = speeds.iter().rev().map(|&w| (w, 0)).collect();
-    while let Some(&(w, depth)) = right.last() {
+    // intervals still to be looked at, the leftmost last, with the response at their right end where it is known
+    let mut right: Vec<(f64, usize, Option<Response>)> = speeds.iter().rev().map(|&w| (w, 0, None)).collect();
+    while let Some((w, depth, known)) = right.pop() {
         if !each(out.solved) {
             out.complete = false;
             break;
         }
-        out.solved += 1;
-        let Some(r) = response(system, state, w)? else {
-            out.singular.push(w);
-            right.pop();
-            continue;
+        let r = match known {
+            Some(r) => r,
+            None => {
+                out.solved += 1;
+                let Some(r) = response(system, state, w)? else {
+                    out.singular.push(w);
+                    continue;
+                };
+                r
+            }
         };
         if let Some(left) = out.points.last()
             && depth < DEPTH
             && w - left.speed > 1e-9 * w.abs()
         {
             let middle = 0.5 * (left.speed + w);
-            let bends = match response(system, state, middle)? {
-                None => false,
-                Some(m) => {
-                    let loudest = at.iter().map(|&i| left.major(i).max(r.major(i))).fold(0.0, f64::max);
-                    at.iter().any(|&i| {
-                        let (a, b, c) = (left.major(i), m.major(i), r.major(i));
-                        // products of amplitudes can underflow
-                        let bend = ((b / a) * (b / c)).ln().abs() * 0.5;
-                        a.min(c) > still(loudest) && (bend > BEND || bend.is_nan())
-                    })
-                }
-            };
             out.solved += 1;
-            if bends {
-                right.pop();
-                right.push((w, depth + 1));
-                right.push((middle, depth + 1));
+            let loudest = at.iter().map(|&i| left.major(i).max(r.major(i))).fold(0.0, f64::max);
+            let bent = response(system, state, middle)?.filter(|m| {
+                at.iter().any(|&i| {
+                    let (a, b, c) = (left.major(i), m.major(i), r.major(i));
+                    // products of amplitudes can underflow
+                    let bend = ((b / a) * (b / c)).ln().abs() * 0.5;
+                    a.min(c) > still(loudest) && (bend > BEND || bend.is_nan())
+                })
+            });
+            if bent.is_some() {
+                right.push((w, depth + 1, Some(r)));
+                right.push((middle, depth + 1, bent));
                 continue;
             }
         }
         out.points.push(r);
-        right.pop();
     }
     let largest = |i: usize| out.points.iter().map(|r| r.major(i)).fold(0.0, f64::max);
     let loudest = at.iter().map(|&i| largest(i)).fold(0.0, f64::max);
+    let mut search = Search::new(system, state);
     for (body, &i) in at.iter().enumerate() {
         // a body that moves by rounding alone has no resonance
         if largest(i) <= still(loudest) {
             continue;
         }
-        let value = |w: f64| response(system, state, w).ok().flatten().map(|r| r.major(i));
         let mut found: Vec<Extremum> = Vec::new();
-        for p in out.points.windows(3) {
+        for (k, p) in out.points.windows(3).enumerate() {
             let (a, b, c) = (p[0].major(i), p[1].major(i), p[2].major(i));
             let (up, down) = (b > a && b >= c, b < a && b <= c);
             if !(up || down) {
                 continue;
             }
-            let sign = if up { 1.0 } else { -1.0 };
-            let bracket = (p[0].speed, p[2].speed);
-            let tolerance = 1e-10 * bracket.1.abs();
-            if let Some((speed, v)) = maximum(|w| value(w).map(|x| sign * x.ln()), bracket.0, bracket.1, tolerance) {
-                let unbounded = up && pole(value, speed);
-                found.push(Extremum { body, maximum: up, speed, value: (sign * v).exp(), unbounded, bracket });
+            let first = k.saturating_sub(BESIDE);
+            let around = &out.points[first..(k + 3 + BESIDE).min(out.points.len())];
+            if let Some((speed, value)) = search.extremum(around, k + 1 - first, i, up) {
+                let bracket = (p[0].speed, p[2].speed);
+                // an amplitude that rises so little over so much cannot be a pole
+                let reach = FAR * NARROW * speed.abs();
+                let shallow = value <= STEEP * a.max(c) && bracket.0 <= speed - reach && speed + reach <= bracket.1;
+                let unbounded = up && !shallow && pole(|w| search.at(w, i), speed);
+                found.push(Extremum { body, maximum: up, speed, value, unbounded, bracket });
             }
         }
         // a shallow minimum between two resonances is no antiresonance, a ripple of rounding no resonance
@@ -252,7 +260,7 @@ pub fn curve(
     // beside a pole the numbers are what rounding makes of infinity
     for e in out.extrema.iter_mut().filter(|e| e.unbounded) {
         e.value = f64::NAN;
-        for p in out.points.iter_mut().filter(|p| (p.speed - e.speed).abs() <= 1e3 * NARROW * e.speed) {
+        for p in out.points.iter_mut().filter(|p| (p.speed - e.speed).abs() <= FAR * NARROW * e.speed) {
             p.x.fill(c(f64::NAN, f64::NAN));
         }
     }

@@ -3,6 +3,7 @@
 pub mod characteristic;
 pub mod ensemble;
 pub mod extrema;
+mod extremum;
 pub mod harmonic;
 pub mod linear_response;
 pub mod locate;

@@ -3,6 +3,7 @@
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
 use super::sectors::{Sectors, real_part};
 use crate::diagnostic::Diagnostic;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System, Workspace};
 use laval_num::complex::C64;
@@ -85,6 +86,24 @@ fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinat
     r
 }
 
+/// The machine rests where it is: nothing is deflected and no constant force acts, which needs no tangent to be seen.
+fn undeflected(system: &System, at: &Equilibrium) -> bool {
+    if !at.q.iter().chain(&at.z).all(|&x| x == 0.0) {
+        return false;
+    }
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+    system.linear(system.params(), at.speed, Form::Frequency, &mut model, &mut scratch);
+    if !model.blocks.force.iter().chain(&model.blocks.rate).all(|&f| f == 0.0) {
+        return false;
+    }
+    let zero = vec![0.0; system.n()];
+    let (mut force, mut rate, mut spin) = (zero.clone(), vec![0.0; system.m()], 0.0);
+    let point = At { q: &at.q, v: &zero, a: &zero, z: &at.z, phase: 0.0, speed: at.speed, spin_accel: 0.0, t: 0.0 };
+    let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+    system.residual(system.params(), &point, &mut rows, &mut Workspace::default(), |s| !s.is_linear());
+    force.iter().chain(&rate).all(|&f| f == 0.0)
+}
+
 /// Newton's method on the equilibrium, from a start, with steps shortened until the residual falls.
 pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium, Diagnostic> {
     let n = system.n();
@@ -96,6 +115,9 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
         }
     };
     let mut at = start;
+    if at.frame == Frame::Fixed && undeflected(system, &at) {
+        return Ok(at);
+    }
     let mut t = Characteristic::new(system, &at);
     let states = t.states().to_vec();
     let typical: Vec<f64> =

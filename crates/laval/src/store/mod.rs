@@ -42,7 +42,7 @@ use crate::outcome::{End, Finding};
 use folder::Folder;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicI64, AtomicU64, Ordering};
 
 /// Most chunks of a study: the manifest names each of them and is written anew after each.
 const MOST_CHUNKS: usize = 20_000;
@@ -68,6 +68,8 @@ pub trait Host: Sync {
     fn report(&self, done: u64, total: u64);
     /// `done` of `total` rows are there from an earlier run; they say nothing of the rate.
     fn restored(&self, done: u64, total: u64);
+    /// Of the rows under way, how much is done.
+    fn part(&self, _rows: f64) {}
     /// A remark that the result does not hold, because it does not depend on it.
     fn note(&self, text: &str);
     /// Most rows; chunks that begin beyond are left out.
@@ -117,13 +119,23 @@ impl Plan {
 pub struct Rows<'a> {
     host: &'a dyn Host,
     done: AtomicU64,
+    /// Rows under way, by what is done of them, in thousandths.
+    part: AtomicI64,
     total: u64,
 }
 
 impl Rows<'_> {
+    /// Of a row under way so many thousandths more are done; what was added is taken back before the row counts as done.
+    pub fn advance(&self, thousandths: i64) {
+        let part = self.part.fetch_add(thousandths, Ordering::Relaxed) + thousandths;
+        if thousandths > 0 {
+            self.host.part(part.max(0) as f64 / 1000.0);
+        }
+    }
     /// `n` more rows are done.
     pub fn add(&self, n: u64) {
         let done = self.done.fetch_add(n, Ordering::Relaxed) + n;
+        self.host.part(self.part.load(Ordering::Relaxed).max(0) as f64 / 1000.0);
         self.host.report(done.min(self.total), self.total);
     }
     /// The user asked to stop.
@@ -212,7 +224,7 @@ pub fn run_on(
     plan.check()?;
     let mut place = Place::open(host, &plan)?;
     let present = (0..plan.chunks()).filter(|&i| place.has(i)).map(|i| plan.range(i).len() as u64).sum();
-    let rows = Rows { host, done: AtomicU64::new(present), total: plan.rows as u64 };
+    let rows = Rows { host, done: AtomicU64::new(present), part: AtomicI64::new(0), total: plan.rows as u64 };
     if present > 0 {
         host.restored(present, rows.total);
     }

@@ -97,6 +97,7 @@ pub struct Campbell {
 /// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
 pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
+    context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
     let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
         context.goes_on(solved)

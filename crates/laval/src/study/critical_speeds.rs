@@ -43,7 +43,7 @@ impl Study for CriticalSpeeds {
             "margin",
             FieldKind::Quantity { unit: "", bounds: Bounds::up_to(1.0) },
             "0.15",
-            "distance from lightly damped critical speeds, relative, that the operating speed should keep",
+            "distance from lightly damped critical speeds, relative to the operating speed, that it should keep",
         ),
     ];
 
@@ -119,7 +119,7 @@ impl Study for CriticalSpeeds {
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         for p in &peaks {
-            outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).evidence(
+            outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).of(&bodies[p.body].name).evidence(
                 format!("amplitude of {}", bodies[p.body].name),
                 p.value,
                 "m",
@@ -132,17 +132,19 @@ impl Study for CriticalSpeeds {
             if let Some(c) = close {
                 let distance = (c.speed - w).abs() / w.abs();
                 let text = format!(
-                    "The operating speed, {}, is {{}} away from the nearest lightly damped critical speed, {}{}.",
-                    quantity(w, "rad/s"),
+                    "The nearest lightly damped critical speed, {}{}, is {{}} of the operating speed, {}, away from it.",
                     quantity(c.speed, "rad/s"),
-                    if c.order == 1.0 { String::new() } else { format!(" (order {})", c.order) }
+                    if c.order == 1.0 { String::new() } else { format!(" (order {})", c.order) },
+                    quantity(w, "rad/s"),
                 );
                 let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
-                outcome = outcome.finding(finding.value(distance, "").shown_as(100.0 * distance, "%").evidence(
-                    "margin asked for",
-                    self.margin,
-                    "",
-                ));
+                outcome = outcome.finding(
+                    finding
+                        .of("to the nearest critical speed, over the operating speed")
+                        .value(distance, "")
+                        .shown_as(100.0 * distance, "%")
+                        .evidence("margin asked for", self.margin, ""),
+                );
             }
         }
         for f in remarks(system, &state(self.speed.from)?) {

@@ -61,6 +61,7 @@ impl Study for ForcedResponse {
         let bodies = system.bodies();
         let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
         let mut speeds = self.speed.linspace(400);
+        context.announce(speeds.len() as f64, 10_000.0, "speeds to solve for, and more where the response bends");
         let mut each = |done: u64| {
             context.progress.report(done, 0);
             context.goes_on(done)
@@ -130,7 +131,7 @@ impl Study for ForcedResponse {
         }
         for e in &found.extrema {
             let kind = if e.maximum { "resonance" } else { "antiresonance" };
-            outcome = outcome.special_point(SpecialPoint::new(kind, e.speed, e.bracket).evidence(
+            outcome = outcome.special_point(SpecialPoint::new(kind, e.speed, e.bracket).of(name(e)).evidence(
                 format!("amplitude of {}", name(e)),
                 e.value,
                 "m",

@@ -6,10 +6,11 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table};
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
 use crate::solve::motion::Motion;
 use crate::solve::motion::flight::{Choice, Flight};
 use laval_num::ode;
+use std::f64::consts::TAU;
 
 /// `method`.
 pub(super) const METHOD: Field = Field::optional(
@@ -367,7 +368,16 @@ pub(super) fn keep_account(motion: &mut Motion) -> Option<Finding> {
     Some(Finding::info("no_energy_account", text))
 }
 
-/// Reports time reached in thousandths.
+/// Says how much there is to integrate: turns of the rotor at the mean speed, rad/s.
+pub(super) fn announce(context: &Context, duration: f64, speed: f64) {
+    let turns = duration * speed.abs() / TAU;
+    context.announce(turns, 1e5, &format!("turns of the rotor to integrate, {}", quantity(duration, "s")));
+}
+
+/// Parts of the time that are told apart: a motion over years moves on by few thousandths an hour.
+const PARTS: u64 = 1_000_000_000;
+
+/// Reports the share of the time that is reached.
 pub(super) fn progress<'c>(context: &'c Context, t_end: f64) -> impl Fn(f64) + 'c {
-    move |t| context.progress.report((1000.0 * (t / t_end).clamp(0.0, 1.0)) as u64, 1000)
+    move |t| context.progress.report((PARTS as f64 * (t / t_end).clamp(0.0, 1.0)) as u64, PARTS)
 }

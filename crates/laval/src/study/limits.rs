@@ -115,7 +115,7 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
                         None => format!("there are {all}"),
                     };
                     let message = format!("{field} names \"{n}\", which is no {what} of this machine");
-                    out.push(Diagnostic::error("limits.name", message).at(v.span_of(field)).help(help));
+                    out.push(Diagnostic::error("limits.name", message).at(v.span_of(field)).about(n).help(help));
                 }
             }
         }

@@ -24,7 +24,7 @@ pub mod uncertainty;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
 use crate::model::system::System;
-use crate::outcome::{End, Outcome};
+use crate::outcome::{End, Outcome, significant};
 use crate::store::{Host, Keep};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -36,6 +36,10 @@ pub trait Progress: Sync {
     fn restored(&self, done: u64, total: u64) {
         self.report(done, total);
     }
+    /// Of the units under way, how much is done: 2.5 when five of them are half done. Where single units take long.
+    fn part(&self, _units: f64) {}
+    /// How large the work is, in words, before it begins.
+    fn job(&self, _text: &str) {}
     /// A remark that the outcome does not hold, because it does not depend on it.
     fn note(&self, _text: &str) {}
 }
@@ -76,6 +80,14 @@ impl Context<'_> {
         self.cancel.load(Ordering::Relaxed)
     }
 
+    /// Says how large the work is before it begins, where it is large: `count` of `what`, from `large` on.
+    pub fn announce(&self, count: f64, large: f64, what: &str) {
+        // a count that is no number is worth a word, too
+        if !(count < large) {
+            self.progress.job(&format!("{} {what}", significant(count, 3)));
+        }
+    }
+
     /// May a study go on that has done so much work?
     pub fn goes_on(&self, done: u64) -> bool {
         !self.cancelled() && done < self.work_limit
@@ -103,6 +115,9 @@ impl Host for Context<'_> {
     }
     fn restored(&self, done: u64, total: u64) {
         self.progress.restored(done, total);
+    }
+    fn part(&self, rows: f64) {
+        self.progress.part(rows);
     }
     fn note(&self, text: &str) {
         self.progress.note(text);

@@ -135,12 +135,13 @@ impl Study for Modes {
                 if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
             let ratio = if undamped { 0.0 } else { m.damping_ratio() };
-            outcome =
-                outcome.finding(Finding::info("least_damped_mode", text).value(ratio, "").evidence("growth", m.growth(), "1/s").evidence(
-                    "rounding of the eigenvalues",
-                    rounding,
-                    "1/s",
-                ));
+            outcome = outcome.finding(
+                Finding::info("least_damped_mode", text)
+                    .of("damping ratio")
+                    .value(ratio, "")
+                    .evidence("growth", m.growth(), "1/s")
+                    .evidence("rounding of the eigenvalues", rounding, "1/s"),
+            );
         }
         if !any_unstable {
             let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);

@@ -127,6 +127,8 @@ impl Study for RunUp {
         let start = Start::new(system, self.programme.at(0.0).speed);
         start.write(&self.initial, &mut y);
         let still = history::negligible(s, &start);
+        let last = self.programme.at(self.t_end);
+        history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
         let outputs = history::spaced(self.t_end, s.points);
         let plan = Plan {
             t_end: self.t_end,

@@ -79,7 +79,7 @@ impl Study for StabilityMap {
         admit_eigenvalues(system, self.about, self.speed.from)?;
         let Some((path, range)) = &self.parameter else { return Ok(()) };
         for x in [range.from, range.to] {
-            let changed = system.with(&[(path, x)]).map_err(|d| refused(path, x, d))?;
+            let changed = system.with(&[(path, x)]).map_err(|d| refused(system, path, x, d))?;
             admit_eigenvalues(&changed, self.about, self.speed.from)?;
         }
         Ok(())
@@ -92,6 +92,7 @@ impl Study for StabilityMap {
             None => vec![None],
         };
         let total = (values.len() * speeds.len()) as u64;
+        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
         let done = AtomicU64::new(0);
         // rows that the limit cannot reach are not begun
         let within = usize::try_from(context.work_limit.div_ceil(speeds.len() as u64)).unwrap_or(usize::MAX).clamp(1, values.len());
@@ -112,7 +113,7 @@ impl Study for StabilityMap {
                     |s: &System, each: &mut dyn FnMut(u64) -> bool| row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each);
                 match (value, &self.parameter) {
                     (Some(x), Some((path, _))) => {
-                        let changed = system.with(&[(path, *x)]).map_err(|d| refused(path, *x, d))?;
+                        let changed = system.with(&[(path, *x)]).map_err(|d| refused(system, path, *x, d))?;
                         run(&changed, &mut each)
                     }
                     _ => run(system, &mut each),
@@ -129,7 +130,9 @@ impl Study for StabilityMap {
     }
 }
 
-fn refused(path: &str, x: f64, d: Diagnostics) -> Diagnostic {
+fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
+    let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
+    let x = quantity(x, unit);
     let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
     Diagnostic::error("stability_map.parameter", format!("the machine does not exist at {path} = {x}: {why}"))
         .help("narrow the range of the parameter")

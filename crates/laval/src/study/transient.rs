@@ -137,6 +137,7 @@ impl Study for Transient {
         if let Some(k) = motion.spin_start() {
             (y[k], y[k + 1]) = (s.phase, self.speed);
         }
+        history::announce(context, self.duration, self.speed);
         let outputs = match self.step {
             Some(step) => {
                 let count = (self.duration / step * (1.0 + 1e-12)) as usize;

@@ -138,5 +138,5 @@ fn tables_over_several_lines_are_no_mistake() {
             .replace("\"auto\"", "auto");
     let (_, d) = read(&text, &catalog());
     assert_eq!(d.0.len(), 1, "{d:?}");
-    assert_eq!(d.0[0].help.as_deref(), Some("write harmonics = \"auto\""));
+    assert!(d.0[0].help.as_deref().is_some_and(|h| h.starts_with("write harmonics = \"auto\" (so far only the syntax")), "{d:?}");
 }

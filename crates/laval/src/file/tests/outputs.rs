@@ -111,7 +111,7 @@ fn diagnostics_for_tools() {
             "code": "unit.dimension", "severity": "error",
             "message": "disc \"drum\": mass: a mass is needed (kg, g, t); \"2.4 µs\" is a time",
             "place": { "start": text.find("µs").unwrap(), "end": text.find("µs").unwrap() + 3, "line": 9, "column": 13, "end_line": 9, "end_column": 15 },
-            "label": "wrong dimension", "help": null,
+            "also": [], "label": "wrong dimension", "help": null,
         }])
     );
 }

@@ -218,7 +218,8 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
             Some(b) => format!("did you mean \"{b}\"? Bodies of this machine: {all}"),
             None => format!("bodies of this machine: {all}"),
         };
-        wrong(out, v, "on", "body.missing", format!("\"{name}\", which carries it, does not exist"), &help);
+        let message = format!("\"{name}\", which carries it, does not exist");
+        out.push(Diagnostic::error("body.missing", message).at(v.span_of("on")).about(name).help(help));
         return None;
     }
     if system.param(&format!("{name}.mass")).is_none() {

@@ -90,24 +90,24 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
     let (vessel, suspension) = (vessel?, suspension?);
     let throughput = values.number("throughput");
     let time = match (vessel.separator.flow_volume(), throughput, values.number("time")) {
-        (Some(volume), Some(q), None) => volume / q,
-        (None, None, given) => match given.or(time) {
-            Some(t) => t,
-            None => {
+        (Some(volume), Some(q), None) => Some(volume / q),
+        (None, None, given) => {
+            let time = given.or(time);
+            if time.is_none() {
                 let message = "the time in which the cups must have separated is needed".into();
                 wrong(out, values, "time", "separation.time", message, "add time = \"30 min\"");
-                return None;
             }
-        },
+            time
+        }
         (Some(_), ..) => {
             let message = format!("liquid flows through \"{}\": its throughput is needed, not a time", vessel.name);
             wrong(out, values, "throughput", "separation.throughput", message, "add throughput = \"500 l/h\", and no time");
-            return None;
+            None
         }
         (None, Some(_), _) => {
             let message = format!("nothing flows through \"{}\"", vessel.name);
             wrong(out, values, "throughput", "separation.throughput", message, "give time = \"10 min\" instead");
-            return None;
+            None
         }
     };
     let nonlinear = suspension.medium.drag == Drag::SchillerNaumann;
@@ -143,7 +143,7 @@ pub fn task(values: &Values, system: &System, time: Option<f64>, out: &mut Diagn
         },
         run_up: RunUp::None,
     };
-    Some(Task { vessel, suspension, time, throughput, recovery: values.number("recovery").unwrap_or(0.95), batch })
+    Some(Task { vessel, suspension, time: time?, throughput, recovery: values.number("recovery").unwrap_or(0.95), batch })
 }
 
 /// A particle whose path could not be computed.

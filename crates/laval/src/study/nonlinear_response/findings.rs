@@ -60,6 +60,7 @@ impl Shown<'_> {
                      of such states are not resolved.",
                 )
                 .value(dropped, "")
+                .shown_as(100.0 * dropped, "%")
                 .evidence("orders kept", response.discretisation.harmonics as f64, ""),
             );
         }

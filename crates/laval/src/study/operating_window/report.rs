@@ -1,8 +1,10 @@
 //! What an operating window tells: findings, tables, figures.
 
+use super::evaluate::Evaluated;
 use super::margins::{NAMES, Point};
+use super::vary::{Map, Robust};
 use super::window::{End, excluding, relaxations};
-use super::{Evaluated, MAP_PLACES, Map, Objective, OperatingWindow, Policy, Robust};
+use super::{MAP_PLACES, Objective, OperatingWindow, Policy};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,

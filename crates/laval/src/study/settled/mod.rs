@@ -173,6 +173,8 @@ pub(super) struct Log {
     limits: Limits,
     shooting: Option<Shooting>,
     shot: Option<(f64, f64)>,
+    /// Thousandths of the member that were reported.
+    shown: i64,
 }
 
 enum Stage {
@@ -297,6 +299,7 @@ impl Voyage for Settling<'_> {
             samples: vec![],
             limits: Limits::default(),
             shot: None,
+            shown: 0,
         };
         Self::stretch(&mut log, if rules.shooting { count(FOLDS_BEFORE_SHOOTING).max(1) } else { stretch });
         let leg = self.budget.leg(self.go_on(&mut log, None));
@@ -329,9 +332,16 @@ impl Voyage for Settling<'_> {
 
     fn ended(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
         self.budget.spend(ended);
+        let gone = log.done;
         match self.next(index, log, ended, y) {
-            Next::Leg(leg) => Next::Leg(self.budget.leg(leg)),
-            done => done,
+            Next::Leg(leg) => {
+                self.show(log, gone);
+                Next::Leg(self.budget.leg(leg))
+            }
+            done => {
+                self.counter.advance(-log.shown);
+                done
+            }
         }
     }
 
@@ -345,6 +355,16 @@ impl Voyage for Settling<'_> {
 }
 
 impl Settling<'_> {
+    /// Reports how far the member is after so many periods, if it settles in the stretch it is in.
+    fn show(&self, log: &mut Log, periods: u64) {
+        let whole = log.done + log.to_go + if matches!(log.stage, Stage::Record) { 0 } else { self.rules.periods as u64 };
+        let at = (1000.0 * periods as f64 / whole.max(1) as f64) as i64;
+        if at > log.shown {
+            self.counter.advance(at - log.shown);
+            log.shown = at;
+        }
+    }
+
     fn next(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
         log.steps += ended.steps + ended.rejected;
         if ended.end != LegEnd::Reached {

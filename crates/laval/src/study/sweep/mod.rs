@@ -191,6 +191,7 @@ impl Study for Sweep {
             chunk: chunk * ways,
             level: Level::best().name().into(),
         };
+        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run_on(plan, context, |range, counter, before| {
             let carried = before()?.map(|cells| rows::states(&rows, &cells, ways));
             let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);

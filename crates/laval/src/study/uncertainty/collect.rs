@@ -27,18 +27,21 @@ pub enum Sample {
     Stopped,
 }
 
+fn label(id: &str, subject: &str) -> String {
+    if subject.is_empty() { id.to_string() } else { format!("{id} {subject}") }
+}
+
 /// The numbers of an outcome. Several of one name are told apart by their order: numbers of findings by value, special points by place.
 pub fn quantities(outcome: &Outcome) -> Vec<Quantity> {
     let mut all: Vec<Quantity> = Vec::new();
     for f in &outcome.findings {
         let Some(value) = f.value else { continue };
-        let label = if f.subject.is_empty() { f.id.clone() } else { format!("{} {}", f.id, f.subject) };
-        all.push(Quantity { label, value, unit: f.unit.clone() });
+        all.push(Quantity { label: label(&f.id, &f.subject), value, unit: f.unit.clone() });
     }
     let unit = outcome.parameter.as_ref().map_or(String::new(), |p| p.unit.clone());
     // points that a finding speaks of are there already
     for p in outcome.special_points.iter().filter(|p| !outcome.findings.iter().any(|f| f.id == p.kind)) {
-        all.push(Quantity { label: p.kind.clone(), value: p.at, unit: unit.clone() });
+        all.push(Quantity { label: label(&p.kind, &p.subject), value: p.at, unit: unit.clone() });
     }
     let labels: Vec<String> = all.iter().map(|q| q.label.clone()).collect();
     let mut out = all.clone();
@@ -128,6 +131,10 @@ mod tests {
         assert_eq!(a, b);
         let names: Vec<(&str, f64)> = a.iter().map(|q| (q.0.as_str(), q.1)).collect();
         assert_eq!(names, [("fold", 6.0), ("fold #2", 7.0), ("peak base", 5.0), ("peak drum", 1.0), ("peak drum #2", 2.0)]);
+        // points say whose they are
+        let peaks = [SpecialPoint::new("maximum", 3.0, (3.0, 3.0)).of("base"), SpecialPoint::new("maximum", 1.0, (1.0, 1.0)).of("drum")];
+        let o = peaks.into_iter().fold(Outcome::new("k", "n").over("speed", "rad/s"), Outcome::special_point);
+        assert_eq!(quantities(&o).iter().map(|q| q.label.as_str()).collect::<Vec<_>>(), ["maximum base", "maximum drum"]);
     }
 
     #[test]

@@ -137,6 +137,7 @@ impl Study for Uncertainty {
             chunk: rows.div_ceil(50).clamp(16, 4096),
             level: Level::best().name().into(),
         };
+        context.announce(rows as f64, 1000.0, &format!("runs of the study {}", self.study.kind()));
         let results = store::run(plan, context, |range, counter| {
             let one = |row: usize| {
                 if counter.cancelled() {

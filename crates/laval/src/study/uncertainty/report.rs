@@ -334,8 +334,9 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Re
 fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnostic> {
     let mut all: Vec<(&String, &(usize, usize, String))> = samples.failures.iter().collect();
     all.sort_by(|a, b| b.1.0.cmp(&a.1.0).then(a.0.cmp(b.0)));
-    for (cause, (count, first, _)) in &all {
-        let text = format!("{{}} of {} samples have no result: {cause}", samples.count);
+    for (cause, (count, first, example)) in &all {
+        let instance = if *count > 1 { format!(", for instance sample {first}") } else { String::new() };
+        let text = format!("{{}} of {} samples have no result{instance}: {example}", samples.count);
         outcome = outcome.finding(Finding::warning("failed_samples", text).of(*cause).value(*count as f64, "").evidence(
             "first such sample",
             *first as f64,

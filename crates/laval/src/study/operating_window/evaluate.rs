@@ -1,0 +1,157 @@
+//! One machine over the range of speeds: scan, ends of the windows, best speed.
+
+use super::margins::{Asked, Judge, Point, radial_guess};
+use super::passage::Passage;
+use super::request::fitting;
+use super::steady::Branches;
+use super::window::{Interval, dips, intervals, scan};
+use super::{Objective, OperatingWindow, Policy, SPEEDS, coupling};
+use crate::diagnostic::Diagnostic;
+use crate::model::field::RangeValue;
+use crate::model::system::System;
+use crate::solve::extrema::seeds;
+use crate::solve::rest::rest;
+use crate::solve::scalar::maximum;
+use crate::study::Context;
+
+/// Loads at which branches of a nonlinear machine are followed.
+const LOADS: usize = 5;
+
+/// How carefully a range is looked at.
+pub(super) enum Care<'a> {
+    /// Ends, narrow places, the best speed.
+    Full,
+    /// The ends of the windows.
+    Ends,
+    /// These speeds alone.
+    Only(&'a [f64]),
+}
+
+/// One machine evaluated over the range.
+pub(super) struct Evaluated {
+    pub asked: Asked,
+    pub points: Vec<Point>,
+    pub intervals: Vec<Interval>,
+    /// Where everything but the separation is kept.
+    pub mechanical: Vec<Interval>,
+    pub best: Option<Point>,
+    pub folds: Vec<f64>,
+    pub harmonics: Option<usize>,
+    pub passage: Option<Passage>,
+}
+
+impl OperatingWindow {
+    /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
+    pub(super) fn evaluate(
+        &self,
+        system: &System,
+        context: &Context,
+        care: Care,
+        known: Option<&Passage>,
+    ) -> Result<Option<Evaluated>, Diagnostic> {
+        let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
+        let asked = fitting(self, system, only)?;
+        let (from, to) = (self.speed.from, self.speed.to);
+        let count = if careful { self.speed.points.unwrap_or(SPEEDS) } else { SPEEDS / 2 };
+        let mut speeds = match care {
+            Care::Only(grid) => grid.to_vec(),
+            _ => RangeValue { points: Some(count), ..self.speed }.linspace(count),
+        };
+        let branches = self.branches(system, &asked, context)?;
+        let folds: Vec<f64> = branches.iter().flat_map(|b| b.1.folds()).collect();
+        let folds = if only { vec![] } else { folds };
+        speeds.extend(folds.iter().flat_map(|w| [w * (1.0 - 1e-4), w * (1.0 + 1e-4)]));
+        if careful {
+            // loads at both ends bound where resonances lie
+            for w in [from, 0.5 * (from + to), to] {
+                let (changed, _) = coupling::loaded(system, &asked.cups, w)?;
+                let s = changed.as_ref().unwrap_or(system);
+                let mut each = |_| !context.cancelled();
+                speeds.extend(seeds(s, &|w| rest(s, w), from, to, &mut each)?.into_iter().step_by(2));
+                if asked.cups.is_empty() {
+                    break;
+                }
+            }
+        }
+        if let Some(w) = asked.duty.as_ref().filter(|_| !only).and_then(radial_guess) {
+            speeds.extend([0.5 * w, 0.8 * w, w]);
+        }
+        speeds.retain(|w| *w >= from && *w <= to);
+        speeds.sort_by(f64::total_cmp);
+        speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
+        let limited =
+            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && !branches.is_empty());
+        let passage = match asked.ramp.filter(|_| limited) {
+            Some(_) if known.is_some() => known.cloned(),
+            Some(duration) => Some(Passage::simulate(system, &asked.cups, to, duration, context)?),
+            None => None,
+        };
+        let judge = Judge { system, asked: &asked, branches: &branches, passage: passage.as_ref() };
+        let total = speeds.len() as u64;
+        let go_on = |done: u64| {
+            context.progress.report(done.min(total), total);
+            !context.cancelled() && done < context.work_limit
+        };
+        let Some(mut points) = scan(&judge, &speeds, go_on)? else { return Ok(None) };
+        if careful {
+            let more = dips(&points);
+            points.extend(scan(&judge, &more, |_| !context.cancelled())?.unwrap_or_default());
+            points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        }
+        let found = if only { vec![] } else { intervals(&judge, &mut points, Point::feasible)? };
+        let mechanical = if careful && asked.duty.is_some() { intervals(&judge, &mut points, |p| p.feasible_without(0))? } else { vec![] };
+        let best = if careful { self.best(&judge, &points)? } else { None };
+        let harmonics = branches.first().map(|b| b.1.harmonics());
+        drop(branches);
+        Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, folds, harmonics, passage }))
+    }
+
+    /// Branch structures of a nonlinear machine at several loads; none when it is linear or nothing forces it.
+    fn branches(&self, system: &System, asked: &Asked, context: &Context) -> Result<Vec<(f64, Branches)>, Diagnostic> {
+        if system.slots().iter().all(|s| s.is_linear()) {
+            return Ok(vec![]);
+        }
+        let (from, to) = (self.speed.from, self.speed.to);
+        let count = if asked.cups.is_empty() { 1 } else { LOADS };
+        let mut out = Vec::new();
+        for k in 0..count {
+            let w = from + (to - from) * (k as f64 + 0.5) / count as f64;
+            let (changed, _) = coupling::loaded(system, &asked.cups, w)?;
+            // the branch begins where it is easy to begin: below the range
+            let range = (0.2 * from, to * (1.0 + 1e-9));
+            out.push((w, Branches::follow(changed.as_ref().unwrap_or(system), range, context.cancel)?));
+        }
+        Ok(out)
+    }
+
+    /// The recommended speed.
+    fn best(&self, judge: &Judge, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
+        let value = |p: &Point| match self.objective {
+            Objective::Margin => p.least(),
+            Objective::Time => -p.needed,
+            Objective::Energy => -p.energy,
+            Objective::Amplitude => p.margin(1).unwrap_or(f64::NEG_INFINITY),
+        };
+        let feasible: Vec<usize> = (0..points.len()).filter(|&i| points[i].feasible()).collect();
+        // ties go to the lowest speed
+        let mut top: Option<usize> = None;
+        for &i in &feasible {
+            if top.is_none_or(|t| value(&points[i]) > value(&points[t])) {
+                top = Some(i);
+            }
+        }
+        let Some(i) = top else { return Ok(None) };
+        let (a, b) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
+        let found = maximum(
+            |w| judge.at(w).ok().map(|p| if p.feasible() { value(&p).max(-1e300) } else { -1e300 }),
+            points[a].speed,
+            points[b].speed,
+            1e-7 * points[i].speed,
+        );
+        let polished = match found {
+            Some((w, _)) => Some(judge.at(w)?).filter(|p| p.feasible() && value(p) > value(&points[i])),
+            None => None,
+        };
+        Ok(Some(polished.unwrap_or_else(|| points[i].clone())))
+    }
+}
