@@ -1,6 +1,6 @@
 //! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
 
-use super::shown::{Shown, worst};
+use super::shown::{Rising, Shown, worst};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
 use crate::outcome::{Finding, significant};
@@ -32,14 +32,17 @@ impl Shown<'_> {
                  how it got there.",
             ));
         }
-        if let Some(l) = &self.largest {
+        if let Some(r) = &self.rising {
+            out.push(self.without_largest(r, &response.branches[r.branch]));
+        } else if let Some(l) = &self.largest {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
+            let end = if l.at_end { ", an end of the range" } else { "" };
             let of = |f: &dyn Fn(&Peak) -> f64| peak.map_or(f64::NAN, f);
             out.push(
                 Finding::info(
                     "largest_displacement",
-                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s.", l.body, significant(speed, 6)),
+                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s{end}.", l.body, significant(speed, 6)),
                 )
                 .value(a, "m")
                 .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
@@ -81,6 +84,20 @@ impl Shown<'_> {
             out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
         }
         out
+    }
+
+    /// That the displacement rises to where a branch was left.
+    fn without_largest(&self, rising: &Rising, branch: &Traced) -> Finding {
+        let grows = matches!(branch.end, End::StepTooSmall { why: Refusal::Parameter | Refusal::Monitor, .. });
+        let head = if grows { "The steady displacement is unbounded" } else { "The largest steady displacement was not reached" };
+        let text = format!(
+            "{head}: that of \"{}\" still rises at {} rad/s, where the branch from {} speed was left at {{}}.",
+            rising.body,
+            significant(rising.speed, 6),
+            if branch.from_low { "low" } else { "high" },
+        );
+        let id = if grows { "unbounded_displacement" } else { "largest_displacement_not_reached" };
+        Finding::warning(id, text).value(rising.displacement, "m").evidence("speed", rising.speed, "rad/s")
     }
 
     /// Parts whose fitted time form stood for them in the judgement of stability.
