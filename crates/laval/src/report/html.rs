@@ -16,7 +16,7 @@ const CSS: &str = include_str!("assets/report.css");
 const JS: &str = include_str!("assets/report.js");
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
-/// More columns are set narrower, to fit the page.
+/// More columns are set narrower and with fewer digits, to fit the page.
 const MANY_COLUMNS: usize = 8;
 /// Special points shown without unfolding.
 const FEW_POINTS: usize = 12;
@@ -253,13 +253,14 @@ fn special(s: &mut String, o: &Outcome) {
 
 fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
     let rows = t.rows();
+    let many = t.columns().len() > MANY_COLUMNS;
     let count = if rows == 1 { "1 row".into() } else { format!("{rows} rows") };
     let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
     let _ = write!(
         s,
         "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table{}><thead><tr>",
         if open { " open" } else { "" },
-        if t.columns().len() > MANY_COLUMNS { " class=\"many\"" } else { "" }
+        if many { " class=\"many\"" } else { "" }
     );
     let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
     for c in t.columns() {
@@ -267,12 +268,13 @@ fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
         let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&c.doc), escape(&c.name.replace('_', " ")));
     }
     s.push_str("</tr></thead><tbody>");
+    let digits = if many { 4 } else { 6 };
     for r in 0..rows.min(MOST_ROWS) {
         s.push_str("<tr>");
         for c in t.columns() {
             let cell = match &c.data {
                 Data::Float(v) if v[r].is_nan() => "–".into(),
-                Data::Float(v) => significant(v[r], 6),
+                Data::Float(v) => significant(v[r], digits),
                 Data::Int(v) => v[r].to_string(),
                 Data::Text(v) => escape(&v[r]),
                 Data::Flag(v) => if v[r] { "yes" } else { "no" }.into(),

@@ -78,6 +78,9 @@ pub(super) enum Glyph {
 /// Shapes from here on belong to classes: their sizes differ.
 pub(super) const CLASS: usize = 10;
 
+/// The tint of strips: they warn.
+const STRIP_TINT: usize = 1;
+
 /// Most groups that get a colour of the palette; more get the ramp.
 const PALETTE_GROUPS: usize = 7;
 
@@ -281,7 +284,7 @@ impl Build<'_> {
                 Mark::Band(m) => {
                     let same = |e: &Entry| if let Glyph::Tint(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
                     let known = self.legend.iter().find_map(same);
-                    let tint = known.unwrap_or(self.tints);
+                    let tint = known.unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);
                     if !outlines.is_empty() {
                         self.tints += usize::from(known.is_none());

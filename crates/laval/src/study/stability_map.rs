@@ -174,6 +174,11 @@ impl StabilityMap {
         // the map keeps the grid; along one line the points between belong to it too
         let cells: Vec<(usize, &crate::solve::stability::Sample)> =
             rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
+        // where all growth is rounding no mode is the strongest
+        let frequency = |c: &(usize, &crate::solve::stability::Sample)| {
+            let row = &rows[c.0];
+            if row.undamped && !row.unstable(c.1, 0.0) { f64::NAN } else { c.1.value.im }
+        };
         let mut map =
             Table::new("map", "Largest growth rate").float("speed", "rad/s", "spin speed", cells.iter().map(|c| c.1.speed).collect());
         if two {
@@ -181,7 +186,12 @@ impl StabilityMap {
         }
         let map = map
             .float("growth", "1/s", "largest growth rate of all modes", cells.iter().map(|c| c.1.value.re).collect())
-            .float("frequency", "rad/s", "frequency of that mode", cells.iter().map(|c| c.1.value.im).collect())
+            .float(
+                "frequency",
+                "rad/s",
+                "frequency of that mode; NaN where nothing damps or drives any",
+                cells.iter().map(|c| frequency(c)).collect(),
+            )
             .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect())
             .build()
             .map_err(inconsistent)?;
