@@ -94,13 +94,14 @@ fn a_high_mode_does_not_press_the_others_together() {
     // excited up to 2000 rad/s; the high mode at 1e5 rad/s is said to be outside
     let o = campbell(2000.0);
     let f = &o.figures[0];
-    assert_eq!(f.panels[0].y.range, Some((0.0, 2500.0)));
+    let near = |range: Option<(f64, f64)>, top: f64| range.is_some_and(|(lo, hi)| lo == 0.0 && (hi / top - 1.0).abs() < 1e-9);
+    assert!(near(f.panels[0].y.range, 2500.0), "{:?}", f.panels[0].y.range);
     assert!(f.alt.contains("Above the axis, beyond 2500 rad/s"), "{}", f.alt);
     // the table keeps it
     let Data::Float(all) = &o.find_table("modes").unwrap().column("frequency").unwrap().data else { panic!() };
     assert!(all.iter().any(|f| (f / 1e5 - 1.0).abs() < 1e-9));
     // a range of speeds that ends below every mode shows the lowest
-    assert_eq!(campbell(100.0).figures[0].panels[0].y.range, Some((0.0, 1250.0)));
+    assert!(near(campbell(100.0).figures[0].panels[0].y.range, 1250.0));
     // and one that reaches the high mode shows all
     assert_eq!(campbell(2e5).figures[0].panels[0].y.range, None);
 }

@@ -1,5 +1,8 @@
 //! Motions without bound: what is said of them, against closed forms.
 
+mod common;
+
+use common::Planar;
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Value, Values};
 use laval::model::params::Family;
@@ -133,4 +136,24 @@ fn the_range_of_instability_begins_at_the_closed_form() {
     let changes: Vec<f64> = o.special_points.iter().filter(|p| p.kind == "Neimark-Sacker").map(|p| p.at).collect();
     assert_eq!(changes.len(), 1);
     assert!((changes[0] / onset - 1.0).abs() < 1e-9, "{} {onset}", changes[0]);
+}
+
+/// The bands of a partly filled rotor without damping begin and end at double roots of its whirl polynomial.
+#[test]
+fn the_range_of_instability_is_the_band_of_the_liquid() {
+    // instability_bands_undamped.csv: 25 kg, free surface at 0.99 of the cavity's radius
+    let (open, close) = (1971.9262813223, 2847.9945816);
+    let linear = [("bearing.cubic_stiffness", 0.0), ("drum.eccentricity", 1e-6)];
+    let system = Planar { fill: 0.99, chi: 0.0, chi0: 0.0, ..Planar::default() }.build().with(&linear).unwrap();
+    // above the synchronous resonance, which does not know the fill
+    let o = NonlinearResponse::new(Request::over(1960.0, 2900.0)).run(&system, &Context::quiet("r")).unwrap();
+    let f = o.findings.iter().find(|f| f.id == "unstable_states").unwrap_or_else(|| panic!("{:?}", o.findings));
+    let range = format!("from {} to {} rad/s", laval::outcome::significant(open, 4), laval::outcome::significant(close, 4));
+    assert!(f.text.contains(&range), "{} {range}", f.text);
+    let changes: Vec<f64> = o.special_points.iter().filter(|p| p.kind == "Neimark-Sacker").map(|p| p.at).collect();
+    assert_eq!(changes.len(), 2, "{changes:?}");
+    // growth rises with the root of the distance and is seen from the error of a double root on: the square of 1e-6 or so
+    for (found, edge) in changes.iter().zip([open, close]) {
+        assert!((found / edge - 1.0).abs() < 1e-7, "{found} {edge}");
+    }
 }

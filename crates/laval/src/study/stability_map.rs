@@ -190,7 +190,7 @@ impl StabilityMap {
                 "frequency",
                 "rad/s",
                 "frequency of that mode; NaN where nothing damps or drives any",
-                cells.iter().map(|c| frequency(c)).collect(),
+                cells.iter().map(frequency).collect(),
             )
             .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect())
             .build()

@@ -134,7 +134,7 @@ impl Shown<'_> {
                     format!(
                         "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
                         if branch.from_low { "low" } else { "high" },
-                        unstable_ranges(branch),
+                        unstable_words(branch),
                         significant(worst.speed, 5)
                     ),
                 )
@@ -180,9 +180,8 @@ impl Shown<'_> {
     }
 }
 
-/// Ranges of speed over which consecutive points of a branch are unstable, in words.
-fn unstable_ranges(branch: &Traced) -> String {
-    const MOST: usize = 4;
+/// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
+pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
     let mut ranges = Vec::new();
     let mut start = 0;
     for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
@@ -196,10 +195,19 @@ fn unstable_ranges(branch: &Traced) -> String {
         // to where the stability is lost and regained, not to the nearest points computed
         let located = branch.changes.iter().filter(|c| c.after + 1 == first || c.after == last).map(|c| c.speed);
         let speeds = run.iter().map(|p| p.speed).chain(located);
-        let (from, to) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
-        let (from, to) = (significant(from, 4), significant(to, 4));
-        ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
+        ranges.push(speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s))));
     }
+    ranges
+}
+
+/// The same in words.
+fn unstable_words(branch: &Traced) -> String {
+    const MOST: usize = 4;
+    let words = |(from, to): (f64, f64)| {
+        let (from, to) = (significant(from, 4), significant(to, 4));
+        if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") }
+    };
+    let ranges: Vec<String> = unstable_ranges(branch).into_iter().map(words).collect();
     let more = ranges.len().saturating_sub(MOST);
     let shown = ranges[..ranges.len() - more].join(", ");
     if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }

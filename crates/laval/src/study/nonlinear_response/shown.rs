@@ -1,10 +1,11 @@
 //! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
 
 use super::NonlinearResponse;
+use super::findings::unstable_ranges;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Axis, Figure, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{self, Axis, Band, Figure, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
@@ -248,7 +249,11 @@ impl<'a> Shown<'a> {
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s")).panel(panel);
         if judged {
-            let growth = Panel::new(Axis::new("growth rate", "1/s"))
+            let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+            for (from, to) in response.branches.iter().flat_map(unstable_ranges) {
+                growth = growth.mark(Band::x(from, to).name("unstable").strip());
+            }
+            let growth = growth
                 .mark(grouped(Line::new("response", "speed", "growth rate").name("largest growth rate")).solid_where("stable"))
                 .mark(Rule::y(0.0, ""));
             figure = figure.panel(growth);
