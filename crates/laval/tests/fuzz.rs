@@ -113,8 +113,8 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
     let mut ends = Vec::new();
     for named in &loaded.studies {
         let cancel = AtomicBool::new(false);
-        // a sweep counts steps in time, of which one settled motion takes hundreds
-        let unit = if named.study.kind() == "sweep" { 100 } else { 1 };
+        // these count steps in time, of which one settled motion takes hundreds
+        let unit = if ["sweep", "basins"].contains(&named.study.kind()) { 100 } else { 1 };
         let work_limit = unit * [1, 2, 7, 60, 300][r.below(5)];
         let left = if r.below(8) == 0 { r.below(20) as u64 } else { u64::MAX };
         let progress = CancelAfter { left: AtomicU64::new(left), cancel: &cancel };

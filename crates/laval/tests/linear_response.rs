@@ -86,6 +86,39 @@ fn jeffcott_rotor() {
     assert!((top / (e / (2.0 * ratio * (1.0 - ratio * ratio).sqrt())) - 1.0).abs() < 1e-12);
 }
 
+/// The work does not depend on the size of the unbalance, down to amplitudes that have no digits left.
+#[test]
+fn small_unbalance_is_no_more_work() {
+    use laval::solve::{extrema::curve, rest::rest};
+    let rotor = |eccentricity: f64, stiffness: f64| {
+        Builder::new("rotor")
+            .part("disc", Disc::planar(), DiscParams { mass: 1.0, eccentricity, ..DiscFamily::defaults() })
+            .part(
+                "shaft",
+                BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+                BearingCubicParams { stiffness: [stiffness; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+            )
+            .build()
+            .unwrap()
+    };
+    let solved = |eccentricity: f64, stiffness: f64| {
+        let system = rotor(eccentricity, stiffness);
+        let speeds = (1..10).map(|k| 100.0 * f64::from(k)).collect();
+        let mut work = 0;
+        let found = curve(&system, &|w| rest(&system, w), speeds, &[0], &mut |n| {
+            work = n;
+            n < 100_000
+        });
+        assert!(found.unwrap().complete, "{eccentricity} {stiffness}: {work} systems solved");
+        work
+    };
+    for stiffness in [2e5, 0.0] {
+        let usual = solved(1e-5, stiffness);
+        assert_eq!(solved(1e-5 * 2f64.powi(-960), stiffness), usual);
+        assert!(solved(5e-324, stiffness) <= usual);
+    }
+}
+
 #[test]
 fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
     use laval::study::critical_speeds::CriticalSpeeds;

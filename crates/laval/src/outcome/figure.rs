@@ -326,12 +326,29 @@ pub struct Heat {
     pub diverging: bool,
     /// Draws the curve where the value (before the factor) equals this.
     pub contour: Option<f64>,
+    /// Words the value may be, each with a colour of its own and an entry in the legend; empty for numbers.
+    pub classes: Vec<String>,
 }
 
 impl Heat {
     /// A heat map; colours part at zero when the data do.
     pub fn new(table: impl Into<String>, x: impl Into<String>, y: impl Into<String>, value: impl Into<String>, colours: Axis) -> Self {
-        Heat { table: table.into(), x: x.into(), y: y.into(), value: value.into(), colours, diverging: false, contour: None }
+        Heat {
+            table: table.into(),
+            x: x.into(),
+            y: y.into(),
+            value: value.into(),
+            colours,
+            diverging: false,
+            contour: None,
+            classes: Vec::new(),
+        }
+    }
+
+    /// A map of a column of words: one colour for each of `classes`; cells of other words stay blank.
+    pub fn of_classes(mut self, classes: Vec<String>) -> Self {
+        self.classes = classes;
+        self
     }
 
     /// Colours that part at zero: blue below, red above.
@@ -411,7 +428,8 @@ impl Figure {
             let (table, numbers, group, flag): (&str, Vec<&str>, Option<&String>, Option<&String>) = match mark {
                 Mark::Line(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.solid_where.as_ref().or(m.begins_where.as_ref())),
                 Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.as_ref()),
-                Mark::Heat(m) => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
+                Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
+                Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), None),
                 Mark::Band(Band { place: BandPlace::Between(t, x, low, high), .. }) => (t, vec![x, low, high], None, None),
                 Mark::Band(_) | Mark::Rule(_) | Mark::Text(_) => continue,
             };

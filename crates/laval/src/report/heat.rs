@@ -1,6 +1,6 @@
 //! Heat maps: long tables to grids, colours, cells and contours.
 
-use super::colour;
+use super::colour::{self, Colour};
 use super::ticks::AxisView;
 
 /// A grid of values in display units with its colour scale.
@@ -15,6 +15,8 @@ pub(super) struct HeatView {
     pub axis: AxisView,
     pub diverging: bool,
     pub contour: Option<f64>,
+    /// Names and colours of the values 0, 1, 2 ..; empty for numbers on a scale.
+    pub classes: Vec<(String, Colour)>,
 }
 
 /// Finest grid that is drawn; larger ones are merged, keeping the value of largest size (an island of instability stays).
@@ -22,8 +24,8 @@ const MOST_CELLS: usize = 240;
 const LEVELS: usize = 40;
 
 impl HeatView {
-    /// Grid from rows (x, y, value), in any order.
-    pub fn grid(rows: &[(f64, f64, f64)]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    /// Grid from rows (x, y, value), in any order. Where cells are merged, a class is that of the first.
+    pub fn grid(rows: &[(f64, f64, f64)], classes: bool) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let sorted = |pick: fn(&(f64, f64, f64)) -> f64| {
             let mut v: Vec<f64> = rows.iter().map(pick).filter(|v| v.is_finite()).collect();
             v.sort_by(f64::total_cmp);
@@ -37,7 +39,7 @@ impl HeatView {
                 continue;
             }
             let cell = &mut values[nearest(&ys, *y) * xs.len() + nearest(&xs, *x)];
-            if cell.is_nan() || v.abs() > cell.abs() {
+            if cell.is_nan() || (!classes && v.abs() > cell.abs()) {
                 *cell = *v;
             }
         }
@@ -60,16 +62,17 @@ impl HeatView {
         colour::heat(tone, self.diverging)
     }
 
-    /// Path data per colour in pixels: runs of equal colour along x, joined per colour.
-    pub fn cells(&self, x: &AxisView, y: &AxisView, w: f64, h: f64) -> Vec<(String, String)> {
+    /// Colour, class of the style sheet and path data in pixels: runs of equal colour along x, joined per colour.
+    pub fn cells(&self, x: &AxisView, y: &AxisView, w: f64, h: f64) -> Vec<(String, String, String)> {
         let (xe, ye) = (edges(&self.xs, x), edges(&self.ys, y));
-        let mut paths: Vec<String> = vec![String::new(); LEVELS + 1];
+        let last = if self.classes.is_empty() { LEVELS } else { self.classes.len() - 1 };
+        let mut paths: Vec<String> = vec![String::new(); last + 1];
         let n = self.xs.len();
         for j in 0..self.ys.len() {
             let (y0, y1) = ((1.0 - ye[j + 1]) * h, (1.0 - ye[j]) * h);
             let level = |i: usize| {
                 let v = self.values[j * n + i];
-                v.is_finite().then(|| (self.tone(v) * LEVELS as f64).round() as usize)
+                v.is_finite().then(|| if self.classes.is_empty() { (self.tone(v) * LEVELS as f64).round() as usize } else { v as usize })
             };
             let mut i = 0;
             while i < n {
@@ -80,7 +83,7 @@ impl HeatView {
                 }
                 if let Some(l) = here {
                     let (x0, x1) = (xe[first] * w, xe[i] * w);
-                    paths[l.min(LEVELS)].push_str(&format!(
+                    paths[l.min(last)].push_str(&format!(
                         "M{} {}H{}V{}H{}z",
                         super::text::px(x0),
                         super::text::px(y0),
@@ -92,7 +95,16 @@ impl HeatView {
             }
         }
         let coloured = paths.into_iter().enumerate().filter(|(_, p)| !p.is_empty());
-        coloured.map(|(l, p)| (self.colour(l as f64 / LEVELS as f64), p)).collect()
+        let style = |l: usize| match self.classes.get(l) {
+            Some((_, c)) => (c.hex(), format!("mf {}", c.class())),
+            None => (self.colour(l as f64 / LEVELS as f64), String::new()),
+        };
+        coloured
+            .map(|(l, p)| {
+                let (colour, class) = style(l);
+                (colour, class, p)
+            })
+            .collect()
     }
 
     /// Pieces of the curve where the value equals `level`, as pairs of places (0..1) broken by NaN: marching squares on the cell centres.
@@ -192,13 +204,13 @@ mod tests {
     }
 
     fn view(rows: &[(f64, f64, f64)], lo: f64, hi: f64) -> HeatView {
-        let (xs, ys, values) = HeatView::grid(rows);
-        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, contour: None }
+        let (xs, ys, values) = HeatView::grid(rows, false);
+        HeatView { xs, ys, values, axis: unit(lo, hi), diverging: true, contour: None, classes: vec![] }
     }
 
     #[test]
     fn grid_in_any_order_with_a_hole() {
-        let (xs, ys, v) = HeatView::grid(&[(2.0, 0.0, 4.0), (1.0, 1.0, f64::NAN), (1.0, 0.0, 3.0), (2.0, 1.0, 6.0)]);
+        let (xs, ys, v) = HeatView::grid(&[(2.0, 0.0, 4.0), (1.0, 1.0, f64::NAN), (1.0, 0.0, 3.0), (2.0, 1.0, 6.0)], false);
         assert_eq!((xs, ys), (vec![1.0, 2.0], vec![0.0, 1.0]));
         assert_eq!(&v[..2], [3.0, 4.0]);
         assert!(v[2].is_nan() && v[3] == 6.0);
@@ -208,9 +220,19 @@ mod tests {
     fn large_grids_keep_islands() {
         let rows: Vec<_> =
             (0..1000).flat_map(|i| (0..2).map(move |j| (i as f64, j as f64, if i == 501 && j == 1 { 9.0 } else { -1.0 }))).collect();
-        let (xs, _, v) = HeatView::grid(&rows);
+        let (xs, _, v) = HeatView::grid(&rows, false);
         assert!(xs.len() <= MOST_CELLS);
         assert!(v.contains(&9.0));
+    }
+
+    #[test]
+    fn classes_have_their_own_colours() {
+        let (xs, ys, values) = HeatView::grid(&[(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 1.0), (1.0, 1.0, f64::NAN)], true);
+        let classes = vec![("a".to_string(), Colour::Slot(0)), ("b".to_string(), Colour::Slot(1))];
+        let h = HeatView { xs, ys, values, axis: unit(0.0, 1.0), diverging: false, contour: None, classes };
+        let drawn = h.cells(&unit(0.0, 1.0), &unit(0.0, 1.0), 10.0, 10.0);
+        assert_eq!(drawn.iter().map(|c| c.0.as_str()).collect::<Vec<_>>(), [colour::SLOTS[0], colour::SLOTS[1]]);
+        assert_eq!(drawn.iter().map(|c| c.2.matches('z').count()).collect::<Vec<_>>(), [1, 2]);
     }
 
     #[test]

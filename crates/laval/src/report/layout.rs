@@ -130,7 +130,7 @@ impl Layout {
         let x0 = (y_ticks.iter().map(widest).fold(0.0, f64::max) + 12.0).max(30.0).ceil();
         let label_room = if narrow { 0.2 * w } else { 0.22 * w };
         let rights = wants.iter().flat_map(|w| &w.1).map(|r| width(&r.text, TICK).min(label_room)).fold(0.0, f64::max);
-        let bars: Vec<Option<Ticks>> = scene.panels.iter().map(|p| p.heat.as_ref().map(|h| bar_ticks(h, ph))).collect();
+        let bars: Vec<Option<Ticks>> = scene.panels.iter().map(|p| scale(p).map(|h| bar_ticks(h, ph))).collect();
         let bar_room = bars.iter().flatten().map(|t| 16.0 + 14.0 + 6.0 + widest(t)).fold(0.0, f64::max);
         let label_space = if rights > 0.0 { rights + 8.0 } else { 0.0 };
         let right = (label_space + bar_room).max(18.0).ceil();
@@ -145,7 +145,7 @@ impl Layout {
             y += LABEL + 2.0;
             let title_y = y;
             // the title of the colours stands beside that of y when both fit
-            let bar_title = p.heat.as_ref().map(|h| h.axis.title());
+            let bar_title = scale(p).map(|h| h.axis.title());
             let together = bar_title.as_ref().is_none_or(|t| width(t, LABEL) + width(&p.y.title(), LABEL) + 20.0 < w);
             if !together {
                 y += ROW + 2.0;
@@ -239,6 +239,11 @@ fn x_ticks(scene: &Scene, pw: f64) -> Ticks {
 pub(super) fn bar_place(h: &super::heat::HeatView, v: f64) -> f64 {
     let (a, b) = (h.tone(h.axis.lo), h.tone(h.axis.hi));
     if b > a { (h.tone(v) - a) / (b - a) } else { 0.5 }
+}
+
+/// The heat map of a panel whose colours are a scale.
+fn scale(p: &super::scene::PanelView) -> Option<&super::heat::HeatView> {
+    p.heat.as_ref().filter(|h| h.classes.is_empty())
 }
 
 fn bar_ticks(h: &super::heat::HeatView, height: f64) -> Ticks {

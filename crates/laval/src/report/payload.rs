@@ -62,5 +62,9 @@ fn axis(a: &AxisView) -> Value {
 
 fn heat(h: &HeatView) -> Value {
     let pack = |v: &[f64]| floats(v.iter().copied());
-    json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": h.axis.label, "u": unit_text(&h.axis.unit) })
+    let mut out = json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": h.axis.label, "u": unit_text(&h.axis.unit) });
+    if !h.classes.is_empty() {
+        out["c"] = h.classes.iter().map(|c| c.0.as_str()).collect();
+    }
+    out
 }

@@ -145,6 +145,17 @@ impl Build<'_> {
         (0..c.data.len()).map(|i| c.number(i).map_or(f64::NAN, |v| v * factor)).collect()
     }
 
+    /// Numbers of a column, or places of its words among `classes`; NaN for others.
+    fn places(&self, table: &str, column: &str, classes: &[String], factor: f64) -> Vec<f64> {
+        match self.column(table, column).map(|c| &c.data) {
+            Some(Data::Text(words)) => {
+                let place = |w: &String| classes.iter().position(|c| c == w).map_or(f64::NAN, |k| k as f64);
+                words.iter().map(place).collect()
+            }
+            _ => self.values(table, column, factor),
+        }
+    }
+
     fn flags(&self, table: &str, column: Option<&String>) -> Option<&[bool]> {
         match &self.column(table, column?)?.data {
             Data::Flag(v) => Some(v),
@@ -305,14 +316,19 @@ impl Build<'_> {
                     let (x, y, v) = (
                         self.values(&m.table, &m.x, fx),
                         self.values(&m.table, &m.y, fy),
-                        self.values(&m.table, &m.value, m.colours.factor),
+                        self.places(&m.table, &m.value, &m.classes, m.colours.factor),
                     );
+                    let of = m.classes.len();
+                    let classes: Vec<_> = m.classes.iter().enumerate().map(|(k, c)| (c.clone(), self.colour(c, k, of))).collect();
+                    for (name, colour) in &classes {
+                        self.entry(name, *colour, Glyph::Marker { shape: 1, open: false });
+                    }
                     // what a logarithmic axis cannot show is left out
                     let fits = |v: f64, scale: Scale| scale == Scale::Linear || v > 0.0;
                     let scales = (self.figure.x.scale, panel.y.scale, m.colours.scale);
                     let rows = x.into_iter().zip(y).zip(v).map(|((x, y), v)| (x, y, v));
                     let rows: Vec<_> = rows.filter(|r| fits(r.0, scales.0) && fits(r.1, scales.1) && fits(r.2, scales.2)).collect();
-                    let (xs, ys, values) = HeatView::grid(&rows);
+                    let (xs, ys, values) = HeatView::grid(&rows, !classes.is_empty());
                     let mut range = extent(values.iter().copied(), m.colours.scale == Scale::Log);
                     if let (true, Some((lo, hi))) = (m.diverging, range) {
                         range = Some((lo.min(0.0), hi.max(0.0)));
@@ -330,7 +346,7 @@ impl Build<'_> {
                         );
                         self.entry(label.trim_end(), Colour::Muted, Glyph::Contour);
                     }
-                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, contour });
+                    view.heat = Some(HeatView { xs, ys, values, axis, diverging: m.diverging, contour, classes });
                 }
             }
         }

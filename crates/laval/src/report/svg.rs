@@ -120,8 +120,9 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
     );
     if let Some(heat) = &p.heat {
         let _ = write!(s, r#"<g class="heat" transform="translate({sx} {sy})" shape-rendering="crispEdges">"#);
-        for (colour, d) in heat.cells(&scene.x, &p.y, w, h) {
-            let _ = write!(s, r#"<path fill="{colour}" d="{d}"/>"#);
+        for (colour, class, d) in heat.cells(&scene.x, &p.y, w, h) {
+            let class = if class.is_empty() { class } else { format!(r#" class="{class}""#) };
+            let _ = write!(s, r#"<path{class} fill="{colour}" d="{d}"/>"#);
         }
         s.push_str("</g>");
         if let Some(level) = heat.contour {

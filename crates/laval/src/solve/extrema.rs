@@ -138,6 +138,12 @@ const BEND: f64 = 0.05;
 
 /// Amplitude over the largest one that is rounding.
 const STILL: f64 = 1e-12;
+
+/// Amplitude up to which a body moves by rounding alone where another moves by `loudest`.
+fn still(loudest: f64) -> f64 {
+    (STILL * loudest).max(f64::MIN_POSITIVE)
+}
+
 /// Damping ratio below which a resonance counts as undamped: its width is that of rounding.
 const NARROW: f64 = 1e-9;
 
@@ -186,11 +192,15 @@ pub fn curve(
             let middle = 0.5 * (left.speed + w);
             let bends = match response(system, state, middle)? {
                 None => false,
-                Some(m) => at.iter().any(|&i| {
-                    let (a, b, c) = (left.major(i), m.major(i), r.major(i));
-                    let bend = (b * b / (a * c)).ln().abs() * 0.5;
-                    a > 0.0 && c > 0.0 && (bend > BEND || bend.is_nan())
-                }),
+                Some(m) => {
+                    let loudest = at.iter().map(|&i| left.major(i).max(r.major(i))).fold(0.0, f64::max);
+                    at.iter().any(|&i| {
+                        let (a, b, c) = (left.major(i), m.major(i), r.major(i));
+                        // products of amplitudes can underflow
+                        let bend = ((b / a) * (b / c)).ln().abs() * 0.5;
+                        a.min(c) > still(loudest) && (bend > BEND || bend.is_nan())
+                    })
+                }
             };
             out.solved += 1;
             if bends {
@@ -207,7 +217,7 @@ pub fn curve(
     let loudest = at.iter().map(|&i| largest(i)).fold(0.0, f64::max);
     for (body, &i) in at.iter().enumerate() {
         // a body that moves by rounding alone has no resonance
-        if largest(i) <= STILL * loudest {
+        if largest(i) <= still(loudest) {
             continue;
         }
         let value = |w: f64| response(system, state, w).ok().flatten().map(|r| r.major(i));

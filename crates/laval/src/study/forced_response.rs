@@ -72,31 +72,37 @@ impl Study for ForcedResponse {
         }
         let found: Curve = curve(system, &state, speeds, &at, &mut each)?;
         let points = &found.points;
+        let told = |what: &str| format!("{what}; NaN beside a resonance without bound");
         let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
         for b in &bodies {
             let n = &b.name;
             table = table
-                .float(format!("amplitude.{n}"), "m", "semi-major axis of the orbit", column(&|r| r.major(b.x)))
+                .float(format!("amplitude.{n}"), "m", told("semi-major axis of the orbit"), column(&|r| r.major(b.x)))
                 .float(
                     format!("minor.{n}"),
                     "m",
-                    "semi-minor axis of the orbit, negative for backward whirl",
+                    told("semi-minor axis of the orbit, negative for backward whirl"),
                     column(&|r| {
                         let (f, b) = r.circles(b.x);
                         f.abs() - b.abs()
                     }),
                 )
-                .float(format!("forward.{n}"), "m", "forward amplitude", column(&|r| r.circles(b.x).0.abs()))
-                .float(format!("phase.{n}"), "rad", "angle of the forward amplitude from the key mark", column(&|r| r.circles(b.x).0.arg()))
-                .float(format!("backward.{n}"), "m", "backward amplitude", column(&|r| r.circles(b.x).1.abs()))
-                .float(format!("backward_phase.{n}"), "rad", "angle of the backward amplitude", column(&|r| r.circles(b.x).1.arg()));
+                .float(format!("forward.{n}"), "m", told("forward amplitude"), column(&|r| r.circles(b.x).0.abs()))
+                .float(
+                    format!("phase.{n}"),
+                    "rad",
+                    told("angle of the forward amplitude from the key mark"),
+                    column(&|r| r.circles(b.x).0.arg()),
+                )
+                .float(format!("backward.{n}"), "m", told("backward amplitude"), column(&|r| r.circles(b.x).1.abs()))
+                .float(format!("backward_phase.{n}"), "rad", told("angle of the backward amplitude"), column(&|r| r.circles(b.x).1.arg()));
         }
         let seen = observed(system, &state, points)?;
         for ((part, what, unit), values) in seen.quantities {
-            table = table.float(format!("{what}.{part}"), unit, "largest value over a turn", values);
+            table = table.float(format!("{what}.{part}"), unit, told("largest value over a turn"), values);
         }
-        table = table.float("validity", "", "largest use of a part's validity over a turn; above 1 is outside", seen.validity);
+        table = table.float("validity", "", told("largest use of a part's validity over a turn; above 1 is outside"), seen.validity);
         let residual = points.iter().map(|r| r.residual).fold(0.0, f64::max);
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete)).work("solutions", found.solved);

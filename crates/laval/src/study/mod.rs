@@ -1,5 +1,6 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod basins;
 pub mod campbell;
 pub mod critical_speeds;
 pub mod duty;
@@ -181,6 +182,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<separation::Separation>(),
         kind::<operating_window::OperatingWindow>(),
         kind::<sweep::Sweep>(),
+        kind::<basins::Basins>(),
         kind::<uncertainty::Uncertainty>(),
     ]
 }

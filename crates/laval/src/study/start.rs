@@ -104,6 +104,14 @@ pub(super) enum Entry {
 }
 
 impl Entry {
+    /// Place in the state (q, v, z).
+    pub fn index(self, system: &System) -> usize {
+        match self {
+            Entry::Coordinate(i) => i,
+            Entry::Rate(i) => system.n() + i,
+            Entry::State(i) => 2 * system.n() + i,
+        }
+    }
     /// SI unit of its values.
     fn unit(self, system: &System) -> String {
         match self {
@@ -115,6 +123,14 @@ impl Entry {
             Entry::State(i) => system.states()[i].dof.unit.to_string(),
         }
     }
+}
+
+/// Names and units of the state (q, v, z): `drum.x`, `drum.x'`, `liquid.surface_x`.
+pub(super) fn state_names(system: &System) -> Vec<(String, String)> {
+    let rate = |unit: &str| if unit.is_empty() { "1/s".to_string() } else { format!("{unit}/s") };
+    let coordinates = system.coordinates().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()));
+    let rates = system.coordinates().iter().map(|c| (format!("{}'", c.name), rate(c.dof.unit)));
+    coordinates.chain(rates).chain(system.states().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()))).collect()
 }
 
 /// Finds coordinates (`drum.x`), rates (`drum.x'`) and internal states (`liquid.surface_x`).

@@ -142,7 +142,9 @@ pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed:
         newton(&mut balance, &mut x, speed, &options).unwrap();
         balance.eval(&x, speed, &mut r, Some(&mut jac), None).unwrap();
         let growth = if stability { judge.exponents(&mut balance, &x, speed).unwrap().growth() } else { f64::NAN };
-        let (z, deflection, minus3) = moduli(&Orbit::of(&mut balance, &x, speed).unwrap());
+        let orbit = Orbit::of(&mut balance, &x, speed).unwrap();
+        let alone = || (orbit.whirl(0, 1).0.abs(), orbit.whirl(0, 3).1.abs());
+        let (z, deflection, minus3) = if system.n() > 2 { moduli(&orbit) } else { ([alone().0, 0.0], alone().0, alone().1) };
         if !out.iter().any(|f| (f.z[0] - z[0]).abs() < 1e-9 * z[0]) {
             out.push(Found { x, z, deflection, minus3, growth });
         }

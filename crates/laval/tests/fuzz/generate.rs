@@ -368,6 +368,8 @@ impl Sources {
                 let (path, unit, bounds) = self.path(r, names);
                 range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
             }
+            // a whole number
+            FieldKind::Named { unit: "", .. } if f.name == "points" && r.chance(80) => r.of(&["2", "5", "12"]).into(),
             FieldKind::Named { unit, bounds } if r.chance(50) => {
                 format!("{{ {} = {} }}", names.first().map_or("drum", |n| n.as_str()), quantity(r, hostility, unit, &bounds))
             }
@@ -415,6 +417,10 @@ impl Sources {
             FieldKind::Coordinate => r.of(&["\"drum.x\"", "\"base.y\"", "\"drum.x'\"", "\"\"", "\"drum\""]).into(),
             FieldKind::StateMap => {
                 let name = if f.name == "kick" { "drum.x'" } else { r.of(&["drum.x", "drum.y'", "base.x", "drum.tilt_x", "d.surface_x"]) };
+                if ["from", "to"].contains(&f.name) && r.chance(80) {
+                    let sign = if f.name == "from" { -1.0 } else { 1.0 };
+                    return format!("{{ \"drum.x\" = {}, \"drum.y\" = {} }}", literal(sign * 1e-4), literal(sign * 1e-3 * r.unit()));
+                }
                 let size = if hostility == 0 { 1e-4 * r.unit() } else { EXTREME[r.below(EXTREME.len())] };
                 format!("{{ \"{name}\" = {} }}", literal(size))
             }

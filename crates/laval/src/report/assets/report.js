@@ -237,7 +237,7 @@ class Figure {
     const ty = c[0] + (1 - (y - v.panels[i].y0) / v.panels[i].h) * (c[1] - c[0]);
     const a = near(Array.from(p.h.x, q => place(this.data.x, q)), tx), b = near(Array.from(p.h.y, q => place(p.y, q)), ty);
     v.dot.setAttribute("visibility", "hidden");
-    const lines = [[this.data.x.n, number(p.h.x[a]) + unit(this.data.x.u)], [p.y.n, number(p.h.y[b]) + unit(p.y.u)], [p.h.n, number(p.h.v[b * p.h.x.length + a]) + unit(p.h.u)]];
+    const lines = [[this.data.x.n, number(p.h.x[a]) + unit(this.data.x.u)], [p.y.n, number(p.h.y[b]) + unit(p.y.u)], [p.h.n, (q => p.h.c ? p.h.c[q] || "" : number(q) + unit(p.h.u))(p.h.v[b * p.h.x.length + a])]];
     this.say(v, "", lines, x, y);
   }
 

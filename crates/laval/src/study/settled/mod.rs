@@ -5,10 +5,13 @@
 //! four times the time that the slowest mode asks for. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
 //! ([`shooting`]).
 
+pub(super) mod columns;
+pub(super) mod fields;
 mod limits;
 pub(super) mod measure;
 pub(super) mod period;
 mod shooting;
+pub(super) mod told;
 
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Next, Start, Voyage};
@@ -85,17 +88,29 @@ pub(super) struct Settled {
     pub steps: u64,
     /// State at the end, at phase zero; empty when the motion failed.
     pub y: Vec<f64>,
+    /// States at phase zero over the last period, oldest first; empty when it does not repeat.
+    pub orbit: Vec<Vec<f64>>,
     /// Amplitudes; none when it failed.
     pub measure: Option<Measure>,
 }
 
-/// Decay rate of the slowest mode of the machine linearised at rest, 1/s; `None` where there is none, or a mode does not decay.
-pub(super) fn slowest_decay(system: &System, speed: f64) -> Option<f64> {
+/// Growth of the slowest or fastest growing mode of the machine linearised at rest, over what rounding leaves of it.
+fn least_stable(system: &System, speed: f64) -> Option<(f64, f64)> {
     let about = rest(system, speed).ok()?;
     let spectrum = modes_about(system, &about, false).ok()?;
     let largest = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
-    let rate = -spectrum.least_stable()?.growth();
-    (rate > 1e-13 * largest && rate.is_finite()).then_some(rate)
+    Some((spectrum.least_stable()?.growth(), 1e-13 * largest))
+}
+
+/// Decay rate of the slowest mode of the machine linearised at rest, 1/s; `None` where there is none, or a mode does not decay.
+pub(super) fn slowest_decay(system: &System, speed: f64) -> Option<f64> {
+    let (growth, rounding) = least_stable(system, speed)?;
+    (-growth > rounding && growth.is_finite()).then_some(-growth)
+}
+
+/// A mode at rest neither decays nor grows.
+pub(super) fn neutral(system: &System, speed: f64) -> bool {
+    least_stable(system, speed).is_some_and(|(growth, rounding)| growth.abs() <= rounding)
 }
 
 /// Typical size of every state at a speed: displacements, rates, internal states.
@@ -170,7 +185,9 @@ impl Settling<'_> {
     fn leg(log: &mut Log, periods: u64, first_step: Option<f64>) -> Leg {
         let t1 = log.period * periods as f64;
         log.done += periods;
-        Leg { first_step, ..Leg::new(0.0, t1) }
+        // as many a period as the longest leg may take: a motion that flies apart is not followed for millions
+        let whole = Leg::new(0.0, t1);
+        Leg { first_step, max_steps: (whole.max_steps / LONGEST_LEG).saturating_mul(periods), ..whole }
     }
 
     /// A leg of shooting: all begin with the same step, so that their errors are nearly the same.
@@ -213,6 +230,7 @@ impl Settling<'_> {
             shot: None,
             steps: log.steps,
             y: vec![],
+            orbit: vec![],
             measure: None,
         }
     }
@@ -231,6 +249,7 @@ impl Settling<'_> {
             return Next::Leg(self.go_on(log, Some(ended.next_step)));
         }
         let outside = log.limits.worst.map(|(slot, what, ratio)| (format!("{}: {what}", self.system.slots()[slot].name), ratio));
+        let orbit = if let Verdict::Period(k) = judged.verdict { log.sections.last(k) } else { vec![] };
         let measure = Measure::of(self, log.sections.period_of(&judged.verdict), &log.samples, outside);
         Next::Done(Settled {
             verdict: judged.verdict,
@@ -240,6 +259,7 @@ impl Settling<'_> {
             shot: log.shot,
             steps: log.steps,
             y: y.to_vec(),
+            orbit,
             measure: Some(measure),
         })
     }

@@ -70,6 +70,10 @@ impl Sections {
     pub fn push(&mut self, y: &[f64]) {
         self.points.push(y.to_vec());
     }
+    /// The last points, oldest first.
+    pub fn last(&self, count: usize) -> Vec<Vec<f64>> {
+        self.points[self.points.len().saturating_sub(count)..].to_vec()
+    }
     /// Coordinates at rest.
     pub fn rest(&self) -> &[f64] {
         &self.rest

@@ -16,13 +16,14 @@ mod lyapunov;
 mod report;
 mod rows;
 
-use super::settled::period::FEWEST;
+use super::settled::columns::cells;
+use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED_RANGE, range};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
+use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::system::{Body, Drive, System};
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Settings};
@@ -41,12 +42,6 @@ const STARTS: &[Word] = &[
     ("up_and_down", "both, side by side"),
     ("all", "all three"),
 ];
-const SETTLINGS: &[Word] = &[
-    ("decay", "as many e-folds of the slowest mode as the tolerance asks for"),
-    ("shooting", "five e-folds, then Newton's method on the Poincare map; the long way where it fails"),
-];
-/// Lowest speed, rad/s.
-const SLOWEST: f64 = 1e-6;
 /// Points of a range that says none.
 const DEFAULT_POINTS: usize = 200;
 
@@ -94,25 +89,10 @@ impl Study for Sweep {
         Field::required("speed", SPEED_RANGE, "spin speeds, above zero; 200 points unless given"),
         Field::optional("start", FieldKind::Choice(STARTS), "up_and_down", "how the motion begins at each speed"),
         INITIAL,
-        Field::optional("settling", FieldKind::Choice(SETTLINGS), "decay", "how the settled motion is reached"),
-        Field::optional(
-            "tolerance",
-            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-9, 1e-2) },
-            "1e-6",
-            "distance from the settled motion over its size, by which it counts as settled and as repeating",
-        ),
-        Field::optional(
-            "most_periods",
-            FieldKind::Integer { min: 1, max: 100_000_000 },
-            "50000",
-            "most forcing periods of settling at one speed",
-        ),
-        Field::optional(
-            "periods",
-            FieldKind::Integer { min: FEWEST as i64, max: 4096 },
-            "64",
-            "forcing periods recorded at every speed, with 64 samples each",
-        ),
+        fields::SETTLING,
+        fields::TOLERANCE,
+        fields::MOST_PERIODS,
+        fields::PERIODS,
         Field::optional(
             "section",
             FieldKind::Coordinate,
@@ -127,18 +107,8 @@ impl Study for Sweep {
             "2000",
             "forcing periods over which the exponent is taken; a quarter as many before them",
         ),
-        Field::optional(
-            "relative_tolerance",
-            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-14, 1e-4) },
-            "",
-            "tolerated error of a step over the size of each state; 1e-4 of the tolerance unless given, but at most 1e-10",
-        ),
-        Field::optional(
-            "absolute_tolerance",
-            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-18, 1e-4) },
-            "",
-            "tolerated error of a step over a typical size of each kind of state (1 mm, 10 mrad; velocities: times the spin speed); a tenth of the relative one unless given",
-        ),
+        fields::RELATIVE,
+        fields::ABSOLUTE,
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -168,10 +138,6 @@ impl Study for Sweep {
         if diagnostics.0.len() > before {
             return None;
         }
-        let positive = |name, default: i64| u64::try_from(values.integer(name).unwrap_or(default)).ok();
-        let size = |name, default: i64| usize::try_from(values.integer(name).unwrap_or(default)).ok();
-        let tolerance = values.number("tolerance").unwrap_or(1e-6);
-        let relative = values.number("relative_tolerance").unwrap_or((1e-4 * tolerance).min(1e-10));
         Some(Sweep {
             speed: speed?,
             ways: match values.choice("start") {
@@ -181,19 +147,15 @@ impl Study for Sweep {
                 Some("all") => vec![Way::Rest, Way::Up, Way::Down],
                 _ => vec![Way::Up, Way::Down],
             },
-            rules: Rules {
-                relative,
-                absolute: values.number("absolute_tolerance").unwrap_or(0.1 * relative),
-                tolerance,
-                most_periods: positive("most_periods", 50_000)?,
-                periods: size("periods", 64)?,
-                shooting: values.choice("settling") == Some("shooting"),
-                spectrum: waterfall.map(|b| bodies[b].x),
-            },
+            rules: Rules::read(values, 50_000, waterfall.map(|b| bodies[b].x))?,
             initial,
             section: section?,
             waterfall,
-            lyapunov: if values.flag("lyapunov").unwrap_or(false) { Some(size("lyapunov_periods", 2000)?) } else { None },
+            lyapunov: if values.flag("lyapunov").unwrap_or(false) {
+                Some(usize::try_from(values.integer("lyapunov_periods").unwrap_or(2000)).ok()?)
+            } else {
+                None
+            },
         })
     }
 
@@ -232,7 +194,7 @@ impl Study for Sweep {
         let results = store::run_on(plan, context, |range, counter, before| {
             let carried = before()?.map(|cells| rows::states(&rows, &cells, ways));
             let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
-            Ok(computed.map(|list| rows::cells(&rows, &list)))
+            Ok(computed.map(|list| cells(&rows, &list)))
         })?;
         report::report(&fleet, &results, context)
     }

@@ -2,6 +2,7 @@
 
 use super::super::settled::measure::{HIGHEST, LINES, POINTS};
 use super::super::settled::period::LONGEST;
+use super::super::settled::told::{limits, words};
 use super::super::start::Start;
 use super::super::support::inconsistent;
 use super::rows::{STATE, point, spectrum};
@@ -39,17 +40,6 @@ pub(super) struct Jump {
     pub after: f64,
     pub body: usize,
     pub amplitudes: (f64, f64),
-}
-
-/// Words of a column; empty where there is none.
-fn words(results: &Results, column: &str) -> Result<Vec<String>, Diagnostic> {
-    let Some(c) = results.position(column) else { return Ok(vec![]) };
-    let mut out = Vec::new();
-    for chunk in results.chunks() {
-        let chunk = chunk?;
-        out.extend((0..chunk.rows.len()).map(|i| chunk.cells[c].word(i).unwrap_or_default().to_string()));
-    }
-    Ok(out)
 }
 
 fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
@@ -130,7 +120,8 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     outcome = hysteresis(&paths, outcome);
     outcome = motions(&paths, outcome);
     outcome = failures(results, outcome)?;
-    outcome = limits(results, outcome)?;
+    let speeds = results.numbers("speed")?;
+    outcome = limits(results, |row, f| f.evidence("at", speeds[row], "rad/s"), outcome)?;
     outcome = exponents(fleet.study, results, outcome)?;
     let steps = results.numbers("steps")?.iter().sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
@@ -260,29 +251,6 @@ fn failures(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnost
             format!("{{}} of {} motions could not be followed: each {why}. A sweep that loses its motion starts anew.", speeds.len());
         outcome =
             outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, "").evidence("first at", first, "rad/s"));
-    }
-    Ok(outcome)
-}
-
-fn limits(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let (speeds, uses) = (results.numbers("speed")?, results.numbers("validity")?);
-    let mut worst: BTreeMap<String, (f64, f64, usize)> = BTreeMap::new();
-    for ((what, ratio), speed) in words(results, "limit")?.into_iter().zip(uses).zip(speeds).filter(|x| x.0.1 > 1.0) {
-        let entry = worst.entry(what).or_insert((ratio, speed, 0));
-        entry.2 += 1;
-        if ratio > entry.0 {
-            (entry.0, entry.1) = (ratio, speed);
-        }
-    }
-    for (what, (ratio, speed, count)) in worst {
-        let (part, statement) = what.split_once(": ").unwrap_or((&what, ""));
-        let text = format!("\"{part}\" leaves its model in {count} motions: {statement} reaches");
-        let finding = if ratio.is_finite() {
-            Finding::invalid("validity", text + " {}, above 1.").value(ratio, "")
-        } else {
-            Finding::invalid("validity", text + " no finite value.")
-        };
-        outcome = outcome.finding(finding.of(part).evidence("at", speed, "rad/s"));
     }
     Ok(outcome)
 }

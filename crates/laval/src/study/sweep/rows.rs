@@ -1,11 +1,12 @@
 //! Rows of a sweep and their columns.
 
+use super::super::settled::Settled;
+use super::super::settled::columns::{self, RowColumn, body, number, word};
 use super::super::settled::measure::{HIGHEST, LINES, ORDERS, POINTS};
-use super::super::settled::period::Verdict;
-use super::super::settled::{Settled, measure::BodyMeasure};
+use super::super::start::state_names;
 use super::lyapunov::Exponent;
 use super::{Carried, Fleet, Sweep, Way};
-use crate::store::{Cells, Column, Kind};
+use crate::store::{Cells, Kind};
 
 /// One motion.
 pub(super) struct Row {
@@ -16,66 +17,23 @@ pub(super) struct Row {
     pub exponent: Option<Exponent>,
 }
 
-type Read<T> = Box<dyn Fn(&Row) -> T>;
-
-enum Of {
-    Number(Read<f64>),
-    Count(Read<Option<i64>>),
-    Word(Read<Option<String>>),
-}
-
-/// A column, and how it is read off a row.
-pub(super) struct RowColumn {
-    pub column: Column,
-    of: Of,
+impl columns::Row for Row {
+    fn settled(&self) -> &Settled {
+        &self.settled
+    }
 }
 
 /// Beginning of the names of the columns that hold the state at the end.
 pub(super) const STATE: &str = "state.";
 
-fn number(name: impl Into<String>, unit: &str, doc: &str, of: impl Fn(&Row) -> f64 + 'static) -> RowColumn {
-    RowColumn { column: Column::float(name, unit, doc), of: Of::Number(Box::new(of)) }
-}
-
-fn count(name: &str, doc: &str, of: impl Fn(&Row) -> Option<i64> + 'static) -> RowColumn {
-    RowColumn { column: Column::int(name, "", doc), of: Of::Count(Box::new(of)) }
-}
-
-fn word(name: &str, doc: &str, of: impl Fn(&Row) -> Option<String> + 'static) -> RowColumn {
-    RowColumn { column: Column::text(name, doc), of: Of::Word(Box::new(of)) }
-}
-
-fn body(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&BodyMeasure) -> f64 + 'static) -> RowColumn {
-    number(name, "m", doc, move |r| r.settled.measure.as_ref().map_or(f64::NAN, |m| of(&m.bodies[b])))
-}
-
 /// The columns.
-pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn> {
-    let whole = |x: u64| i64::try_from(x).ok();
+pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
     let mut out = vec![
-        word("start", "how the motion began", |r| Some(r.way.word().into())),
-        number("speed", "rad/s", "spin speed", |r| r.speed),
-        word("motion", "periodic, not periodic, not settled or failed", |r| Some(r.settled.verdict.word().into())),
-        count("period", "forcing periods after which the motion repeats", |r| {
-            if let Verdict::Period(k) = r.settled.verdict { i64::try_from(k).ok() } else { None }
-        }),
-        number("remaining", "", "estimated distance from the settled motion over its size", |r| r.settled.remaining),
-        number("decay", "1/s", "decay rate of the slowest mode at rest", |r| r.rate.unwrap_or(f64::NAN)),
-        count("periods", "forcing periods integrated", move |r| whole(r.settled.periods)),
-        count("bounded", "1 where the largest number of periods cut the settling short", |r| Some(i64::from(r.settled.bounded))),
-        count("steps", "integration steps", move |r| whole(r.settled.steps)),
-        word("failure", "why there is no motion", |r| if let Verdict::Failed(why) = r.settled.verdict { Some(why.into()) } else { None }),
+        word("start", "how the motion began", |r: &Row| Some(r.way.word().into())),
+        number("speed", "rad/s", "spin speed", |r: &Row| r.speed),
+        number("decay", "1/s", "decay rate of the slowest mode at rest", |r: &Row| r.rate.unwrap_or(f64::NAN)),
     ];
-    if study.rules.shooting {
-        let shot = |r: &Row| r.settled.shot.unwrap_or((f64::NAN, f64::NAN));
-        out.push(number("residual", "", "last correction of shooting over the size of the motion", move |r| shot(r).0));
-        out.push(number("multiplier", "", "largest modulus of the multipliers of the motion", move |r| shot(r).1));
-    }
-    let validity = |r: &Row| r.settled.measure.as_ref().and_then(|m| m.validity.clone());
-    out.push(number("validity", "", "largest use of a part's validity; above 1 is outside", move |r| {
-        validity(r).map_or(f64::NAN, |v| if v.1.is_nan() { f64::INFINITY } else { v.1 })
-    }));
-    out.push(word("limit", "the statement of validity used most", move |r| validity(r).map(|v| v.0)));
+    out.extend(columns::judged(&study.rules));
     for (b, own) in fleet.bodies.iter().enumerate() {
         let n = &own.name;
         out.push(body(format!("amplitude.{n}"), b, "largest displacement", |m| m.peak));
@@ -88,30 +46,26 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn> {
     }
     if study.lyapunov.is_some() {
         let of = |r: &Row| r.exponent.unwrap_or((f64::NAN, f64::NAN));
-        out.push(number("lyapunov", "1/s", "largest Lyapunov exponent", move |r| of(r).0));
-        out.push(number("lyapunov_halves", "1/s", "difference of the exponent between the halves of its time", move |r| of(r).1));
+        out.push(number("lyapunov", "1/s", "largest Lyapunov exponent", move |r: &Row| of(r).0));
+        out.push(number("lyapunov_halves", "1/s", "difference of the exponent between the halves of its time", move |r: &Row| of(r).1));
     }
     let column = 2 * study.section.0 + study.section.1;
     for p in 0..POINTS {
-        out.push(number(point(p), "m", "displacement at phase zero, oldest first", move |r| {
+        out.push(number(point(p), "m", "displacement at phase zero, oldest first", move |r: &Row| {
             r.settled.measure.as_ref().and_then(|m| m.points.get(p)).map_or(f64::NAN, |x| x[column])
         }));
     }
     if study.waterfall.is_some() {
         for line in 0..=LINES * HIGHEST {
             let doc = "semi-major axis at this order";
-            out.push(number(spectrum(line), "m", doc, move |r| {
+            out.push(number(spectrum(line), "m", doc, move |r: &Row| {
                 r.settled.measure.as_ref().and_then(|m| m.spectrum.get(line)).copied().unwrap_or(f64::NAN)
             }));
         }
     }
     let system = &fleet.system;
-    let rate = |unit: &str| if unit.is_empty() { "1/s".to_string() } else { format!("{unit}/s") };
-    let coordinates = system.coordinates().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()));
-    let rates = system.coordinates().iter().map(|c| (format!("{}'", c.name), rate(c.dof.unit)));
-    let states = system.states().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()));
-    for (i, (name, unit)) in coordinates.chain(rates).chain(states).enumerate() {
-        out.push(number(format!("{STATE}{name}"), &unit, "state at the end, at phase zero", move |r| {
+    for (i, (name, unit)) in state_names(system).into_iter().enumerate() {
+        out.push(number(format!("{STATE}{name}"), &unit, "state at the end, at phase zero", move |r: &Row| {
             r.settled.y.get(i).copied().unwrap_or(f64::NAN)
         }));
     }
@@ -128,18 +82,8 @@ pub(super) fn spectrum(line: usize) -> String {
     format!("spectrum_{line}")
 }
 
-/// Cells of a chunk.
-pub(super) fn cells(columns: &[RowColumn], rows: &[Row]) -> Vec<Cells> {
-    let one = |c: &RowColumn| match &c.of {
-        Of::Number(f) => Cells::Float(rows.iter().map(f).collect()),
-        Of::Count(f) => Cells::Int(rows.iter().map(f).collect()),
-        Of::Word(f) => Cells::Text(rows.iter().map(f).collect()),
-    };
-    columns.iter().map(one).collect()
-}
-
 /// The states at the end of a chunk, for each way; none where a motion failed.
-pub(super) fn states(columns: &[RowColumn], cells: &[Cells], ways: usize) -> Carried {
+pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], ways: usize) -> Carried {
     let own: Vec<&Cells> =
         columns.iter().zip(cells).filter(|(c, _)| c.column.kind == Kind::Float && c.column.name.starts_with(STATE)).map(|x| x.1).collect();
     let rows = cells.first().map_or(0, Cells::len);

@@ -1,0 +1,187 @@
+//! Basins of attraction: at one speed, the settled motion for every pair of two initial values on a grid, and which of these motions are the same.
+//!
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: as in [`sweep`](super::sweep). Two motions are one
+//! attractor when their Poincare sets `{y(0), y(T), .. y((k - 1) T)}` agree: see `attractors`.
+//!
+//! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats; y state (q, v, z) at phase zero; p share of the cells.
+//!
+//! Validity: constant speed; machines whose spin is prescribed. The grid is a plane through the space of states: a basin that does not meet it is not seen.
+//!
+//! Sources: `theory/nonlinear-response.md` sections 8 and 9.
+
+mod attractors;
+mod axes;
+mod report;
+mod rows;
+
+use super::settled::columns::cells;
+use super::settled::fields::{self, SLOWEST};
+use super::settled::{Budget, Member, Rules, Settled, Settling, neutral, slowest_decay};
+use super::start::{self, Entry, INITIAL, Start};
+use super::support::{SPEED, speed};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::{Body, Drive, System};
+use crate::outcome::Outcome;
+use crate::solve::ensemble::{self, Form, Settings};
+use crate::store::{self, Rows};
+use axes::{Axis, MOST_POINTS};
+use laval_num::lanes::Level;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Most forcing periods of settling where the file says nothing: a grid has many motions.
+const MOST_PERIODS: i64 = 10_000;
+
+/// See the [module](self).
+pub struct Basins {
+    /// Spin speed, rad/s.
+    speed: f64,
+    /// Initial values varied.
+    axes: [Axis; 2],
+    rules: Rules,
+    initial: Vec<(Entry, f64)>,
+}
+
+impl Study for Basins {
+    const KIND: &'static str = "basins";
+    const DOC: &'static str = "Basins of attraction at one speed: which motion the machine settles on from every pair of two initial values on a grid, \
+        how many motions there are, which share of the grid leads to each, and the smallest disturbance that leads to another. \
+        nonlinear_response finds all periodic motions; basins show which of them a disturbance reaches.";
+    const FIELDS: &'static [Field] = &[
+        Field::optional("speed", SPEED, "", "spin speed, above zero; the machine's when left out"),
+        Field::required(
+            "from",
+            FieldKind::StateMap,
+            "lower ends of two initial values: displacements (\"drum.x\"), rates (\"drum.x'\") or internal states. The map shows coordinates before \
+             rates before internal states: the first along x",
+        ),
+        Field::required("to", FieldKind::StateMap, "upper ends of the same two"),
+        Field::optional(
+            "points",
+            FieldKind::Named { unit: "", bounds: Bounds::closed(2.0, MOST_POINTS) },
+            "50",
+            "whole numbers of points from end to end, as 100 or { \"drum.x\" = 100, \"drum.x'\" = 80 }",
+        ),
+        INITIAL,
+        fields::SETTLING,
+        fields::TOLERANCE,
+        Field { default: "10000", ..fields::MOST_PERIODS },
+        fields::PERIODS,
+        fields::RELATIVE,
+        fields::ABSOLUTE,
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let speed = speed(values, system, diagnostics);
+        if let Some(w) = speed
+            && !(w >= SLOWEST)
+        {
+            let message = "basins need a speed above 1e-6 rad/s: there is no period at rest";
+            diagnostics.push(Diagnostic::error("basins.speed", message).at(values.span_of("speed")));
+        }
+        if system.bodies().is_empty() {
+            diagnostics.push(Diagnostic::error("basins.no_body", "no body of this machine moves across the axis"));
+        }
+        let axes = axes::read(values, system, diagnostics);
+        let initial = start::state_map(values, "initial", system, diagnostics);
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        Some(Basins { speed: speed?, axes: axes?, rules: Rules::read(values, MOST_PERIODS, None)?, initial })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
+                .help("leave drive = \"free\" out, or follow its motion with transient"));
+        }
+        ensemble::admit(system)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let own = system
+            .with(&[])
+            .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))?;
+        let fleet = Fleet {
+            budget: Budget::new(context.work_limit),
+            study: self,
+            start: Start::new(&own, self.speed),
+            rate: slowest_decay(&own, self.speed),
+            neutral: neutral(&own, self.speed),
+            bodies: system.bodies(),
+            values: self.axes.each_ref().map(Axis::values),
+            system: Arc::new(own),
+        };
+        let columns = rows::columns(self, &fleet);
+        // the first row is the undisturbed start
+        let count = 1 + fleet.values[0].len() * fleet.values[1].len();
+        let plan = store::Plan {
+            study: Self::KIND.into(),
+            columns: columns.iter().map(|c| c.column.clone()).collect(),
+            rows: count,
+            chunk: count.div_ceil(50).clamp(64, 1024),
+            level: Level::best().name().into(),
+        };
+        let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
+        report::report(&fleet, &results, context)
+    }
+}
+
+/// The study on its machine.
+struct Fleet<'a> {
+    budget: Budget,
+    study: &'a Basins,
+    system: Arc<System>,
+    start: Start,
+    /// Decay rate of the slowest mode at rest, 1/s.
+    rate: Option<f64>,
+    /// A mode at rest neither decays nor grows.
+    neutral: bool,
+    bodies: Vec<Body>,
+    /// Initial values along both axes.
+    values: [Vec<f64>; 2],
+}
+
+impl Fleet<'_> {
+    /// Start from rest and what the file says of it.
+    fn undisturbed(&self) -> Vec<f64> {
+        let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
+        self.start.write(&self.study.initial, &mut y);
+        y
+    }
+
+    /// The undisturbed start, then the cells along the first axis, row by row.
+    fn start_of(&self, row: usize) -> Vec<f64> {
+        let mut y = self.undisturbed();
+        if let Some(cell) = row.checked_sub(1) {
+            let width = self.values[0].len();
+            let [x, v] = &self.study.axes;
+            y[x.index] = self.values[0][cell % width];
+            y[v.index] = self.values[1][cell / width];
+        }
+        y
+    }
+
+    fn rows(&self, range: Range<usize>, counter: &Rows) -> Option<Vec<rows::Row>> {
+        let member = |row: usize| Member { speed: self.study.speed, y: self.start_of(row), rest: self.start.rest.clone(), rate: self.rate };
+        let members: Vec<Member> = range.clone().map(member).collect();
+        let voyage = Settling {
+            system: self.system.clone(),
+            members: &members,
+            rules: &self.study.rules,
+            counter,
+            budget: &self.budget,
+            bodies: self.bodies.iter().map(|b| b.x).collect(),
+        };
+        let settled: Vec<Settled> =
+            ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), Settings::default())?;
+        let place = |y: &[f64]| self.study.axes.each_ref().map(|a| y[a.index]);
+        let list = members.iter().zip(settled).map(|(m, settled)| rows::Row { place: place(&m.y), settled }).collect();
+        // a motion that the budget cut short is none
+        (!self.budget.used_up()).then_some(list)
+    }
+}
