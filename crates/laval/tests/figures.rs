@@ -84,7 +84,7 @@ fn a_high_mode_does_not_press_the_others_together() {
     for (body, k) in [("low", 1e6), ("high", 1e10)] {
         let disc = DiscParams { mass: 1.0, ..DiscFamily::defaults() };
         let spring = ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedFamily::defaults() };
-        b = b.part(body, Disc::planar(), disc).part(&format!("{body} spring"), ShaftLumped::lateral(link(body)), spring);
+        b = b.part(body, Disc::planar(), disc).part(format!("{body} spring"), ShaftLumped::lateral(link(body)), spring);
     }
     let system = b.build().unwrap();
     let campbell = |to: f64| {

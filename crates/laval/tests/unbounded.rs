@@ -152,7 +152,7 @@ fn the_range_of_instability_is_the_band_of_the_liquid() {
     assert!(f.text.contains(&range), "{} {range}", f.text);
     let changes: Vec<f64> = o.special_points.iter().filter(|p| p.kind == "Neimark-Sacker").map(|p| p.at).collect();
     assert_eq!(changes.len(), 2, "{changes:?}");
-    // growth rises with the root of the distance and is seen from the error of a double root on: the square of 1e-6 or so
+    // growth rises with the root of the distance from the edge and is seen once it exceeds the error of a double root
     for (found, edge) in changes.iter().zip([open, close]) {
         assert!((found / edge - 1.0).abs() < 1e-7, "{found} {edge}");
     }
