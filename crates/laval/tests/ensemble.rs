@@ -71,6 +71,7 @@ fn alone(m: &Member, outputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
         windows: 1,
         kick: None,
         rest: &[],
+        bound: f64::INFINITY,
         max_steps: u64::MAX,
         cancel: &|| false,
         progress: &|_| {},

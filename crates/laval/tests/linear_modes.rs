@@ -8,7 +8,7 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
+use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, foundation::*};
 use laval::solve::pencil::{MachineMode, Spectrum, Whirl, modes_about};
 use laval::solve::{rest::rest, turning::turning};
 use laval::study::{Context, Study, modes::Modes, support::About};
@@ -204,6 +204,41 @@ fn tilting_disc_splits_gyroscopically() {
             let found = s.modes.iter().filter(|m| m.whirl == whirl).map(|m| (m.frequency() - expected).abs()).fold(f64::INFINITY, f64::min);
             assert!(found < 1e-11 * expected, "{w} {expected} {found:e}");
         }
+    }
+}
+
+/// Forces g v across the velocity couple two unlike planes: `y/x = i r`, `r = (kxx - m w^2) / (g w)`. The ellipse has the radii `(1 + r)/2` and
+/// `(1 - r)/2`: neither direction leads while they agree within a twentieth.
+#[test]
+fn flat_orbits_have_no_direction() {
+    let (m, kx, ky): (f64, f64, f64) = (2.0, 1e6, 1.2e6);
+    for (g, flat) in [(0.1f64, true), (3.0, true), (10.0, false), (30.0, false)] {
+        let p = BearingLinearParams { kxx: kx, kyy: ky, cxy: g, cyx: -g, ..BearingLinearFamily::defaults() };
+        let link = Link::Between(Attach::on("disc"), Attach::ground());
+        let system = Builder::new("flat")
+            .part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() })
+            .part("bearing", BearingLinear::constant(link), p)
+            .build()
+            .unwrap();
+        // (kx - m W)(ky - m W) = g^2 W, W = w^2
+        let (b, c) = ((m * (kx + ky) + g * g) / (2.0 * m * m), kx * ky / (m * m));
+        let squares = [b - (b * b - c).sqrt(), b + (b * b - c).sqrt()];
+        let modes = at_rest(&system, 100.0).modes;
+        assert_eq!(modes.len(), 2);
+        for (mode, square) in modes.iter().zip(squares) {
+            let w = square.sqrt();
+            assert!((mode.frequency() / w - 1.0).abs() < 1e-12);
+            let y = mode.q[1] / mode.q[0];
+            let r = (kx - m * square) / (g * w);
+            assert!(y.re.abs() < 1e-7 * (1.0 + y.im.abs()) && (y.im.abs() / r.abs() - 1.0).abs() < 1e-6, "{y:?} {r}");
+            let narrow = r.abs().min(1.0 / r.abs());
+            let larger = (1.0 + narrow).powi(2) / (2.0 * (1.0 + narrow * narrow));
+            assert!(((mode.forward_share - 0.5).abs() - (larger - 0.5)).abs() < 1e-8, "{} {larger}", mode.forward_share);
+            assert_eq!(mode.whirl == Whirl::Mixed, flat, "{g}: {mode:?}");
+        }
+        let out = Modes { speed: 100.0, about: About::Rest, threshold: 0.0 }.run(&system, &Context::quiet("modes")).unwrap();
+        let text = &out.findings.iter().find(|f| f.id == "least_damped_mode").unwrap().text;
+        assert_eq!(text.contains("straight (mixed) whirl with forward share 0."), flat, "{text}");
     }
 }
 

@@ -539,6 +539,7 @@ fn memory_needs_the_implicit_method() {
         outputs: &[0.0, 0.01, 0.02],
         windows: 10,
         rest: &[],
+        bound: f64::INFINITY,
         kick: None,
         max_steps: 10_000,
         cancel: &|| false,

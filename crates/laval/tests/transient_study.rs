@@ -11,7 +11,8 @@ use laval::model::part::*;
 use laval::model::system::System;
 use laval::outcome::{Data, End, Level, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
-use laval::solve::motion::flight::{Choice, Flight, Plan, fly, growth};
+use laval::solve::motion::envelope::growth;
+use laval::solve::motion::flight::{Choice, Flight, Plan, fly};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval::study::run_up::RunUp;
@@ -142,6 +143,7 @@ fn flight(motion: &mut Motion, y: &[f64], t_end: f64, windows: usize, tolerance:
         outputs: &[],
         windows,
         rest: &[],
+        bound: f64::INFINITY,
         kick: None,
         max_steps: u64::MAX,
         cancel: &|| false,

@@ -132,6 +132,13 @@ fn indices_of_a_product_of_powers() {
     let q = o.find_table("quantities").unwrap();
     assert_eq!(number(q, "count", rows(&o, "quantities", &[("quantity", NAME)])[0]), 512.0);
     assert!(o.findings.iter().any(|f| f.id == "most_influential" && f.subject == NAME && f.text.contains("shaft.stiffness")));
+    // a few sentences lead; the tables have all
+    for id in ["distribution", "most_influential"] {
+        let count = o.findings.iter().filter(|f| f.id == id).count();
+        assert!((1..=4).contains(&count), "{count} {id}");
+    }
+    assert!(o.findings.iter().filter(|f| f.id == "no_indices").count() <= 1);
+    assert!(o.find_table("quantities").unwrap().is_leading());
 }
 
 #[test]

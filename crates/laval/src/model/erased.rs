@@ -26,6 +26,7 @@ macro_rules! erased {
             fn slots(&self) -> Vec<ParamSlot>;
             fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
             fn refuses_rest(&self, p: &[f64]) -> Option<String>;
+            fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64>;
             fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>);
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
@@ -62,6 +63,9 @@ macro_rules! erased {
             }
             fn refuses_rest(&self, p: &[f64]) -> Option<String> {
                 Part::refuses_rest(self, &T::Family::from_slice(p))
+            }
+            fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64> {
+                Part::clearance(self, &T::Family::from_slice(p), at)
             }
             fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>) {
                 Part::switches(self, &T::Family::from_slice(p), at, out)

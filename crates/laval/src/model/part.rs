@@ -295,7 +295,12 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn shape(&self, _p: &Params<Self, f64>, _position: f64) -> Vec<[f64; 4]> {
         Vec::new()
     }
-    /// Why the part cannot be linearised at rest, as a sentence that asks for what is missing.
+    /// How far an open gap is from contact at a state, m; negative in contact. `None` for a part without a gap.
+    fn clearance(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Option<f64> {
+        None
+    }
+    /// Why the part cannot be linearised where it carries no load, as a sentence that asks for what is missing. A part with an open
+    /// [`clearance`](Self::clearance) is linearised nevertheless where others hold what it joins.
     fn refuses_rest(&self, _p: &Params<Self, f64>) -> Option<String> {
         None
     }

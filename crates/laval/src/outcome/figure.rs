@@ -112,6 +112,10 @@ pub struct Line {
     pub group: Option<String>,
     /// Flag column: a piece is solid where it is true at both ends, dashed elsewhere.
     pub solid_where: Option<String>,
+    /// Flag column: where it is true the curve begins anew, with a gap before it.
+    pub begins_where: Option<String>,
+    /// Curves of groups coincide: the earlier are drawn wider, so that all are seen.
+    pub nested: bool,
     /// What solid and dashed mean in the legend.
     pub solid_dashed: (String, String),
     /// Name in the legend.
@@ -129,6 +133,8 @@ impl Line {
             y: y.into(),
             group: None,
             solid_where: None,
+            begins_where: None,
+            nested: false,
             solid_dashed: ("stable".into(), "unstable".into()),
             name: String::new(),
             reference: false,
@@ -144,6 +150,18 @@ impl Line {
     /// Solid where this flag column is true (stable), dashed elsewhere (unstable).
     pub fn solid_where(mut self, column: impl Into<String>) -> Self {
         self.solid_where = Some(column.into());
+        self
+    }
+
+    /// Begins anew, with a gap before, where this flag column is true. For lines that are solid everywhere.
+    pub fn begins_where(mut self, column: impl Into<String>) -> Self {
+        self.begins_where = Some(column.into());
+        self
+    }
+
+    /// Draws earlier groups wider, so that curves that coincide are all seen.
+    pub fn nested(mut self) -> Self {
+        self.nested = true;
         self
     }
 
@@ -222,8 +240,10 @@ impl Points {
 pub struct Band {
     /// Where.
     pub place: BandPlace,
-    /// Name in the legend.
+    /// Name in the legend; bands of one name look alike.
     pub name: String,
+    /// Also a strip at the upper border, never too narrow to be seen.
+    pub strip: bool,
 }
 
 /// Where a [`Band`] lies; values before the axis factor.
@@ -240,17 +260,23 @@ pub enum BandPlace {
 impl Band {
     /// Between two values of x.
     pub fn x(from: f64, to: f64) -> Self {
-        Band { place: BandPlace::X(from, to), name: String::new() }
+        Band { place: BandPlace::X(from, to), name: String::new(), strip: false }
     }
 
     /// Between two values of y.
     pub fn y(from: f64, to: f64) -> Self {
-        Band { place: BandPlace::Y(from, to), name: String::new() }
+        Band { place: BandPlace::Y(from, to), name: String::new(), strip: false }
     }
 
     /// Between the columns `low` and `high` over column `x`.
     pub fn between(table: impl Into<String>, x: impl Into<String>, low: impl Into<String>, high: impl Into<String>) -> Self {
-        Band { place: BandPlace::Between(table.into(), x.into(), low.into(), high.into()), name: String::new() }
+        Band { place: BandPlace::Between(table.into(), x.into(), low.into(), high.into()), name: String::new(), strip: false }
+    }
+
+    /// Adds a strip at the upper border of the panel, wide enough to be seen however narrow the interval. For intervals of x.
+    pub fn strip(mut self) -> Self {
+        self.strip = true;
+        self
     }
 
     /// Name in the legend.
@@ -400,7 +426,7 @@ impl Figure {
     pub fn check(&self, tables: &[Table]) -> Result<(), OutcomeError> {
         for mark in self.panels.iter().flat_map(|p| &p.marks) {
             let (table, numbers, group, flag): (&str, Vec<&str>, Option<&String>, Option<&String>) = match mark {
-                Mark::Line(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.solid_where.as_ref()),
+                Mark::Line(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.solid_where.as_ref().or(m.begins_where.as_ref())),
                 Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.as_ref()),
                 Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
                 Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), None),

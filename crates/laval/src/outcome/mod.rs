@@ -159,7 +159,7 @@ impl Outcome {
             true => Ok(()),
             false => Err(OutcomeError::NotFinite { what: what.into() }),
         };
-        if let End::StepTooSmall { at } | End::NewtonFailed { at, .. } = self.end {
+        if let End::StepTooSmall { at } | End::NewtonFailed { at, .. } | End::Unbounded { at } = self.end {
             check("the end", &[at])?;
         }
         for f in &self.findings {
@@ -192,6 +192,7 @@ impl Outcome {
             End::NewtonFailed { at, residual } => {
                 format!("The study stopped early: no solution was found at {} (residual {}).", place(at), significant(residual, 2))
             }
+            End::Unbounded { at } => format!("The study stopped early: the motion went beyond all bounds at {}.", place(at)),
             End::Cancelled => "The study was cancelled; what was done is shown.".into(),
             End::Refused => "The study was refused: this machine cannot answer it.".into(),
             End::MaxPoints => "The study stopped early: it reached the largest number of points allowed (max_points, --work-limit).".into(),
@@ -227,6 +228,11 @@ pub enum End {
         /// Norm of the residual that remained.
         residual: f64,
     },
+    /// The motion went beyond every displacement that makes sense for the machine.
+    Unbounded {
+        /// Value of the parameter there.
+        at: f64,
+    },
     /// Stopped by the user.
     Cancelled,
     /// The machine cannot answer what was asked; a finding says why.
@@ -238,13 +244,14 @@ pub enum End {
 }
 
 impl End {
-    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `cancelled`, `refused`, `max_points`,
-    /// `work_limit`.
+    /// The machine-readable word: `reached`, `step_too_small`, `newton_failed`, `unbounded`, `cancelled`, `refused`,
+    /// `max_points`, `work_limit`.
     pub fn word(&self) -> &'static str {
         match self {
             End::Reached => "reached",
             End::StepTooSmall { .. } => "step_too_small",
             End::NewtonFailed { .. } => "newton_failed",
+            End::Unbounded { .. } => "unbounded",
             End::Cancelled => "cancelled",
             End::Refused => "refused",
             End::MaxPoints => "max_points",

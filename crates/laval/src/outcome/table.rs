@@ -23,6 +23,7 @@ pub struct Table {
     name: String,
     doc: String,
     columns: Vec<Column>,
+    leading: bool,
 }
 
 /// One column of a table.
@@ -88,7 +89,7 @@ impl Table {
     /// Starts a table.
     #[allow(clippy::new_ret_no_self)]
     pub fn new(name: impl Into<String>, doc: impl Into<String>) -> TableBuilder {
-        TableBuilder { table: Table { name: name.into(), doc: doc.into(), columns: Vec::new() } }
+        TableBuilder { table: Table { name: name.into(), doc: doc.into(), columns: Vec::new(), leading: false } }
     }
 
     /// A table of real numbers from rows; `columns` holds name, unit and documentation of each.
@@ -129,6 +130,11 @@ impl Table {
         &self.columns
     }
 
+    /// Says in numbers what the study found: shown unfolded.
+    pub fn is_leading(&self) -> bool {
+        self.leading
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |c| c.data.len())
@@ -149,6 +155,12 @@ pub struct TableBuilder {
 impl TableBuilder {
     fn add(mut self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, data: Data) -> Self {
         self.table.columns.push(Column { name: name.into(), unit: unit.into(), doc: doc.into(), data });
+        self
+    }
+
+    /// Says in numbers what the study found: shown unfolded.
+    pub fn leading(mut self) -> Self {
+        self.table.leading = true;
         self
     }
 

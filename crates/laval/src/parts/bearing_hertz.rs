@@ -13,7 +13,8 @@
 //! Symbols: Cb contact coefficient of the whole bearing, N/m^1.5; d0 clearance, m.
 //!
 //! Validity: elastic contact, many rolling elements (no dependence on the cage angle), no centrifugal load of the rolling elements.
-//! Without preload the stiffness at rest is zero: a linear study needs an amplitude or a preload.
+//! Without preload the stiffness at rest is zero: a linear study needs an amplitude, a preload, or, where there is clearance, other parts that hold the rotor
+//! inside it.
 //!
 //! Sources: H. Hertz (1882); `000_a291f7ede1484e56` section 1.1 for the law and its cubic approximation, [`cubic_fit`].
 
@@ -65,7 +66,7 @@ impl BearingHertz {
 impl Part for BearingHertz {
     const KIND: &'static str = "bearing_hertz";
     const DOC: &'static str = "A rolling bearing with the force of Hertz contacts, growing with the deflection to the power 3/2, with clearance \
-        or preload. Without preload it has no stiffness at rest.";
+        or preload. Without preload it has no stiffness at rest; a linear study of a machine that other parts hold inside the clearance leaves it open.";
     type Family = BearingHertzFamily;
     const FIELDS: &'static [Field] = &[
         Field::required("between", FieldKind::Between, "the two points it joins"),
@@ -115,6 +116,10 @@ impl Part for BearingHertz {
             contact(at.q[0]) + contact(-at.q[0]) + contact(at.q[1]) + contact(-at.q[1])
         };
         Some(Energy { stored: (p.coefficient * sum).scale(0.4), ..Energy::zero() })
+    }
+    fn clearance(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<f64> {
+        let deflection = if self.radial { at.q[0].hypot(at.q[1]) } else { at.q[0].abs().max(at.q[1].abs()) };
+        Some(p.clearance - deflection)
     }
     fn refuses_rest(&self, p: &Params<Self, f64>) -> Option<String> {
         let loaded = !self.radial && p.clearance < 0.0;

@@ -98,6 +98,9 @@ impl Part for Stop {
         out.push(at.q[0].norm2(at.q[1]) - p.gap);
         out.push(p.stiffness * c.penetration + p.damping * c.rate);
     }
+    fn clearance(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<f64> {
+        Some(p.gap - at.q[0].hypot(at.q[1]))
+    }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let c = Self::contact(p, at);
         out.push(Observed { name: "penetration", unit: "m", value: c.penetration });

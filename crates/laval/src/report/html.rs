@@ -18,6 +18,8 @@ const JS: &str = include_str!("assets/report.js");
 const MOST_ROWS: usize = 20;
 /// Relative width of a bracket above which it says where a located point was looked for, not how well it is known.
 const SEARCHED: f64 = 1e-6;
+/// More columns are set narrower and with fewer digits, to fit the page.
+const MANY_COLUMNS: usize = 8;
 /// Special points shown without unfolding.
 const FEW_POINTS: usize = 12;
 /// Results listed in the summary; warnings are always listed.
@@ -99,10 +101,23 @@ fn summary(s: &mut String, report: &Report) {
         let _ =
             writeln!(s, "<li class=\"warning\"><span class=\"tag\">! Stopped early</span>{}{}</li>", escape(&o.end_in_words()), link(i, o));
     }
-    let results: Vec<_> = all().filter(|f| f.2.level == Level::Info).collect();
-    let more = results.len().saturating_sub(MOST_RESULTS);
-    for (i, o, f) in sorted.into_iter().chain(results.into_iter().take(MOST_RESULTS)) {
-        let _ = writeln!(s, "{}{}</li>", sentence(f), link(i, o));
+    sorted.extend(all().filter(|f| f.2.level == Level::Info));
+    // what several studies say in the same words stands once, with all their names
+    let mut once: Vec<(&Finding, Vec<(usize, &Outcome)>)> = Vec::new();
+    for (i, o, f) in sorted {
+        let text = f.sentence();
+        match once.iter_mut().find(|k| k.0.level == f.level && k.0.sentence() == text) {
+            Some((_, places)) => places.push((i, o)),
+            None => once.push((f, vec![(i, o)])),
+        }
+    }
+    let urgent = once.iter().filter(|k| k.0.level > Level::Info).count();
+    let more = (once.len() - urgent).saturating_sub(MOST_RESULTS);
+    for (f, places) in &once[..once.len() - more] {
+        let mut places = places.clone();
+        places.dedup_by_key(|p| p.0);
+        let links: Vec<String> = places.iter().map(|(i, o)| link(*i, o)).collect();
+        let _ = writeln!(s, "{}{}</li>", sentence(f), links.join(","));
     }
     s.push_str("</ul>\n");
     if more > 0 {
@@ -182,7 +197,7 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
         s.push_str("<h3>Tables</h3>\n");
     }
     for (k, t) in o.tables.iter().enumerate() {
-        table(s, t, o.tables.len() == 1 && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
+        table(s, t, (o.tables.len() == 1 || t.is_leading()) && t.rows() <= MOST_ROWS, names.map(|n| n.table(i, k)));
     }
     if !o.work.is_empty() {
         s.push_str("<details><summary>Work done</summary><dl>");
@@ -248,12 +263,14 @@ fn special(s: &mut String, o: &Outcome) {
 
 fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
     let rows = t.rows();
+    let many = t.columns().len() > MANY_COLUMNS;
     let count = if rows == 1 { "1 row".into() } else { format!("{rows} rows") };
     let title = if t.doc().is_empty() { escape(t.name()) } else { escape(t.doc()) };
     let _ = write!(
         s,
-        "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table><thead><tr>",
-        if open { " open" } else { "" }
+        "<details class=\"table\"{}><summary>{title} <span class=\"kind\">{count}</span></summary>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table{}><thead><tr>",
+        if open { " open" } else { "" },
+        if many { " class=\"many\"" } else { "" }
     );
     let words = |c: &Column| if matches!(c.data, Data::Text(_)) { " class=\"w\"" } else { "" };
     for c in t.columns() {
@@ -261,12 +278,13 @@ fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
         let _ = write!(s, "<th{} title=\"{}\">{}{unit}</th>", words(c), escape(&c.doc), escape(&c.name.replace('_', " ")));
     }
     s.push_str("</tr></thead><tbody>");
+    let digits = if many { 4 } else { 6 };
     for r in 0..rows.min(MOST_ROWS) {
         s.push_str("<tr>");
         for c in t.columns() {
             let cell = match &c.data {
                 Data::Float(v) if v[r].is_nan() => "–".into(),
-                Data::Float(v) => significant(v[r], 6),
+                Data::Float(v) => significant(v[r], digits),
                 Data::Int(v) => v[r].to_string(),
                 Data::Text(v) => escape(&v[r]),
                 Data::Flag(v) => if v[r] { "yes" } else { "no" }.into(),

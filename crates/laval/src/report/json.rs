@@ -71,7 +71,7 @@ fn study(o: &Outcome, index: usize, names: &Names) -> Value {
 fn end(o: &Outcome) -> Value {
     let mut end = json!({ "kind": o.end.word() });
     match o.end {
-        End::StepTooSmall { at } => end["at"] = number(at),
+        End::StepTooSmall { at } | End::Unbounded { at } => end["at"] = number(at),
         End::NewtonFailed { at, residual } => {
             end["at"] = number(at);
             end["residual"] = number(residual);

@@ -35,6 +35,8 @@ pub(super) struct Series {
     pub entry: Option<usize>,
     /// Reference line: thin, named at its end.
     pub reference: bool,
+    /// Curves drawn upon it that may hide it: so many steps wider it is drawn.
+    pub below: usize,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -48,6 +50,8 @@ pub(super) struct BandView {
     /// Outline in display units; infinite coordinates mean the border of the panel.
     pub outline: Vec<(f64, f64)>,
     pub tint: usize,
+    /// With a strip at the upper border.
+    pub strip: bool,
 }
 
 pub(super) struct RuleView {
@@ -73,6 +77,9 @@ pub(super) enum Glyph {
 
 /// Shapes from here on belong to classes: their sizes differ.
 pub(super) const CLASS: usize = 10;
+
+/// The tint of strips: they warn.
+const STRIP_TINT: usize = 1;
 
 /// Most groups that get a colour of the palette; more get the ramp.
 const PALETTE_GROUPS: usize = 7;
@@ -215,6 +222,7 @@ impl Build<'_> {
                 Mark::Line(m) => {
                     let (xs, ys) = (self.values(&m.table, &m.x, fx), self.values(&m.table, &m.y, fy));
                     let solid = self.flags(&m.table, m.solid_where.as_ref()).map(<[bool]>::to_vec);
+                    let begins = self.flags(&m.table, m.begins_where.as_ref()).map(<[bool]>::to_vec);
                     let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
                     let of = groups.len();
                     for (k, g) in groups.into_iter().enumerate() {
@@ -222,7 +230,7 @@ impl Build<'_> {
                         let entry = (!m.reference).then(|| self.entry(&g.name, colour, Glyph::Line));
                         let at = |i: usize| (xs[i], ys[i]);
                         let pieces = match &solid {
-                            None => vec![(Kind::Solid, String::new(), g.rows.iter().map(|i| at(*i)).collect())],
+                            None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],
                             Some(solid) => {
                                 let (full, dashed) = split(&g.rows, at, solid);
                                 if !dashed.is_empty() && !meanings.contains(&&m.solid_dashed) {
@@ -232,7 +240,17 @@ impl Build<'_> {
                             }
                         };
                         for (kind, state, points) in pieces.into_iter().filter(|p: &(Kind, String, Vec<_>)| !p.2.is_empty()) {
-                            view.series.push(Series { name: g.name.clone(), state, kind, colour, points, entry, reference: m.reference });
+                            let below = if m.nested { of - 1 - k } else { 0 };
+                            view.series.push(Series {
+                                name: g.name.clone(),
+                                state,
+                                kind,
+                                colour,
+                                points,
+                                entry,
+                                reference: m.reference,
+                                below,
+                            });
                         }
                     }
                 }
@@ -261,17 +279,28 @@ impl Build<'_> {
                             let name = parts.into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(", ");
                             let kind = Kind::Marker { shape, open };
                             let entry = Some(self.entry(&name, colour, Glyph::Marker { shape, open }));
-                            view.series.push(Series { name, state: String::new(), kind, colour, points, entry, reference: false });
+                            view.series.push(Series {
+                                name,
+                                state: String::new(),
+                                kind,
+                                colour,
+                                points,
+                                entry,
+                                reference: false,
+                                below: 0,
+                            });
                         }
                     }
                 }
                 Mark::Band(m) => {
-                    let tint = self.tints;
+                    let same = |e: &Entry| if let Glyph::Tint(t) = e.glyph { (e.label == m.name).then_some(t) } else { None };
+                    let known = self.legend.iter().find_map(same);
+                    let tint = known.unwrap_or(if m.strip { STRIP_TINT } else { self.tints });
                     let outlines = self.outlines(m, fx, fy);
                     if !outlines.is_empty() {
-                        self.tints += 1;
-                        view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint }));
-                        if !m.name.is_empty() {
+                        self.tints += usize::from(known.is_none());
+                        view.bands.extend(outlines.into_iter().map(|outline| BandView { outline, tint, strip: m.strip }));
+                        if !m.name.is_empty() && known.is_none() {
                             self.entry(&m.name, Colour::Slot(tint), Glyph::Tint(tint));
                         }
                     }
@@ -345,6 +374,12 @@ impl Build<'_> {
             }
         }
     }
+}
+
+/// The points of the rows, with a gap before each that begins anew.
+fn pieces_of(rows: &[usize], at: impl Fn(usize) -> (f64, f64), begins: Option<&[bool]>) -> Vec<(f64, f64)> {
+    let gap = |i: usize| begins.is_some_and(|b| b[i]).then_some((f64::NAN, f64::NAN));
+    rows.iter().flat_map(|&i| gap(i).into_iter().chain([at(i)])).collect()
 }
 
 /// Pieces whose both ends are flagged, and the others, each broken by NaN where the other takes over.

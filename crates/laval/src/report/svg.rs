@@ -148,6 +148,23 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
             TINTS[band.tint % TINTS.len()],
             path(&points, 0.5)
         );
+        if band.strip {
+            let (from, to) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| (a.min(q.0), b.max(q.0)));
+            let (from, to) = (from.max(x0), to.min(x0 + w));
+            if from <= to {
+                let width = (to - from).max(STRIP);
+                let left = (0.5 * (from + to - width)).clamp(x0, x0 + w - width);
+                let colour = TINTS[band.tint % TINTS.len()];
+                let _ = write!(
+                    s,
+                    r#"<path class="b{} strip" fill="{colour}" d="M{} {sy}h{}v{STRIP_HEIGHT}h-{}z"/>"#,
+                    band.tint % TINTS.len(),
+                    px(left),
+                    px(width),
+                    px(width)
+                );
+            }
+        }
     }
     s.push_str(r#"</g><g class="se">"#);
     let on_heat = p.heat.is_some();
@@ -237,7 +254,7 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
 fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f64)], on_heat: bool) {
     let key = series.entry.map_or(String::new(), |k| format!(r#" data-k="{k}""#));
     let (hex, class) = (series.colour.hex(), series.colour.class());
-    let stroke = if series.reference { 1.0 } else { 1.8 };
+    let stroke = if series.reference { 1.0 } else { 1.8 + NEST * series.below as f64 };
     match series.kind {
         Kind::Solid | Kind::Dashed => {
             let dash = if series.kind == Kind::Dashed { r#" stroke-dasharray="6 4""# } else { "" };
@@ -252,9 +269,11 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
             let kept: Vec<_> = thin::cloud(points, 1.0).into_iter().map(|i| points[i]).collect();
             if kept.len() > DOTS {
                 let d: String = kept.iter().map(|q| format!("M{} {}h0", px(q.0), px(q.1))).collect();
+                // dots of classes that share a place lie on each other like their markers
+                let size = if shape >= CLASS { 5.2 - 1.4 * (shape - CLASS).min(2) as f64 } else { 2.4 };
                 let _ = write!(
                     s,
-                    r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="2.4" stroke-linecap="round" d="{d}"/>"#
+                    r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="{size:.1}" stroke-linecap="round" d="{d}"/>"#
                 );
             } else {
                 let d: String = kept.iter().map(|q| marker(shape, q.0, q.1)).collect();
@@ -264,6 +283,12 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
         }
     }
 }
+
+/// What a curve is wider than the next one drawn upon it, px.
+const NEST: f64 = 2.4;
+/// Least width and height of the strip of a band, px.
+const STRIP: f64 = 4.0;
+const STRIP_HEIGHT: f64 = 7.0;
 
 /// From so many points on, markers are plain dots.
 pub(super) const DOTS: usize = 400;

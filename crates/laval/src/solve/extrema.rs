@@ -52,6 +52,8 @@ pub struct Critical {
     pub growth: f64,
     /// Direction of whirl.
     pub whirl: super::pencil::Whirl,
+    /// Share of the forward part in the squared amplitudes.
+    pub forward_share: f64,
     /// Branch of the sweep.
     pub branch: usize,
     /// Speeds before and after.
@@ -90,6 +92,7 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
                     speed: solved.map_or(start, |c| c.speed),
                     growth: solved.map_or(growth, |c| c.value.re),
                     whirl: if share < 0.5 { m0.whirl } else { m1.whirl },
+                    forward_share: if share < 0.5 { m0.forward_share } else { m1.forward_share },
                     branch,
                     bracket: (*w0, *w1),
                     defect: solved.map_or(f64::NAN, |c| c.defect),

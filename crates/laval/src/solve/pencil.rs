@@ -36,6 +36,10 @@ pub struct Linearised {
     isotropic: bool,
 }
 
+/// An orbit is straight when the radii of its forward and backward parts agree within this share: neither direction leads. Its narrow axis is then
+/// below a fortieth of its long one.
+pub const FLAT: f64 = 0.05;
+
 /// Direction a mode whirls in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Whirl {
@@ -43,7 +47,7 @@ pub enum Whirl {
     Forward,
     /// Against it.
     Backward,
-    /// Both, at different places or in a straight line.
+    /// Both, at different places or in a line that is straight within [`FLAT`].
     Mixed,
     /// No oscillation, or none across the axis.
     None,
@@ -57,6 +61,17 @@ impl Whirl {
             Whirl::Backward => "backward",
             Whirl::Mixed => "mixed",
             Whirl::None => "none",
+        }
+    }
+    /// In a sentence, before or behind a noun: `forward whirl`; where neither direction leads with the forward share of the squared amplitudes.
+    pub fn of(self, noun: &str, forward_share: f64) -> String {
+        let straight = (1.0 + FLAT).powi(2) / (1.0 + (1.0 + FLAT).powi(2)) - 0.5;
+        match self {
+            Whirl::Mixed if (forward_share - 0.5).abs() <= straight => {
+                format!("straight (mixed) {noun} with forward share {forward_share:.3}")
+            }
+            Whirl::Mixed => format!("mixed {noun} with forward share {forward_share:.3}"),
+            _ => format!("{} {noun}", self.word()),
         }
     }
 }
@@ -319,8 +334,8 @@ impl Linearised {
         // bodies that hardly move do not decide
         let mut moving = circles.iter().filter(|c| c.0 + c.1 > 1e-3 * largest);
         let all = |mut it: std::vec::IntoIter<bool>| it.all(|x| x);
-        let forward: Vec<bool> = moving.clone().map(|c| c.0 > c.1 * (1.0 + 1e-6)).collect();
-        let backward: Vec<bool> = moving.by_ref().map(|c| c.1 > c.0 * (1.0 + 1e-6)).collect();
+        let forward: Vec<bool> = moving.clone().map(|c| c.0 > c.1 * (1.0 + FLAT)).collect();
+        let backward: Vec<bool> = moving.by_ref().map(|c| c.1 > c.0 * (1.0 + FLAT)).collect();
         let whirl = if all(forward.into_iter()) {
             Whirl::Forward
         } else if all(backward.into_iter()) {

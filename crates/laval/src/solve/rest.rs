@@ -14,14 +14,14 @@ use laval_num::dense::{Lu, Mat, max_abs};
 /// # Errors
 /// A part that cannot be linearised at rest or whose force turns with the rotor; no equilibrium.
 pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
-    for slot in system.slots() {
-        if let Some(reason) = slot.part.refuses_rest(&system.params()[slot.params.clone()]) {
-            return Err(Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
-                .at(slot.span.clone())
-                .help("ask a nonlinear study or one in time, or give the part a preload"));
-        }
+    let start = Equilibrium::zero(system, Frame::Fixed, speed);
+    if let Some(refused) = unlinearised(system, &start).filter(|_| !loaded(system, &start)) {
+        return Err(refused);
     }
-    let found = settle(system, Equilibrium::zero(system, Frame::Fixed, speed))?;
+    let found = settle(system, start.clone()).map_err(|d| unlinearised(system, &start).unwrap_or(d))?;
+    if let Some(refused) = unlinearised(system, &found) {
+        return Err(refused);
+    }
     for slot in system.slots().iter().filter(|s| !s.is_linear() && s.uses.spin) {
         let force = |phase: f64| part_force(system, slot, &found, phase);
         let reference = force(0.0);
@@ -39,6 +39,77 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
         }
     }
     Ok(found)
+}
+
+/// What is said of the first part that cannot be linearised about a state: it carries no load there, and either it is about to or nothing else holds
+/// the points it joins. Parts in contact and parts whose clearance is open in a machine that others hold can be.
+pub fn unlinearised(system: &System, about: &Equilibrium) -> Option<Diagnostic> {
+    system.slots().iter().find_map(|slot| {
+        let reason = slot.part.refuses_rest(&system.params()[slot.params.clone()])?;
+        let fine = clearance(system, slot, about).is_some_and(|gap| {
+            let resolved = 1e-9 * max_abs(&local(system, slot, &about.q)).max(gap.abs());
+            gap < -resolved || gap > resolved && held(system, slot, about)
+        });
+        (!fine).then(|| {
+            Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
+                .at(slot.span.clone())
+                .help("ask a nonlinear study or one in time, or give the part a preload")
+        })
+    })
+}
+
+/// Distance of a part's gap from contact at a state, m.
+pub fn clearance(system: &System, slot: &Slot, about: &Equilibrium) -> Option<f64> {
+    let zero = vec![0.0; system.n()];
+    let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
+    let p = &system.params()[slot.params.clone()];
+    system.with_local(slot, &at, &mut Workspace::default(), |l| slot.part.clearance(p, l))
+}
+
+/// Coordinates of a part's port at coordinates of the machine.
+fn local(system: &System, slot: &Slot, q: &[f64]) -> Vec<f64> {
+    let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let at = At { q, v: &v, a: &v, z: &z, phase: 0.0, speed: 0.0, spin_accel: 0.0, t: 0.0 };
+    system.with_local(slot, &at, &mut Workspace::default(), |l| l.q.to_vec())
+}
+
+/// The tangent stiffness at a state bounds what a force between the points of a part moves: with a support too weak to matter added to every
+/// coordinate, the points give way by no more than it is weaker.
+fn held(system: &System, slot: &Slot, about: &Equilibrium) -> bool {
+    const WEAK: f64 = 1e-13;
+    const HELD: f64 = 1e-11;
+    let n = system.n();
+    let mut t = Characteristic::new(system, about);
+    let (mut k, mut d) = (Mat::default(), Mat::default());
+    t.at(C64::zero(), &mut k, &mut d);
+    t.sectors().restore_matrix(t.sectors(), &mut k);
+    let k = real_part(&k);
+    let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
+    let typical: Vec<f64> = typical.into_iter().chain(t.states().iter().map(|&s| system.states()[s].dof.typical)).collect();
+    let size = typical.len();
+    let mut scaled = Mat::from_fn(size, size, |i, j| k[(i, j)] * typical[i] * typical[j]);
+    let largest = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).map(|ij| scaled[ij].abs()).fold(0.0, f64::max);
+    for i in 0..n {
+        scaled[(i, i)] += WEAK * largest;
+    }
+    let Ok(lu) = Lu::new(&scaled) else { return false };
+    let moves = |i: usize| local(system, slot, &(0..n).map(|j| if i == j { typical[i] } else { 0.0 }).collect::<Vec<_>>());
+    let moves: Vec<Vec<f64>> = (0..n).map(moves).collect();
+    (0..moves.first().map_or(0, Vec::len)).all(|side| {
+        let force: Vec<f64> = (0..size).map(|i| if i < n { moves[i][side] } else { 0.0 }).collect();
+        let mut moved = force.clone();
+        lu.solve(&mut moved);
+        let (gives, square) = force.iter().zip(&moved).fold((0.0, 0.0), |(g, s), (f, x)| (g + f * x, s + f * f));
+        // nothing that is not a number holds
+        gives.abs() * HELD * largest < square
+    })
+}
+
+/// A constant load acts on the machine.
+fn loaded(system: &System, at: &Equilibrium) -> bool {
+    let mut t = Characteristic::new(system, at);
+    let x = vec![0.0; system.n() + t.states().len()];
+    residual(system, at, &mut t, &coordinate_sectors(system), &x).iter().any(|r| *r != 0.0)
 }
 
 fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec<f64> {

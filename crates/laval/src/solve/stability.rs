@@ -25,6 +25,8 @@ pub struct Sample {
     pub size: f64,
     /// Asked for (not added to catch what lies between).
     pub on_grid: bool,
+    /// Another mode than the strongest at the speed before.
+    pub other: bool,
 }
 
 /// A crossing of the threshold.
@@ -75,7 +77,7 @@ pub struct Row {
 }
 
 fn sample(speed: f64, s: &Spectrum, on_grid: bool) -> Option<Sample> {
-    s.least_stable().map(|m| Sample { speed, value: m.value, sector: m.sector, size: largest(s), on_grid })
+    s.least_stable().map(|m| Sample { speed, value: m.value, sector: m.sector, size: largest(s), on_grid, other: false })
 }
 
 /// Relative growth that counts as rounding in an undamped machine: eigenvalues near a double root lose half the digits.
@@ -139,6 +141,9 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
     let asymmetric = all.iter().filter(|p| !symmetric(&p.1)).count();
     out.undamped = asymmetric * 20 <= all.len();
     out.samples = all.iter().filter_map(|p| sample(p.0, &p.1, speeds.binary_search_by(|x| x.total_cmp(&p.0)).is_ok())).collect();
+    for k in 1..out.samples.len() {
+        out.samples[k].other = !goes_on(&out.samples[k - 1], &out.samples[k], &all);
+    }
     for pair in out.samples.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         if out.unstable(&a, threshold) == out.unstable(&b, threshold) {
@@ -166,6 +171,16 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
         }
     }
     Ok(out)
+}
+
+/// The strongest mode at one speed is the strongest at the next: of all modes there the nearest one, seen from either side.
+fn goes_on(a: &Sample, b: &Sample, all: &[(f64, Spectrum)]) -> bool {
+    let nearest = |to: &Sample, among: &Sample| {
+        let at = all.binary_search_by(|p| p.0.total_cmp(&among.speed)).ok()?;
+        let values = all[at].1.modes.iter().map(|m| m.value);
+        values.min_by(|x, y| (*x - to.value).abs().total_cmp(&(*y - to.value).abs()))
+    };
+    nearest(a, b) == Some(b.value) && nearest(b, a) == Some(a.value)
 }
 
 /// Halves towards the passing until the modes interact; a band much narrower than the grid shows there.

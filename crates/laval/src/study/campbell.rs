@@ -18,7 +18,7 @@ use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, R
 use crate::solve::extrema::{Critical, criticals};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
-use crate::solve::sweep::{Sweep, sweep};
+use crate::solve::sweep::{Branch, Sweep, sweep};
 
 /// Field: multiples of the spin speed.
 pub(super) const ORDERS: Field = Field::optional(
@@ -164,7 +164,7 @@ impl Study for Campbell {
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
         for c in &crossings {
-            let text = format!("Order {} meets a {} mode at {{}}, {}.", c.order, c.whirl.word(), damping_words(c));
+            let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
             outcome = outcome
                 .finding(
                     Finding::info("critical_speed", text)
@@ -205,8 +205,10 @@ impl Study for Campbell {
         for f in remarks(system, &rest(system, from)?) {
             outcome = outcome.finding(f);
         }
-        let mut frequency =
-            Panel::new(Axis::new("frequency", "rad/s")).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
+        let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));
+        let axis = Axis::new("frequency", "rad/s");
+        let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
+        let mut frequency = Panel::new(axis).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
         for k in &self.orders {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
         }
@@ -215,9 +217,10 @@ impl Study for Campbell {
             .mark(Line::new("modes", "speed", "growth").group("mode").solid_where("stable"))
             .mark(Rule::y(self.threshold, "threshold"));
         let alt = format!(
-            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.",
+            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
             found.branches.len(),
-            crossings.len()
+            crossings.len(),
+            beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
         );
         let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
         outcome
@@ -227,5 +230,24 @@ impl Study for Campbell {
             .figure(figure)
             .checked()
             .map_err(inconsistent)
+    }
+}
+
+/// Top of the frequency axis, rad/s, and the branches that lie above it: the excitation lines end at `excited`, and what lies far above them is met by none
+/// but would press the others together. The lowest mode is always shown.
+fn shown(branches: &[Branch], excited: f64) -> (f64, Vec<usize>) {
+    let over = |pick: fn(f64, f64) -> f64, from: f64, b: &Branch| b.points.iter().map(|p| p.1.frequency()).fold(from, pick);
+    let lowest = branches.iter().map(|b| over(f64::max, 0.0, b)).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
+    let top = 1.25 * if lowest.is_finite() { excited.max(lowest) } else { excited };
+    let above = |k: &usize| over(f64::min, f64::INFINITY, &branches[*k]) > top && !branches[*k].points.is_empty();
+    (top, (0..branches.len()).filter(above).collect())
+}
+
+/// What the axis leaves out, in words.
+fn beyond(top: f64, modes: &[String]) -> String {
+    match modes {
+        [] => String::new(),
+        [one] => format!(" Above the axis, beyond {}: mode {one}.", quantity(top, "rad/s")),
+        many => format!(" Above the axis, beyond {}: modes {}.", quantity(top, "rad/s"), many.join(", ")),
     }
 }

@@ -99,7 +99,12 @@ impl Study for CriticalSpeeds {
                 None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
                 None => String::new(),
             };
-            let text = format!("Critical speed of order {} at {{}}: {} whirl, {}{beside}.", c.order, c.whirl.word(), damping_words(c));
+            let text = format!(
+                "Critical speed of order {} at {{}}: {}, {}{beside}.",
+                c.order,
+                c.whirl.of("whirl", c.forward_share),
+                damping_words(c)
+            );
             let mut finding = Finding::info("critical_speed", text)
                 .of(format!("order {} {}", c.order, c.whirl.word()))
                 .value(c.speed, "rad/s")

@@ -8,7 +8,8 @@ use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::{Choice, Flight};
+use crate::solve::motion::envelope::growth_of;
+use crate::solve::motion::flight::{Choice, Flight, Plan, fly};
 use laval_num::ode;
 use std::f64::consts::TAU;
 
@@ -85,6 +86,41 @@ pub(super) fn negligible(settings: &Settings, start: &Start) -> f64 {
     100.0 * (1e-3 * settings.absolute + settings.relative * sag)
 }
 
+/// Displacement from rest beyond which a motion is left, m: a hundred thousand times the largest of a typical displacement, the start and the lengths among the
+/// parameters. No law of a part holds so far out.
+pub(super) fn bound(system: &System, start: &Start, y: &[f64]) -> f64 {
+    let lengths = system.param_slots().iter().zip(system.params()).filter(|(slot, _)| slot.unit == "m").map(|(_, x)| x.abs());
+    let places = system.bodies().into_iter().flat_map(|b| [b.x, b.x + 1]);
+    let places = places.map(|i| (y[i] - start.rest[i]).abs().max(start.rest[i].abs()).max(system.coordinates()[i].dof.typical));
+    1e5 * lengths.chain(places).filter(|x| x.is_finite()).fold(0.0, f64::max)
+}
+
+/// The flight as far as its bound again, with all its windows and this many outputs in that time.
+pub(super) fn magnified(motion: &mut Motion, y: &[f64], plan: &Plan, flight: Flight, points: usize) -> Result<Flight, Diagnostic> {
+    let Some(left) = flight.left else { return Ok(flight) };
+    let outputs = spaced(left.t, points);
+    let choice = if flight.stiff { Choice::Stiff } else { Choice::Explicit };
+    let again = fly(motion, y, &Plan { t_end: left.t, outputs: &outputs, choice, bound: f64::INFINITY, ..plan.clone() })?;
+    Ok(Flight { left: Some(left), ..again })
+}
+
+/// That a motion passed its bound, from its [`magnified`] flight; a turn of the rotor takes `turn` (s).
+pub(super) fn unbounded(system: &System, flight: &Flight, turn: f64) -> Option<Finding> {
+    let left = flight.left?;
+    let body = &system.bodies()[left.body].name;
+    let (at, place) = (quantity(left.t, "s"), quantity(left.displacement, "m"));
+    let where_ = format!("it was left at {at}, {place} from its place of rest");
+    // many e-folds in few turns tell the rate as well as many turns
+    let finding = match growth_of(&flight.windows[left.body], turn, 4) {
+        Some(g) if g.rate > g.uncertainty => {
+            let text = format!("The motion of \"{body}\" grows without bound, at {{}} over the second half of the record; {where_}.");
+            Finding::warning("unbounded", text).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s")
+        }
+        _ => Finding::warning("unbounded", format!("The motion of \"{body}\" goes beyond all bounds; {where_}.")),
+    };
+    Some(finding.of(body).evidence("left at", left.t, "s").evidence("displacement there", left.displacement, "m"))
+}
+
 /// The largest displacement of a body in a sentence; up to `still` it is none.
 pub(super) fn largest(body: &str, amplitude: f64, still: f64) -> Finding {
     if amplitude <= still {
@@ -102,6 +138,9 @@ pub(super) fn spaced(t_end: f64, points: usize) -> Vec<f64> {
 
 /// How the integration ended, in the words of an outcome, with what must be said about it.
 pub(super) fn ended(flight: &Flight) -> (End, Option<Finding>) {
+    if let Some(left) = flight.left {
+        return (End::Unbounded { at: left.t }, None);
+    }
     match &flight.run.end {
         ode::End::Reached | ode::End::Event { .. } => (End::Reached, None),
         ode::End::Cancelled { .. } => (End::Cancelled, None),
@@ -271,14 +310,19 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     }))
 }
 
-/// The balance in a sentence.
-pub(super) fn balance_finding(balance: &Balance) -> Finding {
+/// The balance in a sentence; of a motion that goes beyond all bounds it says nothing.
+pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Finding> {
+    if flight.left.is_some() {
+        return None;
+    }
+    if !(balance.missing.is_finite() && balance.exchanged.is_finite()) {
+        let text = "The energy balance could not be formed: energies leave the range of numbers.";
+        return Some(Finding::warning("no_energy_balance", text));
+    }
     let ratio = if balance.exchanged > 0.0 { balance.missing / balance.exchanged } else { balance.missing };
     let make = if ratio < 1e-4 { Finding::info } else { Finding::warning };
-    make("energy_balance", "The energy balance closes to {} of the energy exchanged.")
-        .value(ratio, "")
-        .evidence("largest missing energy", balance.missing, "J")
-        .evidence("energy exchanged", balance.exchanged, "J")
+    let finding = make("energy_balance", "The energy balance closes to {} of the energy exchanged.").value(ratio, "");
+    Some(finding.evidence("largest missing energy", balance.missing, "J").evidence("energy exchanged", balance.exchanged, "J"))
 }
 
 /// Findings on validity, time forms and contacts.

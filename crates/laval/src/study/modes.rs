@@ -127,11 +127,11 @@ impl Study for Modes {
         if let Some((k, m)) = least {
             let undamped = m.growth().abs() <= rounding;
             let text = format!(
-                "The least damped {}mode is mode {} at {} ({} whirl): {}.",
+                "The least damped {}mode is mode {} at {} ({}): {}.",
                 if any_unstable { "stable " } else { "" },
                 k + 1,
                 quantity(m.frequency(), "rad/s"),
-                m.whirl.word(),
+                m.whirl.of("whirl", m.forward_share),
                 if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
             let ratio = if undamped { 0.0 } else { m.damping_ratio() };

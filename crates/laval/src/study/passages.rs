@@ -3,7 +3,7 @@
 //! After a resonance the free vibration it left beats against the forced one. Beats come once per turn of the forced motion against the free one; a
 //! passage is a peak that the envelope of the beats, too, falls away from.
 
-use crate::solve::motion::flight::{Peak, Window};
+use crate::solve::motion::envelope::{Peak, Window};
 use crate::solve::programme::Spin;
 use std::f64::consts::PI;
 

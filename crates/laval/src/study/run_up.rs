@@ -21,9 +21,11 @@ use crate::model::part::At;
 use crate::model::system::{Drive, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
+use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
+use crate::solve::rest::unlinearised;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 
@@ -138,6 +140,7 @@ impl Study for RunUp {
             outputs: &outputs,
             windows: self.windows,
             rest: &start.rest,
+            bound: history::bound(system, &start, &y),
             kick: None,
             max_steps: context.work_limit,
             cancel: &|| context.cancelled(),
@@ -147,19 +150,27 @@ impl Study for RunUp {
         let (end, stopped) = history::ended(&flight);
         let end = match end {
             End::StepTooSmall { at } => End::StepTooSmall { at: self.programme.at(at).speed },
+            End::Unbounded { at } => End::Unbounded { at: self.programme.at(at).speed },
             other => other,
         };
         let mut outcome = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
         for f in stopped.into_iter().chain(start.finding) {
             outcome = outcome.finding(f);
         }
-        outcome = self.peaks(system, &flight, still, outcome);
+        match flight.left {
+            Some(left) => {
+                let speed = self.programme.at(left.t).speed;
+                let again = history::magnified(&mut motion, &y, &plan, flight.clone(), 2)?;
+                if let Some(f) = history::unbounded(system, &again, std::f64::consts::TAU / speed.abs()) {
+                    outcome = outcome.finding(f.evidence("speed there", speed, "rad/s"));
+                }
+            }
+            None => outcome = self.peaks(system, &flight, still, outcome),
+        }
         outcome = self.drive(&mut motion, &flight, outcome)?;
         let balance = history::balance(&mut motion, &flight)?;
-        if let Some(b) = &balance {
-            outcome = outcome.finding(history::balance_finding(b));
-        }
-        if let Some(f) = no_account {
+        let closes = balance.as_ref().and_then(|b| history::balance_finding(b, &flight));
+        for f in closes.into_iter().chain(no_account) {
             outcome = outcome.finding(f);
         }
         outcome = history::common_findings(&motion, &flight, outcome);
@@ -286,6 +297,10 @@ impl RunUp {
             .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
             .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
             .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
+        let outcome = outcome.table(columns.table("drive", "Torque and power of the drive against time")?).figure(figure);
+        if flight.left.is_some() {
+            return Ok(outcome);
+        }
         Ok(outcome
             .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence(
                 "at speed",
@@ -296,9 +311,7 @@ impl RunUp {
                 "at speed",
                 speed(when),
                 "rad/s",
-            ))
-            .table(columns.table("drive", "Torque and power of the drive against time")?)
-            .figure(figure))
+            )))
     }
 
     /// Envelope against speed, beside the linear response.
@@ -357,10 +370,9 @@ struct LinearResponse<'a> {
 impl<'a> LinearResponse<'a> {
     /// `None` when a nonlinear part has no linear form at rest, states of its own, or forces of its own that turn.
     fn new(system: &'a System) -> Option<Self> {
-        let fits = system.slots().iter().all(|s| {
-            let p = &system.params()[s.params.clone()];
-            s.is_linear() || (s.states.is_empty() && !s.uses.spin && s.part.refuses_rest(p).is_none())
-        });
+        let still = Equilibrium::zero(system, Frame::Fixed, 0.0);
+        let fits =
+            system.slots().iter().all(|s| s.is_linear() || (s.states.is_empty() && !s.uses.spin)) && unlinearised(system, &still).is_none();
         fits.then(|| LinearResponse {
             system,
             model: LinearModel::default(),

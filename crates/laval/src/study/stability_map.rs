@@ -15,7 +15,9 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::outcome::{
+    Axis, Band, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
+};
 use crate::solve::stability::{Row, row};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -139,6 +141,22 @@ fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
 }
 
 impl StabilityMap {
+    /// Ranges of speed between the located edges where the growth exceeds the threshold, as far as computed.
+    fn unstable_ranges(&self, row: &Row) -> Vec<(f64, f64)> {
+        let (Some(first), Some(last)) = (row.samples.first(), row.samples.last()) else { return Vec::new() };
+        let mut out = Vec::new();
+        let mut from = row.unstable(first, self.threshold).then_some(first.speed);
+        for e in &row.edges {
+            match from.take() {
+                Some(a) if !e.onset => out.push((a, e.speed)),
+                _ if e.onset => from = Some(e.speed),
+                _ => {}
+            }
+        }
+        out.extend(from.map(|a| (a, last.speed)));
+        out
+    }
+
     fn report(
         &self,
         system: &System,
@@ -159,6 +177,11 @@ impl StabilityMap {
         // the map keeps the grid; along one line the points between belong to it too
         let cells: Vec<(usize, &crate::solve::stability::Sample)> =
             rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
+        // where all growth is rounding no mode is the strongest
+        let frequency = |c: &(usize, &crate::solve::stability::Sample)| {
+            let row = &rows[c.0];
+            if row.undamped && !row.unstable(c.1, 0.0) { f64::NAN } else { c.1.value.im }
+        };
         let mut map =
             Table::new("map", "Largest growth rate").float("speed", "rad/s", "spin speed", cells.iter().map(|c| c.1.speed).collect());
         if two {
@@ -166,7 +189,13 @@ impl StabilityMap {
         }
         let map = map
             .float("growth", "1/s", "largest growth rate of all modes", cells.iter().map(|c| c.1.value.re).collect())
-            .float("frequency", "rad/s", "frequency of that mode", cells.iter().map(|c| c.1.value.im).collect())
+            .float(
+                "frequency",
+                "rad/s",
+                "frequency of that mode; NaN where nothing damps or drives any",
+                cells.iter().map(frequency).collect(),
+            )
+            .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect())
             .build()
             .map_err(inconsistent)?;
         let edges: Vec<_> = rows.iter().enumerate().flat_map(|(k, r)| r.edges.iter().map(move |e| (k, e))).collect();
@@ -317,23 +346,27 @@ impl StabilityMap {
                     .mark(Points::new("boundary", "speed", name).name("boundary")),
             )
         } else {
+            let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+            for (from, to) in self.unstable_ranges(&rows[0]) {
+                growth = growth.mark(Band::x(from, to).name("unstable").strip());
+                let ends = format!("unstable {} to {}", significant(from, 4), significant(to, 4));
+                growth = growth.mark(Rule::x(from, ends));
+            }
+            growth = growth
+                .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
+                .mark(Rule::y(self.threshold, "threshold"))
+                .mark(Points::new("peaks", "speed", "growth").name("peak"))
+                .mark(Points::new("boundary", "speed", "growth").name("boundary"));
+            let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");
             Figure::new(
                 "stability",
                 "Largest growth rate",
-                "Largest growth rate over spin speed, with the speeds where it crosses the threshold.",
+                "Largest growth rate over spin speed, with the ranges where it exceeds the threshold; below, the frequency of that mode, with a gap where \
+                 another mode becomes the strongest.",
             )
             .x(speed_axis)
-            .panel(
-                Panel::new(Axis::new("growth rate", "1/s"))
-                    .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
-                    .mark(Rule::y(self.threshold, "threshold"))
-                    .mark(Points::new("peaks", "speed", "growth").name("peak"))
-                    .mark(Points::new("boundary", "speed", "growth").name("boundary")),
-            )
-            .panel(
-                Panel::new(Axis::new("frequency of the strongest mode", "rad/s"))
-                    .mark(Line::new("map", "speed", "frequency").name("its frequency")),
-            )
+            .panel(growth)
+            .panel(Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency))
         };
         Ok(outcome.figure(figure))
     }

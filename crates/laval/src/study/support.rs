@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
 use crate::model::part::At;
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Finding, OutcomeError, quantity};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::time_forms;
@@ -126,6 +126,7 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
             .evidence("last Newton step over typical size", about.last_step, ""),
         );
     }
+    out.extend(open(system, about));
     out.extend(outside(system, about));
     for (name, error) in time_forms(system).unwrap_or_default() {
         out.push(
@@ -137,6 +138,19 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
         );
     }
     out
+}
+
+/// Parts with a gap that is open at the state: they add nothing until it closes.
+fn open(system: &System, about: &Equilibrium) -> Vec<Finding> {
+    let gap = |slot: &Slot| rest::clearance(system, slot, about).filter(|gap| *gap > 0.0);
+    let say = |(slot, gap): (&Slot, f64)| {
+        let text = format!(
+            "The gap of \"{}\" is open at this state and the part adds no stiffness: contact begins where the motion between its points exceeds {{}}.",
+            slot.name
+        );
+        Finding::info("open_gap", text).of(&slot.name).value(gap, "m")
+    };
+    system.slots().iter().filter_map(|slot| Some((slot, gap(slot)?))).map(say).collect()
 }
 
 /// Parts that are outside the validity of their model at the state itself, before anything vibrates.

@@ -16,7 +16,8 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Finding, Outcome};
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::{Flight, Plan, fly, growth};
+use crate::solve::motion::envelope::{Growth, Window, growth};
+use crate::solve::motion::flight::{Flight, Plan, fly};
 
 /// Windows of the envelope.
 const WINDOWS: usize = 200;
@@ -153,22 +154,22 @@ impl Study for Transient {
             outputs: &outputs,
             windows: WINDOWS,
             rest: &start.rest,
+            bound: history::bound(system, &start, &y),
             kick: self.kick.clone(),
             max_steps: context.work_limit,
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.duration),
         };
         let flight = fly(&mut motion, &y, &plan)?;
+        let flight = history::magnified(&mut motion, &y, &plan, flight, s.points)?;
         let (end, stopped) = history::ended(&flight);
         let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
         for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &flight, &start)) {
             outcome = outcome.finding(finding);
         }
         let balance = history::balance(&mut motion, &flight)?;
-        if let Some(b) = &balance {
-            outcome = outcome.finding(history::balance_finding(b));
-        }
-        if let Some(f) = no_account {
+        let closes = balance.as_ref().and_then(|b| history::balance_finding(b, &flight));
+        for f in closes.into_iter().chain(no_account) {
             outcome = outcome.finding(f);
         }
         outcome = history::common_findings(&motion, &flight, outcome);
@@ -189,10 +190,27 @@ impl Study for Transient {
 impl Transient {
     fn findings(&self, motion: &Motion, flight: &Flight, start: &Start) -> Vec<Finding> {
         let system = motion.system();
+        let turn = std::f64::consts::TAU / self.speed.abs();
+        if let Some(finding) = history::unbounded(system, flight, turn) {
+            return vec![finding];
+        }
         let still = history::negligible(&self.settings, start);
         let mut out = Vec::new();
+        // the body that moves most at the end speaks for the machine
+        let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
+        let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
+        let loudest = loudest.filter(|(_, windows)| last(windows) > still);
+        let rate = loudest.as_ref().and_then(|(_, windows)| growth(windows, turn));
+        let clear = |g: &Growth| g.rate.abs() > 3.0 * g.uncertainty;
+        let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
         for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
-            out.push(history::largest(&b.name, peak.amplitude, still).evidence("reached at", peak.t, "s"));
+            let finding = if grows && peak.amplitude > still && peak.t >= 0.9 * flight.run.t {
+                let text = format!("The displacement of \"{}\" from rest reaches {{}} by the end, while the motion still grows.", b.name);
+                Finding::info("largest_displacement", text).of(&b.name).value(peak.amplitude, "m")
+            } else {
+                history::largest(&b.name, peak.amplitude, still)
+            };
+            out.push(finding.evidence("reached at", peak.t, "s"));
         }
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
@@ -212,34 +230,26 @@ impl Transient {
                 "rad/s",
             ));
         }
-        // the body that moves most at the end speaks for the machine
-        let last =
-            |w: &[crate::solve::motion::flight::Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
-        let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
-        if let Some((body, windows)) = loudest
-            && last(windows) > still
-        {
-            let Some(g) = growth(windows, std::f64::consts::TAU / self.speed.abs()) else {
-                let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
-                out.push(Finding::info("no_growth_rate", text));
-                return out;
-            };
-            let clear = g.rate.abs() > 3.0 * g.uncertainty;
-            let how = match (clear, g.rate > 0.0) {
-                (true, true) => "grows at",
-                (true, false) => "decays at",
-                _ => "neither grows nor decays clearly; the slope of its logarithm is",
-            };
-            let text = format!("In the second half the envelope of \"{}\" {how} {{}}.", body.name);
-            let make = if clear && g.rate > 0.0 { Finding::warning } else { Finding::info };
-            out.push(
-                make("growth_rate", text)
-                    .value(g.rate, "1/s")
-                    .evidence("uncertainty", g.uncertainty, "1/s")
-                    .evidence("mean turning rate of the displacement", g.frequency, "rad/s")
-                    .evidence("record starts at", g.from, "s"),
-            );
-        }
+        let Some((body, _)) = loudest else { return out };
+        let Some(g) = rate else {
+            let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
+            out.push(Finding::info("no_growth_rate", text));
+            return out;
+        };
+        let how = match (clear(&g), g.rate > 0.0) {
+            (true, true) => "grows at",
+            (true, false) => "decays at",
+            _ => "neither grows nor decays clearly; the slope of its logarithm is",
+        };
+        let text = format!("In the second half the envelope of \"{}\" {how} {{}}.", body.name);
+        let make = if grows { Finding::warning } else { Finding::info };
+        out.push(
+            make("growth_rate", text)
+                .value(g.rate, "1/s")
+                .evidence("uncertainty", g.uncertainty, "1/s")
+                .evidence("mean turning rate of the displacement", g.frequency, "rad/s")
+                .evidence("record starts at", g.from, "s"),
+        );
         out
     }
 }

@@ -3,6 +3,7 @@
 //! The integration restarts where the spin programme changes its law, at a kick, and where a part's law switches
 //! ([`Part::switches`](crate::model::part::Part::switches)), so that no step spans a jump of any derivative.
 
+use super::envelope::{Peak, Window};
 use super::{ACCOUNT, Motion, SpinLaw, point};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
@@ -13,8 +14,8 @@ use laval_num::eig::eigenvalues;
 use laval_num::ode::{
     Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate,
 };
-use std::cell::RefCell;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 /// Which method integrates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,6 +30,7 @@ pub enum Choice {
 }
 
 /// What is asked of a flight, from t = 0.
+#[derive(Clone)]
 pub struct Plan<'p> {
     /// End, s.
     pub t_end: f64,
@@ -44,6 +46,8 @@ pub struct Plan<'p> {
     pub windows: usize,
     /// Coordinates at rest, from which displacements are measured; zero when empty.
     pub rest: &'p [f64],
+    /// Displacement of a body from rest beyond which nothing is computed, m.
+    pub bound: f64,
     /// A sudden change of velocities: when, and of each coordinate.
     pub kick: Option<(f64, Vec<f64>)>,
     /// Most steps.
@@ -52,26 +56,6 @@ pub struct Plan<'p> {
     pub cancel: &'p dyn Fn() -> bool,
     /// Told the time reached.
     pub progress: &'p dyn Fn(f64),
-}
-
-/// Largest displacement of a body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Peak {
-    /// |x + i y| from rest, m.
-    pub amplitude: f64,
-    /// When, s.
-    pub t: f64,
-}
-
-/// One window of the envelope of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Window {
-    /// Largest displacement from rest in it; NaN when nothing was computed there.
-    pub peak: Peak,
-    /// Angle the displacement vector has turned through since the start, at `last`, rad.
-    pub angle: f64,
-    /// Last time seen in it.
-    pub last: f64,
 }
 
 /// Largest use of one statement of validity.
@@ -89,7 +73,19 @@ pub struct Use {
     pub exceeded: Option<f64>,
 }
 
+/// Where a motion passed its bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Left {
+    /// Index of the body.
+    pub body: usize,
+    /// Its displacement from rest, m.
+    pub displacement: f64,
+    /// When, s.
+    pub t: f64,
+}
+
 /// What a flight found.
+#[derive(Clone)]
 pub struct Flight {
     /// Times of the outputs reached.
     pub times: Vec<f64>,
@@ -99,6 +95,8 @@ pub struct Flight {
     pub state: Vec<f64>,
     /// How it ended.
     pub run: Run,
+    /// The motion passed its bound and was left there; the run then ends as cancelled.
+    pub left: Option<Left>,
     /// The implicit method was used.
     pub stiff: bool,
     /// Of each body.
@@ -143,6 +141,7 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
             states: watch.states,
             state,
             run,
+            left: watch.left.get(),
             stiff,
             peaks: watch.tracks.iter().map(|t| t.peak).collect(),
             windows: watch.tracks.into_iter().map(|t| t.windows).collect(),
@@ -229,6 +228,8 @@ fn legs<'a, M: Method<Motion<'a>>>(
     cuts.retain(|&t| t > 0.0 && t < plan.t_end);
     cuts.push(plan.t_end);
     cuts.sort_by(f64::total_cmp);
+    let left = watch.left.clone();
+    let cancel = &|| left.get().is_some() || (plan.cancel)();
     let surfaces = &Surfaces::new(motion, y);
     watch.switching = !surfaces.list.is_empty();
     let functions: Vec<_> = (0..surfaces.list.len()).map(|i| move |t: f64, y: &[f64]| surfaces_value(surfaces, i, t, y)).collect();
@@ -259,7 +260,7 @@ fn legs<'a, M: Method<Motion<'a>>>(
         let control = Control {
             outputs: &plan.outputs[given.min(last)..last],
             events: &events,
-            cancel: Some(plan.cancel),
+            cancel: Some(cancel),
             first_step,
             max_steps: plan.max_steps.saturating_sub(done),
             ..Control::new(relative.clone(), absolute.clone())
@@ -282,7 +283,7 @@ fn legs<'a, M: Method<Motion<'a>>>(
                 let (from, start) = &watch.step_start;
                 let control = Control {
                     first_step: (t > *from).then_some(t - from),
-                    cancel: Some(plan.cancel),
+                    cancel: Some(cancel),
                     max_steps: plan.max_steps.saturating_sub(total.work.steps + total.work.rejected).max(1),
                     ..Control::new(relative.clone(), absolute.clone())
                 };
@@ -388,6 +389,8 @@ struct Watch<'a> {
     dy: Vec<f64>,
     workspace: Workspace<f64>,
     steps: u64,
+    bound: f64,
+    left: Rc<Cell<Option<Left>>>,
     /// Time and state where the last step began; kept only for machines with switching laws.
     step_start: (f64, Vec<f64>),
     switching: bool,
@@ -422,6 +425,8 @@ impl<'a> Watch<'a> {
             dy: vec![0.0; dim],
             workspace: Workspace::default(),
             steps: 0,
+            bound: plan.bound,
+            left: Rc::default(),
             step_start: (0.0, vec![0.0; dim]),
             switching: false,
         }
@@ -510,6 +515,12 @@ impl Observer for Watch<'_> {
         }
         step.eval_derivative(step.t1, &mut self.dy);
         self.judge(step.t1, &y);
+        if self.left.get().is_none() {
+            let away = |t: &Track| t.last[0].hypot(t.last[1]);
+            // a displacement that is no number is past every bound, but has no place: the step size control ends there
+            let body = self.tracks.iter().position(|t| away(t) > self.bound);
+            self.left.set(body.map(|body| Left { body, displacement: away(&self.tracks[body]), t: step.t1 }));
+        }
         self.y = y;
         if self.switching {
             self.step_start.0 = step.t0;
@@ -525,66 +536,4 @@ impl Observer for Watch<'_> {
         self.states.extend_from_slice(y);
     }
     fn event(&mut self, _: &Crossing, _: &[f64]) {}
-}
-
-/// Rate of an exponential envelope.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Growth {
-    /// Growth rate, 1/s.
-    pub rate: f64,
-    /// How far slopes over parts of the record differ from it, 1/s: at least twice the standard error of the fit.
-    pub uncertainty: f64,
-    /// Mean angular velocity of the displacement vector, rad/s; negative turns against the axis.
-    pub frequency: f64,
-    /// Start of the record used, s.
-    pub from: f64,
-}
-
-/// Log-slope of the envelope over the second half of a flight. Its points are the largest displacements of half turns of the displacement; of windows,
-/// where the displacement keeps its direction through four turns of the spin (each of `turn`, s). `None` when there are fewer than eight.
-pub fn growth(windows: &[Window], turn: f64) -> Option<Growth> {
-    let filled = windows.iter().take_while(|w| w.last.is_finite()).count();
-    let used: Vec<&Window> =
-        windows[filled / 2..filled].iter().filter(|w| w.peak.amplitude > 0.0 && w.peak.amplitude.is_finite()).collect();
-    let (a, b) = (*used.first()?, *used.last()?);
-    let mut peaks: Vec<Peak> = Vec::new();
-    if (b.angle - a.angle).abs() < FRAC_PI_2 && b.last - a.last > 4.0 * turn {
-        peaks.extend(used.iter().map(|w| w.peak));
-    } else {
-        let (mut begun, mut largest) = (a.angle, Peak::default());
-        for w in &used {
-            if w.peak.amplitude > largest.amplitude {
-                largest = w.peak;
-            }
-            if (w.angle - begun).abs() >= PI {
-                peaks.push(largest);
-                (begun, largest) = (w.angle, Peak::default());
-            }
-        }
-    }
-    if peaks.len() < 8 {
-        return None;
-    }
-    let points: Vec<(f64, f64)> = peaks.iter().map(|p| (p.t, p.amplitude.ln())).collect();
-    let (rate, error) = slope(&points);
-    let half = points.len() / 2;
-    let (first, second) = (slope(&points[..half]).0, slope(&points[half..]).0);
-    let spread = [(first - rate).abs(), (second - rate).abs(), 2.0 * error]
-        .into_iter()
-        .fold(0.0, |m: f64, x| if x > m || x.is_nan() { x } else { m });
-    Some(Growth { rate, uncertainty: spread, frequency: (b.angle - a.angle) / (b.last - a.last), from: a.peak.t })
-}
-
-/// Least-squares slope and its standard error.
-fn slope(points: &[(f64, f64)]) -> (f64, f64) {
-    let n = points.len() as f64;
-    let (tm, xm) = (points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n);
-    let (mut stt, mut stx) = (0.0, 0.0);
-    for (t, x) in points {
-        stt += (t - tm) * (t - tm);
-        stx += (t - tm) * (x - xm);
-    }
-    let k = stx / stt;
-    let rest: f64 = points.iter().map(|(t, x)| (x - xm - k * (t - tm)).powi(2)).sum();
-    (k, (rest / ((n - 2.0).max(1.0) * stt)).sqrt())
 }

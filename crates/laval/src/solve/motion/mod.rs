@@ -17,6 +17,7 @@
 pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
+pub mod envelope;
 pub mod flight;
 mod stiff;
 

@@ -1,6 +1,6 @@
 //! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
 
-use super::shown::{Shown, worst};
+use super::shown::{Rising, Shown, worst};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
 use crate::outcome::{Finding, significant};
@@ -32,14 +32,17 @@ impl Shown<'_> {
                  how it got there.",
             ));
         }
-        if let Some(l) = &self.largest {
+        if let Some(r) = &self.rising {
+            out.push(self.without_largest(r, &response.branches[r.branch]));
+        } else if let Some(l) = &self.largest {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
+            let end = if l.at_end { ", an end of the range" } else { "" };
             let of = |f: &dyn Fn(&Peak) -> f64| peak.map_or(f64::NAN, f);
             out.push(
                 Finding::info(
                     "largest_displacement",
-                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s.", l.body, significant(speed, 6)),
+                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s{end}.", l.body, significant(speed, 6)),
                 )
                 .value(a, "m")
                 .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
@@ -84,6 +87,20 @@ impl Shown<'_> {
         out
     }
 
+    /// That the displacement rises to where a branch was left.
+    fn without_largest(&self, rising: &Rising, branch: &Traced) -> Finding {
+        let grows = matches!(branch.end, End::StepTooSmall { why: Refusal::Parameter | Refusal::Monitor, .. });
+        let head = if grows { "The steady displacement is unbounded" } else { "The largest steady displacement was not reached" };
+        let text = format!(
+            "{head}: that of \"{}\" still rises at {} rad/s, where the branch from {} speed was left at {{}}.",
+            rising.body,
+            significant(rising.speed, 6),
+            if branch.from_low { "low" } else { "high" },
+        );
+        let id = if grows { "unbounded_displacement" } else { "largest_displacement_not_reached" };
+        Finding::warning(id, text).value(rising.displacement, "m").evidence("speed", rising.speed, "rad/s")
+    }
+
     /// Parts whose fitted time form stood for them in the judgement of stability.
     fn fitted(&self) -> Vec<Finding> {
         let fit = |slot: &Slot| match slot.physics {
@@ -118,7 +135,7 @@ impl Shown<'_> {
                     format!(
                         "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
                         if branch.from_low { "low" } else { "high" },
-                        unstable_ranges(branch),
+                        unstable_words(branch),
                         significant(worst.speed, 5)
                     ),
                 )
@@ -164,9 +181,8 @@ impl Shown<'_> {
     }
 }
 
-/// Ranges of speed over which consecutive points of a branch are unstable, in words.
-fn unstable_ranges(branch: &Traced) -> String {
-    const MOST: usize = 4;
+/// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
+pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
     let mut ranges = Vec::new();
     let mut start = 0;
     for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
@@ -180,10 +196,19 @@ fn unstable_ranges(branch: &Traced) -> String {
         // to where the stability is lost and regained, not to the nearest points computed
         let located = branch.changes.iter().filter(|c| c.after + 1 == first || c.after == last).map(|c| c.speed);
         let speeds = run.iter().map(|p| p.speed).chain(located);
-        let (from, to) = speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)));
-        let (from, to) = (significant(from, 4), significant(to, 4));
-        ranges.push(if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") });
+        ranges.push(speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s))));
     }
+    ranges
+}
+
+/// The same in words.
+fn unstable_words(branch: &Traced) -> String {
+    const MOST: usize = 4;
+    let words = |(from, to): (f64, f64)| {
+        let (from, to) = (significant(from, 4), significant(to, 4));
+        if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") }
+    };
+    let ranges: Vec<String> = unstable_ranges(branch).into_iter().map(words).collect();
     let more = ranges.len().saturating_sub(MOST);
     let shown = ranges[..ranges.len() - more].join(", ");
     if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }

@@ -150,7 +150,7 @@ impl Study for NonlinearResponse {
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
-        shown.largest = shown.peak(&response, &request);
+        (shown.largest, shown.rising) = shown.peaks(&response, &request);
         shown.outcome(&response, &request, context).map_err(Diagnostic::from)
     }
 }

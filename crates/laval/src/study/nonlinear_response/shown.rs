@@ -1,10 +1,11 @@
 //! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
 
 use super::NonlinearResponse;
+use super::findings::unstable_ranges;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Axis, Figure, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{self, Axis, Band, Figure, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
@@ -25,6 +26,7 @@ pub(super) struct Shown<'a> {
     /// By branch and point: largest use of validity and what.
     pub(super) validity: Vec<Vec<(f64, String)>>,
     pub(super) largest: Option<Largest>,
+    pub(super) rising: Option<Rising>,
 }
 
 /// The largest displacement of all states that can be held.
@@ -35,6 +37,18 @@ pub(super) struct Largest {
     speed: f64,
     /// Between computed points, where the displacement falls on both sides.
     pub(super) refined: Option<Peak>,
+    /// It lies where a branch meets the end of the range of speeds.
+    pub(super) at_end: bool,
+}
+
+/// A displacement that still rises where a branch was left, above all others: there is no largest one.
+pub(super) struct Rising {
+    pub(super) body: String,
+    /// Displacement, m, and speed, rad/s, at the last point.
+    pub(super) displacement: f64,
+    pub(super) speed: f64,
+    /// Index of the branch.
+    pub(super) branch: usize,
 }
 
 impl Largest {
@@ -50,7 +64,17 @@ impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
         let balance = Balance::new(system, response.discretisation, request.speeds, None)?;
         let bodies = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
-        Ok(Shown { system, balance, bodies, amplitudes: vec![], observed: vec![], observations: vec![], validity: vec![], largest: None })
+        Ok(Shown {
+            system,
+            balance,
+            bodies,
+            amplitudes: vec![],
+            observed: vec![],
+            observations: vec![],
+            validity: vec![],
+            largest: None,
+            rising: None,
+        })
     }
 
     pub(super) fn measure(&mut self, response: &Response) {
@@ -225,7 +249,11 @@ impl<'a> Shown<'a> {
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s")).panel(panel);
         if judged {
-            let growth = Panel::new(Axis::new("growth rate", "1/s"))
+            let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+            for (from, to) in response.branches.iter().flat_map(unstable_ranges) {
+                growth = growth.mark(Band::x(from, to).name("unstable").strip());
+            }
+            let growth = growth
                 .mark(grouped(Line::new("response", "speed", "growth rate").name("largest growth rate")).solid_where("stable"))
                 .mark(Rule::y(0.0, ""));
             figure = figure.panel(growth);
@@ -236,36 +264,51 @@ impl<'a> Shown<'a> {
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
         match &self.largest {
-            Some(l) => format!(
+            Some(l) if self.rising.is_none() => format!(
                 "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),
                 quantity(l.best().0, "m"),
                 l.body,
                 significant(l.best().1, 5)
             ),
-            None => "Largest displacement of each body against speed.".into(),
+            _ => "Largest displacement of each body against speed.".into(),
         }
     }
 
-    /// Largest stable displacement of any body.
-    pub(super) fn peak(&mut self, response: &Response, request: &Request) -> Option<Largest> {
+    /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
+    pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Option<Largest>, Option<Rising>) {
         let judged = judged(response);
         let mut best: Option<(f64, usize, usize, usize)> = None;
+        let mut rising: Option<Rising> = None;
         for (b, branch) in response.branches.iter().enumerate() {
-            for (i, _) in branch.points.iter().enumerate().filter(|(_, p)| !judged || p.stable()) {
-                for k in 0..self.bodies.len() {
-                    let a = self.amplitudes[b][i][k][1];
-                    if best.is_none_or(|best| a > best.0) {
-                        best = Some((a, b, i, k));
+            let held: Vec<usize> = (0..branch.points.len()).filter(|&i| !judged || branch.points[i].stable()).collect();
+            let left = !matches!(branch.end, End::Reached | End::Closed);
+            for k in 0..self.bodies.len() {
+                let a = |i: usize| self.amplitudes[b][i][k][1];
+                let last = branch.points.len().saturating_sub(1);
+                let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
+                for &i in &held {
+                    if left && i >= foot && foot < last {
+                        if rising.as_ref().is_none_or(|r| a(i) > r.displacement) {
+                            let (body, speed) = (self.bodies[k].0.clone(), branch.points[i].speed);
+                            rising = Some(Rising { body, displacement: a(i), speed, branch: b });
+                        }
+                    } else if best.is_none_or(|best| a(i) > best.0) {
+                        best = Some((a(i), b, i, k));
                     }
                 }
             }
         }
-        let (displacement, b, i, k) = best?;
-        let (body, x) = self.bodies[k].clone();
-        let branch = &response.branches[b];
-        let refined = if displacement > 0.0 { refine(&mut self.balance, branch, i, x, request.speeds) } else { None };
-        Some(Largest { body, displacement, speed: branch.points[i].speed, refined })
+        let largest = best.map(|(displacement, b, i, k)| {
+            let (body, x) = self.bodies[k].clone();
+            let branch = &response.branches[b];
+            let refined = if displacement > 0.0 { refine(&mut self.balance, branch, i, x, request.speeds) } else { None };
+            let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
+            Largest { body, displacement, speed: branch.points[i].speed, refined, at_end }
+        });
+        let above = |r: &Rising| largest.as_ref().is_none_or(|l| r.displacement > l.best().0);
+        let rising = rising.filter(above);
+        (largest, rising)
     }
 }
 

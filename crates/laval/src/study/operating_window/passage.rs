@@ -163,6 +163,7 @@ fn both_ways(system: &System, (top, duration): (f64, f64), context: &Context) ->
             outputs: &outputs,
             windows: WINDOWS,
             rest: &[],
+            bound: f64::INFINITY,
             kick: None,
             max_steps: context.work_limit.min(20_000_000),
             cancel: &|| context.cancelled(),

@@ -4,6 +4,8 @@ use super::Fleet;
 use super::report::Path;
 use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
 
+/// Classes of figures.
+const WAYS: &[&str] = &["rest", "up", "down"];
 /// Panels of a figure.
 const MOST_BODIES: usize = 4;
 /// Lowest amplitude of a waterfall over its highest.
@@ -20,7 +22,8 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
     let mut figure = Figure::new("amplitude", "Amplitude", alt).x(speed());
     for (b, body) in fleet.bodies.iter().enumerate().take(MOST_BODIES) {
         let axis = Axis::new(&body.name, if largest(b) < 1e-3 { "µm" } else { "mm" }).factor(if largest(b) < 1e-3 { 1e6 } else { 1e3 });
-        figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", format!("amplitude.{}", body.name)).group("start")));
+        figure =
+            figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", format!("amplitude.{}", body.name)).group("start").nested()));
     }
     outcome = outcome.figure(figure);
     let study = fleet.study;
@@ -28,8 +31,8 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
     let name = &fleet.system.coordinates()[body.x + study.section.1].name;
     let factor = if largest(study.section.0) < 1e-3 { (1e6, "µm") } else { (1e3, "mm") };
     let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
-    let panel =
-        Panel::new(Axis::new(name, factor.1).factor(factor.0)).mark(Points::new("poincare", "speed", "displacement").group("start"));
+    let panel = Panel::new(Axis::new(name, factor.1).factor(factor.0))
+        .mark(Points::new("poincare", "speed", "displacement").classes("start", WAYS));
     outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
     if let Some(b) = study.waterfall {
         let tallest = outcome
@@ -47,7 +50,7 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
     if study.lyapunov.is_some() {
         let alt = format!("Largest Lyapunov exponent over spin speed (start: {ways}).");
         let panel = Panel::new(Axis::new("Lyapunov exponent", "1/s"))
-            .mark(Line::new("sweep", "speed", "lyapunov").group("start"))
+            .mark(Line::new("sweep", "speed", "lyapunov").group("start").nested())
             .mark(Rule::y(0.0, ""));
         outcome = outcome.figure(Figure::new("lyapunov", "Largest Lyapunov exponent", alt).x(speed()).panel(panel));
     }

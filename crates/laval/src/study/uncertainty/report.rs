@@ -156,6 +156,22 @@ fn interval(table: TableBuilder, name: &str, unit: &str, doc: &str, all: &[Inter
         .float(format!("{name}_high"), unit, "upper end; NaN where the samples are too few", column(|i| i.high))
 }
 
+/// Sentences at most; the tables have all.
+const LEADING: usize = 4;
+
+/// The first sentences, and where the numbers of the others are.
+fn lead(mut outcome: Outcome, sentences: Vec<Finding>, table: &str) -> Outcome {
+    let more = sentences.len().saturating_sub(LEADING);
+    for s in sentences.into_iter().take(LEADING) {
+        outcome = outcome.finding(s);
+    }
+    if more > 0 {
+        let text = format!("{{}} more numbers were found; the table \"{table}\" has all.");
+        outcome = outcome.finding(Finding::info("more_numbers", text).of(table).value(more as f64, ""));
+    }
+    outcome
+}
+
 fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, own: &BTreeMap<&str, f64>) -> Result<Outcome, Diagnostic> {
     // of the runs for the indices the first two of each base point are independent draws
     let independent = |row: usize| !matches!(study.design, Design::Sobol(_)) || row % study.runs() < 2;
@@ -166,7 +182,12 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
         Spread::of(&picked, succeeded, &study.quantiles)
     };
     let spreads: Vec<Spread> = samples.values.iter().map(of).collect();
-    for ((name, unit), s) in samples.names.iter().zip(&spreads) {
+    // what varies first
+    let mut said: Vec<usize> = (0..spreads.len()).collect();
+    said.sort_by_key(|&k| !(spreads[k].deviation > 0.0));
+    let mut sentences = Vec::new();
+    for k in said {
+        let ((name, unit), s) = (&samples.names[k], &spreads[k]);
         if s.sorted.is_empty() {
             continue;
         }
@@ -196,8 +217,9 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
         for (p, q) in study.quantiles.iter().zip(&s.quantiles) {
             finding = finding.evidence(format!("{} % quantile", significant(100.0 * p)), q.value, unit);
         }
-        outcome = outcome.finding(finding);
+        sentences.push(finding);
     }
+    outcome = lead(outcome, sentences, "quantities");
     if samples.names.is_empty() {
         outcome = outcome.finding(Finding::warning("no_numbers", "The study says nothing in numbers, so there is nothing to distribute."));
     }
@@ -228,7 +250,8 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
             "largest value; NaN without values",
             spreads.iter().map(|s| s.sorted.last().copied().unwrap_or(f64::NAN)).collect(),
         )
-        .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.sorted.len() as i64).collect());
+        .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.sorted.len() as i64).collect())
+        .leading();
     let table = interval(table, "share", "", "share of the samples with a result", &spreads.iter().map(|s| s.share).collect::<Vec<_>>());
     outcome = outcome.work("independent samples", drawn as u64).table(table.build().map_err(inconsistent)?);
 
@@ -258,11 +281,11 @@ fn sensitivity(
         .enumerate()
         .flat_map(|(q, f)| f.iter().flat_map(move |(list, used)| list.iter().enumerate().map(move |(p, i)| (q, p, i, *used))))
         .collect();
+    let (mut sentences, mut without) = (Vec::new(), Vec::new());
     for (q, f) in found.iter().enumerate() {
         let name = &samples.names[q].0;
         let Some((list, used)) = f else {
-            let text = format!("{name} does not vary, or was found too seldom: it has no sensitivity indices.");
-            outcome = outcome.finding(Finding::info("no_indices", text));
+            without.push(name.as_str());
             continue;
         };
         let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
@@ -272,7 +295,7 @@ fn sensitivity(
                 study.parameters[p].path,
                 significant(i.first.value)
             );
-            outcome = outcome.finding(
+            sentences.push(
                 Finding::info("most_influential", text)
                     .of(name)
                     .value(i.total.value, "")
@@ -280,6 +303,16 @@ fn sensitivity(
                     .evidence("base points used", *used as f64, ""),
             );
         }
+    }
+    outcome = lead(outcome, sentences, "indices");
+    if !without.is_empty() {
+        let verb = if without.len() == 1 { "does not vary, or was" } else { "do not vary, or were" };
+        let more = without.len().saturating_sub(LEADING);
+        let mut list = without[..without.len() - more].join(", ");
+        if more > 0 {
+            list += &format!(" and {more} more");
+        }
+        outcome = outcome.finding(Finding::info("no_indices", format!("{list} {verb} found too seldom: no sensitivity indices.")));
     }
     let table = Table::new("indices", "Sensitivity indices of Sobol")
         .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
@@ -299,11 +332,12 @@ fn sensitivity(
 fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Result<Outcome, Diagnostic> {
     let plan = morris::Plan { seed: study.seed, inputs: study.parameters.len() };
     let found: Vec<Vec<Effects>> = samples.values.iter().map(|v| morris::effects(&plan, v, CONFIDENCE)).collect();
+    let mut sentences = Vec::new();
     for (list, (name, unit)) in found.iter().zip(&samples.names) {
         let known = list.iter().enumerate().filter(|(_, e)| e.count > 0);
         if let Some((p, e)) = known.max_by(|a, b| a.1.mu_star.value.total_cmp(&b.1.mu_star.value)) {
             let text = format!("{name} changes most with {}: mu* = {{}}.", study.parameters[p].path);
-            outcome = outcome.finding(
+            sentences.push(
                 Finding::info("most_influential", text).of(name).value(e.mu_star.value, unit).evidence("sigma", e.sigma, unit).evidence(
                     "effects",
                     e.count as f64,
@@ -312,6 +346,7 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Re
             );
         }
     }
+    outcome = lead(outcome, sentences, "effects");
     let rows: Vec<(usize, usize)> = (0..found.len()).flat_map(|q| (0..study.parameters.len()).map(move |p| (q, p))).collect();
     let at = |r: &(usize, usize)| found[r.0][r.1];
     let table = Table::new("effects", "Elementary effects of Morris, per unit of probability, in the unit of the number")

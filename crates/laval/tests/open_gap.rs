@@ -1,0 +1,120 @@
+//! Rolling bearings with clearance in linear studies: open inside a held machine, pressed by weight, refused where nothing holds the rotor.
+
+use laval::model::builder::Builder;
+use laval::model::field::Attach;
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::model::system::System;
+use laval::outcome::Outcome;
+use laval::parts::{bearing_hertz::*, disc::*, liquid::*, shaft_lumped::*, stop::*};
+use laval::solve::{pencil::modes_about, rest::rest};
+use laval::study::{Context, Study, modes::Modes, support::About};
+
+const M: f64 = 2.0;
+const K: f64 = 1e6;
+const CB: f64 = 3e9;
+const G: f64 = 9.80665;
+
+fn link() -> Link {
+    Link::Between(Attach::on("disc"), Attach::ground())
+}
+
+fn machine(shaft: f64, bearing: impl FnOnce(Builder) -> Builder, horizontal: bool) -> System {
+    let disc = DiscParams { mass: M, ..DiscFamily::defaults() };
+    let shaft = ShaftLumpedParams { stiffness: [shaft; 2], ..ShaftLumpedFamily::defaults() };
+    let b = bearing(Builder::new("m").part("disc", Disc::planar(), disc).part("shaft", ShaftLumped::lateral(link()), shaft));
+    (if horizontal { b.horizontal() } else { b }).build().unwrap()
+}
+
+fn hertz(radial: bool, clearance: f64) -> impl FnOnce(Builder) -> Builder {
+    let law = if radial { BearingHertz::radial(link()) } else { BearingHertz::per_axis(link()) };
+    move |b| b.part("bearing", law, BearingHertzParams { coefficient: CB, clearance })
+}
+
+fn stop(gap: f64) -> impl FnOnce(Builder) -> Builder {
+    move |b| b.part("bearing", Stop::new(link()), StopParams { stiffness: 1e7, gap, damping: 0.0 })
+}
+
+fn study(system: &System) -> Outcome {
+    Modes { speed: 100.0, about: About::Rest, threshold: 0.0 }.run(system, &Context::quiet("modes")).unwrap()
+}
+
+fn refused(system: &System) -> String {
+    rest(system, 100.0).unwrap_err().message
+}
+
+fn frequencies(system: &System) -> Vec<f64> {
+    let mut f: Vec<f64> = modes_about(system, &rest(system, 0.0).unwrap(), true).unwrap().modes.iter().map(|m| m.frequency()).collect();
+    f.sort_by(f64::total_cmp);
+    f
+}
+
+#[test]
+fn an_open_bearing_adds_nothing_and_says_where_it_begins() {
+    let gap = 1e-4;
+    for (horizontal, sag) in [(false, 0.0), (true, M * G / K)] {
+        let machines =
+            [machine(K, hertz(true, gap), horizontal), machine(K, hertz(false, gap), horizontal), machine(K, stop(gap), horizontal)];
+        for system in machines {
+            for f in frequencies(&system) {
+                assert!((f / (K / M).sqrt() - 1.0).abs() < 1e-12, "{f}");
+            }
+            let o = study(&system);
+            let f = o.findings.iter().find(|f| f.id == "open_gap").unwrap_or_else(|| panic!("{:?}", o.findings));
+            assert!((f.value.unwrap() / (gap - sag) - 1.0).abs() < 1e-9 && f.text.contains("\"bearing\""), "{f:?}");
+        }
+    }
+}
+
+/// Weight presses the rotor into the bearing: `K d + Cb (d - d0)^1.5 = m g`; the tangent is `1.5 Cb (d - d0)^0.5` along the load and the secant across it.
+#[test]
+fn a_pressed_bearing_is_linearised_about_its_contact() {
+    let d0 = 1e-5;
+    let system = machine(K, hertz(true, d0), true);
+    let (mut lo, mut hi) = (d0, M * G / K);
+    for _ in 0..200 {
+        let d = 0.5 * (lo + hi);
+        if K * d + CB * (d - d0).powf(1.5) < M * G { lo = d } else { hi = d }
+    }
+    let (along, across) = (K + 1.5 * CB * (lo - d0).sqrt(), K + CB * (lo - d0).powf(1.5) / lo);
+    let f = frequencies(&system);
+    for (f, k) in f.iter().zip([across, along]) {
+        assert!((f / (k / M).sqrt() - 1.0).abs() < 1e-9, "{f} {}", (k / M).sqrt());
+    }
+    assert!(study(&system).findings.iter().all(|f| f.id != "open_gap"));
+}
+
+#[test]
+fn a_bearing_that_alone_holds_the_rotor_is_refused() {
+    for horizontal in [false, true] {
+        for radial in [false, true] {
+            let why = refused(&machine(0.0, hertz(radial, 1e-4), horizontal));
+            assert!(why.contains("\"bearing\"") && why.contains("no stiffness at rest") && why.contains("preload"), "{why}");
+        }
+    }
+    // at the edge of contact: no clearance and no load, or a sag that just closes it
+    assert!(refused(&machine(K, hertz(true, 0.0), false)).contains("preload"));
+    assert!(refused(&machine(K, hertz(true, M * G / K), true)).contains("preload"));
+    // held, but in one direction only
+    let one = |b: Builder| {
+        let side = ShaftLumpedParams { stiffness: [K, 0.0], ..ShaftLumpedFamily::defaults() };
+        hertz(true, 1e-4)(b).part("side", ShaftLumped::lateral(link()), side)
+    };
+    assert!(refused(&machine(0.0, one, false)).contains("preload"));
+}
+
+/// Coordinates and states elsewhere that nothing holds do not matter: a free disc beside the machine, a liquid.
+#[test]
+fn only_what_the_bearing_joins_must_be_held() {
+    let beside = |b: Builder| {
+        let liquid =
+            LiquidParams { cavity_radius: 0.07, cavity_height: 0.06, density: 1000.0, free_surface_radius: 0.05, wave_damping: 0.0 };
+        hertz(true, 1e-4)(b).part("other", Disc::planar(), DiscParams { mass: M, ..DiscFamily::defaults() }).part(
+            "liquid",
+            Liquid::new(Attach::on("disc"), Fill::Partial),
+            liquid,
+        )
+    };
+    let system = machine(K, beside, false);
+    assert!(rest(&system, 100.0).is_ok(), "{}", refused(&system));
+}
