@@ -1,6 +1,7 @@
 //! One step of the explicit method of order 8 in lanes.
 
 use super::Crew;
+use super::method::{Attempt, Ends, Method, bounded};
 use crate::lanes::{Bits, LaneBits, LaneScalar};
 use crate::ode::tableau::{self as t8, Row};
 
@@ -12,12 +13,8 @@ const MAX_FACTOR: f64 = 6.0;
 
 /// Storage of the method: states and stages of the members.
 pub(super) struct Dop853<S> {
-    n: usize,
-    relative: Vec<S>,
-    absolute: Vec<S>,
-    /// States at both ends of the step and of a stage, each with the crew's room behind it.
-    y0: Vec<S>,
-    y1: Vec<S>,
+    ends: Ends<S>,
+    /// State of a stage, with the crew's room behind it.
     w: Vec<S>,
     /// Stage after stage; stage 12 is f at the end of the step.
     k: Vec<S>,
@@ -26,14 +23,6 @@ pub(super) struct Dop853<S> {
     t0: S,
     t1: S,
     h: S,
-}
-
-pub(super) struct Attempt<S> {
-    pub accepted: LaneBits,
-    /// Lanes whose end state is finite.
-    pub finite: LaneBits,
-    /// Proposed length of the next step over that of this one.
-    pub factor: S,
 }
 
 /// Distance of the stages in storage: odd, so that no two of them lie a multiple of 4096 bytes apart, which a processor takes for one place.
@@ -80,59 +69,13 @@ unsafe fn sum<S: LaneScalar, const N: usize>(k: &[S], n: usize, row: &Row<N>, j:
 }
 
 impl<S: LaneScalar> Dop853<S> {
-    pub fn new(n: usize, room: usize) -> Self {
-        let zeros = |len: usize| vec![S::zero(); len];
-        Dop853 {
-            n,
-            relative: zeros(n),
-            absolute: vec![S::one(); n],
-            y0: zeros(n + room),
-            y1: zeros(n + room),
-            w: zeros(n + room),
-            k: zeros(STAGES * stride(n)),
-            rows: zeros(ROWS * n),
-            t0: S::zero(),
-            t1: S::one(),
-            h: S::one(),
-        }
-    }
-
-    /// Puts a member into a lane.
-    pub fn seat(&mut self, lane: usize, y: &[f64], relative: &[f64], absolute: &[f64]) {
-        self.set_state(lane, y);
-        for j in 0..self.n {
-            self.relative[j] = self.relative[j].with(lane, relative[j]);
-            self.absolute[j] = self.absolute[j].with(lane, absolute[j]);
-        }
-    }
-    pub fn set_state(&mut self, lane: usize, y: &[f64]) {
-        for (s, &x) in self.y0.iter_mut().zip(y) {
-            *s = s.with(lane, x);
-        }
-    }
-    pub fn state(&self, lane: usize, y: &mut [f64]) {
-        for (s, x) in self.y0.iter().zip(y) {
-            *x = s.get(lane);
-        }
-    }
-    pub fn clear(&mut self, lane: usize) {
-        for v in [&mut self.y0, &mut self.y1, &mut self.k, &mut self.rows] {
-            for s in v.iter_mut() {
-                *s = s.with(lane, 0.0);
-            }
-        }
-        for s in &mut self.absolute {
-            *s = s.with(lane, 1.0);
-        }
-    }
-
     /// Stages `from` to `to`, one after the other; a single place where the right side is inlined.
     #[inline(always)]
     fn stages<C: Crew<S>>(&mut self, crew: &mut C, from: usize, to: usize) {
-        let (n, h) = (self.n, self.h);
-        let (y, k) = (&self.y0[..n], &mut self.k);
+        let (n, h) = (self.ends.n, self.h);
+        let (y, k) = (&self.ends.y0[..n], &mut self.k);
         for i in from..=to {
-            let state = if i == 12 { &mut self.y1 } else { &mut self.w };
+            let state = if i == 12 { &mut self.ends.y1 } else { &mut self.w };
             let w = &mut state[..n];
             let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
             crew.time(t);
@@ -157,91 +100,16 @@ impl<S: LaneScalar> Dop853<S> {
         }
     }
 
-    /// Derivative at the start of the `fresh` lanes, and the length of a first step by one explicit Euler step (Hairer, Norsett, Wanner,
-    /// Solving Ordinary Differential Equations I, section II.4).
-    #[inline(always)]
-    pub fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
-        let n = self.n;
-        let mut h0 = S::zero();
-        for round in 0..2 {
-            // a single place where the right side is inlined
-            let state = if round == 0 { &mut self.y0 } else { &mut self.w };
-            crew.time(t0 + h0);
-            crew.rhs(t0 + h0, state, &mut self.rows[..n]);
-            if round == 1 {
-                break;
-            }
-            for j in 0..n {
-                self.k[j] = super::lanes_of(fresh, self.rows[j], self.k[j]);
-            }
-            h0 = self.euler_step(t1 - t0);
-            for j in 0..n {
-                self.w[j] = self.y0[j] + h0 * self.k[j];
-            }
-        }
-        let d1 = self.size(&self.k[..n]);
-        for j in 0..n {
-            self.w[j] = self.rows[j] - self.k[j];
-        }
-        let d2 = self.size(&self.w[..n]) / h0;
-        let d = S::select(d1.lt(d2), d2, d1);
-        let floor = S::cst(1e-6);
-        let flat = h0.scale(1e-3);
-        let flat = S::select(flat.lt(floor), floor, flat);
-        let h1 = S::select(d.le(S::cst(1e-15)), flat, eighth_root(S::cst(0.01) / d));
-        let h = S::select(h1.lt(h0.scale(100.0)), h1, h0.scale(100.0));
-        let span = t1 - t0;
-        let h = S::select(h.lt(span), h, span);
-        // a derivative that is not finite stays one
-        h + d1.scale(0.0)
-    }
-
-    /// Length of an Euler step that changes the state by about a hundredth.
-    #[inline(always)]
-    fn euler_step(&self, span: S) -> S {
-        let (d0, d1, tiny) = (self.size(&self.y0[..self.n]), self.size(&self.k[..self.n]), S::cst(1e-5));
-        let small = S::select(d0.lt(tiny), S::one(), S::select(d1.lt(tiny), S::one(), S::zero()));
-        let guess = small.select_pos(S::cst(1e-6), (d0 / d1).scale(0.01));
-        S::select(guess.lt(span), guess, span)
-    }
-
-    /// rms of x over the tolerances at the start.
-    #[inline(always)]
-    fn size(&self, x: &[S]) -> S {
-        let mut sum = S::zero();
-        for j in 0..self.n {
-            let scale = self.absolute[j] + self.relative[j] * self.y0[j].abs();
-            sum += nonzero_ratio(x[j], scale).square();
-        }
-        (sum / S::cst(self.n.max(1) as f64)).sqrt()
-    }
-
-    /// Tries the step of every lane from `t0` to `t1 = t0 + h`.
-    #[inline(always)]
-    pub fn attempt<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, h: S) -> Attempt<S> {
-        (self.t0, self.t1, self.h) = (t0, t1, h);
-        self.stages(crew, 1, 12);
-        let (error, finite) = self.error();
-        let accepted = S::bits(error.lt(S::one()));
-        let factor = S::cst(SAFETY) / eighth_root(error);
-        let (least, most) = (S::cst(MIN_FACTOR), S::cst(MAX_FACTOR));
-        // NaN takes the least
-        let factor = S::select(least.lt(factor), factor, least);
-        let factor = S::select(factor.lt(most), factor, most);
-        Attempt { accepted: LaneBits(accepted.0 & finite.0), finite, factor }
-    }
-
     /// The error norm of the formula 8(5,3): h e5^2 / sqrt(e5^2 + e3^2/100), and the lanes whose end state is finite.
     #[inline(always)]
     fn error(&self) -> (S, LaneBits) {
-        let n = self.n;
+        let n = self.ends.n;
         assert!(self.k.len() == STAGES * stride(n));
         let inverse_h = S::one() / self.h;
         let (mut e5, mut e3, mut finite) = (S::zero(), S::zero(), S::zero());
         for j in 0..n {
-            let (y0, y1) = (self.y0[j], self.y1[j]);
-            let (a, b) = (y0.abs(), y1.abs());
-            let inverse = S::one() / (self.absolute[j] + self.relative[j] * S::select(a.lt(b), b, a));
+            let (y0, y1) = (self.ends.y0[j], self.ends.y1[j]);
+            let inverse = self.ends.weight(j);
             // SAFETY: asserted
             let (x5, x3) = unsafe { (sum(&self.k, n, &t8::E5, j), (y1 - y0) * inverse_h - sum(&self.k, n, &t8::BHH, j)) };
             e5 += (x5 * inverse).square();
@@ -253,14 +121,64 @@ impl<S: LaneScalar> Dop853<S> {
         let norm = S::select(e5.le(S::zero()), S::zero(), norm);
         (norm, finite.finite())
     }
+}
+
+impl<S: LaneScalar> Method<S> for Dop853<S> {
+    fn new(n: usize, room: usize) -> Self {
+        let zeros = |len: usize| vec![S::zero(); len];
+        Dop853 {
+            ends: Ends::new(n, room),
+            w: zeros(n + room),
+            k: zeros(STAGES * stride(n)),
+            rows: zeros(ROWS * n),
+            t0: S::zero(),
+            t1: S::one(),
+            h: S::one(),
+        }
+    }
+
+    fn ends(&self) -> &Ends<S> {
+        &self.ends
+    }
+    fn ends_mut(&mut self) -> &mut Ends<S> {
+        &mut self.ends
+    }
+    fn clear(&mut self, lane: usize) {
+        self.ends.clear(lane);
+        for s in self.k.iter_mut().chain(&mut self.rows) {
+            *s = s.with(lane, 0.0);
+        }
+    }
+
+    /// Derivative at the start of the `fresh` lanes, and the length of a first step.
+    #[inline(always)]
+    fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
+        let n = self.ends.n;
+        let (f, g) = self.rows.split_at_mut(n);
+        let h = self.ends.first_step(crew, (t0, t1), (&mut self.w, f, &mut g[..n]), eighth_root);
+        for j in 0..n {
+            self.k[j] = super::lanes_of(fresh, f[j], self.k[j]);
+        }
+        h
+    }
+
+    #[inline(always)]
+    fn attempt<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, h: S) -> Attempt<S> {
+        (self.t0, self.t1, self.h) = (t0, t1, h);
+        self.stages(crew, 1, 12);
+        let (error, finite) = self.error();
+        let accepted = S::bits(error.lt(S::one()));
+        let factor = bounded(S::cst(SAFETY) / eighth_root(error), MIN_FACTOR, MAX_FACTOR);
+        Attempt { accepted: LaneBits(accepted.0 & finite.0), finite, factor }
+    }
 
     /// The interpolant of order 7 over the step.
     #[inline(always)]
-    pub fn dense<C: Crew<S>>(&mut self, crew: &mut C) {
-        let (n, h) = (self.n, self.h);
+    fn dense<C: Crew<S>>(&mut self, crew: &mut C) {
+        let (n, h) = (self.ends.n, self.h);
         self.stages(crew, 13, 15);
         for j in 0..n {
-            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * stride(n) + j], self.y1[j] - self.y0[j]);
+            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * stride(n) + j], self.ends.y1[j] - self.ends.y0[j]);
             self.rows[j] = d;
             self.rows[n + j] = f0 - d;
             self.rows[2 * n + j] = d - f1 - (f0 - d);
@@ -273,17 +191,17 @@ impl<S: LaneScalar> Dop853<S> {
     }
 
     /// The lane's interpolant and its ends, to be read at several times: y0, y1, rows.
-    pub fn extract(&self, lane: usize, out: &mut [f64]) {
-        for (x, s) in out.iter_mut().zip(self.y0[..self.n].iter().chain(&self.y1[..self.n]).chain(&self.rows)) {
+    fn extract(&self, lane: usize, out: &mut [f64]) {
+        for (x, s) in out.iter_mut().zip(self.ends.y0[..self.ends.n].iter().chain(&self.ends.y1[..self.ends.n]).chain(&self.rows)) {
             *x = s.get(lane);
         }
     }
     /// Length of what [`Dop853::extract`] fills.
-    pub fn extract_len(n: usize) -> usize {
+    fn extract_len(n: usize) -> usize {
         (2 + ROWS) * n
     }
     /// Reads an extract: y = y0 + x (F0 + (1-x) (F1 + x (F2 + ...))), x = (t - t0)/(t1 - t0).
-    pub fn eval(extract: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
+    fn eval(extract: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
         let n = y.len();
         if t == t1 {
             y.copy_from_slice(&extract[n..2 * n]);
@@ -304,15 +222,15 @@ impl<S: LaneScalar> Dop853<S> {
 
     /// Makes the end of the step the start of the next in the lanes given.
     #[inline(always)]
-    pub fn advance(&mut self, accepted: Bits) {
-        let n = self.n;
+    fn advance(&mut self, accepted: Bits) {
+        let n = self.ends.n;
         if accepted == Bits::MAX {
-            std::mem::swap(&mut self.y0, &mut self.y1);
+            std::mem::swap(&mut self.ends.y0, &mut self.ends.y1);
             self.k.copy_within(12 * stride(n)..12 * stride(n) + n, 0);
             return;
         }
         for j in 0..n {
-            self.y0[j] = super::lanes_of(accepted, self.y1[j], self.y0[j]);
+            self.ends.y0[j] = super::lanes_of(accepted, self.ends.y1[j], self.ends.y0[j]);
             self.k[j] = super::lanes_of(accepted, self.k[12 * stride(n) + j], self.k[j]);
         }
     }
@@ -322,10 +240,4 @@ impl<S: LaneScalar> Dop853<S> {
 #[inline(always)]
 fn eighth_root<S: LaneScalar>(x: S) -> S {
     x.sqrt().sqrt().sqrt()
-}
-
-/// `x / scale`, and 0 where `x` is, whatever the scale.
-#[inline(always)]
-fn nonzero_ratio<S: LaneScalar>(x: S, scale: S) -> S {
-    S::select(x.abs().le(S::zero()), S::zero(), x / scale)
 }

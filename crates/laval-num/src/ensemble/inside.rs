@@ -1,6 +1,6 @@
 //! What happens inside an accepted step of one lane: outputs and events.
 
-use super::dop853::Dop853;
+use super::method::Method;
 use super::{Crew, Roster, Seat};
 use crate::lanes::{LANES, LaneScalar};
 use crate::ode::event::bracket;
@@ -60,15 +60,15 @@ impl Inside {
     }
 
     /// Outputs and events at the start of a leg; `false` if something is not a number.
-    pub fn begin<S: LaneScalar, C: Crew<S>>(
+    pub fn begin<S: LaneScalar, C: Crew<S>, M: Method<S>>(
         &mut self,
         lane: usize,
         crew: &mut C,
         roster: &mut Roster<S>,
-        method: &Dop853<S>,
+        method: &M,
         t0: f64,
     ) -> bool {
-        method.state(lane, &mut self.y);
+        method.ends().state(lane, &mut self.y);
         let mut fine = self.y.iter().all(|x| x.is_finite());
         while fine && roster.next_output[lane] <= t0 {
             roster.give(lane, crew, &self.y);
@@ -83,12 +83,12 @@ impl Inside {
 
     /// Gives the outputs and events of the step in order. `Some` is the time of the crossing that ends the leg, its state then is
     /// [`Inside::state`].
-    pub fn look<S: LaneScalar, C: Crew<S>>(
+    pub fn look<S: LaneScalar, C: Crew<S>, M: Method<S>>(
         &mut self,
         lane: usize,
         crew: &mut C,
         roster: &mut Roster<S>,
-        method: &Dop853<S>,
+        method: &M,
         t0: f64,
         t1: f64,
     ) -> Option<f64> {
@@ -96,7 +96,7 @@ impl Inside {
         if !wants && self.events == 0 {
             return None;
         }
-        self.extract.resize(Dop853::<S>::extract_len(self.n), 0.0);
+        self.extract.resize(M::extract_len(self.n), 0.0);
         method.extract(lane, &mut self.extract);
         let span = (t0, t1);
         let mut a = t0;
@@ -105,11 +105,11 @@ impl Inside {
                 break;
             }
             let b = if p == PROBES { t1 } else { t0 + (t1 - t0) * (p as f64 / PROBES as f64) };
-            self.locate::<S, C>(lane, crew, span, a, b);
+            self.locate::<S, C, M>(lane, crew, span, a, b);
             for k in 0..self.found.len() {
                 let (index, t) = self.found[k];
-                self.outputs_until::<S, C>(lane, crew, roster, span, t);
-                Dop853::<S>::eval(&self.extract, span, t, &mut self.y);
+                self.outputs_until::<S, C, M>(lane, crew, roster, span, t);
+                M::eval(&self.extract, span, t, &mut self.y);
                 if crew.crossed(lane, index, t, &self.y) {
                     self.crossing[lane] = index;
                     self.seat[..self.n].copy_from_slice(&self.y);
@@ -118,11 +118,11 @@ impl Inside {
             }
             a = b;
         }
-        self.outputs_until::<S, C>(lane, crew, roster, span, t1);
+        self.outputs_until::<S, C, M>(lane, crew, roster, span, t1);
         None
     }
 
-    fn outputs_until<S: LaneScalar, C: Crew<S>>(
+    fn outputs_until<S: LaneScalar, C: Crew<S>, M: Method<S>>(
         &mut self,
         lane: usize,
         crew: &mut C,
@@ -131,15 +131,15 @@ impl Inside {
         until: f64,
     ) {
         while roster.next_output[lane] <= until {
-            Dop853::<S>::eval(&self.extract, span, roster.next_output[lane], &mut self.y);
+            M::eval(&self.extract, span, roster.next_output[lane], &mut self.y);
             roster.give(lane, crew, &self.y);
         }
     }
 
     /// Collects the crossings between the probes `a` and `b` in order of time. An event that is not a number crosses nothing.
-    fn locate<S: LaneScalar, C: Crew<S>>(&mut self, lane: usize, crew: &mut C, span: (f64, f64), a: f64, b: f64) {
+    fn locate<S: LaneScalar, C: Crew<S>, M: Method<S>>(&mut self, lane: usize, crew: &mut C, span: (f64, f64), a: f64, b: f64) {
         self.found.clear();
-        Dop853::<S>::eval(&self.extract, span, b, &mut self.y);
+        M::eval(&self.extract, span, b, &mut self.y);
         for i in 0..self.events {
             self.probe[i] = crew.event(lane, i, b, &self.y);
         }
@@ -151,7 +151,7 @@ impl Inside {
             }
             let (extract, y) = (&self.extract, &mut self.y);
             let zero = bracket(a, ga, b, gb, |t| {
-                Dop853::<S>::eval(extract, span, t, y);
+                M::eval(extract, span, t, y);
                 crew.event(lane, i, t, y)
             });
             if let Some((_, t)) = zero {

@@ -6,6 +6,8 @@
 
 mod dop853;
 mod inside;
+mod method;
+mod rodas;
 #[cfg(test)]
 mod tests;
 
@@ -13,6 +15,8 @@ use crate::lanes::{Bits, LANES, LaneScalar};
 use crate::ode::Cause;
 use dop853::Dop853;
 use inside::Inside;
+use method::Method;
+use rodas::Rodas;
 
 /// A stretch of time that a lane integrates without interruption.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,8 +167,20 @@ const PATIENCE: u32 = 64;
 /// Returns `false` when cancelled.
 #[inline(always)]
 pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
+    travel::<S, C, Dop853<S>>(crew)
+}
+
+/// The same with an implicit method of order 5, stiffly accurate and L-stable: Rodas5P of G. Steinebach, BIT Numer. Math. 63 (2023) 27; dense
+/// output of order 4. Jacobians are differences of right sides. For equations some of whose motions die out far faster than what is sought.
+#[inline(always)]
+pub fn run_stiff<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
+    travel::<S, C, Rodas<S>>(crew)
+}
+
+#[inline(always)]
+fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
     let n = crew.dim();
-    let mut method = Dop853::<S>::new(n, crew.room());
+    let mut method = M::new(n, crew.room());
     let mut inside = Inside::new(n, crew.events());
     let zero = S::zero();
     let mut r = Roster {
@@ -258,11 +274,11 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// Takes members from the crew until one can be put into the lane.
-    fn load<C: Crew<S>>(&mut self, lane: usize, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) {
+    fn load<C: Crew<S>, M: Method<S>>(&mut self, lane: usize, crew: &mut C, method: &mut M, inside: &mut Inside) {
         let seat = inside.seat();
         match crew.load(lane, seat) {
             Some(leg) => {
-                method.seat(lane, inside.state(), inside.relative(), inside.absolute());
+                method.ends_mut().seat(lane, inside.state(), inside.relative(), inside.absolute());
                 self.set(lane, leg);
             }
             None => self.idle(lane, method),
@@ -270,7 +286,7 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// An empty lane computes on, harmlessly.
-    fn idle(&mut self, lane: usize, method: &mut Dop853<S>) {
+    fn idle<M: Method<S>>(&mut self, lane: usize, method: &mut M) {
         self.active &= !(1 << lane);
         self.fresh &= !(1 << lane);
         self.next_output[lane] = f64::INFINITY;
@@ -281,14 +297,14 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// Outcome of a leg: the crew continues the member, or the next one takes its place.
-    fn end<C: Crew<S>>(&mut self, lane: usize, end: LegEnd, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) {
+    fn end<C: Crew<S>, M: Method<S>>(&mut self, lane: usize, end: LegEnd, crew: &mut C, method: &mut M, inside: &mut Inside) {
         let ended =
             Ended { end, t: self.t.get(lane), next_step: self.next.get(lane), steps: self.steps[lane], rejected: self.rejected[lane] };
         let y = inside.state_mut();
-        method.state(lane, y);
+        method.ends().state(lane, y);
         match crew.ended(lane, &ended, y) {
             Some(leg) => {
-                method.set_state(lane, y);
+                method.ends_mut().set_state(lane, y);
                 self.set(lane, leg);
             }
             None => self.load(lane, crew, method, inside),
@@ -297,7 +313,7 @@ impl<S: LaneScalar> Roster<S> {
 
     /// Starts the fresh lanes: derivative, length of the first step, outputs and events at the start.
     #[inline(always)]
-    fn begin<C: Crew<S>>(&mut self, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) {
+    fn begin<C: Crew<S>, M: Method<S>>(&mut self, crew: &mut C, method: &mut M, inside: &mut Inside) {
         let fresh = self.fresh;
         let length = method.begin(crew, self.t, self.t_end, fresh);
         self.fresh = 0;
@@ -326,14 +342,14 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// Outputs and events of the step in the lanes `wanted`; the lanes in which a crossing ends the leg, put to their time and state.
-    fn inside<C: Crew<S>>(&mut self, wanted: Bits, t1: S, crew: &mut C, method: &mut Dop853<S>, inside: &mut Inside) -> Bits {
+    fn inside<C: Crew<S>, M: Method<S>>(&mut self, wanted: Bits, t1: S, crew: &mut C, method: &mut M, inside: &mut Inside) -> Bits {
         let (t0, t1) = (self.t.to_array(), t1.to_array());
         let mut stopped = 0;
         for lane in each(wanted) {
             if let Some(t) = inside.look(lane, crew, self, method, t0[lane], t1[lane]) {
                 stopped |= 1 << lane;
                 self.t = self.t.with(lane, t);
-                method.set_state(lane, inside.state());
+                method.ends_mut().set_state(lane, inside.state());
             }
         }
         stopped

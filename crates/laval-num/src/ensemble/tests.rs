@@ -77,19 +77,33 @@ impl Kernel for Go<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        let mut found = Found::default();
-        let mut crew = Oscillators {
-            parameters: [S::one(); 3],
-            queue: self.0.iter(),
-            riding: [None; LANES],
-            results: &mut found.results,
-            outputs: &mut found.outputs,
-        };
-        assert!(run(&mut crew));
-        found.results.sort_by_key(|r| r.0);
-        found.outputs.sort_by_key(|o| (o.0, o.1));
-        found
+        found(self.0, |crew: &mut Oscillators<S>| run(crew))
     }
+}
+
+struct GoStiff<'a>(&'a [Member]);
+impl Kernel for GoStiff<'_> {
+    type Out = Found;
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) -> Found {
+        found(self.0, |crew: &mut Oscillators<S>| run_stiff(crew))
+    }
+}
+
+#[inline(always)]
+fn found<S: LaneScalar>(list: &[Member], go: impl FnOnce(&mut Oscillators<S>) -> bool) -> Found {
+    let mut found = Found::default();
+    let mut crew = Oscillators {
+        parameters: [S::one(); 3],
+        queue: list.iter(),
+        riding: [None; LANES],
+        results: &mut found.results,
+        outputs: &mut found.outputs,
+    };
+    assert!(go(&mut crew));
+    found.results.sort_by_key(|r| r.0);
+    found.outputs.sort_by_key(|o| (o.0, o.1));
+    found
 }
 
 fn members(count: usize) -> Vec<Member> {
@@ -262,4 +276,104 @@ fn a_leg_can_be_limited_and_continued() {
     let (ended, y, times) = dispatch(Level::best(), Run2(m));
     assert!(times == 1 && ended.end == LegEnd::Reached);
     assert!((y[0] - whole.2[0]).abs() < 1e-9);
+}
+
+/// y' = -rate (y - cos(v t)) - v sin(v t): whatever the rate, y = cos(v t) (Prothero and Robinson).
+struct Relaxing<'a, S> {
+    rate: S,
+    speed: S,
+    queue: std::slice::Iter<'a, [f64; 3]>,
+    results: &'a mut Vec<(Ended, f64, f64)>,
+    ends: [f64; LANES],
+}
+
+impl<S: LaneScalar> Crew<S> for Relaxing<'_, S> {
+    fn dim(&self) -> usize {
+        1
+    }
+    fn time(&mut self, _: S) {}
+    #[inline(always)]
+    fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
+        let (sin, cos) = (self.speed * t).sin_cos();
+        dy[0] = -(self.rate * (y[0] - cos)) - self.speed * sin;
+    }
+    fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg> {
+        let &[rate, speed, t1] = self.queue.next()?;
+        (self.rate, self.speed) = (self.rate.with(lane, rate), self.speed.with(lane, speed));
+        self.ends[lane] = (speed * t1).cos();
+        seat.y[0] = 1.0;
+        seat.relative[0] = 1e-8;
+        seat.absolute[0] = 1e-8;
+        Some(Leg::new(0.0, t1))
+    }
+    fn ended(&mut self, lane: usize, ended: &Ended, y: &mut [f64]) -> Option<Leg> {
+        self.results.push((*ended, y[0], self.ends[lane]));
+        None
+    }
+}
+
+#[test]
+fn fast_decay_does_not_shorten_the_steps() {
+    struct Relax<'a>(&'a [[f64; 3]]);
+    impl Kernel for Relax<'_> {
+        type Out = Vec<(Ended, f64, f64)>;
+        #[inline(always)]
+        fn run<S: LaneScalar>(self) -> Self::Out {
+            let mut results = vec![];
+            let (rate, speed) = (S::one(), S::one());
+            let mut crew = Relaxing { rate, speed, queue: self.0.iter(), results: &mut results, ends: [0.0; LANES] };
+            assert!(run_stiff(&mut crew));
+            results
+        }
+    }
+    let list: Vec<[f64; 3]> = (0..40).map(|k| [10f64.powi(k % 10), 1.0 + 0.1 * f64::from(k), 20.0]).collect();
+    for (ended, y, exact) in dispatch(Level::best(), Relax(&list)) {
+        assert_eq!(ended.end, LegEnd::Reached);
+        assert!((y - exact).abs() < 1e-6, "{ended:?} {y} {exact}");
+        // an explicit method takes a sixth of the rate times 20
+        assert!(ended.steps + ended.rejected < 6000, "{ended:?}");
+    }
+}
+
+/// The stiff method against closed forms, at its ends and between them; neither neighbours nor levels change a bit.
+#[test]
+fn the_stiff_method_in_lanes() {
+    let list = members(40);
+    let exact = |m: &Member, t: f64| {
+        let a = 1.0 / (m.w * m.w - m.v * m.v);
+        a * (m.v * t).cos() + (m.start - a) * (m.w * t).cos()
+    };
+    let mut free = list.clone();
+    free.iter_mut().for_each(|m| m.d = 0.0);
+    let found = dispatch(Level::best(), GoStiff(&free));
+    for ((_, ended, y), m) in found.results.iter().zip(&free) {
+        assert!(ended.end == LegEnd::Reached && (y[0] - exact(m, m.t1)).abs() < 1e-7, "{ended:?} {} {}", y[0], exact(m, m.t1));
+    }
+    assert_eq!(found.outputs.len(), 40 * 9);
+    for &(id, i, t, x) in &found.outputs {
+        assert!(t == 0.25 * i as f64 && (x - exact(&free[id], t)).abs() < 1e-7, "{id} {t} {x}");
+    }
+    let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, GoStiff(&[m])).results.remove(0)).collect();
+    let mut mixed = list.clone();
+    for (k, m) in mixed.iter_mut().enumerate() {
+        match k % 8 {
+            1 => m.w = f64::NAN,
+            3 => m.level = Some(0.2),
+            5 => m.start = f64::INFINITY,
+            6 => m.d = -1e308,
+            _ => {}
+        }
+    }
+    for level in Level::supported() {
+        let found = dispatch(level, GoStiff(&mixed));
+        assert_eq!(found.results.len(), 40);
+        for (id, ended, y) in &found.results {
+            match id % 8 {
+                1 | 5 => assert_eq!(ended.end, LegEnd::NoStart),
+                3 => assert!(ended.end == LegEnd::Event(0) && (y[0] - 0.2).abs() < 1e-12, "{ended:?} {y:?}"),
+                6 => assert!(matches!(ended.end, LegEnd::StepTooSmall(_) | LegEnd::NoStart), "{ended:?}"),
+                _ => assert_eq!((id, ended, y), (&alone[*id].0, &alone[*id].1, &alone[*id].2)),
+            }
+        }
+    }
 }

@@ -147,7 +147,7 @@ fn main() {
         for level in Level::supported() {
             let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
             let (time, ends) = least(clock, 5, || {
-                let settings = Settings { level, threads: 1 };
+                let settings = Settings { level, threads: 1, ..Settings::default() };
                 ensemble::run(&voyage, &system, Form::of(&system, true), 0..speeds.len(), settings).unwrap_or_default()
             });
             report(&format!("ensemble, {}", level.name()), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
@@ -177,7 +177,7 @@ fn source_study() {
     let speeds: Vec<f64> = (1..=5000).map(f64::from).collect();
     println!("the complete study of the source: 5000 speeds, 25 s each, case A, one core");
     let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: |_| 25.0, tolerance: 1e-8 };
-    let settings = Settings { level: Level::best(), threads: 1 };
+    let settings = Settings { threads: 1, ..Settings::default() };
     let (time, ends) = least(clock, 1, || ensemble::run(&voyage, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default());
     let steps: u64 = ends.iter().map(|e| e.1).sum();
     println!("    ensemble: {time:.1} s, {steps} steps");

@@ -58,16 +58,21 @@ pub(super) struct Settings {
 impl Settings {
     pub fn read(values: &Values) -> Self {
         Settings {
-            method: match values.choice("method") {
-                Some("explicit") => Choice::Explicit,
-                Some("stiff") => Choice::Stiff,
-                _ => Choice::Auto,
-            },
+            method: method(values),
             relative: values.number("relative_tolerance").unwrap_or(1e-8),
             absolute: values.number("absolute_tolerance").unwrap_or(1e-9),
             points: values.integer("points").map_or(2000, |x| x.max(2) as usize),
             phase: values.number("phase").unwrap_or(0.0),
         }
+    }
+}
+
+/// The field [`METHOD`].
+pub(super) fn method(values: &Values) -> Choice {
+    match values.choice("method") {
+        Some("explicit") => Choice::Explicit,
+        Some("stiff") => Choice::Stiff,
+        _ => Choice::Auto,
     }
 }
 

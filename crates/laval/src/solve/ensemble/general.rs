@@ -32,8 +32,10 @@ struct Place<'a, S> {
     q: Vec<S>,
     v: Vec<S>,
     a: Vec<S>,
-    /// Its states in y.
+    /// Its states in y, memory last.
     states: Range<usize>,
+    /// How many of them are no memory.
+    own: usize,
     blocks: Blocks<S>,
     /// Local rows, then that of the spin, then rates; at zero acceleration, and at another.
     base: Vec<S>,
@@ -115,6 +117,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
                 v: zeros(local),
                 a: zeros(local),
                 states: 2 * n + slot.states.start..2 * n + slot.states.end,
+                own: states - slot.memory,
                 blocks: Blocks::default(),
                 base: zeros(local + 1 + states),
                 other: zeros(local + 1 + states),
@@ -201,7 +204,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
             let states = place.states.len();
             let first = place.states.start - 2 * n;
             if place.linear {
-                place.blocks.reset(local, states, at.speed);
+                place.blocks.reset(local, place.own, at.speed);
                 S::enter::<Linear, _>(place.part, &mut LinearArgs { p: &place.params, speed: at.speed, blocks: &mut place.blocks });
                 for j in 0..local {
                     for k in place.map.span(j) {
@@ -213,7 +216,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
                                 self.mass[gi * rows + gj] += ci * x;
                             }
                         }
-                        for i in 0..states {
+                        for i in 0..place.own {
                             self.rate_a[(first + i) * rows + gj] += place.blocks.state_a[(i, j)] * cj;
                         }
                     }

@@ -73,24 +73,34 @@ pub trait Voyage: Sync {
     }
 }
 
+/// The method of integration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Order 8, for motions that are not stiff.
+    #[default]
+    Explicit,
+    /// Implicit, order 5.
+    Stiff,
+}
+
 /// Why motions of this machine cannot go in lanes.
 ///
 /// # Errors
-/// A part without a time form, or with memory states.
-pub fn admit(system: &System) -> Result<(), Diagnostic> {
+/// A part without a time form; memory states with the explicit method.
+pub fn admit(system: &System, method: Method) -> Result<(), Diagnostic> {
     for slot in system.slots() {
         if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
             return Err(Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
                 .at(slot.span.clone())
                 .help("use a study in the frequency domain, such as forced_response"));
         }
-        if slot.memory > 0 {
+        if slot.memory > 0 && method == Method::Explicit {
             return Err(Diagnostic::error(
                 "ensemble.memory",
-                format!("\"{}\" has memory states, which the explicit method of ensembles cannot follow", slot.name),
+                format!("\"{}\" has memory states, which an explicit method cannot follow", slot.name),
             )
             .at(slot.span.clone())
-            .help("use transient with method = \"stiff\" for single motions of this machine"));
+            .help("use method = \"stiff\""));
         }
     }
     Ok(())
@@ -99,6 +109,8 @@ pub fn admit(system: &System) -> Result<(), Diagnostic> {
 /// How members are integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
+    /// Method of integration.
+    pub method: Method,
     /// Processor level; the numbers are the same at each.
     pub level: Level,
     /// Number of threads; 0 takes those of the present thread pool.
@@ -107,14 +119,14 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { level: Level::best(), threads: 0 }
+        Settings { method: Method::default(), level: Level::best(), threads: 0 }
     }
 }
 
 /// The form in which the equations of all members are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Constant speeds, and a mass matrix that depends on parameters only: compiled.
+    /// Constant speeds, a mass matrix that depends on parameters only, no memory: compiled.
     Constant,
     /// Any prescribed programme, any mass matrix.
     Prescribed,
@@ -125,7 +137,7 @@ pub enum Form {
 impl Form {
     /// The fastest form for a machine.
     pub fn of(system: &System, constant_speeds: bool) -> Form {
-        let varying = system.slots().iter().any(|s| !s.is_linear() && s.uses.acceleration);
+        let varying = system.slots().iter().any(|s| s.memory > 0 || (!s.is_linear() && s.uses.acceleration));
         match system.machine.drive {
             Drive::Free => Form::Free,
             Drive::Prescribed if constant_speeds && !varying => Form::Constant,
@@ -150,7 +162,7 @@ pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>
     let (take, keep) = (&take as &(dyn Fn() -> Option<usize> + Sync), &keep as &(dyn Fn(usize, V::Row) + Sync));
     let sail = || {
         let mut riders = Riders { voyage, logs: std::array::from_fn(|_| None), take, keep };
-        dispatch(settings.level, Sail { hands: &mut riders, base, form })
+        dispatch(settings.level, Sail { hands: &mut riders, base, form, method: settings.method })
     };
     let whole = if threads == 1 { sail() } else { (0..threads).into_par_iter().map(|_| sail()).reduce(|| true, |a, b| a && b) };
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -163,13 +175,18 @@ struct Sail<'a> {
     hands: &'a mut dyn Hands,
     base: &'a System,
     form: Form,
+    method: Method,
 }
 
 impl Kernel for Sail<'_> {
     type Out = bool;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> bool {
-        laval_num::ensemble::run(&mut LaneCrew::<S>::new(self.hands, self.base, self.form))
+        let mut crew = LaneCrew::<S>::new(self.hands, self.base, self.form);
+        match self.method {
+            Method::Explicit => laval_num::ensemble::run(&mut crew),
+            Method::Stiff => laval_num::ensemble::run_stiff(&mut crew),
+        }
     }
 }
 

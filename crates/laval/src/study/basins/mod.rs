@@ -14,9 +14,10 @@ mod axes;
 mod report;
 mod rows;
 
+use super::history::METHOD;
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, neutral, slowest_decay};
+use super::settled::{Budget, Member, Rules, Settled, Settling, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED, speed};
 use super::{Context, Study};
@@ -24,7 +25,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Body, Drive, System};
 use crate::outcome::Outcome;
-use crate::solve::ensemble::{self, Form, Settings};
+use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use axes::{Axis, MOST_POINTS};
 use laval_num::lanes::Level;
@@ -65,6 +66,7 @@ impl Study for Basins {
             "whole numbers of points from end to end, as 100 or { \"drum.x\" = 100, \"drum.x'\" = 80 }",
         ),
         INITIAL,
+        METHOD,
         fields::SETTLING,
         fields::TOLERANCE,
         Field { default: "10000", ..fields::MOST_PERIODS },
@@ -98,7 +100,7 @@ impl Study for Basins {
             return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        ensemble::admit(system)
+        ensemble::admit(system, method(system, self.rules.method, self.speed))
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
@@ -114,6 +116,7 @@ impl Study for Basins {
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
             values: self.axes.each_ref().map(Axis::values),
+            method: method(system, self.rules.method, self.speed),
             system: Arc::new(own),
         };
         let columns = rows::columns(self, &fleet);
@@ -136,6 +139,7 @@ struct Fleet<'a> {
     budget: Budget,
     study: &'a Basins,
     system: Arc<System>,
+    method: Method,
     start: Start,
     /// Decay rate of the slowest mode at rest, 1/s.
     rate: Option<f64>,
@@ -177,8 +181,8 @@ impl Fleet<'_> {
             budget: &self.budget,
             bodies: self.bodies.iter().map(|b| b.x).collect(),
         };
-        let settled: Vec<Settled> =
-            ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), Settings::default())?;
+        let settings = Settings { method: self.method, ..Settings::default() };
+        let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.study.axes.each_ref().map(|a| y[a.index]);
         let list = members.iter().zip(settled).map(|(m, settled)| rows::Row { place: place(&m.y), settled }).collect();
         // a motion that the budget cut short is none

@@ -3,6 +3,7 @@
 use super::Rules;
 use super::period::FEWEST;
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
+use crate::study::history::method;
 
 const SETTLINGS: &[Word] = &[
     ("decay", "as many e-folds of the slowest mode as the tolerance asks for"),
@@ -54,6 +55,7 @@ impl Rules {
             tolerance,
             most_periods: u64::try_from(values.integer("most_periods").unwrap_or(most_periods)).ok()?,
             periods: usize::try_from(values.integer("periods").unwrap_or(64)).ok()?,
+            method: method(values),
             shooting: values.choice("settling") == Some("shooting"),
             spectrum,
         })

@@ -14,8 +14,9 @@ mod shooting;
 pub(super) mod told;
 
 use crate::model::system::System;
-use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Next, Start, Voyage};
+use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Method, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;
+use crate::solve::motion::flight::Choice;
 use crate::solve::pencil::modes_about;
 use crate::solve::programme::Programme;
 use crate::solve::rest::rest;
@@ -42,6 +43,8 @@ const RUNAWAY: f64 = 1e6;
 /// How motions are settled and recorded.
 #[derive(Clone, Debug)]
 pub(super) struct Rules {
+    /// Method of integration asked for.
+    pub method: Choice,
     /// Relative tolerance of a step.
     pub relative: f64,
     /// Absolute tolerance of a step over typical sizes.
@@ -111,6 +114,25 @@ pub(super) fn slowest_decay(system: &System, speed: f64) -> Option<f64> {
 /// A mode at rest neither decays nor grows.
 pub(super) fn neutral(system: &System, speed: f64) -> bool {
     least_stable(system, speed).is_some_and(|(growth, rounding)| growth.abs() <= rounding)
+}
+
+/// Rate of the fastest mode over the spin speed above which the implicit method is cheaper: stability then asks the explicit one for some thousand
+/// steps a period, where accuracy asks the implicit one for one or two hundred, each three times as dear.
+const FAST: f64 = 1000.0;
+
+/// The method for motions of a machine about a speed.
+pub(super) fn method(system: &System, choice: Choice, speed: f64) -> Method {
+    let fast = || {
+        let about = rest(system, speed).ok()?;
+        let spectrum = modes_about(system, &about, false).ok()?;
+        Some(spectrum.modes.iter().any(|m| m.value.abs() > FAST * speed.abs()))
+    };
+    match choice {
+        Choice::Explicit => Method::Explicit,
+        Choice::Stiff => Method::Stiff,
+        Choice::Auto if system.slots().iter().any(|s| s.memory > 0) || fast() == Some(true) => Method::Stiff,
+        Choice::Auto => Method::Explicit,
+    }
 }
 
 /// Typical size of every state at a speed: displacements, rates, internal states.

@@ -16,9 +16,10 @@ mod lyapunov;
 mod report;
 mod rows;
 
+use super::history::METHOD;
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, slowest_decay};
+use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED_RANGE, range};
 use super::{Context, Study};
@@ -26,7 +27,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::system::{Body, Drive, System};
 use crate::outcome::Outcome;
-use crate::solve::ensemble::{self, Form, Settings};
+use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use laval_num::lanes::Level;
 use lyapunov::{Exponent, Pairs};
@@ -89,6 +90,7 @@ impl Study for Sweep {
         Field::required("speed", SPEED_RANGE, "spin speeds, above zero; 200 points unless given"),
         Field::optional("start", FieldKind::Choice(STARTS), "up_and_down", "how the motion begins at each speed"),
         INITIAL,
+        METHOD,
         fields::SETTLING,
         fields::TOLERANCE,
         fields::MOST_PERIODS,
@@ -164,7 +166,7 @@ impl Study for Sweep {
             return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        ensemble::admit(system)
+        ensemble::admit(system, method(system, self.rules.method, self.fastest()))
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
@@ -176,6 +178,7 @@ impl Study for Sweep {
             budget: Budget::new(context.work_limit),
             study: self,
             system: Arc::new(own),
+            method: method(system, self.rules.method, self.fastest()),
             speeds: self.speed.linspace(DEFAULT_POINTS),
             bodies: system.bodies(),
         };
@@ -214,11 +217,19 @@ fn section(values: &Values, system: &System, bodies: &[Body], diagnostics: &mut 
     found
 }
 
+impl Sweep {
+    /// Largest speed, where motions are the least stiff, rad/s.
+    fn fastest(&self) -> f64 {
+        self.speed.from.abs().max(self.speed.to.abs())
+    }
+}
+
 /// A sweep on its machine.
 struct Fleet<'a> {
     budget: Budget,
     study: &'a Sweep,
     system: Arc<System>,
+    method: Method,
     speeds: Vec<f64>,
     bodies: Vec<Body>,
 }
@@ -250,14 +261,15 @@ impl Fleet<'_> {
         let bodies = self.bodies.iter().map(|b| b.x).collect();
         let voyage = Settling { system: self.system.clone(), members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
         let all = 0..members.len();
-        let settled = ensemble::run(&voyage, &self.system, form, all.clone(), Settings::default())?;
+        let settings = Settings { method: self.method, ..Settings::default() };
+        let settled = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
         let exponents = match self.study.lyapunov {
             None => vec![None; members.len()],
             Some(periods) => {
                 let one = |(m, s): (&Member, &Settled)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
                 let members = members.iter().zip(&settled).map(one).collect();
                 let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
-                ensemble::run(&pairs, &self.system, form, all, Settings::default())?
+                ensemble::run(&pairs, &self.system, form, all, settings)?
             }
         };
         // a motion that the budget cut short is none
