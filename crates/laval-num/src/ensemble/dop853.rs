@@ -124,6 +124,11 @@ impl<S: LaneScalar> Dop853<S> {
 }
 
 impl<S: LaneScalar> Method<S> for Dop853<S> {
+    #[inline(always)]
+    fn root(x: S) -> S {
+        x.sqrt().sqrt().sqrt()
+    }
+
     fn new(n: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
         Dop853 {
@@ -155,7 +160,7 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
     fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
         let n = self.ends.n;
         let (f, g) = self.rows.split_at_mut(n);
-        let h = self.ends.first_step(crew, (t0, t1), (&mut self.w, f, &mut g[..n]), eighth_root);
+        let h = self.ends.first_step::<C, Self>(crew, (t0, t1), (&mut self.w, f, &mut g[..n]));
         for j in 0..n {
             self.k[j] = super::lanes_of(fresh, f[j], self.k[j]);
         }
@@ -168,7 +173,7 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
         self.stages(crew, 1, 12);
         let (error, finite) = self.error();
         let accepted = S::bits(error.lt(S::one()));
-        let factor = bounded(S::cst(SAFETY) / eighth_root(error), MIN_FACTOR, MAX_FACTOR);
+        let factor = bounded(S::cst(SAFETY) / Self::root(error), MIN_FACTOR, MAX_FACTOR);
         Attempt { accepted: LaneBits(accepted.0 & finite.0), finite, factor }
     }
 
@@ -234,10 +239,4 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
             self.k[j] = super::lanes_of(accepted, self.k[12 * stride(n) + j], self.k[j]);
         }
     }
-}
-
-/// x^(1/8).
-#[inline(always)]
-fn eighth_root<S: LaneScalar>(x: S) -> S {
-    x.sqrt().sqrt().sqrt()
 }

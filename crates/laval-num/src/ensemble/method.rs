@@ -14,6 +14,8 @@ pub(super) struct Attempt<S> {
 
 /// A one-step method. What holds a right side must be `#[inline(always)]`.
 pub(super) trait Method<S: LaneScalar>: Sized {
+    /// The root of the method's order.
+    fn root(x: S) -> S;
     /// For `n` states with the crew's room behind them.
     fn new(n: usize, room: usize) -> Self;
     fn ends(&self) -> &Ends<S>;
@@ -80,15 +82,9 @@ impl<S: LaneScalar> Ends<S> {
     }
 
     /// Length of a first step by one explicit Euler step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.4);
-    /// leaves the derivative at the start in `f`. `root` is that of the method's order.
+    /// leaves the derivative at the start in `f`.
     #[inline(always)]
-    pub fn first_step<C: Crew<S>>(
-        &mut self,
-        crew: &mut C,
-        (t0, t1): (S, S),
-        (w, f, g): (&mut [S], &mut [S], &mut [S]),
-        root: impl Fn(S) -> S,
-    ) -> S {
+    pub fn first_step<C: Crew<S>, M: Method<S>>(&mut self, crew: &mut C, (t0, t1): (S, S), (w, f, g): (&mut [S], &mut [S], &mut [S])) -> S {
         let n = self.n;
         let mut h0 = S::zero();
         for round in 0..2 {
@@ -114,7 +110,7 @@ impl<S: LaneScalar> Ends<S> {
         let floor = S::cst(1e-6);
         let flat = h0.scale(1e-3);
         let flat = S::select(flat.lt(floor), floor, flat);
-        let h1 = S::select(d.le(S::cst(1e-15)), flat, root(S::cst(0.01) / d));
+        let h1 = S::select(d.le(S::cst(1e-15)), flat, M::root(S::cst(0.01) / d));
         let h = S::select(h1.lt(h0.scale(100.0)), h1, h0.scale(100.0));
         let span = t1 - t0;
         let h = S::select(h.lt(span), h, span);

@@ -100,7 +100,8 @@ pub(super) struct Rodas<S: LaneScalar> {
     /// Right side at the start, derivative in time.
     f0: Vec<S>,
     ft: Vec<S>,
-    /// 1/(g h) - J row by row, then its factors with inverse pivots.
+    /// 1/(g h) - J row by row, then its factors with inverse pivots; the last state comes first, because the states that few others read stand
+    /// last.
     matrix: Vec<S>,
     /// For each pivot and each row below it, whether the two were exchanged.
     exchanged: Vec<S::Mask>,
@@ -178,10 +179,10 @@ impl<S: LaneScalar> Rodas<S> {
             Call::State(j) => {
                 let inverse = S::one() / (self.w[j] - self.ends.y0[j]);
                 for i in 0..n {
-                    self.matrix[i * n + j] = -((self.f[i] - self.f0[i]) * inverse);
+                    self.matrix[(n - 1 - i) * n + n - 1 - j] = -((self.f[i] - self.f0[i]) * inverse);
                 }
                 let own = S::one() / self.h.scale(GAMMA);
-                self.matrix[j * n + j] += own;
+                self.matrix[(n - 1 - j) * (n + 1)] += own;
             }
             Call::Soon => {
                 for i in 0..n {
@@ -246,6 +247,9 @@ impl<S: LaneScalar> Rodas<S> {
             for row in below.chunks_exact_mut(n) {
                 let factor = row[p] * pivot[p];
                 row[p] = factor;
+                if S::bits(factor.abs().le(S::zero())).all() {
+                    continue;
+                }
                 for (b, a) in row[p + 1..].iter_mut().zip(&pivot[p + 1..]) {
                     *b -= factor * *a;
                 }
@@ -257,6 +261,7 @@ impl<S: LaneScalar> Rodas<S> {
     #[inline(always)]
     fn solve(&mut self) {
         let (n, b) = (self.ends.n, &mut self.f);
+        b.reverse();
         let mut pair = 0;
         for p in 0..n {
             for i in p + 1..n {
@@ -279,6 +284,7 @@ impl<S: LaneScalar> Rodas<S> {
             }
             b[p] = x * row[p];
         }
+        b.reverse();
     }
 
     /// rms of the last stage over the tolerances, and the lanes whose end state is finite.
@@ -297,6 +303,11 @@ impl<S: LaneScalar> Rodas<S> {
 }
 
 impl<S: LaneScalar> Method<S> for Rodas<S> {
+    #[inline(always)]
+    fn root(x: S) -> S {
+        x.pow_pos(0.2)
+    }
+
     fn new(n: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
         Rodas {
@@ -325,7 +336,7 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
 
     #[inline(always)]
     fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, _: Bits) -> S {
-        self.ends.first_step(crew, (t0, t1), (&mut self.w, &mut self.f0, &mut self.f), fifth_root)
+        self.ends.first_step::<C, Self>(crew, (t0, t1), (&mut self.w, &mut self.f0, &mut self.f))
     }
 
     #[inline(always)]
@@ -355,7 +366,7 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
         let (error, finite) = self.error();
         let accepted = S::bits(error.lt(S::one()));
         // what is not finite stays so in the factor
-        let factor = bounded(S::cst(SAFETY) / fifth_root(error) + error.scale(0.0), MIN_FACTOR, MAX_FACTOR);
+        let factor = bounded(S::cst(SAFETY) / Self::root(error) + error.scale(0.0), MIN_FACTOR, MAX_FACTOR);
         Attempt { accepted: LaneBits(accepted.0 & finite.0), finite, factor }
     }
 
@@ -407,12 +418,6 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
 #[inline(always)]
 fn larger<S: LaneScalar>(a: S, b: S) -> S {
     S::select(b.lt(a), a, b)
-}
-
-/// x^(1/5).
-#[inline(always)]
-fn fifth_root<S: LaneScalar>(x: S) -> S {
-    x.pow_pos(0.2)
 }
 
 #[cfg(test)]
@@ -490,7 +495,7 @@ mod tests {
             };
             for i in 0..n {
                 for j in 0..n {
-                    r.matrix[i * n + j] = S::from_array(std::array::from_fn(|lane| entry(i, j, lane)));
+                    r.matrix[(n - 1 - i) * n + n - 1 - j] = S::from_array(std::array::from_fn(|lane| entry(i, j, lane)));
                 }
                 r.f[i] = S::from_array(std::array::from_fn(|lane| 1.0 + (i * lane % 5) as f64));
             }

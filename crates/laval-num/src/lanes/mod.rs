@@ -18,7 +18,7 @@ mod sparse;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use level::{Apply, Entry, Family, Kernel, Level, Slots, dispatch};
+pub use level::{Apply, Entry, Family, Kernel, Level, Routine, Slots, dispatch};
 pub use pow::pow_pos;
 pub use reg::Reg;
 pub use sparse::Sparse;

@@ -10,6 +10,7 @@ use laval::model::part::{Dof, DofKind, Layout, Link, Params, Part, Physics};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
+use laval::solve::ensemble::{self, Ended, Form, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
 use laval::solve::harmonic::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
@@ -18,7 +19,7 @@ use laval::solve::rest::rest;
 use laval_num::complex::{C64, c};
 use laval_num::ode::{Control, End, Radau, integrate};
 use laval_num::scalar::Scalar;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 const BRANCHES: usize = 100;
 
@@ -212,6 +213,78 @@ fn stiff_method_follows_the_orbit() {
             assert!((y[2 * n + i] - z[i]).abs() < 1e-5 * size, "{rotor} state {i}: {} {} of {size}", y[2 * n + i], z[i]);
         }
         assert!(run.work.steps < 5000, "{:?}", run.work);
+    }
+}
+
+/// Starts on one orbit at several phases.
+struct OnOrbit {
+    system: Arc<System>,
+    speed: f64,
+    starts: Vec<Vec<f64>>,
+    time: f64,
+}
+
+impl Voyage for OnOrbit {
+    type Log = ();
+    type Row = (LegEnd, u64, Vec<f64>);
+    fn start(&self, index: usize) -> Result<Start<()>, Self::Row> {
+        let n = self.system.n();
+        let size = |i: usize| {
+            if i < n {
+                1e-12
+            } else if i < 2 * n {
+                1e-9
+            } else {
+                1e-12 / rate((i - 2 * n) / 2)
+            }
+        };
+        Ok(Start {
+            system: self.system.clone(),
+            law: SpinLaw::Programme(Programme::constant(self.speed, 0.1 * index as f64)),
+            y: self.starts[index].clone(),
+            relative: 1e-8,
+            absolute: (0..self.starts[index].len()).map(size).collect(),
+            leg: Leg::new(0.0, self.time),
+            log: (),
+        })
+    }
+    fn ended(&self, _: usize, _: &mut (), ended: &Ended, y: &mut [f64]) -> Next<Self::Row> {
+        Next::Done((ended.end, ended.steps, y.to_vec()))
+    }
+}
+
+/// In lanes the stiff method stays on the closed-form orbit as well; the explicit one is refused.
+#[test]
+fn stiff_lanes_follow_the_orbit() {
+    for rotor in [false, true] {
+        let (system, range) = (machine(rotor, Some([1e6, 3e6])), (600.0, 800.0));
+        let orbit = &orbits(&system, &response(&system, range), range)[0];
+        let (n, m) = (system.n(), system.m());
+        let state = |turns: f64| {
+            let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+            orbit.at(turns * std::f64::consts::TAU, &mut q, &mut v, &mut a, &mut z);
+            [q, v, z].concat()
+        };
+        let turned = |k: usize| 0.1 * k as f64 / std::f64::consts::TAU;
+        let turns = 1.3;
+        let refused = ensemble::admit(&system, Method::Explicit).unwrap_err();
+        assert!(refused.message.contains("\"joint\""), "{refused}");
+        ensemble::admit(&system, Method::Stiff).unwrap();
+        let form = Form::of(&system, true);
+        let voyage = OnOrbit {
+            system: Arc::new(system),
+            speed: orbit.speed,
+            starts: (0..5).map(|k| state(turned(k))).collect(),
+            time: turns * std::f64::consts::TAU / orbit.speed,
+        };
+        let rows = ensemble::run(&voyage, &voyage.system, form, 0..5, Settings { method: Method::Stiff, ..Settings::default() }).unwrap();
+        for (k, (end, steps, y)) in rows.iter().enumerate() {
+            let expected = state(turned(k) + turns);
+            assert_eq!(*end, LegEnd::Reached);
+            let size = expected[0].hypot(expected[1]);
+            assert!((0..n).all(|i| (y[i] - expected[i]).abs() < 1e-6 * size), "{rotor} {k}: {:?} {:?}", &y[..n], &expected[..n]);
+            assert!(*steps < 2000, "{steps}");
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System};
 use crate::solve::motion::SpinLaw;
 use laval_num::dense::Mat;
-use laval_num::lanes::{LANES, LaneScalar, Sparse};
+use laval_num::lanes::{LANES, LaneScalar, Routine, Sparse};
 use std::ops::Range;
 
 /// A part in its place.
@@ -311,8 +311,14 @@ impl<'a, S: LaneScalar> General<'a, S> {
         }
     }
 
+    /// The right side; a long function, compiled once.
     #[inline(always)]
     pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
+        S::apart(RightSide { general: self, t, y, dy });
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, t: S, y: &[S], dy: &mut [S]) {
         let (n, m) = (self.n, self.m);
         let rows = self.accel.len();
         let at = self.moment(t, y);
@@ -346,6 +352,21 @@ impl<'a, S: LaneScalar> General<'a, S> {
             dy[2 * n + m] = at.speed;
             dy[2 * n + m + 1] = self.accel[n];
         }
+    }
+}
+
+struct RightSide<'a, 'b, S> {
+    general: &'a mut General<'b, S>,
+    t: S,
+    y: &'a [S],
+    dy: &'a mut [S],
+}
+
+impl<S: LaneScalar> Routine<S> for RightSide<'_, '_, S> {
+    type Out = ();
+    #[inline(always)]
+    fn run(self) {
+        self.general.evaluate(self.t, self.y, self.dy);
     }
 }
 
