@@ -134,6 +134,37 @@ mod tests {
         }
     }
 
+    /// A lopsided cup of many point masses: inertia and couple summed over them.
+    #[test]
+    fn lopsided_cups_are_sums_of_points() {
+        let masses = [(0.2, 0.01, 0.05), (0.5, -0.02, 0.11), (0.1, 0.03, 0.14)];
+        let sum = |f: &dyn Fn(f64, f64, f64) -> f64| masses.iter().map(|m| f(m.0, m.1, m.2)).sum::<f64>();
+        let mass = sum(&|m, _, _| m);
+        let across = sum(&|m, x, _| m * x) / mass;
+        let body = Hanging {
+            mass,
+            across,
+            along: sum(&|m, _, y| m * y) / mass,
+            moment_across: sum(&|m, x, _| m * x * x),
+            moment_along: sum(&|m, _, y| m * y * y),
+            product: sum(&|m, x, y| m * x * y),
+        };
+        let cup = SwingingCup { hinge: 0.15, body, damping: 0.0, gravity: 9.80665 };
+        // as thick along the hinge as across it
+        let thickness = body.moment_across - mass * across * across;
+        for a in [0.0, 0.4, 1.3] {
+            let (s, co) = f64::sin_cos(a);
+            let (radius, height) = (|x: f64, y: f64| 0.15 + co * x + s * y, |x: f64, y: f64| s * x - co * y);
+            let of_radius = sum(&|m, x, y| m * radius(x, y).powi(2)) + thickness;
+            let l = Ring { cup, held: Some(a), count: 1, mass_differences: vec![], centre_differences: vec![] }.at(20.0);
+            assert!((l.polar - of_radius).abs() < 1e-15, "{a}");
+            let of_height = sum(&|m, x, y| m * height(x, y).powi(2));
+            assert!((l.diametral - of_height - 0.5 * of_radius).abs() < 1e-15, "{a}");
+            assert!((l.unbalance - c(sum(&|m, x, y| m * radius(x, y)), 0.0)).abs() < 1e-15, "{a}");
+            assert!((l.couple - c(sum(&|m, x, y| m * radius(x, y) * height(x, y)), 0.0)).abs() < 1e-15, "{a}");
+        }
+    }
+
     /// Inertia of two point masses, and that of a sphere-like cup (equal second moments about its centre), which keeps them when it tilts.
     #[test]
     fn inertia_of_known_bodies() {
