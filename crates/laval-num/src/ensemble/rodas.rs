@@ -513,6 +513,6 @@ mod tests {
 
     #[test]
     fn lanes_pivot_on_their_own() {
-        Level::supported().into_iter().for_each(|level| dispatch(level, Solve));
+        Level::supported().for_each(|level| dispatch(level, Solve));
     }
 }

@@ -147,9 +147,19 @@ fn largest(x: impl Iterator<Item = f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::motion::flight::Choice;
 
     fn rules() -> Rules {
-        Rules { relative: 1e-12, absolute: 1e-12, tolerance: 1e-6, most_periods: 100, periods: 64, shooting: false, spectrum: None }
+        Rules {
+            method: Choice::Auto,
+            relative: 1e-12,
+            absolute: 1e-12,
+            tolerance: 1e-6,
+            most_periods: 100,
+            periods: 64,
+            shooting: false,
+            spectrum: None,
+        }
     }
 
     fn judged(f: impl Fn(f64) -> f64, rate: Option<f64>, bounded: bool) -> Judged {
