@@ -263,7 +263,8 @@ fn extrema_of_many_bodies_are_found_in_few_solutions() {
     let found = curve(&system, &state, speeds, &at, &mut |_| true).unwrap();
     let searched = states.load(Ordering::Relaxed) - found.solved;
     assert!(found.extrema.len() > 100, "{}", found.extrema.len());
-    assert!(searched < 5 * found.extrema.len() as u64, "{searched} solutions for {} extrema", found.extrema.len());
+    // golden section takes more than forty for each
+    assert!(searched < 10 * found.extrema.len() as u64, "{searched} solutions for {} extrema", found.extrema.len());
     for e in &found.extrema {
         let h = 1e-5 * e.speed;
         let value = |w: f64| at_speed(&system, w).unwrap().unwrap().major(at[e.body]).ln();

@@ -35,6 +35,8 @@ pub trait Number: Field + Into<C64> {
     fn times(self, k: f64) -> Self;
     /// `|x|^2`.
     fn abs2(self) -> f64;
+    /// Product with a complex number.
+    fn act(self, z: C64) -> C64;
     #[doc(hidden)]
     fn values(a: &Mat<Self>) -> Result<Vec<C64>, EigError>;
     #[doc(hidden)]
@@ -129,6 +131,10 @@ impl Number for f64 {
     fn abs2(self) -> f64 {
         self * self
     }
+    #[inline(always)]
+    fn act(self, z: C64) -> C64 {
+        z.scale(self)
+    }
     fn values(a: &Mat) -> Result<Vec<C64>, EigError> {
         if !is_finite(a) {
             return Err(EigError::NotFinite);
@@ -179,6 +185,10 @@ impl Number for C64 {
     }
     fn abs2(self) -> f64 {
         self.norm_sqr()
+    }
+    #[inline(always)]
+    fn act(self, z: C64) -> C64 {
+        self * z
     }
     fn values(a: &Mat<C64>) -> Result<Vec<C64>, EigError> {
         if !is_finite(a) {
@@ -246,17 +256,17 @@ pub(super) fn qz(a: &Mat<C64>, e: &Mat<C64>) -> Result<Raw, EigError> {
     })
 }
 
-/// `m x`.
+/// `m x`; most of a large machine's matrix is empty.
 pub(super) fn apply<T: Number>(m: &Mat<T>, x: &[C64]) -> Vec<C64> {
-    (0..m.rows()).map(|i| m.row(i).iter().zip(x).fold(C64::ZERO, |s, (&a, &x)| s + a.into() * x)).collect()
+    (0..m.rows()).map(|i| m.row(i).iter().zip(x).filter(|(a, _)| **a != T::ZERO).fold(C64::ZERO, |s, (&a, &x)| s + a.act(x))).collect()
 }
 
 /// `m^H y`.
 pub(super) fn apply_adjoint<T: Number>(m: &Mat<T>, y: &[C64]) -> Vec<C64> {
     let mut out = vec![C64::ZERO; m.cols()];
     for (i, &y) in y.iter().enumerate() {
-        for (o, &a) in out.iter_mut().zip(m.row(i)) {
-            *o += a.conj().into() * y;
+        for (o, &a) in out.iter_mut().zip(m.row(i)).filter(|(_, a)| **a != T::ZERO) {
+            *o += a.conj().act(y);
         }
     }
     out

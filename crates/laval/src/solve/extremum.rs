@@ -1,8 +1,8 @@
 //! Maxima and minima of amplitudes between computed responses, shared by all bodies.
 //!
 //! Equations: the logarithm of an amplitude is interpolated by a polynomial p through the responses next to its extremum; the response is computed at
-//! the zero of p', which joins the others, until p foretold its amplitude. Responses hold all bodies: what one body's search computed serves those whose
-//! extrema lie beside it.
+//! the zero of p', or beside it where one is known too near for their difference to say anything, and joins the others, until the zero stays. Responses
+//! hold all bodies: what one body's search computed serves those whose extrema lie beside it.
 //!
 //! Validity: amplitudes that are smooth between the responses; otherwise golden section and parabolas take over.
 
@@ -15,10 +15,13 @@ use crate::model::system::System;
 const NODES: usize = 8;
 /// Interpolations tried before golden section.
 const TRIES: usize = 8;
-/// Difference between the logarithms of an amplitude and of what was foretold that ends the search.
-const FORETOLD: f64 = 1e-11;
-/// Distance of responses, over that of the neighbours of the best one, below which their differences are rounding.
-const APART: f64 = 1e-5;
+/// Distance of responses, over the width of the bracket, below which the slope between them is rounding.
+const APART: f64 = 1e-3;
+/// Move of the extremum, over the width of the bracket, that ends the search; and the one that is taken where rounding keeps it moving.
+const STAYS: f64 = 1e-8;
+const NEARLY: f64 = 1e-5;
+/// Difference between the logarithms of the amplitude at the extremum and of what was foretold, above which it is not believed.
+const FORETOLD: f64 = 1e-10;
 
 /// Responses computed in the search for extrema.
 pub(super) struct Search<'a> {
@@ -50,36 +53,54 @@ impl<'a> Search<'a> {
         found.map(|(speed, v)| (speed, (sign * v).exp()))
     }
 
-    /// By interpolation, as often as it takes to foretell the value at the extremum; none where it does not come to that.
+    /// By interpolation, until the extremum stays; none where it does not.
     fn interpolated(&mut self, around: &[Response], (from, to): (f64, f64), i: usize, sign: f64) -> Option<(f64, f64)> {
-        let log = |r: &Response| (r.speed, sign * r.major(i).ln());
+        let unit = to - from;
         let inside = |w: f64| w > from && w < to;
+        let log = |r: &Response| (r.speed, sign * r.major(i).ln());
         let mut known: Vec<(f64, f64)> = around.iter().chain(self.points.iter().filter(|r| inside(r.speed))).map(log).collect();
         known.retain(|k| k.1.is_finite());
         known.sort_by(|a, b| a.0.total_cmp(&b.0));
         known.dedup_by(|a, b| a.0 == b.0);
-        for _ in 0..TRIES {
+        let mut last: Option<f64> = None;
+        for turn in 0..=TRIES {
             let best =
                 (1..known.len().checked_sub(1)?).filter(|&k| inside(known[k].0)).max_by(|&a, &b| known[a].1.total_cmp(&known[b].1))?;
-            let (origin, ends) = (known[best], (known[best - 1].0, known[best + 1].0));
-            let unit = ends.1 - ends.0;
+            let origin = known[best];
             let p = Polynomial::through(&known, origin, unit);
-            let slope = |w: f64| p.at((w - origin.0) / unit).1;
+            let at = |w: f64| p.at((w - origin.0) / unit);
+            let slope = |w: f64| at(w).1;
+            let ends = (known[best - 1].0, known[best + 1].0);
             let w = root(|w| Some(slope(w)), (ends.0, slope(ends.0)), (ends.1, slope(ends.1)), 0.0).filter(|&w| inside(w))?;
-            let next = response(self.system, self.state, w).ok().flatten()?;
-            let (_, value) = log(&next);
-            let place = self.points.partition_point(|r| r.speed < w);
-            self.points.insert(place, next);
-            if (value - origin.1 - p.at((w - origin.0) / unit).0).abs() <= FORETOLD {
-                return Some((w, value));
+            let moved = last.map_or(f64::INFINITY, |l| (w - l).abs() / unit);
+            let next = probe(&known, w, APART * unit).filter(|&x| moved > STAYS && inside(x));
+            if turn == TRIES || next.is_none() {
+                // what was not foretold is not smooth
+                let value = sign * self.at(w, i)?.ln();
+                let foretold = (value - origin.1 - at(w).0).abs() <= FORETOLD;
+                return (foretold && (next.is_none() || moved <= NEARLY)).then_some((w, value));
             }
-            if !value.is_finite() || known.iter().any(|k| k.0 == w) {
+            let probe = next?;
+            let next = response(self.system, self.state, probe).ok().flatten()?;
+            let (_, value) = log(&next);
+            self.points.insert(self.points.partition_point(|r| r.speed < probe), next);
+            if !value.is_finite() {
                 return None;
             }
-            known.insert(known.partition_point(|k| k.0 < w), (w, value));
+            known.insert(known.partition_point(|k| k.0 < probe), (probe, value));
+            last = Some(w);
         }
         None
     }
+}
+
+/// Where to look next: at `w`, or as near as is `apart` from all that is known; none where both sides are taken.
+fn probe(known: &[(f64, f64)], w: f64, apart: f64) -> Option<f64> {
+    // rounding must not make a place taken by the one it was stepped off from
+    let free = |x: &f64| known.iter().all(|k| (k.0 - x).abs() >= 0.999 * apart);
+    let near = known.iter().map(|k| k.0).min_by(|a, b| (a - w).abs().total_cmp(&(b - w).abs()))?;
+    let aside = if w >= near { apart } else { -apart };
+    [w, near + aside, near - aside].into_iter().find(free)
 }
 
 /// A polynomial in Newton's form.
@@ -95,7 +116,7 @@ impl Polynomial {
         near.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
         let (mut nodes, mut coefficients) = (Vec::<f64>::new(), Vec::<f64>::new());
         for (t, y) in near {
-            if nodes.len() == NODES || nodes.iter().any(|n| (n - t).abs() < APART) {
+            if nodes.len() == NODES || nodes.iter().any(|n| (n - t).abs() < 0.1 * APART) {
                 continue;
             }
             // the next divided difference is what the polynomial so far misses, over the product of the distances

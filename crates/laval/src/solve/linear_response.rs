@@ -84,7 +84,17 @@ fn fixed(system: &System, about: &Equilibrium) -> (Mat<C64>, Vec<C64>) {
 fn solve(m: &Mat<C64>, load: Vec<C64>, speed: f64) -> Option<Response> {
     let size = load.iter().map(|z| z.abs()).fold(0.0, f64::max);
     let lu = Lu::new(m).ok()?;
-    let rest = |x: &[C64]| m.mul_vec(x).iter().zip(&load).map(|(a, b)| *b - *a).collect::<Vec<C64>>();
+    // most of a large machine's matrix is empty
+    let entries: Vec<(usize, usize, C64)> = (0..m.rows())
+        .flat_map(|i| (0..m.cols()).map(move |j| (i, j)))
+        .map(|(i, j)| (i, j, m[(i, j)]))
+        .filter(|e| e.2 != C64::ZERO)
+        .collect();
+    let rest = |x: &[C64]| {
+        let mut image = vec![C64::ZERO; load.len()];
+        entries.iter().for_each(|&(i, j, a)| image[i] += a * x[j]);
+        load.iter().zip(image).map(|(f, i)| *f - i).collect::<Vec<C64>>()
+    };
     let mut x = load.clone();
     lu.solve(&mut x);
     let mut r = rest(&x);

@@ -2,7 +2,7 @@
 
 use super::characteristic::Equilibrium;
 use super::locate::State;
-use super::pencil::{MachineMode, Spectrum, modes_about, wants_polish};
+use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -102,8 +102,13 @@ impl Follower<'_> {
             self.start(to, spectrum);
             return Ok(());
         }
-        let trial: Vec<_> = self.tracks.iter().zip(&spectrum.families).map(|(t, f)| t.clone().force(&f.modes)).collect();
-        let ambiguous = trial.iter().any(|m| m.ambiguous);
+        let moved = |(track, family): (&Track, &Family)| {
+            let mut track = track.clone();
+            let found = track.force(&family.modes);
+            (track, found)
+        };
+        let trial: Vec<_> = self.tracks.iter().zip(&spectrum.families).map(moved).collect();
+        let ambiguous = trial.iter().any(|t| t.1.ambiguous);
         let middle = 0.5 * (from + to);
         if ambiguous && depth < DEPTH && from < middle && middle < to && (self.each)(self.place, self.out.solved) {
             let mut between = self::spectrum(self.system, self.state, middle)?.1;
@@ -117,11 +122,11 @@ impl Follower<'_> {
         }
         let before = self.out.points[self.out.points.len() - 1].1.clone();
         let mut order = Vec::new();
-        for (k, (m, f)) in trial.iter().zip(&spectrum.families).enumerate() {
+        for (k, ((track, m), f)) in trial.into_iter().zip(&spectrum.families).enumerate() {
             if m.worst_mac < self.out.worst_assurance || m.worst_mac.is_nan() {
                 self.out.worst_assurance = m.worst_mac;
             }
-            self.tracks[k].force(&f.modes);
+            self.tracks[k] = track;
             let kept: Vec<(usize, usize)> = self.ids[k].iter().zip(&m.permutation).filter_map(|(&id, p)| p.map(|p| (id, p))).collect();
             let value = |id: usize| -> Option<C64> {
                 let (w, mode) = self.out.branches[id].points.last()?;
