@@ -175,13 +175,14 @@ fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
         format!("every key stands in a block: [machine], [[part]] or [[study]]{field}")
     } else {
         let meant = meant(key, TOP.into_iter().chain(catalog.blocks.iter().map(|b| b.word)));
-        let known = "a file has one [machine], and blocks [[part]] and [[study]]";
+        let beside = catalog.blocks.iter().map(|b| if b.several { format!("[[{}]]", b.word) } else { format!("[{}]", b.word) });
+        let known = format!("a file has one [machine], and blocks [[part]] and [[study]]; also {}", beside.collect::<Vec<_>>().join(", "));
         match meant {
             Some(m) if m == "machine" || catalog.blocks.iter().any(|b| b.word == m && !b.several) => {
-                format!("did you mean [{m}]? {}", capital(known))
+                format!("did you mean [{m}]? {}", capital(&known))
             }
-            Some(m) => format!("did you mean [[{m}]]? {}", capital(known)),
-            None => known.to_string(),
+            Some(m) => format!("did you mean [[{m}]]? {}", capital(&known)),
+            None => known,
         }
     };
     out.push(

@@ -130,7 +130,8 @@ impl Study for CriticalSpeeds {
                 "m",
             ));
         }
-        if let Some(w) = system.machine.speed {
+        // a machine at rest has no distance in parts of its speed
+        if let Some(w) = system.machine.speed.filter(|w| *w != 0.0) {
             // a mode with a tenth of critical damping or more does not show as a resonance
             let close =
                 crossings.iter().filter(|c| damping(c).abs() < 0.1).min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));

@@ -126,7 +126,7 @@ impl Study for Basins {
             study: Self::KIND.into(),
             columns: columns.iter().map(|c| c.column.clone()).collect(),
             rows: count,
-            chunk: count.div_ceil(50).clamp(64, 1024),
+            chunk: count.div_ceil(50).clamp(64, 256),
             level: Level::best().name().into(),
         };
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;

@@ -168,16 +168,37 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
     let whole = |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite());
     for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
         let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
-        let text = format!("A slow sweep {} from {} to {} does not jump.", p.way.word(), quantity(from, "rad/s"), quantity(to, "rad/s"));
-        outcome = outcome.finding(Finding::info(format!("no_jump_{}", p.way.word()), text));
+        let (range, way) = (format!("from {} to {}", quantity(from, "rad/s"), quantity(to, "rad/s")), p.way.word());
+        let text = match joined(paths, p.way) {
+            // a step that the ratio of amplitudes does not show
+            Some((a, b)) => {
+                let place = format!("between {} and {}", quantity(a, "rad/s"), quantity(b, "rad/s"));
+                format!(
+                    "A slow sweep {way} {range} joins the motion of the sweep the other way {place}: it jumps or turns steeply there, which more speeds would tell."
+                )
+            }
+            None => format!("A slow sweep {way} {range} shows no jump between its {} speeds.", p.speed.len()),
+        };
+        outcome = outcome.finding(Finding::info(format!("no_jump_{way}"), text));
     }
     outcome
 }
 
-/// Speeds at which the way up and the way down end in different motions.
-fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
+/// The two speeds between which a way leaves the stretch where it differs from the other way, in the order it meets them.
+fn joined(paths: &[Path], way: Way) -> Option<(f64, f64)> {
+    let (up, differing) = differing(paths)?;
+    let speeds = &up.speed;
+    differing.iter().find_map(|r| match way {
+        Way::Up => Some((speeds[*r.end()], *speeds.get(r.end() + 1)?)),
+        Way::Down => Some((speeds[*r.start()], *speeds.get(r.start().checked_sub(1)?)?)),
+        Way::Rest => None,
+    })
+}
+
+/// The way up, and the stretches of its speeds at which the way down ends in another motion.
+fn differing(paths: &[Path]) -> Option<(&Path, Vec<RangeInclusive<usize>>)> {
     let find = |way: Way| paths.iter().find(|p| p.way == way);
-    let (Some(up), Some(down)) = (find(Way::Up), find(Way::Down)) else { return outcome };
+    let (up, down) = (find(Way::Up)?, find(Way::Down)?);
     let n = up.speed.len();
     let differ = |i: usize| {
         let Some(j) = down.speed.iter().position(|w| *w == up.speed[i]) else { return false };
@@ -189,7 +210,13 @@ fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
         };
         repeat && (0..up.amplitude.len()).any(apart)
     };
-    for r in stretches(n, differ) {
+    Some((up, stretches(n, differ)))
+}
+
+/// Speeds at which the way up and the way down end in different motions.
+fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
+    let Some((up, differing)) = differing(paths) else { return outcome };
+    for r in differing {
         let (a, b) = (up.speed[*r.start()], up.speed[*r.end()]);
         let text = format!("Hysteresis {}: the motion depends on the direction of the sweep, over {{}}.", place(&up.speed, &r));
         outcome = outcome
