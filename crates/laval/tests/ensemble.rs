@@ -32,6 +32,7 @@ struct Fleet {
     members: Vec<Member>,
     outputs: u64,
     relative: f64,
+    most_steps: u64,
 }
 
 type Row = (LegEnd, Vec<f64>, Vec<(f64, f64)>);
@@ -44,7 +45,7 @@ impl Voyage for Fleet {
         let mut absolute = ensemble::tolerances(&m.system, 300.0, 100.0 * self.relative);
         absolute.resize(m.y.len(), 100.0 * self.relative);
         let step = m.time / self.outputs.max(1) as f64;
-        let leg = Leg { outputs: Grid { start: 0.0, step, count: self.outputs }, ..Leg::new(0.0, m.time) };
+        let leg = Leg { outputs: Grid { start: 0.0, step, count: self.outputs }, max_steps: self.most_steps, ..Leg::new(0.0, m.time) };
         Ok(Start { system: m.system.clone(), law: m.law.clone(), y: m.y.clone(), relative: self.relative, absolute, leg, log: vec![] })
     }
     fn output(&self, log: &mut Self::Log, _: u64, t: f64, y: &[f64]) {
@@ -58,7 +59,7 @@ impl Voyage for Fleet {
 fn sail(members: &[Member], form: Form, outputs: u64, settings: Settings) -> Vec<Row> {
     // the tolerance that each method reaches with steps of its own
     let relative = if settings.method == Method::Stiff { 1e-11 } else { 1e-13 };
-    let fleet = Fleet { members: members.to_vec(), outputs, relative };
+    let fleet = Fleet { members: members.to_vec(), outputs, relative, most_steps: u64::MAX };
     ensemble::run(&fleet, &members[0].system, form, 0..members.len(), settings).unwrap()
 }
 
@@ -239,6 +240,17 @@ fn free_spin_and_varying_mass_follow_single_motions() {
             assert!(d < 1e-7, "{d:e}");
         }
     }
+}
+
+/// Steps between crossings count: a contact that opens and closes does not give a member more of them.
+#[test]
+fn crossings_do_not_lengthen_the_work() {
+    let members = touching(6);
+    let all = sail(&members, Form::Constant, 0, Settings::default());
+    assert!(all.iter().all(|r| r.0 == LegEnd::Reached));
+    let fleet = Fleet { members, outputs: 0, relative: 1e-13, most_steps: 200 };
+    let rows = ensemble::run(&fleet, &fleet.members[0].system, Form::Constant, 0..6, Settings::default()).unwrap();
+    assert!(rows.iter().all(|r| r.0 == LegEnd::WorkLimit), "{:?}", rows.iter().map(|r| r.0).collect::<Vec<_>>());
 }
 
 fn touching(count: usize) -> Vec<Member> {

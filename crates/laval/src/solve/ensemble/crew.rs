@@ -80,6 +80,9 @@ struct Aboard {
     given: u64,
     since: u64,
     crossings: u64,
+    /// Steps of the leg accepted and rejected before the last crossing.
+    steps: u64,
+    rejected: u64,
 }
 
 /// Crossings of switching surfaces after which a leg is given up: a member that chatters would never end.
@@ -184,7 +187,7 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
                 }
             };
             if loaded {
-                self.aboard[lane] = Some(Aboard { system, law, leg, given: 0, since: 0, crossings: 0 });
+                self.aboard[lane] = Some(Aboard { system, law, leg, given: 0, since: 0, crossings: 0, steps: 0, rejected: 0 });
                 return Some(leg);
             }
             // a singular mass matrix, or a spin that the form does not allow
@@ -198,18 +201,27 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
 
     fn ended(&mut self, lane: usize, ended: &Ended, y: &mut [f64]) -> Option<Leg> {
         let aboard = self.aboard[lane].as_mut()?;
-        if matches!(ended.end, LegEnd::Event(_)) && aboard.crossings < MOST_CROSSINGS && ended.t < aboard.leg.t1 {
+        let mut ended = Ended { steps: aboard.steps + ended.steps, rejected: aboard.rejected + ended.rejected, ..*ended };
+        let crosses = matches!(ended.end, LegEnd::Event(_)) && ended.t < aboard.leg.t1;
+        let left = aboard.leg.max_steps.saturating_sub(ended.steps + ended.rejected);
+        if crosses && left == 0 {
+            ended.end = LegEnd::WorkLimit;
+        } else if crosses && aboard.crossings < MOST_CROSSINGS {
             aboard.crossings += 1;
+            (aboard.steps, aboard.rejected) = (ended.steps, ended.rejected);
             aboard.given += aboard.since;
             aboard.since = 0;
             let grid = aboard.leg.outputs;
             let outputs = Grid { start: grid.time(aboard.given), count: grid.count.saturating_sub(aboard.given), ..grid };
             let first_step = (ended.next_step > 0.0).then_some(ended.next_step);
-            return Some(Leg { t0: ended.t, t1: aboard.leg.t1, first_step, outputs, ..aboard.leg });
+            return Some(Leg { t0: ended.t, t1: aboard.leg.t1, first_step, outputs, max_steps: left, ..aboard.leg });
         }
-        let next = self.hands.ended(lane, ended, y);
+        let next = self.hands.ended(lane, &ended, y);
         match next {
-            Some(leg) => (aboard.leg, aboard.given, aboard.since) = (leg, 0, 0),
+            Some(leg) => {
+                (aboard.leg, aboard.given, aboard.since) = (leg, 0, 0);
+                (aboard.steps, aboard.rejected) = (0, 0);
+            }
             None => self.aboard[lane] = None,
         }
         next
