@@ -175,8 +175,10 @@ fn unknown_table(e: &Entry, catalog: &Catalog, out: &mut Diagnostics) {
         format!("every key stands in a block: [machine], [[part]] or [[study]]{field}")
     } else {
         let meant = meant(key, TOP.into_iter().chain(catalog.blocks.iter().map(|b| b.word)));
-        let beside = catalog.blocks.iter().map(|b| if b.several { format!("[[{}]]", b.word) } else { format!("[{}]", b.word) });
-        let known = format!("a file has one [machine], and blocks [[part]] and [[study]]; also {}", beside.collect::<Vec<_>>().join(", "));
+        let beside: Vec<String> =
+            catalog.blocks.iter().map(|b| if b.several { format!("[[{}]]", b.word) } else { format!("[{}]", b.word) }).collect();
+        let also = if beside.is_empty() { String::new() } else { format!("; also {}", beside.join(", ")) };
+        let known = format!("a file has one [machine], and blocks [[part]] and [[study]]{also}");
         match meant {
             Some(m) if m == "machine" || catalog.blocks.iter().any(|b| b.word == m && !b.several) => {
                 format!("did you mean [{m}]? {}", capital(&known))
