@@ -214,7 +214,7 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
             let grid = aboard.leg.outputs;
             let outputs = Grid { start: grid.time(aboard.given), count: grid.count.saturating_sub(aboard.given), ..grid };
             let first_step = (ended.next_step > 0.0).then_some(ended.next_step);
-            return Some(Leg { t0: ended.t, t1: aboard.leg.t1, first_step, outputs, max_steps: left, ..aboard.leg });
+            return Some(Leg { t0: ended.t, t1: aboard.leg.t1, first_step, outputs, max_steps: left });
         }
         let next = self.hands.ended(lane, &ended, y);
         match next {
