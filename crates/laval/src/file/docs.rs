@@ -29,7 +29,9 @@ fn nominal(unit: &str, b: &Bounds) -> f64 {
     usual.iter().copied().find(|&x| b.contains(x)).unwrap_or(if b.contains(middle) { middle } else { b.max })
 }
 
+/// A value of an example: without the digits that rounding leaves behind a product.
 fn quantity(unit: &str, x: f64) -> String {
+    let x = format!("{x:.12e}").parse().unwrap_or(x);
     if unit.is_empty() { write_number(x) } else { quoted(&write_si(x, unit)) }
 }
 
@@ -233,4 +235,15 @@ pub fn markdown(what: &str, kind: &KindInfo) -> String {
     let example = if what == kind.kind { single(kind) } else { example(what, kind) };
     let _ = write!(out, "```toml\n{example}```\n");
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn examples_have_no_digits_of_rounding() {
+        let list = Field::optional("release", FieldKind::List { unit: "m", bounds: Bounds::within(100.0) }, "", "");
+        assert_eq!(example_line(&list), "release = [\"70 mm\", \"700 mm\"]");
+    }
 }
