@@ -33,6 +33,11 @@ pub const TEMPLATES: &[Template] = &[
         about: "a disc that tilts, with gyroscopic coupling, outboard of its bearings",
         text: include_str!("../../../examples/03-overhung-disc/machine.toml"),
     },
+    Template {
+        name: "cup-separator",
+        about: "a centrifuge with swinging cups: its operating window and the separation of sand from oil",
+        text: include_str!("../../../examples/05-oil-desludging/machine.toml"),
+    },
 ];
 
 /// What may be said to `new`.

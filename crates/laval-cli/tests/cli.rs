@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-const TEMPLATES: [&str; 3] = ["rigid-rotor", "oil-separator", "overhung-disc"];
+const TEMPLATES: [&str; 4] = ["rigid-rotor", "oil-separator", "overhung-disc", "cup-separator"];
 
 /// A machine with one mode pair, and a quick study.
 const SMALL: &str = r#"
