@@ -107,6 +107,55 @@ fn the_closed_form_window() {
     }
 }
 
+/// The speed with the largest least margin lies where a margin that rises meets one that falls, in closed form: separation `1 - (ws/w)^2` or vibration
+/// `1 - (e/A) r^2/(r^2 - 1)` with `r = w/n0`, and stability `1 - w/150`, whose border is 150 rad/s.
+#[test]
+fn the_best_speed_is_where_margins_meet() {
+    let separation = (150.0 * 128.859475728858f64.powi(2)).cbrt();
+    // (1 - w/150) = 1 - (e/A) r^2/(r^2 - 1):  r^2 - 1 = (150/n0)(e/A) r
+    let b = 150.0 / 60.0 * 0.2 / 0.35;
+    let vibration = 60.0 * 0.5 * (b + (b * b + 4.0f64).sqrt());
+    for (time, want, binding) in [(1800.0, separation, "separation"), (3000.0, vibration, "vibration")] {
+        let o = run(&jeffcott(time));
+        let best = o.findings.iter().find(|f| f.id == "best_speed").unwrap();
+        assert!((best.value.unwrap() / want - 1.0).abs() < 1e-6, "{time}: {} {want}", best.value.unwrap());
+        let of = |name: &str| best.evidence.iter().find(|e| e.what == format!("margin of {name}")).unwrap().value;
+        assert!((of("stable") - (1.0 - want / 150.0)).abs() < 1e-5 && (of(binding) - of("stable")).abs() < 1e-5, "{time}");
+    }
+}
+
+/// What the dynamics leave out is said: cups that hang on nothing, and the liquid of a bowl.
+#[test]
+fn what_is_not_carried_is_said() {
+    let said = |text: &str, id: &str| run(text).findings.iter().filter(|f| f.id == id).map(|f| f.text.clone()).collect::<Vec<_>>();
+    assert!(said(CUPS, "cups_not_carried").is_empty());
+    let loose = said(&CUPS.replace("on = \"rotor\"\n", ""), "cups_not_carried");
+    assert!(loose.len() == 1 && loose[0].contains("\"cups\"") && loose[0].contains("on = \"rotor\""), "{loose:?}");
+    let bowl = jeffcott(3000.0);
+    assert_eq!(said(&bowl, "bowl_without_liquid").len(), 1);
+    let liquid = "[[part]]\nkind = \"liquid\"\nin = \"rotor\"\nfill = { free_surface_radius = \"90 mm\" }\ncavity_radius = \"190 mm\"\n\
+                  cavity_height = \"500 mm\"\nwave_damping = \"2 1/s\"\ndensity = 1000\n[[cup]]";
+    assert!(said(&bowl.replace("[[cup]]", liquid).replace("mass = 1\n", "mass = 100\n"), "bowl_without_liquid").is_empty());
+}
+
+/// In a machine that liquid flows through advice speaks of the throughput; a window that begins below ten times gravity is in doubt.
+#[test]
+fn flow_machines_are_told_in_throughputs() {
+    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone()).unwrap_or_default();
+    let o = run(&jeffcott(1200.0));
+    assert!(text(&o, "relaxation").contains("throughput") && text(&o, "shortest_time").contains("l/h"), "{:?}", o.findings);
+    assert!(text(&o, "gravity").is_empty());
+    // particles so coarse that 20 rad/s, 3.7 g at the surface, suffice
+    let coarse = jeffcott(3000.0).replace("self_centring = 0.5\n", "");
+    let coarse = coarse
+        .replace("particle_density = 2000", "particle_density = 29000")
+        .replace("viscosity = \"1 mPa s\"", "viscosity = \"0.5 mPa s\"");
+    let o = run(&coarse);
+    let w = column(o.find_table("window").unwrap(), "low")[0];
+    let felt = o.findings.iter().find(|f| f.id == "gravity").unwrap_or_else(|| panic!("{:?}", o.findings));
+    assert!((felt.value.unwrap() / (w * w * 0.09 / 9.80665) - 1.0).abs() < 1e-9 && felt.value.unwrap() < 10.0);
+}
+
 /// Without the self-centring requirement the speeds below the resonance are a window of their own: its closed-form ends, both sides.
 #[test]
 fn two_windows_around_a_resonance() {
@@ -309,10 +358,20 @@ fn mistakes_are_told() {
     one(&CUPS.replace("on = \"rotor\"", "on = \"rotr\""), "body.missing");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"3 g\", 0]"), "cup.count");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"-3 kg\", 0, 0, 0]"), "cup.negative");
+    // four cups of 20 mm fit from a radius of sqrt(2) 20 mm on
+    one(&CUPS.replace("hinge_radius = \"150 mm\"", "hinge_radius = \"28.2 mm\""), "cup.overlap");
+    one(&CUPS.replace("hinge_radius = \"150 mm\"", "hinge_radius = 0"), "cup.overlap");
+    assert!(load(&CUPS.replace("hinge_radius = \"150 mm\"", "hinge_radius = \"28.3 mm\"")).is_ok());
     one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"9.9 m\""), "cup.centre");
     one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"99 m\""), "value.bounds");
     one(&CUPS.replace("speed = { from", "branch_policy = \"reached\"\nspeed = { from"), "operating_window.duty");
     one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.duty");
+    // a run-up that is longer than the time it counts in
+    let sand = "[suspension]\nliquid_density = 1000\nviscosity = \"1 mPa s\"\nparticle_density = 2000\ndiameter = \"9 um\"\n[limits]";
+    let hurried = CUPS.replace("[limits]", sand).replace("speed = { from", "time = \"1 min\"\nramp = \"2 min\"\nspeed = { from");
+    one(&hurried, "operating_window.ramp");
+    assert!(load(&hurried.replace("ramp = ", "count_ramp = false\nramp = ")).is_ok());
+    assert!(load(&hurried.replace("1 min", "3 min")).is_ok());
 }
 
 #[test]

@@ -15,7 +15,7 @@
 
 use super::cup::SwingingCup;
 use laval_num::complex::{C64, c};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Cups at equal pitch around a rotor.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +30,17 @@ pub struct Ring {
     pub mass_differences: Vec<f64>,
     /// How much farther from the hinge each one's centre of mass lies, m; empty: nothing.
     pub centre_differences: Vec<f64>,
+}
+
+/// Least radius of the hinges at which the insides of equal cups do not reach into each other, m: cylinders of this radius from the distance `top` from the hinge outwards, at
+/// one tilt. Half way between neighbours lies a plane through the spin axis.
+pub fn least_hinge_radius(count: usize, radius: f64, top: f64, tilt: f64) -> f64 {
+    if count < 2 {
+        return f64::NEG_INFINITY;
+    }
+    let (sin, cos) = (PI / count as f64).sin_cos();
+    let (s, c) = tilt.sin_cos();
+    radius * (c * sin).hypot(cos) / sin - s * top
 }
 
 /// Their share in the rotor, about the point on the axis at the height of the hinges.
@@ -180,5 +191,23 @@ mod tests {
         assert!((sum(a) - 3.0 * (0.8 * 2.0 * (r * r + v * v) + 6.0 * 0.003)).abs() < 1e-12);
         let r = 0.15 + 0.1 * b.tilt.sin();
         assert!((b.polar - 3.0 * 0.8 * r * r).abs() < 1e-13);
+    }
+
+    /// All points of a cup lie on its side of the plane half way to the next one, and the nearest of them on it.
+    #[test]
+    fn cups_touch_at_the_least_radius() {
+        for (count, top, tilt) in [(2, 0.02, 0.0), (4, 0.02, 0.0), (3, -0.05, 1.2), (6, 0.01, 0.7), (8, 0.03, 1.5), (12, -0.04, 1.5707)] {
+            let radius = 0.04;
+            let hinge = least_hinge_radius(count, radius, top, tilt);
+            let (sin, cos) = (PI / count as f64).sin_cos();
+            let (s, c) = f64::sin_cos(tilt);
+            let n = 3600;
+            let distance = (0..=50)
+                .flat_map(|j| (0..n).map(move |k| (top + 0.006 * f64::from(j), (TAU * f64::from(k) / f64::from(n)).sin_cos())))
+                .map(|(y, (z, x))| (hinge + c * radius * x + s * y) * sin - radius * z * cos)
+                .fold(f64::INFINITY, f64::min);
+            assert!(distance.abs() < 1e-6 * radius, "{count} {top} {tilt}: {distance:e}");
+        }
+        assert_eq!(least_hinge_radius(1, 0.04, 0.0, 0.0), f64::NEG_INFINITY);
     }
 }

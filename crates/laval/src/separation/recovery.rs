@@ -8,7 +8,7 @@
 //!
 //! The sum over sizes is exact; only the places are sampled. Without inertia `d_i^2 = const tau_i/t`, which is the first estimate; then the exits of particles
 //! of just those diameters are computed, `ln T` is joined straight over `ln d`, and so on until t_q no longer changes. Powders of single sizes or classes are
-//! counted: place by place, class by class.
+//! counted: place by place, class by class. All of them (q = 1) are caught with the last one, wherever it starts ([`super::slowest`]): no set of places holds it.
 //!
 //! Validity: larger particles leave no later than smaller ones of the same start and density.
 //!
@@ -21,6 +21,7 @@ use super::law::Law;
 use super::motion::Lost;
 use super::particle::Particle;
 use super::ramp::Ramp;
+use super::slowest::Last;
 use rayon::prelude::*;
 
 /// Time counted as the field works: during a run-up less than at full speed.
@@ -127,12 +128,18 @@ pub struct Needed {
     pub time: f64,
     /// Largest difference to the same with the first half and the first quarter of the places, s: an indication of what the sampling of places leaves open, not a bound.
     pub spread: f64,
+    /// All particles are to be caught: the start of the last one, m.
+    pub last: Option<[f64; 3]>,
 }
+
+/// Told of every path that is computed; what it answers says whether to go on.
+pub type Watch<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// The recovery of a batch at one speed.
 pub struct Recovery<'a> {
     spinning: &'a Spinning<'a>,
     found: Kind,
+    watch: Watch<'a>,
 }
 
 enum Kind {
@@ -153,6 +160,14 @@ impl<'a> Recovery<'a> {
     /// # Errors
     /// When an integration fails.
     pub fn new(spinning: &'a Spinning<'a>) -> Result<Self, Lost> {
+        Self::watched(spinning, None, &|| true)
+    }
+
+    /// The same, watched; `known` are the exits of the members with sizes of their own, where they are there already.
+    ///
+    /// # Errors
+    /// When an integration fails, or the watch says stop.
+    pub fn watched(spinning: &'a Spinning<'a>, known: Option<&[Option<Exit>]>, watch: Watch<'a>) -> Result<Self, Lost> {
         let b = spinning.batch;
         let least = b.from.unwrap_or(0.0);
         let classes: Option<Vec<(f64, f64)>> = match &b.powder.size {
@@ -162,6 +177,8 @@ impl<'a> Recovery<'a> {
             law if b.from.is_some_and(|d| !(law.above(d) > 0.0)) => Some(vec![(least, 1.0)]),
             _ => None,
         };
+        // the exits of a powder of one size are those of its members
+        let known = known.filter(|k| matches!(b.powder.size, Law::Single(d) if d >= least) && k.len() == spinning.crowd.len());
         let found = match classes {
             Some(classes) => {
                 let sum: f64 = classes.iter().map(|c| c.1).sum();
@@ -171,7 +188,10 @@ impl<'a> Recovery<'a> {
                         let (i, (d, share)) = (k / classes.len(), classes[k % classes.len()]);
                         let m = &spinning.crowd[i];
                         let p = Particle { radius: 0.5 * d, density: b.powder.density.quantile(m.point.density) };
-                        let exit = spinning.exit(&p, m)?;
+                        let exit = match known {
+                            Some(known) => known[i],
+                            None => seen(watch, spinning.exit(&p, m))?,
+                        };
                         let time = exit.map_or(f64::INFINITY, |e| e.time);
                         Ok((time, exit.map(|e| e.surface), i, share / sum / spinning.crowd.len() as f64))
                     })
@@ -200,7 +220,7 @@ impl<'a> Recovery<'a> {
                 Kind::Smooth(curves)
             }
         };
-        Ok(Recovery { spinning, found })
+        Ok(Recovery { spinning, found, watch })
     }
 
     /// Share of the powder whose logarithms of diameters lie above `ln_d`.
@@ -262,7 +282,7 @@ impl<'a> Recovery<'a> {
 
     /// Computes the exits of the particles that are just caught by a counted time.
     fn refine(&mut self, counted: f64) -> Result<(), Lost> {
-        let spinning = self.spinning;
+        let (spinning, watch) = (self.spinning, self.watch);
         let Kind::Smooth(curves) = &self.found else { return Ok(()) };
         let exits: Vec<Option<(f64, Option<Exit>)>> = curves
             .par_iter()
@@ -275,7 +295,7 @@ impl<'a> Recovery<'a> {
                     return Ok(None);
                 }
                 let particle = Particle { radius: 0.5 * ln_d.exp(), density: c.density };
-                Ok(Some((ln_d, spinning.exit(&particle, m)?)))
+                Ok(Some((ln_d, seen(watch, spinning.exit(&particle, m))?)))
             })
             .collect::<Result<_, Lost>>()?;
         if let Kind::Smooth(curves) = &mut self.found {
@@ -303,10 +323,13 @@ impl<'a> Recovery<'a> {
     /// # Errors
     /// When an integration fails.
     pub fn needed(&mut self, share: f64) -> Result<Needed, Lost> {
+        if let Some(last) = self.all(share)? {
+            return Ok(Needed { time: last.time, spread: f64::NAN, last: Some(last.start) });
+        }
         let time = self.time(share)?;
         let spinning = self.spinning;
         if !time.is_finite() {
-            return Ok(Needed { time, spread: f64::NAN });
+            return Ok(Needed { time, spread: f64::NAN, last: None });
         }
         let other = [2, 4].map(|k| {
             let places = spinning.crowd.len().div_ceil(k);
@@ -317,7 +340,12 @@ impl<'a> Recovery<'a> {
         });
         // NaN stays
         let spread = other.map(|t| (t - time).abs()).into_iter().reduce(|a, b| if a >= b { a } else { b });
-        Ok(Needed { time, spread: spread.unwrap_or(f64::NAN) })
+        Ok(Needed { time, spread: spread.unwrap_or(f64::NAN), last: None })
+    }
+
+    /// The last particle, when the share is all of them.
+    fn all(&self, share: f64) -> Result<Option<Last>, Lost> {
+        if share < 1.0 { Ok(None) } else { self.spinning.last() }
     }
 
     /// Time a share takes, s; infinite when the share is never caught, NaN without particles.
@@ -328,6 +356,9 @@ impl<'a> Recovery<'a> {
         let spinning = self.spinning;
         if spinning.crowd.is_empty() {
             return Ok(f64::NAN);
+        }
+        if let Some(last) = self.all(share)? {
+            return Ok(last.time);
         }
         if let Kind::Counted(all) = &self.found {
             return Ok(counted(all, spinning.crowd.len(), share));
@@ -395,6 +426,11 @@ impl<'a> Recovery<'a> {
             }
         }
     }
+}
+
+/// An exit that is computed, unless the watch says stop.
+fn seen(watch: Watch, exit: Result<Option<Exit>, Lost>) -> Result<Option<Exit>, Lost> {
+    if watch() { exit } else { Err(Lost("stopped".into())) }
 }
 
 /// Weighted order statistic of the first places.

@@ -68,7 +68,7 @@ impl Filled {
     }
 
     /// Place of the surface on the line along the tube through (x, z), not limited to the tube.
-    fn surface_at(&self, x: f64, z: f64) -> f64 {
+    pub(super) fn surface_at(&self, x: f64, z: f64) -> f64 {
         let (s, c) = self.steady.tilt.sin_cos();
         let (w2, g) = (self.steady.speed.powi(2), self.steady.gravity);
         let inner = self.steady.hinge + c * x;

@@ -32,6 +32,17 @@ impl Flag {
     }
 }
 
+/// Least field at the innermost liquid, over gravity.
+pub const FIELD: f64 = 10.0;
+
+/// The field at the innermost liquid over gravity at a speed, where the model leaves gravity out and the field is not large against it: in machines that liquid flows
+/// through, below [`FIELD`].
+pub fn gravity_felt(separator: &Separator, speed: f64, gravity: f64) -> Option<f64> {
+    let field = speed * speed * separator.at(speed).radii().0 / gravity;
+    // NaN is felt
+    (separator.flow_volume().is_some() && !(field >= FIELD)).then_some(field)
+}
+
 /// What is known of a separation when its validity is judged.
 pub struct Case<'a> {
     /// The separator.
@@ -85,7 +96,7 @@ pub fn flags(c: &Case) -> Vec<Flag> {
     let peclet = weight * w2 * 0.5 * (r1 + r2) * (r2 - r1) / (BOLTZMANN * c.temperature.unwrap_or(ROOM));
     flag("brownian", peclet, 100.0, false, "diffusion works against settling: trajectories alone mislead");
     if let Separator::Cup(cup) = c.separator {
-        flag("gravity", w2 * r1 / c.medium.gravity, 10.0, false, "tilt and settling depend strongly on gravity");
+        flag("gravity", w2 * r1 / c.medium.gravity, FIELD, false, "tilt and settling depend strongly on gravity");
         let v = cup.vessel;
         flag(
             "surface",
@@ -94,6 +105,10 @@ pub fn flags(c: &Case) -> Vec<Flag> {
             true,
             "the free surface is curved, which the model of a swinging cup leaves out",
         );
+    }
+    if c.separator.flow_volume().is_some() {
+        let meaning = "the field at the innermost liquid, over gravity, is not large; the model of machines that liquid flows through leaves gravity out";
+        flag("gravity", w2 * r1 / c.medium.gravity, FIELD, false, meaning);
     }
     if let (Separator::Tube(..), Some(f)) = (c.separator, turning.filled()) {
         flag("mouth", f64::from(u8::from(f.at_mouth)), 0.5, true, "the liquid reaches the mouth: without a cap it spills");

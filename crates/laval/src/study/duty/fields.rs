@@ -13,7 +13,7 @@ const ON: Field = Field::optional(
     "on",
     FieldKind::Attach { ground: false },
     "",
-    "the body that carries it, and the height of the hinges on it; its inertia and unbalance then follow the tilt",
+    "the body that carries it, and the height of the hinges on it; its inertia and unbalance then follow the tilt. Without it the mass of the cups is not in the dynamics",
 );
 const COUNT: Field = Field::optional("count", FieldKind::Integer { min: 1, max: 1000 }, "2", "how many, at equal pitch");
 const MASS: Field = Field::optional(
@@ -152,9 +152,23 @@ pub fn cup_kinds() -> Vec<KindInfo> {
             SWINGING,
         ),
         k("fixed_angle", "Tubes held at an angle; the surface of their liquid follows the field.", FIXED_ANGLE),
-        k("tubular_bowl", "A bowl that liquid flows through along the axis.", TUBULAR),
-        k("disc_stack", "A stack of conical discs that liquid flows through from the outside in.", DISCS),
-        k("decanter", "A bowl with a cone and a screw; it separates like a tubular bowl of the same Sigma.", DECANTER),
+        k(
+            "tubular_bowl",
+            "A bowl that liquid flows through along the axis. The bowl itself is a body of the machine, and its liquid a [[part]] of kind \"liquid\" in that body: without it the \
+             liquid is not in the dynamics.",
+            TUBULAR,
+        ),
+        k(
+            "disc_stack",
+            "A stack of conical discs that liquid flows through from the outside in. Its liquid is in the dynamics as a [[part]] of kind \"liquid\" in the body that is the bowl.",
+            DISCS,
+        ),
+        k(
+            "decanter",
+            "A bowl with a cone and a screw; it separates like a tubular bowl of the same Sigma. Its liquid is in the dynamics as a [[part]] of kind \"liquid\" in the body \
+             that is the bowl.",
+            DECANTER,
+        ),
     ]
 }
 

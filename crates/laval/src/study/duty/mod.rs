@@ -1,23 +1,27 @@
 //! The blocks `[[cup]]` and `[suspension]` of a machine file: what separates, and what is separated.
 
+mod carried;
 mod fields;
 pub mod task;
 
+pub use carried::uncarried;
 pub use fields::{SUSPENSION, SUSPENSION_DOC, cup_kinds};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::{Attach, Extra, Field, FieldKind, Values};
 use crate::model::system::{GRAVITY, System};
+use crate::outcome::{quantity, significant};
 use crate::separation::cup::{Hanging, SwingingCup};
 use crate::separation::ensemble::Powder;
 use crate::separation::exit::Cylinder;
 use crate::separation::law::{Impossible, Law};
-use crate::separation::load::Ring;
+use crate::separation::load::{Ring, least_hinge_radius};
 use crate::separation::machine::{Bowl, Cup, Decanter, Discs, Separator};
 use crate::separation::measures::Cone;
 use crate::separation::particle::{Drag, Medium, drop_factor};
 use crate::separation::tube::Tube;
 use laval_num::interpolate::Interpolant;
+use std::f64::consts::FRAC_PI_2;
 
 /// One `[[cup]]`.
 #[derive(Clone, Debug)]
@@ -79,6 +83,8 @@ pub fn vessel(extra: &Extra, system: &System, out: &mut Diagnostics) -> Option<V
             }
             if tube.mouth - tube.radius * tube.angle.cos() <= 0.0 {
                 wrong(out, v, "mouth_radius", "cup.axis", "the tube reaches across the spin axis".into(), "increase mouth_radius");
+            } else {
+                apart(v, ("mouth_radius", tube.mouth), (tube.radius, 0.0), &[tube.angle], out);
             }
             Separator::Tube(tube, GRAVITY)
         }
@@ -202,8 +208,28 @@ fn swinging(v: &Values, out: &mut Diagnostics) -> Option<Separator> {
             "increase hinge_radius",
         );
     }
+    const STEPS: usize = 90;
+    let way: Vec<f64> = match held {
+        Some(tilt) => vec![tilt],
+        None => (0..=STEPS).map(|k| FRAC_PI_2 * k as f64 / STEPS as f64).collect(),
+    };
+    apart(v, ("hinge_radius", hinge), (vessel.radius, vessel.top), &way, out);
     let hanging = SwingingCup { hinge, body, damping: n("hinge_damping"), gravity: GRAVITY };
     Some(Separator::Cup(Cup { hanging, vessel, held }))
+}
+
+/// Neighbours of a ring of vessels (radius, begin of the liquid) do not reach into each other, on a radius given by a field, at these tilts.
+fn apart(v: &Values, (field, given): (&str, f64), (radius, top): (f64, f64), tilts: &[f64], out: &mut Diagnostics) {
+    let count = v.integer("count").unwrap_or(2).max(1) as usize;
+    let needed = tilts.iter().map(|&t| (least_hinge_radius(count, radius, top, t), t));
+    let Some((least, tilt)) = needed.reduce(|a, b| if b.0 > a.0 { b } else { a }) else { return };
+    if !(given >= least - 1e-9 * radius) {
+        let how = if tilt == 0.0 { "as they hang".into() } else { format!("at a tilt of {} deg", significant(tilt.to_degrees(), 3)) };
+        let message = format!("{count} cups with an inner radius of {} reach into each other {how}", quantity(radius, "m"));
+        let help =
+            format!("{field} is at least {} for {count} of them, without their walls; or give fewer with count", quantity(least, "m"));
+        wrong(out, v, field, "cup.overlap", message, &help);
+    }
 }
 
 /// How cups load the body that carries them.

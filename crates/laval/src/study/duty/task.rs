@@ -10,7 +10,7 @@ use crate::separation::ensemble::Model;
 use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
-use crate::separation::recovery::Recovery;
+use crate::separation::recovery::{Recovery, Watch};
 
 /// A separation that is asked for.
 #[derive(Clone, Debug)]
@@ -152,11 +152,11 @@ pub fn lost(Lost(why): Lost) -> Diagnostic {
         .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
 }
 
-/// Time a share of a batch takes at a speed, s.
+/// Time a share of a batch takes at a speed, s; `watch` is told of every path.
 ///
 /// # Errors
-/// When a path cannot be computed.
-pub fn needed(batch: &Batch, speed: f64, share: f64) -> Result<f64, Diagnostic> {
+/// When a path cannot be computed, or the watch says stop.
+pub fn needed(batch: &Batch, speed: f64, share: f64, watch: Watch) -> Result<f64, Diagnostic> {
     let spinning = batch.at(speed);
-    Recovery::new(&spinning).and_then(|mut r| r.time(share)).map_err(lost)
+    Recovery::watched(&spinning, None, watch).and_then(|mut r| r.time(share)).map_err(lost)
 }

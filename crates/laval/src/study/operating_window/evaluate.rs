@@ -1,5 +1,6 @@
 //! One machine over the range of speeds: scan, ends of the windows, best speed.
 
+use super::borders::{Borders, stable};
 use super::margins::{Asked, Judge, Point, radial_guess};
 use super::passage::Passage;
 use super::request::fitting;
@@ -100,7 +101,9 @@ impl OperatingWindow {
         }
         let found = if only { vec![] } else { intervals(&judge, &mut points, Point::feasible)? };
         let mechanical = if careful && asked.duty.is_some() { intervals(&judge, &mut points, |p| p.feasible_without(0))? } else { vec![] };
-        let best = if careful { self.best(&judge, &points)? } else { None };
+        let borders = if careful { Borders::located(&intervals(&judge, &mut points, stable)?) } else { Borders::between(&points) };
+        points.iter_mut().for_each(|p| borders.measure(p));
+        let best = if careful { self.best(&judge, &borders, &points)? } else { None };
         let harmonics = branches.first().map(|b| b.1.harmonics());
         drop(branches);
         Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, folds, harmonics, passage }))
@@ -125,9 +128,15 @@ impl OperatingWindow {
     }
 
     /// The recommended speed.
-    fn best(&self, judge: &Judge, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
+    fn best(&self, judge: &Judge, borders: &Borders, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
+        let at = |w: f64| {
+            judge.at(w).map(|mut p| {
+                borders.measure(&mut p);
+                p
+            })
+        };
         let value = |p: &Point| match self.objective {
-            Objective::Margin => p.least(),
+            Objective::Margin => p.room(),
             Objective::Time => -p.needed,
             Objective::Energy => -p.energy,
             Objective::Amplitude => p.margin(1).unwrap_or(f64::NEG_INFINITY),
@@ -143,13 +152,13 @@ impl OperatingWindow {
         let Some(i) = top else { return Ok(None) };
         let (a, b) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
         let found = maximum(
-            |w| judge.at(w).ok().map(|p| if p.feasible() { value(&p).max(-1e300) } else { -1e300 }),
+            |w| at(w).ok().map(|p| if p.feasible() { value(&p).max(-1e300) } else { -1e300 }),
             points[a].speed,
             points[b].speed,
             1e-7 * points[i].speed,
         );
         let polished = match found {
-            Some((w, _)) => Some(judge.at(w)?).filter(|p| p.feasible() && value(p) > value(&points[i])),
+            Some((w, _)) => Some(at(w)?).filter(|p| p.feasible() && value(p) > value(&points[i])),
             None => None,
         };
         Ok(Some(polished.unwrap_or_else(|| points[i].clone())))

@@ -18,6 +18,11 @@ use laval_num::complex::C64;
 
 /// Names of the requirements, in the order they are shown.
 pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
+/// Index of the requirement on stability.
+pub(super) const STABLE: usize = 3;
+
+/// Weight of the next margin beside the least when speeds are compared: a requirement that the speed hardly changes does not choose it.
+const NEXT: f64 = 1e-3;
 
 /// A requirement at a speed.
 #[derive(Clone, Debug)]
@@ -63,6 +68,12 @@ impl Point {
     /// The least margin; minus infinity when one is undefined.
     pub fn least(&self) -> f64 {
         self.binding().map_or(f64::INFINITY, |m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value })
+    }
+    /// For comparison by the least margin: where it hardly differs the next decides, and so on; minus infinity when one is undefined.
+    pub fn room(&self) -> f64 {
+        let mut all: Vec<f64> = self.margins.iter().map(|m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value }).collect();
+        all.sort_by(f64::total_cmp);
+        all.iter().rev().fold(0.0, |rest, m| m + NEXT * rest)
     }
     /// The margin of a requirement.
     pub fn margin(&self, name: usize) -> Option<f64> {
@@ -121,7 +132,7 @@ impl Judge<'_> {
     pub fn separated(&self, point: &mut Point) {
         let Some(duty) = &self.asked.duty else { return };
         // a path that cannot be computed leaves the margin undefined
-        let found = needed(&duty.batch, point.speed, duty.recovery);
+        let found = needed(&duty.batch, point.speed, duty.recovery, &|| true);
         let time = found.as_ref().map_or(f64::NAN, |t| *t);
         let value = 1.0 - time / duty.time;
         let detail = found.map_or_else(|d| d.message, |_| "time".into());
@@ -178,8 +189,9 @@ impl Judge<'_> {
         margins.extend(self.vibration(system, &met));
         margins.extend(self.self_centred(system, &met));
         let limit = asked.limits.growth;
+        // by the growth rate while borders are sought, then a distance in speed
         margins.push(margin(
-            3,
+            STABLE,
             if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() },
             format!("growth rate{when}"),
         ));

@@ -4,21 +4,23 @@
 //!
 //! ```text
 //! separation    1 - t_q(w)/t            vibration    1 - max(amplitude/limit) over all stable steady states
-//! self_centred  1 - (|z + e|/|e|)/c0    stable       (-largest growth rate - sig0)/w
-//! clear         min |p - h w|/w - dlt   passage      1 - worst of peak/limit and torque/available on the way up and down
-//! strength      1 - w/w_max(density)
+//! self_centred  1 - (|z + e|/|e|)/c0    passage      1 - worst of peak/limit and torque/available on the way up and down
+//! strength      1 - w/w_max(density)    stable       1 - min(w, w_s)/max(w, w_s), negative where unstable
+//! clear         min |p - h w|/w - dlt
 //! ```
 //!
-//! `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin (or serves another
+//! All are shares of a limit that are left: of a time, an amplitude or a torque, or (`strength`, `stable`, `clear`) of the speed, as its distance from the speed that is not
+//! allowed. `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin, the next larger ones deciding with a thousandth of the weight each (or serves another
 //! objective). At every speed the machine carries its cups at the tilt of that speed.
 //!
-//! Symbols: w spin speed; p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
+//! Symbols: w spin speed; w_s nearest speed at which the largest growth rate passes -sig0 ([`borders`]); p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
 //!
 //! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
 //! parameters, which bounds it where margins depend on them monotonically.
 //!
 //! Sources: `theory/separation.md` section 13.
 
+mod borders;
 mod contents;
 mod coupling;
 mod evaluate;
@@ -30,8 +32,8 @@ mod steady;
 mod vary;
 mod window;
 
-use super::duty::CUP;
 use super::duty::task::{DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
+use super::duty::{CUP, uncarried};
 use super::support::SPEED_RANGE;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -94,7 +96,7 @@ impl Study for OperatingWindow {
             "time",
             FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
             "",
-            "time in which cups must have separated",
+            "time in which cups and tubes must have separated; where liquid flows through, throughput says it",
         ),
         THROUGHPUT,
         RECOVERY,
@@ -108,12 +110,18 @@ impl Study for OperatingWindow {
             "",
             "time of the run-up to the top of the range, at constant acceleration; it is then simulated",
         ),
-        Field::optional("count_ramp", FieldKind::Flag, "true", "the run-up takes its time from the time at hand"),
+        Field::optional(
+            "count_ramp",
+            FieldKind::Flag,
+            "true",
+            "the run-up takes its time from the time at hand, and is no longer than it; cups separate on the way, the liquid of fixed-angle tubes by an estimate (field at mean \
+             radius), and machines that liquid flows through are fed at speed",
+        ),
         Field::optional(
             "objective",
             FieldKind::Choice(&[
-                ("margin", "largest least margin"),
-                ("time", "shortest separation"),
+                ("margin", "largest least margin; where it is nearly the same, the largest next one"),
+                ("time", "shortest separation, or largest throughput"),
                 ("energy", "least kinetic energy and work of the drive"),
                 ("amplitude", "smallest vibration against its limits"),
             ]),
@@ -165,6 +173,6 @@ impl Study for OperatingWindow {
         };
         let robust = self.robust(system, context, &main)?;
         let map = self.mapped(system, context, &main)?;
-        report::Found { study: self, main, robust, map }.outcome(context)
+        report::Found { study: self, main, robust, map, uncarried: uncarried(system, None) }.outcome(context)
     }
 }

@@ -14,6 +14,7 @@ use crate::solve::programme::{Programme, Shape};
 use crate::study::Context;
 use crate::study::limits::Limits;
 use laval_num::ode::End;
+use std::f64::consts::TAU;
 
 /// What happens on the way to a speed.
 #[derive(Clone)]
@@ -53,6 +54,8 @@ pub(super) struct Peak {
 }
 
 const WINDOWS: usize = 300;
+/// Parts of the way that progress tells apart.
+const PARTS: f64 = 1e6;
 /// Relative distance of the load's speed from that of a peak beyond which the passage is simulated again, and how often at most.
 const NEAR: f64 = 0.05;
 const MOST_FLIGHTS: usize = 8;
@@ -64,6 +67,7 @@ impl Passage {
     pub fn simulate(system: &System, cups: &[(Attach, Ring)], top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
         let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
         let mut out = Passage { bodies, flights: vec![], steps: 0 };
+        context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in each simulation of the passage");
         out.add(system, cups, top, (top, duration), context)?;
         while !cups.is_empty() && out.flights.len() < MOST_FLIGHTS {
             let far = |p: &Peak| !((p.speed / p.load).ln().abs() <= NEAR) && p.speed > 0.0;
@@ -77,7 +81,10 @@ impl Passage {
 
     fn add(&mut self, system: &System, cups: &[(Attach, Ring)], load: f64, way: (f64, f64), context: &Context) -> Result<(), Diagnostic> {
         let (changed, _) = loaded(system, cups, load)?;
-        let (ways, steps) = both_ways(changed.as_ref().unwrap_or(system), way, context)?;
+        // with cups the number of flights shows on the way; three are usual
+        let (before, expected) = (self.flights.len() as f64, if cups.is_empty() { 1.0 } else { (self.flights.len() + 1).max(3) as f64 });
+        let told = |share: f64| context.progress.report(((before + share) / expected * PARTS) as u64, PARTS as u64);
+        let (ways, steps) = both_ways(changed.as_ref().unwrap_or(system), way, context, &told)?;
         self.steps += steps;
         self.flights.push(Flight { load, ways });
         Ok(())
@@ -143,11 +150,17 @@ impl Passage {
 }
 
 /// Up from rest to the top speed and down again, and the steps it took.
-fn both_ways(system: &System, (top, duration): (f64, f64), context: &Context) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
+fn both_ways(
+    system: &System,
+    (top, duration): (f64, f64),
+    context: &Context,
+    told: &dyn Fn(f64),
+) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
     let mut ways = [vec![], vec![]];
     let mut steps = 0;
     let mut state: Option<(Vec<f64>, f64)> = None;
     for (way, (from, to)) in ways.iter_mut().zip([(0.0, top), (top, 0.0)]) {
+        let behind = if to < from { 0.5 } else { 0.0 };
         let phase = state.as_ref().map_or(0.0, |s| s.1);
         let programme = Programme::ramp(from, to, duration, Shape::Linear, phase)
             .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help("give the ramp another duration"))?;
@@ -167,7 +180,7 @@ fn both_ways(system: &System, (top, duration): (f64, f64), context: &Context) ->
             kick: None,
             max_steps: context.work_limit.min(20_000_000),
             cancel: &|| context.cancelled(),
-            progress: &|_| (),
+            progress: &|t| told(behind + 0.5 * t / duration),
         };
         let flight = fly(&mut motion, &y, &plan)?;
         steps += flight.run.work.steps;

@@ -9,7 +9,9 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, OutcomeError, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
 };
+use crate::separation::machine::Separator;
 use crate::separation::measures::rcf;
+use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::support::RPM;
 use crate::study::{Context, Study};
 
@@ -18,17 +20,23 @@ pub(super) struct Found<'a> {
     pub main: Evaluated,
     pub robust: Option<Robust>,
     pub map: Option<Map>,
+    /// What the file separates in and leaves out of the machine.
+    pub uncarried: Vec<Finding>,
 }
 
 type Built<T> = Result<T, OutcomeError>;
+
+/// Least end of the colour scale of a map.
+const LEAST_ROOM: f64 = 0.05;
 
 fn rpm(w: f64) -> String {
     format!("{} rpm", significant(w * RPM, 5))
 }
 
-/// A requirement in words.
-fn words(name: &str) -> &'static str {
+/// A requirement in words; `flow`: of a machine that liquid flows through.
+fn words(name: &str, flow: bool) -> &'static str {
     match name {
+        "separation" if flow => "the residence time that the separation takes",
         "separation" => "the time that the separation takes",
         "vibration" => "a vibration limit",
         "self_centred" => "the self-centring of the rotor",
@@ -76,11 +84,18 @@ impl Found<'_> {
         self.figures(out).checked().map_err(Diagnostic::from)
     }
 
+    /// The throughput, m^3/s, and the volume, m^3, of a machine that liquid flows through.
+    fn flow(&self) -> Option<(f64, f64)> {
+        let duty = self.main.asked.duty.as_ref()?;
+        duty.throughput.zip(duty.vessel.separator.flow_volume())
+    }
+
     fn windows(&self, mut out: Outcome) -> Outcome {
+        let flow = self.flow().is_some();
         let ended = |e: &End, side: &str| match e.event {
             "domain limit" => format!("{side}, by the range looked at"),
             event if e.binding == "stable" => format!("{side}, by stability ({}, {event})", e.detail),
-            event => format!("{side}, by {} ({event})", words(&e.binding)),
+            event => format!("{side}, by {} ({event})", words(&e.binding, flow)),
         };
         for i in &self.main.intervals {
             let text = format!(
@@ -131,6 +146,17 @@ impl Found<'_> {
         }
         for (name, margin, speed) in relaxations(points) {
             let what = match NAMES[name] {
+                "separation" if self.flow().is_some() => {
+                    let text = format!("Lowering the throughput to {{}} of its value would open a window at {}.", rpm(speed));
+                    let share = 1.0 / (1.0 - margin);
+                    out = out.finding(
+                        Finding::info("relaxation", text)
+                            .value(1.0 - margin, "")
+                            .shown_as(100.0 * share, "%")
+                            .evidence("speed", speed, "rad/s"),
+                    );
+                    continue;
+                }
                 "separation" => "the time at hand (or a shorter separation)",
                 "vibration" => "the vibration limit that binds",
                 "self_centred" => "the self-centring ratio",
@@ -155,18 +181,23 @@ impl Found<'_> {
         let Some(best) = &m.best else { return out };
         let why = match s.objective {
             Objective::Margin => "the least margin is largest",
+            Objective::Time if self.flow().is_some() => "the throughput could be largest",
             Objective::Time => "the separation is shortest",
             Objective::Energy => "the energy is least",
             Objective::Amplitude => "the vibration is smallest",
         };
         let mut text = format!("Recommended: {{}}, where {why}");
         if best.needed.is_finite() {
-            text += &format!("; the separation then takes {}", in_words(best.needed));
+            text += &match self.flow() {
+                Some((_, volume)) => format!("; the throughput may then be up to {}", litres(volume / best.needed)),
+                None => format!("; the separation then takes {}", in_words(best.needed)),
+            };
         }
         let mut f = Finding::info("best_speed", text + ".").value(best.speed, "rad/s").shown_as(best.speed * RPM, "rpm");
         for margin in &best.margins {
             f = f.evidence(format!("margin of {}", NAMES[margin.name]), margin.value, "");
         }
+        f = f.evidence("largest growth rate", best.growth, "1/s");
         out = out.finding(f.evidence("tilt", best.tilt, "rad").evidence("unbalance of the cups", best.unbalance, "kg m"));
         if let Some(b) = best.binding() {
             let text = format!("There the requirement \"{}\" is nearest to its limit ({}): margin {{}}.", NAMES[b.name], b.detail);
@@ -176,7 +207,7 @@ impl Found<'_> {
         if let Some(i) = m.intervals.iter().find(|i| i.low.speed <= best.speed && best.speed <= i.high.speed)
             && i.high.event != "domain limit"
         {
-            let text = format!("Why not faster: at {{}} the window ends, by {}.", words(&i.high.binding));
+            let text = format!("Why not faster: at {{}} the window ends, by {}.", words(&i.high.binding, self.flow().is_some()));
             out = out.finding(Finding::info("not_faster", text).value(i.high.speed, "rad/s").shown_as(i.high.speed * RPM, "rpm"));
         }
         if let Some(duty) = &m.asked.duty {
@@ -195,11 +226,17 @@ impl Found<'_> {
         let kept = m.points.iter().filter(|p| p.feasible_without(0) && p.needed.is_finite());
         match kept.min_by(|a, b| a.needed.total_cmp(&b.needed)) {
             Some(p) => {
-                let text = format!("The shortest time the machine allows is {{}}, at {}.", rpm(p.speed));
+                let text = match self.flow() {
+                    Some((_, volume)) => {
+                        let most = litres(volume / p.needed);
+                        format!("The shortest residence time the machine allows is {{}}, a throughput of {most}, at {}.", rpm(p.speed))
+                    }
+                    None => format!("The shortest time the machine allows is {{}}, at {}.", rpm(p.speed)),
+                };
                 out.finding(
                     Finding::info("shortest_time", text)
                         .value(p.needed, "s")
-                        .evidence("time at hand", duty.time, "s")
+                        .evidence(if self.flow().is_some() { "residence time" } else { "time at hand" }, duty.time, "s")
                         .evidence("speed", p.speed, "rad/s"),
                 )
             }
@@ -209,6 +246,8 @@ impl Found<'_> {
 
     fn remarks(&self, mut out: Outcome) -> Outcome {
         let m = &self.main;
+        out = self.uncarried.iter().cloned().fold(out, Outcome::finding);
+        out = self.doubts(out);
         let asked = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
         let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| !asked(n)).map(|n| NAMES[n]).collect();
         if !absent.is_empty() {
@@ -257,6 +296,36 @@ impl Found<'_> {
         out
     }
 
+    /// Where the model of the separation is doubtful.
+    fn doubts(&self, mut out: Outcome) -> Outcome {
+        let m = &self.main;
+        let Some(duty) = &m.asked.duty else { return out };
+        let (separator, g) = (&duty.vessel.separator, duty.suspension.medium.gravity);
+        let lowest = m.intervals.first().map(|i| i.low.speed);
+        if let Some((w, field)) = lowest.and_then(|w| Some((w, gravity_felt(separator, w, g)?))) {
+            let text = format!(
+                "At the lower end of the window, {}, the field is {{}} g at the innermost liquid; the model of a machine that liquid flows through leaves gravity out, which \
+                 holds from {} g on.",
+                rpm(w),
+                significant(FIELD, 2)
+            );
+            out = out.finding(Finding::warning("gravity", text).value(field, "").evidence("least field over gravity", FIELD, ""));
+        }
+        if let (Separator::Tube(..), Some(best)) = (separator, &m.best)
+            && let Some(ramp) = duty.batch.run_up.to(best.speed)
+        {
+            let counted = duty.batch.at(best.speed).clock.counted(ramp.duration());
+            let text = "The liquid of fixed-angle tubes shifts while the speed changes: the run-up counts by an estimate, the field at mean radius, as {} at full speed.";
+            out = out.finding(
+                Finding::info("run_up_estimate", text)
+                    .value(counted, "s")
+                    .evidence("duration of the run-up", ramp.duration(), "s")
+                    .evidence("by the square of the speed alone", ramp.equivalent(), "s"),
+            );
+        }
+        out
+    }
+
     fn margins_table(&self) -> Built<Table> {
         let rows: Vec<(&Point, &super::margins::Margin)> =
             self.main.points.iter().flat_map(|p| p.margins.iter().map(move |m| (p, m))).collect();
@@ -266,7 +335,7 @@ impl Found<'_> {
             .float(
                 "margin",
                 "",
-                "margin; NaN where it is not defined, which counts as not kept",
+                "margin, for stable and clear a distance in speed; NaN where it is not defined, which counts as not kept",
                 rows.iter().map(|r| finite(r.1.value)).collect(),
             )
             .flag("kept", "the requirement is kept", rows.iter().map(|r| r.1.value >= 0.0).collect())
@@ -402,21 +471,28 @@ impl Found<'_> {
         } else {
             format!("Margins of all requirements over the spin speed; all are above zero from {}.", spans.join(" and from "))
         };
-        let mut figure = Figure::new("window", "Operating window", alt).x(speed()).panel(panel);
+        out = out.figure(Figure::new("window", "Operating window", alt).x(speed()).panel(panel));
+        let at_hand = if self.flow().is_some() { "residence time" } else { "time at hand" };
         if m.asked.duty.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
             let (unit, factor) = if m.asked.duty.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
-            let time = Panel::new(Axis::log("time needed", unit).factor(factor))
-                .mark(Line::new("speeds", "speed", "time").name("time to the recovery"));
-            let at_hand = m.asked.duty.as_ref().map_or(f64::NAN, |d| d.time);
-            figure = figure.panel(time.mark(Rule::y(at_hand, "time at hand")));
+            let mut panel = Panel::new(Axis::log("time needed", unit).factor(factor));
+            for i in &m.intervals {
+                panel = panel.mark(Band::x(i.low.speed, i.high.speed).name("window"));
+            }
+            panel = panel.mark(Line::new("speeds", "speed", "time").name("time to the recovery"));
+            panel = panel.mark(Rule::y(m.asked.duty.as_ref().map_or(f64::NAN, |d| d.time), at_hand));
+            if let Some(best) = &m.best {
+                panel = panel.mark(Rule::x(best.speed, "recommended"));
+            }
+            let alt = "Time that the recovery takes over the spin speed, with the time there is for it.";
+            out = out.figure(Figure::new("time", "Time of the separation", alt).x(speed()).panel(panel));
         }
-        out = out.figure(figure);
         if out.find_table("trade").is_some_and(|t| t.rows() > 0) {
-            let panel = Panel::new(Axis::log("time at hand", "min").factor(1.0 / 60.0))
+            let panel = Panel::new(Axis::log(at_hand, "min").factor(1.0 / 60.0))
                 .mark(Points::new("trade", "low", "time").name("lowest speed"))
                 .mark(Points::new("trade", "high", "time").name("highest speed"));
-            let alt = "Lowest and highest speed of the window over the time at hand.";
-            out = out.figure(Figure::new("trade", "Window over the time at hand", alt).x(speed()).panel(panel));
+            let alt = format!("Lowest and highest speed of the window over the {at_hand}.");
+            out = out.figure(Figure::new("trade", format!("Window over the {at_hand}"), alt).x(speed()).panel(panel));
         }
         if let Some(map) = &self.map {
             let (unit, factor) = match map.unit {
@@ -425,7 +501,11 @@ impl Found<'_> {
                 u => (u, 1.0),
             };
             let (unit, column) = if unit == "K" { ("°C", "celsius".to_string()) } else { (unit, map.path.clone()) };
-            let heat = Heat::new("map", "speed", column, "margin", Axis::new("least margin", "")).diverging().contour(0.0);
+            // one scale for both sides of the edge, as wide as the room inside it
+            let room = map.cells.iter().map(|c| c.2).fold(0.0, f64::max);
+            let room = if room > 0.0 { room.max(LEAST_ROOM) } else { 1.0 };
+            let heat =
+                Heat::new("map", "speed", column, "margin", Axis::new("least margin", "").range(-room, room)).diverging().contour(0.0);
             let panel = Panel::new(Axis::new(map.path.clone(), unit).factor(factor)).mark(heat);
             let alt = format!("Least margin over spin speed and {}; the curve is the edge of the window.", map.path);
             out = out.figure(Figure::new("map", "Window over speed and parameter", alt).x(speed()).panel(panel));
@@ -436,6 +516,11 @@ impl Found<'_> {
 
 fn finite(x: f64) -> f64 {
     if x.is_finite() { x } else { f64::NAN }
+}
+
+/// A throughput for people.
+fn litres(q: f64) -> String {
+    format!("{} l/h", significant(q * 3.6e6, 4))
 }
 
 /// A time for people: minutes beyond ten of them.

@@ -6,6 +6,7 @@ use super::{MAP_PLACES, Objective, OperatingWindow, Policy, contents};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Values;
 use crate::model::system::System;
+use crate::outcome::quantity;
 use crate::separation::batch::RunUp;
 use crate::study::duty;
 use crate::study::duty::task::{self, Task};
@@ -103,6 +104,16 @@ fn separated(values: &Values, system: &System, top: f64, out: &mut Diagnostics) 
     }
     let mut task = task::task(values, system, None, out)?;
     if let Some(t) = values.number("ramp").filter(|_| values.flag("count_ramp").unwrap_or(true)) {
+        if task.throughput.is_none() && !(t <= task.time) {
+            let message = format!(
+                "the run-up to the top of the range takes {}, longer than the {} at hand that count from its start",
+                quantity(t, "s"),
+                quantity(task.time, "s")
+            );
+            let help = "give a shorter ramp, a lower top of the range or more time; with count_ramp = false the time counts from the end of the run-up";
+            wrong(out, values, "ramp", "operating_window.ramp", message, help);
+            return None;
+        }
         task.batch.run_up = RunUp::Linear(t / top);
     }
     Some(task)
@@ -128,7 +139,14 @@ fn aimed(objective: Objective, values: &Values, system: &System, limits: &Limits
     // where a time is given, what separates is missing already
     if objective == Objective::Time && !separates(system) && timed(values).is_none() {
         let message = "there is no separation whose time could be shortest";
-        wrong(out, values, "objective", "operating_window.objective", message, "add [[cup]], [suspension] and time");
+        wrong(
+            out,
+            values,
+            "objective",
+            "operating_window.objective",
+            message,
+            "add [[cup]], [suspension] and time (throughput where liquid flows through)",
+        );
     }
     if objective == Objective::Amplitude && limits.displacement.is_empty() && limits.velocity.is_empty() && limits.force.is_empty() {
         let message = "no limit on vibration is given that amplitudes could be measured against";

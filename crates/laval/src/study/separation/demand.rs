@@ -1,21 +1,37 @@
 //! What a recovery takes: time and speed, and how both depend on speed, size, density and viscosity.
 
+use super::Separation;
 use super::report::{Built, Found};
 use crate::outcome::{Finding, Table, quantity, significant};
-use crate::separation::batch::{Batch, FELT, RunUp};
+use crate::separation::batch::{Batch, FELT, RunUp, Spinning};
 use crate::separation::ensemble::Model;
 use crate::separation::law::Law;
 use crate::separation::machine::Turning;
 use crate::separation::measures;
+use crate::separation::particle::Particle;
+use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::duty::task::needed;
 use crate::study::support::RPM;
 
 /// Highest speed shown over that of the study.
 pub(super) const HIGHEST_SHOWN: f64 = 4.0;
 
-/// Time a batch takes at a speed, s; NaN where a path cannot be computed.
-fn time_of(batch: &Batch, speed: f64, share: f64) -> f64 {
-    needed(batch, speed, share).unwrap_or(f64::NAN)
+/// Another speed can be asked for: no particle after the other must be integrated with its inertia.
+pub(super) fn searched(study: &Separation, spinning: &Spinning) -> bool {
+    study.speed != 0.0 && affordable(study, spinning, HIGHEST_SHOWN * study.speed)
+}
+
+fn affordable(study: &Separation, spinning: &Spinning, speed: f64) -> bool {
+    if !spinning.integrated() {
+        return true;
+    }
+    let (batch, powder) = (&study.task.batch, &study.task.suspension.powder);
+    let median = Particle { radius: 0.5 * powder.size.quantile(0.5), density: powder.density.quantile(0.5) };
+    match batch.model {
+        Model::Drifting => true,
+        Model::Inertial => false,
+        Model::Adaptive => 0.5 * study.task.suspension.medium.rates(&median).two_n >= FELT * speed.abs(),
+    }
 }
 
 /// A law with all values times a factor.
@@ -46,25 +62,19 @@ fn moved(law: &Law, liquid: f64, by: f64) -> Law {
 }
 
 impl Found<'_> {
-    /// Another speed can be asked for: no particle after the other must be integrated with its inertia.
+    /// Another speed can be asked for.
     pub fn any_speed(&self) -> bool {
-        self.study.speed != 0.0 && self.affordable(HIGHEST_SHOWN * self.study.speed)
+        searched(self.study, self.spinning)
     }
 
-    fn affordable(&self, speed: f64) -> bool {
-        if !self.spinning.integrated() {
-            return true;
-        }
-        match self.study.task.batch.model {
-            Model::Drifting => true,
-            Model::Inertial => false,
-            Model::Adaptive => 0.5 * self.study.task.suspension.medium.rates(&self.median()).two_n >= FELT * speed.abs(),
-        }
+    /// Time a batch takes at a speed, s; NaN where a path cannot be computed.
+    fn time_of(&self, batch: &Batch, speed: f64) -> f64 {
+        needed(batch, speed, self.study.task.recovery, self.watch).unwrap_or(f64::NAN)
     }
 
     /// Time the recovery takes at another speed, s; NaN where a path cannot be computed.
     fn time_at(&self, speed: f64) -> f64 {
-        time_of(&self.study.task.batch, speed, self.study.task.recovery)
+        self.time_of(&self.study.task.batch, speed)
     }
 
     /// The lowest speed that catches the recovery in the time at hand, and the width of its bracket: scanned from below, then narrowed. Otherwise the highest
@@ -82,7 +92,7 @@ impl Found<'_> {
         for k in 0..40 {
             // from a hundredth to a hundred times the speed
             let w = s.speed.abs() * 10f64.powf(-2.0 + 4.0 * k as f64 / 39.0);
-            if !self.affordable(w) {
+            if !affordable(s, self.spinning, w) {
                 break;
             }
             let m = spare(w);
@@ -106,7 +116,8 @@ impl Found<'_> {
         Err(before.0)
     }
 
-    pub fn speed_finding(&self, name: &str) -> Finding {
+    /// The speed a recovery needs, and whether the model still holds there.
+    pub fn speed_findings(&self, name: &str) -> Vec<Finding> {
         let s = &self.study.task;
         let time = match s.throughput {
             Some(q) => format!("at {} l/h", significant(q * 3.6e6, 4)),
@@ -117,7 +128,8 @@ impl Found<'_> {
             RunUp::Linear(_) | RunUp::Smooth(_) => ", the run-up at the same acceleration included",
             RunUp::Programme(_) => ", with all speeds of the programme in proportion to the last",
         };
-        match self.speed_needed() {
+        let found = self.speed_needed();
+        let finding = match found {
             Ok((0.0, _)) => {
                 Finding::info("speed_needed", format!("Gravity alone catches {name} {time}: no spin is needed, {{}}.")).value(0.0, "rad/s")
             }
@@ -130,7 +142,16 @@ impl Found<'_> {
                 let text = format!("No speed up to {} rpm catches {name} {time}{with}.", significant(highest * RPM, 4));
                 Finding::warning("speed_needed", text)
             }
-        }
+        };
+        let felt = found.ok().and_then(|(w, _)| gravity_felt(&s.vessel.separator, w, s.suspension.medium.gravity));
+        let doubt = felt.map(|field| {
+            let text = format!(
+                "At the speed needed the field is {{}} g at the innermost liquid; the model of a machine that liquid flows through leaves gravity out, which holds from {} g on.",
+                significant(FIELD, 2)
+            );
+            Finding::warning("speed_needed_gravity", text).value(field, "").evidence("least field over gravity", FIELD, "")
+        });
+        std::iter::once(finding).chain(doubt).collect()
     }
 
     /// Times at a row of speeds, and how the time depends on each parameter.
@@ -170,7 +191,7 @@ impl Found<'_> {
         let with = |change: &dyn Fn(&mut Batch)| {
             let mut batch = s.batch.clone();
             change(&mut batch);
-            time_of(&batch, w, s.recovery)
+            self.time_of(&batch, w)
         };
         [
             slope("speed", &|by| self.time_at(w * by)),

@@ -46,12 +46,18 @@ impl Found<'_> {
             out = out.figure(Figure::new("pellet", "Where the particles end", alt).x(Axis::new("place", "mm").factor(1e3)).panel(along));
         }
         if out.find_table("paths").is_some() {
-            let side = Panel::new(Axis::new("x", "mm").factor(1e3)).mark(Line::new("paths", "y", "x").group("particle"));
-            let turned = Panel::new(Axis::new("z", "mm").factor(1e3)).mark(Line::new("paths", "y", "z").group("particle"));
-            let alt = "Paths of some particles in the axes of the cup, across it and in the sense of rotation, from the surface (left) to the bottom (right).";
-            out = out.figure(
-                Figure::new("paths", "Paths in the cup", alt).x(Axis::new("along the cup", "mm").factor(1e3)).panel(side).panel(turned),
-            );
+            let across =
+                |c: &str, label: &str| Panel::new(Axis::new(label, "mm").factor(1e3)).mark(Line::new("paths", "y", c).group("particle"));
+            // in a bowl the paths lie in the plane of rotation
+            out = out.figure(if flow {
+                let alt = "Paths of some particles in the axes of the bowl: way in the sense of rotation against the liquid, over the way outwards.";
+                let x = Axis::new("outwards from the spin axis", "mm").factor(1e3);
+                Figure::new("paths", "Paths in the bowl", alt).x(x).panel(across("z", "in the sense of rotation"))
+            } else {
+                let alt = "Paths of some particles in the axes of the cup, across it and in the sense of rotation, from the surface (left) to the bottom (right).";
+                let x = Axis::new("along the cup", "mm").factor(1e3);
+                Figure::new("paths", "Paths in the cup", alt).x(x).panel(across("x", "x")).panel(across("z", "z"))
+            });
             let panel = Panel::new(Axis::new("radius", "mm").factor(1e3)).mark(Line::new("paths", "time", "radius").group("particle"));
             let alt = "Distance of some particles from the spin axis over time, until they leave or the time at hand ends.";
             out = out.figure(Figure::new("paths_time", "Way to the outside", alt).x(Axis::new("time", unit.0).factor(unit.1)).panel(panel));

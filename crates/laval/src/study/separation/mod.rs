@@ -11,6 +11,7 @@
 
 mod demand;
 mod figures;
+mod meter;
 mod paths;
 mod report;
 mod tables;
@@ -24,11 +25,14 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::separation::batch::{RunUp, Spinning};
+use crate::separation::ensemble::Member;
 use crate::separation::exit::Exit;
 use crate::separation::machine::Separator;
+use crate::separation::motion::Lost;
 use crate::separation::ramp::Ramp;
+use crate::separation::recovery::Watch;
+use meter::Meter;
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// See the [module](self).
 pub struct Separation {
@@ -192,35 +196,27 @@ impl Study for Separation {
                 Diagnostic::error("separation.empty", "no particle finds liquid in this tube").help("lower surface, or raise length")
             );
         }
-        let Some(exits) = exits(&spinning, context)? else {
+        let meter = Meter::new(self, &spinning, context);
+        let watch = || meter.one();
+        let found = exits(&spinning, &watch).and_then(|exits| report::Found::new(self, &spinning, exits, &watch));
+        let outcome = found.and_then(|f| f.outcome(system, context));
+        if context.cancelled() {
+            // what was not computed is not said
             return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
-        };
-        report::Found::new(self, &spinning, exits)?.outcome(system, context)
+        }
+        meter.finish();
+        outcome
     }
 }
 
 /// Local error of the integration of one particle, relative.
 const ONE: f64 = 1e-11;
 
-/// Exits of the members with sizes of their own, in their order. `None` when cancelled.
-fn exits(spinning: &Spinning, context: &Context) -> Result<Option<Vec<Option<Exit>>>, Diagnostic> {
-    let done = AtomicU64::new(0);
-    let total = spinning.crowd.len() as u64;
-    let out: Result<Vec<Option<Exit>>, Diagnostic> = spinning
-        .crowd
-        .par_iter()
-        .map(|m| {
-            if context.cancelled() {
-                return Ok(None);
-            }
-            let at = done.fetch_add(1, Ordering::Relaxed) + 1;
-            if at.is_multiple_of(1024) || spinning.integrated() {
-                context.progress.report(at, total);
-            }
-            spinning.exit(&spinning.batch.powder.particle(&m.point), m).map_err(lost)
-        })
-        .collect();
-    context.progress.report(total, total);
-    let out = out?;
-    Ok((!context.cancelled()).then_some(out))
+/// Exits of the members with sizes of their own, in their order.
+fn exits(spinning: &Spinning, watch: Watch) -> Result<Vec<Option<Exit>>, Diagnostic> {
+    let exit = |m: &Member| {
+        let found = spinning.exit(&spinning.batch.powder.particle(&m.point), m);
+        if watch() { found } else { Err(Lost("stopped".into())) }
+    };
+    spinning.crowd.par_iter().map(exit).collect::<Result<_, Lost>>().map_err(lost)
 }

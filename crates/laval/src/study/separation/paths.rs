@@ -76,13 +76,15 @@ impl Found<'_> {
             return Ok(None);
         }
         let column = |f: &dyn Fn(&Place) -> f64| rows().map(|r| f(r.2)).collect();
+        // across the plane of a bowl nothing moves but rounding
+        let plain = |x: f64, p: &Place| if x.abs() <= 1e-12 * p.radius { 0.0 } else { x };
         Table::new("paths", "Paths of some particles in the axes of the cup, until they leave or the time at hand ends")
             .int("particle", "", "number of the particle", rows().map(|r| r.0 as i64 + 1).collect())
             .float("diameter", "m", "its diameter", rows().map(|r| r.1).collect())
             .float("time", "s", "time", column(&|p| p.time))
-            .float("x", "m", "across the cup", column(&|p| p.at[0]))
-            .float("y", "m", "along the cup, from the hinge or mouth", column(&|p| p.at[1]))
-            .float("z", "m", "across the cup, in the sense of rotation", column(&|p| p.at[2]))
+            .float("x", "m", "across the cup", column(&|p| plain(p.at[0], p)))
+            .float("y", "m", "along the cup, from the hinge or mouth; in a bowl outwards from the spin axis", column(&|p| p.at[1]))
+            .float("z", "m", "across the cup, in the sense of rotation", column(&|p| plain(p.at[2], p)))
             .float("radius", "m", "distance from the spin axis", column(&|p| p.radius))
             .build()
             .map(Some)

@@ -12,9 +12,11 @@ use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::Separator;
 use crate::separation::measures;
 use crate::separation::particle::{Drag, Particle};
-use crate::separation::recovery::{Needed, Recovery};
+use crate::separation::recovery::{Needed, Recovery, Watch};
+use crate::separation::slowest::Last;
 use crate::separation::validity::{Case, flags};
 use crate::study::duty::task::lost;
+use crate::study::duty::uncarried;
 use crate::study::support::RPM;
 use crate::study::{Context, Study};
 
@@ -24,28 +26,35 @@ pub(super) struct Found<'a> {
     pub spinning: &'a Spinning<'a>,
     pub recovery: Recovery<'a>,
     pub exits: Vec<Option<Exit>>,
+    pub watch: Watch<'a>,
     caught: f64,
     needed: Needed,
+    /// When the last particle is caught, where the whole fixed set is.
+    last: Option<Last>,
 }
 
 pub(super) type Built<T> = Result<T, OutcomeError>;
 
+/// Share that counts as the whole of the fixed set.
+const ALL: f64 = 1.0 - 1e-9;
+
 impl<'a> Found<'a> {
-    pub fn new(study: &'a Separation, spinning: &'a Spinning<'a>, exits: Vec<Option<Exit>>) -> Result<Self, Diagnostic> {
-        let mut recovery = Recovery::new(spinning).map_err(lost)?;
+    pub fn new(study: &'a Separation, spinning: &'a Spinning<'a>, exits: Vec<Option<Exit>>, watch: Watch<'a>) -> Result<Self, Diagnostic> {
+        let mut recovery = Recovery::watched(spinning, Some(&exits), watch).map_err(lost)?;
         let needed = recovery.needed(study.task.recovery).map_err(lost)?;
         let caught = recovery.caught(study.task.time).map_err(lost)?;
+        let last = if caught >= ALL { spinning.last().map_err(lost)? } else { None };
         recovery.learn(&exits);
-        Ok(Found { study, spinning, recovery, exits, caught, needed })
+        Ok(Found { study, spinning, recovery, exits, watch, caught, needed, last })
     }
 
-    pub fn outcome(&self, _: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    pub fn outcome(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let (study, s) = (self.study, &self.study.task);
         let mut out = Outcome::new(Separation::KIND, context.name).work("particles", self.spinning.crowd.len() as u64);
         out = self.recovered(out);
         let name = self.share();
         if self.any_speed() {
-            out = out.finding(self.speed_finding(&name));
+            out = self.speed_findings(&name).into_iter().fold(out, Outcome::finding);
         } else if study.speed != 0.0 {
             let text = format!(
                 "The speed that catches {name} and the sensitivities are not searched for: at up to {} times this speed every particle would be integrated with its \
@@ -75,6 +84,9 @@ impl<'a> Found<'a> {
                 Finding::warning(id, text.replace("{}", "no number"))
             };
             out = out.finding(finding);
+        }
+        if !system.bodies().is_empty() {
+            out = uncarried(system, Some(&s.vessel.name)).into_iter().fold(out, Outcome::finding);
         }
         let paths = self.paths()?;
         let built = || -> Built<Outcome> {
@@ -136,23 +148,42 @@ impl<'a> Found<'a> {
             Some(d) => format!("particles from {} on", quantity(d, "m")),
             None => "particles".to_string(),
         };
-        let out = out.finding(
-            Finding::info("caught", format!("{{}} of the {of} are caught {at} ({what})."))
-                .value(self.caught, "")
-                .shown_as(100.0 * self.caught, "%")
-                .evidence("places of the fixed set", places, ""),
-        );
+        let late = self.last.filter(|l| !(l.time <= s.time));
+        let text = match late {
+            None => format!("{{}} of the {of} are caught {at} ({what})."),
+            Some(l) if l.time.is_finite() => format!(
+                "All of the fixed set, nearly {{}} of the {of}, are caught {at} ({what}); the last ones would take {}.",
+                quantity(l.time, "s")
+            ),
+            Some(_) => format!("All of the fixed set, nearly {{}} of the {of}, are caught {at} ({what}); some are never caught."),
+        };
+        let mut caught = Finding::info("caught", text)
+            .value(self.caught, "")
+            .shown_as(100.0 * self.caught, "%")
+            .evidence("places of the fixed set", places, "")
+            .evidence("share of one place", 1.0 / places, "");
+        if let Some(l) = self.last.filter(|l| l.time.is_finite()) {
+            caught = caught.evidence("the last one leaves after", l.time, "s");
+        }
+        let out = out.finding(caught);
         let (name, needed) = (self.share(), self.needed);
         let speed = if still { "without spin" } else { "at this speed" };
         if !needed.time.is_finite() {
             let text = format!("{name} are never caught {speed}: some particles stay in the liquid.");
             return out.finding(Finding::warning("time_needed", text));
         }
-        let text = match s.throughput {
-            Some(_) => format!("Catching {name} takes a residence time of {{}} {speed}."),
+        let text = match s.throughput.zip(s.vessel.separator.flow_volume()) {
+            Some((_, volume)) => format!(
+                "Catching {name} takes a residence time of {{}} {speed}, a throughput of at most {} l/h.",
+                significant(volume / needed.time * 3.6e6, 4)
+            ),
             None => format!("Catching {name} takes {{}} {speed}{run_up}."),
         };
         let mut finding = Finding::info("time_needed", text).value(needed.time, "s").evidence("time at hand", s.time, "s");
+        if let Some([x, y, z]) = needed.last {
+            // not a place of the fixed set: nothing is sampled
+            finding = finding.evidence("start of the last one, x", x, "m").evidence("y", y, "m").evidence("z", z, "m");
+        }
         if needed.spread.is_finite() {
             finding = finding.evidence("largest difference with half or a quarter of the places", needed.spread, "s");
         }
