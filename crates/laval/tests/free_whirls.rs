@@ -105,8 +105,7 @@ fn asymptotes_and_linear_modes_of_the_table() {
             let rest = (mass + 2.4 + liquid) * (g * W0).powi(2) / base.c2 - 1.0;
             assert!(rest.abs() < 1e-6, "{r:?}: {rest:e}");
         }
-        let mut got: Vec<f64> =
-            f.modes.iter().filter(|m| m.value.im > 0.0 && m.left.is_none()).map(|m| m.value.im / W0).collect();
+        let mut got: Vec<f64> = f.modes.iter().filter(|m| m.value.im > 0.0 && m.left.is_none()).map(|m| m.value.im / W0).collect();
         got.sort_by(f64::total_cmp);
         let wanted = list(r[5]);
         assert_eq!(got.len(), wanted.len(), "{r:?}: {got:?} {:?}", f.modes);
@@ -217,7 +216,11 @@ fn unequal_planes_whirl_apart() {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let system = Builder::new("two planes")
         .part("disc", Disc::planar(), DiscParams { mass: 3.0, ..DiscFamily::defaults() })
-        .part("spring", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: [2e6, 5e6], cubic_stiffness: [3e12, 1e12], valid_to: 0.0 })
+        .part(
+            "spring",
+            BearingCubic::per_axis(link()),
+            BearingCubicParams { stiffness: [2e6, 5e6], cubic_stiffness: [3e12, 1e12], valid_to: 0.0 },
+        )
         .build()
         .unwrap();
     let f = backbone(&system, &Request { truncation: 1e-12, ..request(100.0) }, &NEVER, &|_| {}).unwrap();

@@ -85,8 +85,7 @@ impl Study for Backbone {
         let fastest = found.modes.iter().map(|m| m.value.im.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
-        let measured: Vec<Vec<Measured>> =
-            found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
+        let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
         let shown = Shown { request: &request, found: &found, measured, bodies: measure.bodies.iter().map(|b| b.0.clone()).collect() };
         shown.outcome(context).map_err(Diagnostic::from)
     }
@@ -124,11 +123,13 @@ impl Shown<'_> {
                 out = out.special_point(SpecialPoint::new("fold", a, (a, a)).of(format!("family {}", k + 1)));
             }
             for &(a, (lo, hi)) in &f.synchronous {
-                out = out.special_point(SpecialPoint::new("synchronous", a, (lo.min(hi), lo.max(hi))).of(format!("family {}", k + 1)).evidence(
-                    "frequency",
-                    self.request.speed,
-                    "rad/s",
-                ));
+                out = out.special_point(
+                    SpecialPoint::new("synchronous", a, (lo.min(hi), lo.max(hi))).of(format!("family {}", k + 1)).evidence(
+                        "frequency",
+                        self.request.speed,
+                        "rad/s",
+                    ),
+                );
             }
         }
         out.checked()
@@ -161,7 +162,8 @@ impl Shown<'_> {
         }
         for m in &found.modes {
             if let Some(why) = m.left.filter(|w| w.starts_with("inside")) {
-                let text = format!("No family begins at the linear mode of {{}}: it is {why}, growing at {} 1/s.", significant(m.value.re, 4));
+                let text =
+                    format!("No family begins at the linear mode of {{}}: it is {why}, growing at {} 1/s.", significant(m.value.re, 4));
                 out.push(Finding::warning("merged_modes", text).value(m.value.im, "rad/s"));
             }
         }
@@ -196,13 +198,14 @@ impl Shown<'_> {
         let (Some(first), Some(last)) = (f.motions.first(), f.motions.last()) else { return out };
         let name = format!("family {}", k + 1);
         let turns = if self.directed() { if first.frequency < 0.0 { " backward" } else { " forward" } } else { "" };
+        let six = |w: f64| format!("{} rad/s", significant(w, 6));
         let word = if last.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
         let text = match f.origin {
             Origin::Mode(_) => format!(
                 "The{turns} whirl of {{}} {word} with its amplitude: {} at {}, {} at {}.",
-                quantity(first.frequency, "rad/s"),
+                six(first.frequency),
                 quantity(first.amplitude, "m"),
-                quantity(last.frequency, "rad/s"),
+                six(last.frequency),
                 quantity(last.amplitude, "m"),
             ),
             Origin::Asymptote(a) => {
@@ -228,10 +231,13 @@ impl Shown<'_> {
         );
         for (a, bracket) in &f.synchronous {
             out.push(
-                Finding::info("synchronous", "At an amplitude of {} this whirl has the frequency of the spin: unbalance would meet it there.")
-                    .of(&name)
-                    .value(*a, "m")
-                    .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
+                Finding::info(
+                    "synchronous",
+                    "At an amplitude of {} this whirl has the frequency of the spin: unbalance would meet it there.",
+                )
+                .of(&name)
+                .value(*a, "m")
+                .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
             );
         }
         if let Some(why) = unfinished(&f.end) {
@@ -239,6 +245,17 @@ impl Shown<'_> {
             out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
         }
         out
+    }
+
+    /// Where a family begins, in words.
+    fn begins(&self, k: usize) -> String {
+        let f = &self.found.families[k];
+        match f.origin {
+            Origin::Mode(_) => format!("from {}", f.motions.first().map_or(String::new(), |m| quantity(m.frequency, "rad/s"))),
+            Origin::Asymptote(a) => {
+                format!("beside {}", self.found.asymptotes.get(a).map_or(String::new(), |a| quantity(a.value.im, "rad/s")))
+            }
+        }
     }
 
     /// Frequencies have a sign.
@@ -252,14 +269,23 @@ impl Shown<'_> {
         let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.2)).collect::<Vec<f64>>();
         let mut t = Table::new("backbone", "Free whirls, family by family in order along each")
             .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
+            .text("begins", "where the family begins", all.iter().map(|a| self.begins(a.0)).collect())
             .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
-            .float("frequency", "rad/s", "whirl frequency; negative: backward, where the machine has no preferred direction", column(&|m| m.frequency))
+            .float(
+                "frequency",
+                "rad/s",
+                "whirl frequency; negative: backward, where the machine has no preferred direction",
+                column(&|m| m.frequency),
+            )
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
         for (b, name) in self.bodies.iter().enumerate() {
             let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t
-                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0))
-                .float(format!("{name} largest displacement"), "m", "largest distance of the centre from its rest position over a period", of(1));
+            t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0)).float(
+                format!("{name} largest displacement"),
+                "m",
+                "largest distance of the centre from its rest position over a period",
+                of(1),
+            );
         }
         t.float("truncation", "", "dropped over kept force harmonics", column(&|m| m.truncation))
             .float("residual", "", "scaled residual of the balance", column(&|m| m.residual))
@@ -276,7 +302,12 @@ impl Shown<'_> {
         let modes = &self.found.modes;
         let family = |k: usize| self.found.families.iter().position(|f| f.origin == Origin::Mode(k)).map_or(0, |f| f as i64 + 1);
         Table::new("modes", "Linear modes: free whirls of vanishing amplitude")
-            .float("frequency", "rad/s", "frequency; negative: backward, where the machine has no preferred direction", modes.iter().map(|m| m.value.im).collect())
+            .float(
+                "frequency",
+                "rad/s",
+                "frequency; negative: backward, where the machine has no preferred direction",
+                modes.iter().map(|m| m.value.im).collect(),
+            )
             .float("growth", "1/s", "growth rate", modes.iter().map(|m| m.value.re).collect())
             .text("whirl", "direction", modes.iter().map(|m| m.whirl.word().to_string()).collect())
             .int("family", "", "number of the family that begins here; 0: none", (0..modes.len()).map(family).collect())
@@ -287,7 +318,12 @@ impl Shown<'_> {
     fn asymptotes(&self) -> Result<Table, OutcomeError> {
         let all = &self.found.asymptotes;
         Table::new("asymptotes", "Modes with the nonlinear parts rigid: free whirls of unbounded amplitude of a hardening machine")
-            .float("frequency", "rad/s", "frequency; negative: backward, where the machine has no preferred direction", all.iter().map(|m| m.value.im).collect())
+            .float(
+                "frequency",
+                "rad/s",
+                "frequency; negative: backward, where the machine has no preferred direction",
+                all.iter().map(|m| m.value.im).collect(),
+            )
             .float("growth", "1/s", "growth rate", all.iter().map(|m| m.value.re).collect())
             .build()
     }
@@ -296,17 +332,26 @@ impl Shown<'_> {
         let most = self.found.amplitudes.1;
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let mut panel = Panel::new(Axis::new("amplitude of the deflection", unit).factor(factor))
-            .mark(Line::new("backbone", "frequency", "amplitude").group("family").name("family"));
-        for a in &self.found.asymptotes {
-            panel = panel.mark(Rule::x(a.value.im, "asymptote"));
-        }
+            .mark(Line::new("backbone", "frequency", "amplitude").group("begins"));
         let w = self.request.speed;
         let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
         let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+        let mut last = f64::NEG_INFINITY;
+        for a in &self.found.asymptotes {
+            // one line for those that cannot be told apart
+            if a.value.im - last > 1e-3 * (highest - least) {
+                panel = panel.mark(Rule::x(a.value.im, "asymptote"));
+                last = a.value.im;
+            }
+        }
         if (least..=highest).contains(&w) {
             panel = panel.mark(Rule::x(w, "spin"));
         }
-        let alt = format!("Amplitude of the deflection against whirl frequency at {}, {} families.", quantity(w, "rad/s"), self.found.families.len());
+        let alt = format!(
+            "Amplitude of the deflection against whirl frequency at {}, {} families.",
+            quantity(w, "rad/s"),
+            self.found.families.len()
+        );
         Figure::new("backbone", "Free whirls", alt).x(Axis::new("whirl frequency", "rad/s")).panel(panel)
     }
 }

@@ -47,7 +47,9 @@ pub(super) fn read(values: &Values) -> (Option<usize>, f64, usize) {
 pub(super) fn constant_speed(system: &System) -> Result<(), Diagnostic> {
     if system.machine.drive == crate::model::system::Drive::Free {
         return Err(Diagnostic::error("free.drive", "free whirls are sought at constant speed, and the speed of this machine is free")
-            .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
+            .help(
+                "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
+            ));
     }
     Ok(())
 }

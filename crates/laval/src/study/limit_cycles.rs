@@ -69,8 +69,7 @@ impl Study for LimitCycles {
         let fastest = found.onsets.iter().map(|o| o.frequency.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |c: &Cycle, measure: &mut Measure| measure.of([c.speed, c.frequency, 0.0], &c.x);
-        let measured: Vec<Vec<Measured>> =
-            found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
+        let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
         let shown = Shown { request: &request, found: &found, measured, bodies: measure.bodies.iter().map(|b| b.0.clone()).collect() };
         shown.outcome(context).map_err(Diagnostic::from)
     }
@@ -173,8 +172,7 @@ impl Shown<'_> {
         if let Some(why) = &found.unjudged {
             out.push(Finding::warning("stability_unknown", format!("Stability of the cycles was not judged: {why}.")));
         }
-        let dropped =
-            found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
+        let dropped = found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         if self.request.harmonics.is_none() && !(dropped <= self.request.truncation) {
             out.push(
                 Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
@@ -189,7 +187,11 @@ impl Shown<'_> {
 
     fn onset(&self, k: usize, o: &Onset) -> Finding {
         let way = if o.edge.onset { "begins" } else { "ends" };
-        let head = format!("With rising speed the instability of rest {way} at {{}}, whirling at {} ({})", quantity(o.frequency, "rad/s"), o.whirl.word());
+        let head = format!(
+            "With rising speed the instability of rest {way} at {{}}, whirling at {} ({})",
+            quantity(o.frequency, "rad/s"),
+            o.whirl.word()
+        );
         let subject = format!("edge {}", k + 1);
         match o.left {
             Some(why) if o.curvature.is_nan() => Finding::warning("onset", format!("{head}; no cycle was followed from here: {why}.")),
@@ -230,8 +232,10 @@ impl Shown<'_> {
                 }
             }
             runs.extend(from.map(|a| (a, f.cycles.len() - 1)));
+            runs.retain(|(a, b)| b > a);
             for (a, b) in runs {
-                let (lo, hi) = f.cycles[a..=b].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c.speed), h.max(c.speed)));
+                let (lo, hi) =
+                    f.cycles[a..=b].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c.speed), h.max(c.speed)));
                 let largest = self.measured[k][a..=b].iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
                 out.push(
                     Finding::warning(
@@ -276,7 +280,9 @@ impl Shown<'_> {
                 .evidence("scaled residual", c.residual, ""),
             );
         } else if f.cycles.iter().all(|c| c.exponents.is_some()) && !f.cycles.is_empty() {
-            out.push(Finding::info("unstable_family", "All cycles of this family are unstable: they part rest from larger motions.").of(&name));
+            out.push(
+                Finding::info("unstable_family", "All cycles of this family are unstable: they part rest from larger motions.").of(&name),
+            );
         }
         for p in &f.folds {
             out.push(
@@ -286,8 +292,22 @@ impl Shown<'_> {
                     .evidence("scaled residual", p.residual, ""),
             );
         }
+        if let Some(speed) = f.unbounded {
+            out.push(
+                Finding::warning(
+                    "unbounded_whirl",
+                    "Near {} of spin this whirl grows beyond all bounds: the nonlinear parts hardly deflect in it and cannot hold it.",
+                )
+                .of(&name)
+                .value(speed, "rad/s"),
+            );
+        }
         if let (Some(why), Some(last)) = (unfinished(&f.end), f.cycles.last()) {
-            out.push(Finding::warning("family_unfinished", format!("The cycles could be followed to {{}} only: {why}.")).of(&name).value(last.speed, "rad/s"));
+            out.push(
+                Finding::warning("family_unfinished", format!("The cycles could be followed to {{}} only: {why}."))
+                    .of(&name)
+                    .value(last.speed, "rad/s"),
+            );
         }
         out
     }
@@ -299,28 +319,47 @@ impl Shown<'_> {
         let mut t = Table::new("cycles", "Limit cycles, family by family in order along each; a family may turn back in speed")
             .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
             .float("speed", "rad/s", "spin speed", column(&|c| c.speed))
-            .float("frequency", "rad/s", "whirl frequency; negative: backward, where the machine has no preferred direction", column(&|c| c.frequency))
-            .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|c| c.amplitude));
+            .float(
+                "frequency",
+                "rad/s",
+                "whirl frequency; negative: backward, where the machine has no preferred direction",
+                column(&|c| c.frequency),
+            )
+            .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|c| c.amplitude))
+            .float(
+                "largest displacement",
+                "m",
+                "largest distance of any body from its rest position over a period",
+                all.iter().map(|a| self.measured[a.0][a.1].bodies.iter().map(|b| b[1]).fold(f64::NAN, f64::max)).collect(),
+            );
         for (b, name) in self.bodies.iter().enumerate() {
             let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t
-                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0))
-                .float(format!("{name} largest displacement"), "m", "largest distance of the centre from its rest position over a period", of(1));
+            t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0)).float(
+                format!("{name} largest displacement"),
+                "m",
+                "largest distance of the centre from its rest position over a period",
+                of(1),
+            );
         }
-        t.float("growth rate", "1/s", "largest growth rate of a disturbance that is no shift in time; NaN when not judged", column(&Cycle::growth))
-            .float("growth rate error", "1/s", "its estimated error", column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)))
-            .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
-            .float("shift exponent", "1/s", "distance from zero of the exponent of a shift in time, zero in theory", column(&|c| c.trivial))
-            .float("growth of rest", "1/s", "largest growth rate of the machine at rest at this speed", column(&|c| c.rest))
-            .float("truncation", "", "dropped over kept force harmonics", column(&|c| c.truncation))
-            .float("residual", "", "scaled residual of the balance", column(&|c| c.residual))
-            .float(
-                "validity",
-                "",
-                "largest use of a part's validity; above 1 is outside",
-                all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
-            )
-            .build()
+        t.float(
+            "growth rate",
+            "1/s",
+            "largest growth rate of a disturbance that is no shift in time; NaN when not judged",
+            column(&Cycle::growth),
+        )
+        .float("growth rate error", "1/s", "its estimated error", column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)))
+        .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
+        .float("shift exponent", "1/s", "distance from zero of the exponent of a shift in time, zero in theory", column(&|c| c.trivial))
+        .float("growth of rest", "1/s", "largest growth rate of the machine at rest at this speed", column(&|c| c.rest))
+        .float("truncation", "", "dropped over kept force harmonics", column(&|c| c.truncation))
+        .float("residual", "", "scaled residual of the balance", column(&|c| c.residual))
+        .float(
+            "validity",
+            "",
+            "largest use of a part's validity; above 1 is outside",
+            all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
+        )
+        .build()
     }
 
     fn onsets(&self) -> Result<Table, OutcomeError> {
@@ -328,9 +367,22 @@ impl Shown<'_> {
         let family = |k: usize| self.found.families.iter().position(|f| f.onset == k).map_or(0, |f| f as i64 + 1);
         Table::new("onsets", "Edges of linear instability of rest, where cycles begin")
             .float("speed", "rad/s", "spin speed", all.iter().map(|o| o.edge.speed).collect())
-            .float("frequency", "rad/s", "whirl frequency; negative: backward, where the machine has no preferred direction", all.iter().map(|o| o.frequency).collect())
-            .text("edge", "onset: rest is unstable above this speed; end: stable above", all.iter().map(|o| if o.edge.onset { "onset" } else { "end" }.into()).collect())
-            .text("kind", "soft: small cycles where rest is unstable; hard: where it is stable", all.iter().map(|o| word(o).to_string()).collect())
+            .float(
+                "frequency",
+                "rad/s",
+                "whirl frequency; negative: backward, where the machine has no preferred direction",
+                all.iter().map(|o| o.frequency).collect(),
+            )
+            .text(
+                "edge",
+                "onset: rest is unstable above this speed; end: stable above",
+                all.iter().map(|o| if o.edge.onset { "onset" } else { "end" }.into()).collect(),
+            )
+            .text(
+                "kind",
+                "soft: small cycles where rest is unstable; hard: where it is stable",
+                all.iter().map(|o| word(o).to_string()).collect(),
+            )
             .float("curvature", "rad/s/m^2", "k of speed - edge = k amplitude^2", all.iter().map(|o| o.curvature).collect())
             .int("family", "", "number of the family that begins here; 0: none", (0..all.len()).map(family).collect())
             .text("why none", "why no family begins here", all.iter().map(|o| o.left.unwrap_or("").to_string()).collect())
@@ -341,21 +393,23 @@ impl Shown<'_> {
         let found = self.found;
         let most = self.measured.iter().flatten().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
-        let several = found.families.len() > 1;
-        let grouped = |line: Line| if several { line.group("family") } else { line };
+        // one family needs no number in the legend
+        let grouped = |line: Line| if found.families.len() > 1 { line.group("family") } else { line.name("whirl") };
         let judged = found.unjudged.is_none();
         let marked = |line: Line| if judged { line.solid_where("stable") } else { line };
-        let mut panel = Panel::new(Axis::new("largest displacement", unit).factor(factor));
+        // families of very different size are seen together on a logarithmic axis
+        let largest = |m: &Vec<Measured>| m.iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
+        let least = self.measured.iter().map(largest).fold(f64::INFINITY, f64::min);
+        let axis = if most > 20.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
+        let mut panel = Panel::new(axis.factor(factor));
         for (from, to) in self.unstable_ranges() {
             panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
         }
-        for name in &self.bodies {
-            panel = panel.mark(marked(grouped(Line::new("cycles", "speed", format!("{name} largest displacement")).name(name.clone()))));
-        }
+        panel = panel.mark(marked(grouped(Line::new("cycles", "speed", "largest displacement"))));
         for o in &found.onsets {
             panel = panel.mark(Rule::x(o.edge.speed, word(o)));
         }
-        let frequency = Panel::new(Axis::new("whirl frequency", "rad/s")).mark(marked(grouped(Line::new("cycles", "speed", "frequency").name("whirl"))));
+        let frequency = Panel::new(Axis::new("whirl frequency", "rad/s")).mark(marked(grouped(Line::new("cycles", "speed", "frequency"))));
         let alt = format!(
             "Largest displacement and frequency of self-excited whirls over the spin speed, {} families from {} edges of the instability of rest.",
             found.families.len(),

@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
-use crate::solve::harmonic::methods::{Comparison, Method, Value, compare};
+use crate::solve::harmonic::methods::{Comparison, Method, Value, compare, orders};
 use crate::solve::harmonic::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
 
@@ -57,8 +57,11 @@ impl Study for Methods {
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
-            return Err(Diagnostic::error("methods.free_drive", "the methods are compared at constant speed, and the speed of this machine is free")
-                .help("prescribe the speed of the machine (leave out its free drive)"));
+            return Err(Diagnostic::error(
+                "methods.free_drive",
+                "the methods are compared at constant speed, and the speed of this machine is free",
+            )
+            .help("prescribe the speed of the machine (leave out its free drive)"));
         }
         symmetry(system, &self.request()).map(drop)
     }
@@ -71,20 +74,22 @@ impl Study for Methods {
         let speeds = self.speed.linspace(25);
         let within = usize::try_from(context.work_limit).unwrap_or(usize::MAX).min(speeds.len());
         let total = speeds.len() as u64;
-        let found = compare(system, &converged, request.speeds, &speeds[..within], self.harmonics, context.cancel, &|done| {
+        let mut lower: Vec<(usize, Response)> = Vec::new();
+        for h in orders(&converged, self.harmonics) {
+            if context.cancelled() {
+                break;
+            }
+            lower.push((h, respond(system, &Request { harmonics: Some(h), ..request }, context.cancel, &|_| {})?));
+        }
+        let found = compare(system, &converged, request.speeds, &speeds[..within], &lower, context.cancel, &|done| {
             context.progress.report(done, total);
         })?;
         let mut folds: Vec<FoldBy> = Vec::new();
         let exact: Vec<f64> = speeds_of(&converged);
-        let orders = if exact.is_empty() || converged.discretisation.symmetry == Symmetry::Circular { &[][..] } else { &found.orders[..] };
-        for &h in orders {
-            if context.cancelled() {
-                break;
-            }
-            let by = respond(system, &Request { harmonics: Some(h), ..request }, context.cancel, &|_| {})?;
-            folds.extend(speeds_of(&by).into_iter().map(|speed| {
+        for (h, by) in lower.iter().filter(|_| converged.discretisation.symmetry != Symmetry::Circular) {
+            folds.extend(speeds_of(by).into_iter().map(|speed| {
                 let nearest = exact.iter().copied().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
-                FoldBy { method: Method::Harmonic(h).to_string(), speed, deviation: nearest.map_or(f64::NAN, |e| speed - e) }
+                FoldBy { method: Method::Harmonic(*h).to_string(), speed, deviation: nearest.map_or(f64::NAN, |e| speed - e) }
             }));
         }
         folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged.to_string(), speed, deviation: 0.0 }));
@@ -111,30 +116,41 @@ impl Methods {
         folds: &[FoldBy],
         end: End,
     ) -> Result<Outcome, OutcomeError> {
-        let all = &found.values;
+        let all: Vec<&Value> = found.values.iter().filter(|v| v.method != Method::Converged).collect();
+        let converged_of =
+            |v: &Value| found.values.iter().find(|c| c.method == Method::Converged && c.speed == v.speed && c.state == v.state);
         let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
-        let column = |f: &dyn Fn(&Value) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-        let mut t = Table::new("methods", "Peaks of every state by every method")
+        let column = |f: &dyn Fn(&Value) -> f64| all.iter().map(|v| f(v)).collect::<Vec<f64>>();
+        let mut t = Table::new("methods", "Peaks of every state by every method, beside the converged ones")
             .float("speed", "rad/s", "spin speed", column(&|v| v.speed))
             .int("state", "", "number of the state at this speed, by amplitude", all.iter().map(|v| v.state as i64 + 1).collect())
             .text("method", "method", all.iter().map(|v| v.method.to_string()).collect());
         for (b, name) in bodies.iter().enumerate() {
-            t = t.float(
-                format!("{name} largest x"),
-                "m",
-                "largest |x| over a period; NaN when the method has no state near the converged one",
-                column(&|v| v.peaks.get(b).copied().unwrap_or(f64::NAN)),
-            );
+            let peak = |v: &Value| v.peaks.get(b).copied().unwrap_or(f64::NAN);
+            t = t
+                .float(
+                    format!("{name} largest x"),
+                    "m",
+                    "largest |x| over a period; NaN when the method has no state near the converged one",
+                    column(&peak),
+                )
+                .float(format!("{name} converged"), "m", "the same, converged", column(&|v| converged_of(v).map_or(f64::NAN, peak)));
         }
         let t = t
-            .float("deviation", "", "largest change of a peak from the converged one, over the largest converged peak", column(&|v| v.deviation))
             .float(
-                "growth rate",
-                "1/s",
-                "largest growth rate of a disturbance: of the slow motion by averaging, of all motions by the converged state; NaN elsewhere",
-                column(&|v| v.growth),
+                "deviation",
+                "",
+                "largest change of a peak from the converged one, over the largest converged peak",
+                column(&|v| v.deviation),
             )
-            .float("parameter", "", "k^2 of elliptic balance; NaN elsewhere", column(&|v| v.parameter))
+            .float("growth of slow motion", "1/s", "largest growth rate by averaging; NaN for other methods", column(&|v| v.growth))
+            .float(
+                "growth converged",
+                "1/s",
+                "largest growth rate of any disturbance of the converged state; NaN when not judged",
+                column(&|v| converged_of(v).map_or(f64::NAN, |c| c.growth)),
+            )
+            .float("parameter", "", "k^2 of elliptic balance; NaN for other methods", column(&|v| v.parameter))
             .build()?;
         let mut out = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
         for f in self.findings(converged, found, folds) {
@@ -142,11 +158,15 @@ impl Methods {
         }
         if t.rows() > 0 {
             out = out.table(t);
-            if all.iter().any(|v| v.method != Method::Converged && v.deviation > 0.0) {
+            if all.iter().any(|v| v.deviation > 0.0) {
                 let axis = Axis::log("deviation of the peak", "%").factor(100.0);
                 let points = Points::new("methods", "speed", "deviation").group("method");
                 let alt = "Deviation of each method from the converged peak over the spin speed, all states.";
-                out = out.figure(Figure::new("methods", "Methods side by side", alt).x(Axis::new("spin speed", "rad/s")).panel(Panel::new(axis).mark(points)));
+                out = out.figure(
+                    Figure::new("methods", "Methods side by side", alt)
+                        .x(Axis::new("spin speed", "rad/s"))
+                        .panel(Panel::new(axis).mark(points)),
+                );
             }
         }
         if !folds.is_empty() {
@@ -175,7 +195,11 @@ impl Methods {
             let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
             let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
             if let Some(v) = worst {
-                let text = format!("By {method}, peaks are off by {{}} at most, at {} rad/s (state {}).{absent}", significant(v.speed, 5), v.state + 1);
+                let text = format!(
+                    "By {method}, peaks are off by {{}} at most, at {} rad/s (state {}).{absent}",
+                    significant(v.speed, 5),
+                    v.state + 1
+                );
                 out.push(
                     Finding::info("deviation", text)
                         .of(method.to_string())
@@ -196,13 +220,20 @@ impl Methods {
             }
         }
         if count > 0 {
-            let text = format!("Averaging judges {wrong} of {count} states otherwise than the exponents of all motions: it knows the mode near the speed only.");
+            let text = format!(
+                "Averaging judges {wrong} of {count} states otherwise than the exponents of all motions: it knows the mode near the speed only."
+            );
             out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
         }
-        if let Some(f) = folds.iter().filter(|f| f.method == Method::Harmonic(1).to_string() && f.deviation.is_finite()).max_by(|a, b| {
-            a.deviation.abs().total_cmp(&b.deviation.abs())
-        }) {
-            let text = format!("With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.", significant(f.speed - f.deviation, 6));
+        if let Some(f) = folds
+            .iter()
+            .filter(|f| f.method == Method::Harmonic(1).to_string() && f.deviation.is_finite())
+            .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
+        {
+            let text = format!(
+                "With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.",
+                significant(f.speed - f.deviation, 6)
+            );
             out.push(Finding::info("fold_deviation", text).value(f.deviation, "rad/s"));
         }
         if let Some(why) = found.no_elliptic {
@@ -213,7 +244,10 @@ impl Methods {
         }
         let d = converged.discretisation;
         if d.symmetry == Symmetry::Circular {
-            out.push(Finding::info("one_harmonic_exact", "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact."));
+            out.push(Finding::info(
+                "one_harmonic_exact",
+                "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact.",
+            ));
         }
         out
     }

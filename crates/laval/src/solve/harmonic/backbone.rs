@@ -14,6 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::solve::characteristic::{coordinate_sectors, state_sectors};
 use crate::solve::pencil::{MachineMode, Whirl, modes_about};
 use crate::solve::rest::rest;
 use crate::solve::sectors::Sector;
@@ -130,8 +131,11 @@ const LIGHT: f64 = 0.3;
 /// No nonlinear part; a part that forces the motion; a part without rest.
 pub fn admit(system: &System, speed: f64) -> Result<(), Diagnostic> {
     if system.slots().iter().all(Slot::is_linear) {
-        return Err(Diagnostic::error("free.linear", "all parts of this machine are linear: its free whirls have the same frequency at any amplitude")
-            .help("ask modes or campbell for these frequencies"));
+        return Err(Diagnostic::error(
+            "free.linear",
+            "all parts of this machine are linear: its free whirls have the same frequency at any amplitude",
+        )
+        .help("ask modes or campbell for these frequencies"));
     }
     autonomous(system, speed)?;
     rest(system, speed).map(drop)
@@ -163,7 +167,12 @@ pub fn backbone<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBoo
         let worst = found.families.iter().flat_map(|f| &f.motions).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         let more = next_order(harmonics);
         let stopped = found.families.iter().any(|f| f.end == End::Cancelled);
-        if request.harmonics.is_some() || d.symmetry == Symmetry::Circular || worst <= request.truncation || more > MOST_HARMONICS || stopped {
+        if request.harmonics.is_some()
+            || d.symmetry == Symmetry::Circular
+            || worst <= request.truncation
+            || more > MOST_HARMONICS
+            || stopped
+        {
             return Ok(found);
         }
         harmonics = more;
@@ -181,15 +190,27 @@ pub(super) fn backward(mode: &MachineMode, symmetry: Symmetry) -> bool {
     matches!(symmetry, Symmetry::Circular | Symmetry::Quarter) && mode.sector == Some(Sector::Backward)
 }
 
-fn attempt<'a>(system: &'a System, request: &Request, d: Discretisation, cancel: &'a AtomicBool, tick: &dyn Fn(u64)) -> Result<Backbone, Diagnostic> {
+fn attempt<'a>(
+    system: &'a System,
+    request: &Request,
+    d: Discretisation,
+    cancel: &'a AtomicBool,
+    tick: &dyn Fn(u64),
+) -> Result<Backbone, Diagnostic> {
     let speed = request.speed;
     let modes = linear_modes(system, speed)?;
     let fastest = modes.iter().map(|m| m.frequency()).fold(1.0, f64::max);
     let probe = Balance::new(system, d, (0.5 * fastest, fastest), Some(cancel))?;
     let natural = natural_amplitude(&probe).unwrap_or(1e-3);
     let (from, to) = request.amplitudes.unwrap_or((1e-3 * natural, 4.0 * natural));
-    let mut out =
-        Backbone { modes: Vec::new(), asymptotes: Vec::new(), families: Vec::new(), discretisation: d, amplitudes: (from, to), iterations: 0 };
+    let mut out = Backbone {
+        modes: Vec::new(),
+        asymptotes: Vec::new(),
+        families: Vec::new(),
+        discretisation: d,
+        amplitudes: (from, to),
+        iterations: 0,
+    };
     let mut taken: Vec<C64> = Vec::new();
     for mode in &modes {
         let turned = backward(mode, d.symmetry);
@@ -215,10 +236,21 @@ fn attempt<'a>(system: &'a System, request: &Request, d: Discretisation, cancel:
                     }
                     x.extend([value.im, -2.0 * value.re]);
                     let options = Options { to_rounding: true, ..Options::default() };
-                    let near = newton(&mut free, &mut x, from, &options).is_ok() && defect(&mut free, &x, from) <= BALANCED && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
+                    let near = newton(&mut free, &mut x, from, &options).is_ok()
+                        && defect(&mut free, &x, from) <= BALANCED
+                        && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
                     if near {
                         taken.push(value);
-                        out.families.push(follow(&mut free, &x, from, Direction::Up, (from, to), request, Origin::Mode(out.modes.len()), &mut out.iterations)?);
+                        out.families.push(follow(
+                            &mut free,
+                            &x,
+                            from,
+                            Direction::Up,
+                            (from, to),
+                            request,
+                            Origin::Mode(out.modes.len()),
+                            &mut out.iterations,
+                        )?);
                         tick(out.families.iter().map(|f| f.motions.len() as u64).sum());
                     } else {
                         left = Some("has no free motion of the smallest amplitude near it");
@@ -348,33 +380,30 @@ fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> R
     for m in [&mut t.rate_q, &mut t.rate_v, &mut t.rate_a] {
         *m = m.matmul(&free);
     }
-    let a = first_order(&t).map_err(|e| lost(e.to_string()))?;
-    let values = laval_num::eig::eigenvalues(&a).map_err(|e| lost(e.to_string()))?;
+    let mut a = first_order(&t).map_err(|e| lost(e.to_string()))?;
     let directed = matches!(d.symmetry, Symmetry::Circular | Symmetry::Quarter);
-    let mut balance = Balance::new(system, d, (0.5 * fastest, fastest), None)?;
-    let n = balance.dim();
-    // how stiff the condensed machine is at a motion exp(s t): only in the sense in which it can whirl there it has a pole
-    let mut stiff = |frequency: f64, drive: f64| -> f64 {
-        balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3] });
-        let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
-        match balance.eval(&vec![0.0; n], speed, &mut r, Some(&mut jac), None) {
-            Ok(()) => jac.max_size(),
-            Err(_) => f64::INFINITY,
-        }
-    };
-    let mut out: Vec<Asymptote> = Vec::new();
-    for value in values.into_iter().filter(|v| v.im > 1e-9 * fastest && v.re.abs() <= LIGHT * v.im) {
-        let signs: &[f64] = if directed { &[1.0, -1.0] } else { &[1.0] };
-        for sign in signs {
-            // close to a pole the stiffness grows tenfold with a tenth of the distance
-            let w = sign * value.im;
-            let near = |e: f64| stiff(w * (1.0 + e), -2.0 * value.re);
-            let [far, close] = [1e-5, 1e-6].map(near);
-            if close > 3.0 * far || !directed {
-                out.push(Asymptote { value: laval_num::complex::c(value.re, w) });
+    let mut turn = 0.0;
+    if directed {
+        // seen from axes that turn faster than anything, all that turns at w in fixed axes has the frequency w - turn below zero
+        turn = 2.0 * a.max_size().sqrt().max(2.0 * fastest);
+        let quarter = coordinate_sectors(system)
+            .times_quarter_turn(&Mat::from_fn(typical.len(), typical.len(), |i, j| if i == j { 1.0 } else { 0.0 }));
+        let back = Mat::from_fn(free.cols(), free.rows(), |i, j| free[(j, i)] / (typical[j] * typical[j]));
+        let own = back.matmul(&quarter.matmul(&free));
+        let states = state_sectors(system, &(0..system.m()).collect::<Vec<_>>()).times_quarter_turn(&Mat::identity(system.m()));
+        let k = free.cols();
+        for (first, block) in [(0, &own), (k, &own), (2 * k, &states)] {
+            for i in 0..block.rows() {
+                for j in 0..block.cols() {
+                    a[(first + i, first + j)] -= turn * block[(i, j)];
+                }
             }
         }
     }
+    let values = laval_num::eig::eigenvalues(&a).map_err(|e| lost(e.to_string()))?;
+    let signed = values.into_iter().filter(|v| if directed { v.im < 0.0 } else { v.im > 0.0 });
+    let mut out: Vec<Asymptote> = signed.map(|v| Asymptote { value: laval_num::complex::c(v.re, v.im + turn) }).collect();
+    out.retain(|a| a.value.im.abs() > 1e-6 * fastest && a.value.re.abs() <= LIGHT * a.value.im.abs());
     out.sort_by(|a, b| a.value.im.total_cmp(&b.value.im));
     out.dedup_by(|a, b| (a.value - b.value).abs() <= 1e-9 * b.value.abs());
     Ok(out)
@@ -472,7 +501,7 @@ fn from_infinity(
         let place = |e: f64| value.im * (1.0 + side * e);
         let mut last: Option<(f64, f64)> = None;
         for step in 0..80 {
-            let e = 10f64.powf(-8.0 + 0.1 * f64::from(step)) ;
+            let e = 10f64.powf(-8.0 + 0.1 * f64::from(step));
             if e > 0.5 {
                 break;
             }
@@ -500,7 +529,8 @@ fn from_infinity(
         }
         let frequency = x[n];
         let ends = out.families.iter().flat_map(|f| [f.motions.first(), f.motions.last()]).flatten();
-        let same = |m: &Motion| (m.amplitude - to).abs() <= 1e-9 * to && (m.frequency.abs() - frequency.abs()).abs() <= 1e-6 * frequency.abs();
+        let same =
+            |m: &Motion| (m.amplitude - to).abs() <= 1e-9 * to && (m.frequency.abs() - frequency.abs()).abs() <= 1e-6 * frequency.abs();
         let met = { ends }.any(same);
         if met || (frequency - value.im).abs() > 0.5 * value.im.abs() {
             continue;
@@ -512,4 +542,3 @@ fn from_infinity(
     }
     Ok(())
 }
-

@@ -129,6 +129,8 @@ pub struct Family {
     pub changes: Vec<Change>,
     /// How it ended.
     pub end: End,
+    /// Its amplitude grows beyond all that the nonlinear parts could bound, near this speed, rad/s.
+    pub unbounded: Option<f64>,
     /// Leading unknown of the harmonics.
     pub lead: usize,
 }
@@ -151,6 +153,9 @@ pub struct Cycles {
     pub iterations: u64,
 }
 
+/// A deflection of this many natural amplitudes is not bounded by the nonlinear parts.
+const FAR: f64 = 30.0;
+
 /// First amplitude over the one at which nonlinear parts show.
 const FIRST: f64 = 1e-2;
 
@@ -160,8 +165,11 @@ const FIRST: f64 = 1e-2;
 /// No nonlinear part, a part that forces the motion, no damping at all.
 pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
     if system.slots().iter().all(Slot::is_linear) {
-        return Err(Diagnostic::error("free.linear", "all parts of this machine are linear: where it is unstable its whirl grows without bound")
-            .help("ask stability_map for the ranges of speed in which it does"));
+        return Err(Diagnostic::error(
+            "free.linear",
+            "all parts of this machine are linear: where it is unstable its whirl grows without bound",
+        )
+        .help("ask stability_map for the ranges of speed in which it does"));
     }
     autonomous(system, lo)?;
     let mirrored = |modes: &[MachineMode]| {
@@ -184,7 +192,12 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
 ///
 /// # Errors
 /// As [`admit`], and eigenvalues that cannot be computed.
-pub fn limit_cycles<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: &dyn Fn(u64) -> bool) -> Result<Cycles, Diagnostic> {
+pub fn limit_cycles<'a>(
+    system: &'a System,
+    request: &Request,
+    cancel: &'a AtomicBool,
+    tick: &dyn Fn(u64) -> bool,
+) -> Result<Cycles, Diagnostic> {
     let (lo, hi) = request.speeds;
     let count = request.points.max(3);
     let speeds: Vec<f64> = (0..count).map(|i| lo + (hi - lo) * i as f64 / (count - 1) as f64).collect();
@@ -258,7 +271,11 @@ fn attempt<'a>(
         out.iterations += branch.counters.work.iterations as u64;
         let lead = free.lead;
         // beyond a vanishing amplitude the family repeats itself half a period later
-        let kept = branch.points.iter().position(|p| !(p.x[lead] > 0.0)).unwrap_or(branch.points.len());
+        let all = branch.points.len();
+        let vanished = branch.points.iter().position(|p| !(p.x[lead] > 0.0)).unwrap_or(all);
+        let far = branch.points.iter().position(|p| !(p.x[lead].abs() <= FAR * natural)).unwrap_or(all);
+        let kept = vanished.min(far);
+        let unbounded = branch.points.get(far).filter(|_| far < vanished).map(|p| p.p);
         let n = free.harmonics();
         let mut cycles = Vec::with_capacity(kept);
         let mut stopped = false;
@@ -270,7 +287,7 @@ fn attempt<'a>(
                 break;
             }
         }
-        let ends_at = (kept < branch.points.len() && !stopped).then(|| {
+        let ends_at = (vanished < all && vanished < far && !stopped).then(|| {
             let p = &branch.points[kept];
             let distance = |o: &Onset| (o.edge.speed - p.p).abs() / hi + (o.frequency / p.x[n] - 1.0).abs();
             (0..out.onsets.len()).filter(|&j| j != k).min_by(|&a, &b| distance(&out.onsets[a]).total_cmp(&distance(&out.onsets[b])))
@@ -284,8 +301,12 @@ fn attempt<'a>(
                 changes.extend(locate_change(&mut free, &mut judge, &mut out.unjudged, a, b));
             }
         }
-        let end = if stopped { End::Cancelled } else { branch.end };
-        out.families.push(Family { onset: k, ends_at: ends_at.flatten(), cycles, folds, changes, end, lead });
+        let end = match branch.end {
+            _ if stopped => End::Cancelled,
+            _ if kept < all => End::Reached,
+            end => end,
+        };
+        out.families.push(Family { onset: k, ends_at: ends_at.flatten(), cycles, folds, changes, end, unbounded, lead });
     }
     Ok(out)
 }
@@ -336,14 +357,7 @@ fn small_cycle(system: &System, free: &mut Free, onset: &mut Onset, natural: f64
     Ok(Some((x, speed)))
 }
 
-fn cycle(
-    free: &mut Free,
-    judge: &mut Option<Stability>,
-    unjudged: &mut Option<Unjudged>,
-    x: &[f64],
-    speed: f64,
-    residual: f64,
-) -> Cycle {
+fn cycle(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64, residual: f64) -> Cycle {
     let n = free.harmonics();
     let [_, frequency, _] = free.quantities(x, speed);
     free.place(x, speed, None);
@@ -379,13 +393,7 @@ fn fold_of(s: &laval_num::continuation::Special) -> Fold {
 }
 
 /// The speed between two cycles at which the largest growth rate passes zero.
-fn locate_change(
-    free: &mut Free,
-    judge: &mut Option<Stability>,
-    unjudged: &mut Option<Unjudged>,
-    a: &Cycle,
-    b: &Cycle,
-) -> Option<Change> {
+fn locate_change(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, a: &Cycle, b: &Cycle) -> Option<Change> {
     let (mut a, mut b) = (a.clone(), b.clone());
     let mut best = None;
     for _ in 0..60 {
@@ -412,7 +420,10 @@ pub fn at_speed(system: &System, found: &Cycles, family: &Family, speed: f64) ->
     let (mut judge, mut unjudged) = (Stability::new(system).ok(), None);
     for w in family.cycles.windows(2) {
         let (a, b) = (&w[0], &w[1]);
-        if (a.speed - speed) * (b.speed - speed) > 0.0 || a.speed == b.speed || b.speed == speed && !std::ptr::eq(b, &family.cycles[family.cycles.len() - 1]) {
+        if (a.speed - speed) * (b.speed - speed) > 0.0
+            || a.speed == b.speed
+            || b.speed == speed && !std::ptr::eq(b, &family.cycles[family.cycles.len() - 1])
+        {
             continue;
         }
         let t = (speed - a.speed) / (b.speed - a.speed);

@@ -111,7 +111,11 @@ pub fn parameter(law: &Law, a: f64, speed: f64) -> f64 {
     let (mut lo, mut hi) = (0.0, 1.0 - f64::EPSILON);
     for _ in 0..200 {
         let mid = 0.5 * (lo + hi);
-        if of(mid) < wanted { lo = mid } else { hi = mid }
+        if of(mid) < wanted {
+            lo = mid
+        } else {
+            hi = mid
+        }
         if hi - lo <= 2.0 * f64::EPSILON * hi {
             break;
         }
@@ -147,7 +151,11 @@ pub fn motions(system: &System, law: &Law, speed: f64, most: f64) -> Vec<Ellipti
             let (mut x, mut y, sign) = (a, b, fa < 0.0);
             for _ in 0..200 {
                 let mid = 0.5 * (x + y);
-                if (excess(mid) < 0.0) == sign { x = mid } else { y = mid }
+                if (excess(mid) < 0.0) == sign {
+                    x = mid
+                } else {
+                    y = mid
+                }
                 if y - x <= 4.0 * f64::EPSILON * y {
                     break;
                 }

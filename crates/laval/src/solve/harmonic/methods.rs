@@ -8,11 +8,11 @@
 //!
 //! Its stationary states are those of one-harmonic balance. Beside them it gives growth rates of the slow motion, which know the mode near the speed only.
 
-use super::elliptic::{Elliptic, Law, law, motions};
+use super::elliptic::{Elliptic, law, motions};
 use super::floquet::{Exponents, Stability};
 use super::orbit::Orbit;
-use super::problem::{Balance, Discretisation};
-use super::response::{Response, carry, samples};
+use super::problem::Balance;
+use super::response::Response;
 use super::terms::Term;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -81,8 +81,6 @@ pub struct Comparison {
     pub no_elliptic: Option<&'static str>,
     /// Why time integration was left out.
     pub no_time: Option<String>,
-    /// Orders of harmonic balance compared.
-    pub orders: Vec<usize>,
 }
 
 /// Periods over which a state is followed in time.
@@ -90,7 +88,14 @@ const PERIODS: usize = 5;
 /// Instants of a period at which peaks are looked for.
 const INSTANTS: usize = 256;
 
-/// Compares the methods at some speeds with a converged response.
+/// Orders of harmonic balance worth a comparison with a converged response: up to `most`.
+pub fn orders(response: &Response, most: usize) -> Vec<usize> {
+    let d = response.discretisation;
+    let step = if d.symmetry == Symmetry::None { 1 } else { 2 };
+    if d.symmetry == Symmetry::Circular { vec![1] } else { (1..=most.min(d.harmonics)).step_by(step).collect() }
+}
+
+/// Compares the methods at some speeds with a converged response; `lower` are the responses with orders up to some numbers.
 ///
 /// # Errors
 /// A balance that cannot be set up.
@@ -99,19 +104,17 @@ pub fn compare(
     response: &Response,
     range: (f64, f64),
     speeds: &[f64],
-    most: usize,
+    lower: &[(usize, Response)],
     cancel: &AtomicBool,
     tick: &dyn Fn(u64),
 ) -> Result<Comparison, Diagnostic> {
     let d = response.discretisation;
-    let step = if d.symmetry == Symmetry::None { 1 } else { 2 };
-    let orders: Vec<usize> = if d.symmetry == Symmetry::Circular { vec![1] } else { (1..=most.min(d.harmonics)).step_by(step).collect() };
     let elliptic = law(system, d.symmetry, range.1);
-    let mut out = Comparison { values: Vec::new(), no_elliptic: elliptic.err(), no_time: None, orders: orders.clone() };
+    let mut out = Comparison { values: Vec::new(), no_elliptic: elliptic.err(), no_time: None };
     let mut full = Balance::new(system, d, range, None)?;
-    let mut few: Vec<Balance> = Vec::new();
-    for &h in &orders {
-        few.push(Balance::new(system, Discretisation { harmonics: h, samples: samples(h, d.divisor).max(32), ..d }, range, None)?);
+    let mut few: Vec<(usize, &Response, Balance)> = Vec::new();
+    for (h, r) in lower {
+        few.push((*h, r, Balance::new(system, r.discretisation, range, None)?));
     }
     let mut judge = Stability::new(system).ok();
     for (i, &speed) in speeds.iter().enumerate() {
@@ -119,8 +122,14 @@ pub fn compare(
             break;
         }
         let states = states_at(&mut full, response, speed);
-        let found = elliptic.map_or(Vec::new(), |law| elliptic_states(system, &law, &states, speed));
-        for (state, (x, first)) in states.iter().enumerate() {
+        let sizes: Vec<f64> = states.iter().map(|s| s.1).collect();
+        let most = sizes.iter().copied().fold(0.0, f64::max);
+        let elliptic_states = elliptic.map_or(Vec::new(), |law| motions(system, &law, speed, 4.0 * most));
+        let with_elliptic = paired(&sizes, &elliptic_states.iter().map(|e| e.first.abs()).collect::<Vec<_>>());
+        let lower_states: Vec<Vec<(Vec<f64>, f64)>> = few.iter_mut().map(|(_, r, balance)| states_at(balance, r, speed)).collect();
+        let with_lower: Vec<Vec<Option<usize>>> =
+            lower_states.iter().map(|l| paired(&sizes, &l.iter().map(|s| s.1).collect::<Vec<_>>())).collect();
+        for (state, (x, _)) in states.iter().enumerate() {
             let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
             let exact = peaks(system, &|tau, x| orbit.pair_at(x, tau)[0][0]);
             full.sample(x, speed);
@@ -132,18 +141,18 @@ pub fn compare(
                 let peaks = if own.is_empty() { vec![f64::NAN; exact.len()] } else { own };
                 out.values.push(Value { speed, state, method, peaks, deviation, growth, parameter });
             };
-            for (balance, &h) in few.iter_mut().zip(&orders) {
-                let found = lower(balance, &full, x, speed, *first, &states);
-                let own = found.as_ref().and_then(|x| Orbit::of(balance, x, speed).ok());
+            for (k, (h, _, balance)) in few.iter_mut().enumerate() {
+                let found = with_lower[k][state].map(|j| &lower_states[k][j].0);
+                let own = found.and_then(|x| Orbit::of(balance, x, speed).ok());
                 let own = own.map_or(Vec::new(), |o| peaks(system, &|tau, x| o.pair_at(x, tau)[0][0]));
-                if h == 1 {
-                    let growth = found.as_ref().and_then(|x| slow_growth(balance, x, speed)).unwrap_or(f64::NAN);
+                if *h == 1 {
+                    let growth = found.and_then(|x| slow_growth(balance, x, speed)).unwrap_or(f64::NAN);
                     push(Method::Averaging, own.clone(), growth, f64::NAN);
                 }
-                push(Method::Harmonic(h), own, f64::NAN, f64::NAN);
+                push(Method::Harmonic(*h), own, f64::NAN, f64::NAN);
             }
             if elliptic.is_ok() {
-                let near = found.iter().find(|(s, _)| *s == state).map(|(_, e)| e);
+                let near = with_elliptic[state].map(|j| &elliptic_states[j]);
                 let own = near.map_or(Vec::new(), |e| elliptic_peaks(system, e));
                 push(Method::Elliptic, own, f64::NAN, near.map_or(f64::NAN, |e| e.parameter));
             }
@@ -167,7 +176,7 @@ fn states_at(balance: &mut Balance, response: &Response, speed: f64) -> Vec<(Vec
     let mut out: Vec<(Vec<f64>, f64)> = Vec::new();
     for w in response.branches.iter().flat_map(|b| b.points.windows(2)) {
         let (a, b) = (w[0].speed, w[1].speed);
-        if (a - speed) * (b - speed) > 0.0 || a == b {
+        if (a - speed) * (b - speed) > 0.0 || a == b || w.iter().any(|p| p.x.len() != balance.dim()) {
             continue;
         }
         let t = (speed - a) / (b - a);
@@ -191,30 +200,20 @@ fn first_order(balance: &Balance, x: &[f64]) -> f64 {
     own.map(|&(t, at)| x[at..at + t.size()].iter().map(|v| v * v).sum::<f64>()).sum::<f64>().sqrt()
 }
 
-/// The state with fewer orders that belongs to a converged one: found from it, and nearer to it than to any other.
-fn lower(balance: &mut Balance, full: &Balance, x: &[f64], speed: f64, first: f64, states: &[(Vec<f64>, f64)]) -> Option<Vec<f64>> {
-    let mut own = carry(&full.terms, &balance.terms, x);
-    newton(balance, &mut own, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
-    let found = first_order(balance, &own);
-    let distance = |f: f64| (found / f).ln().abs();
-    let nearest = states.iter().all(|(_, f)| distance(first) <= distance(*f));
-    (nearest && distance(first) < 0.5).then_some(own)
-}
-
-/// Each elliptic motion with the state it is nearest to; one for each state at most.
-fn elliptic_states(system: &System, law: &Law, states: &[(Vec<f64>, f64)], speed: f64) -> Vec<(usize, Elliptic)> {
-    let most = states.iter().map(|s| s.1).fold(0.0, f64::max);
-    let mut out: Vec<(usize, Elliptic)> = Vec::new();
-    for e in motions(system, law, speed, 4.0 * most) {
-        let distance = |k: usize| (e.first.abs() / states[k].1).ln().abs();
-        let Some(k) = (0..states.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b))) else { continue };
-        if distance(k) > 0.5 {
-            continue;
-        }
-        match out.iter_mut().find(|(s, _)| *s == k) {
-            Some(known) if (known.1.first.abs() / states[k].1).ln().abs() > distance(k) => known.1 = e,
-            Some(_) => {}
-            None => out.push((k, e)),
+/// Which of `others` belongs to each of `own` states, both by amplitude: rank by rank where there are as many, else the nearest, each once.
+fn paired(own: &[f64], others: &[f64]) -> Vec<Option<usize>> {
+    if own.len() == others.len() {
+        return (0..own.len()).map(Some).collect();
+    }
+    let mut out = vec![None; own.len()];
+    let mut all: Vec<(f64, usize, usize)> = Vec::new();
+    for (i, a) in own.iter().enumerate() {
+        all.extend(others.iter().enumerate().map(|(j, b)| ((a / b).ln().abs(), i, j)));
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (distance, i, j) in all {
+        if distance < 0.5 && out[i].is_none() && !out.contains(&Some(j)) {
+            out[i] = Some(j);
         }
     }
     out

@@ -280,7 +280,16 @@ impl Sampled {
         let mut spin = D1::lift(0.0);
         let [q, v, a, z] = &self.seeded1;
         let time = D1 { re: t, eps: [-t * stretch] };
-        let at = At { q, v, a, z, phase: D1::lift(phase), speed: D1 { re: pace.speed, eps: [pace.rate[0]] }, spin_accel: D1::lift(0.0), t: time };
+        let at = At {
+            q,
+            v,
+            a,
+            z,
+            phase: D1::lift(phase),
+            speed: D1 { re: pace.speed, eps: [pace.rate[0]] },
+            spin_accel: D1::lift(0.0),
+            t: time,
+        };
         let mut out = Rows { force: &mut self.force1, rate: &mut self.rate1, spin: &mut spin };
         D1::residual(&*slot.part, &self.params1, &at, &mut out, &mut self.blocks1);
         let force: Vec<f64> = self.force1.iter().map(|f| f.eps[0]).collect();
