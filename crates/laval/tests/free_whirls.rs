@@ -30,7 +30,7 @@ fn undamped() -> Base {
 }
 
 fn request(speed: f64) -> Request {
-    Request { speed, amplitudes: None, harmonics: None, truncation: 1e-9, max_points: 5_000 }
+    Request { speed, amplitudes: None, harmonics: None, truncation: 1e-9, max_points: 5_000, work: u64::MAX }
 }
 
 fn found(base: Base, request: Request) -> (System, Backbone) {

@@ -69,7 +69,7 @@ impl Study for Backbone {
             amplitudes = Some((range.from, range.to));
         }
         let (harmonics, truncation, max_points) = read(values);
-        Some(Backbone { request: Request { speed: speed?, amplitudes, harmonics, truncation, max_points } })
+        Some(Backbone { request: Request { speed: speed?, amplitudes, harmonics, truncation, max_points, work: u64::MAX } })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
@@ -79,8 +79,7 @@ impl Study for Backbone {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let mut request = self.request;
-        request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
+        let request = Request { work: context.work_limit, ..self.request };
         let found = backbone(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let fastest = found.modes.iter().map(|m| m.value.im.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
@@ -103,7 +102,7 @@ impl Shown<'_> {
         let found = self.found;
         let mut out = Outcome::new(Backbone::KIND, context.name)
             .over("amplitude", "m")
-            .end(end(found.families.iter().map(|f| &f.end)))
+            .end(if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) })
             .work("Newton iterations", found.iterations)
             .work("points", found.families.iter().map(|f| f.motions.len() as u64).sum());
         for f in self.findings() {
@@ -280,19 +279,21 @@ impl Shown<'_> {
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
         for (b, name) in self.bodies.iter().enumerate() {
             let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0)).float(
-                format!("{name} largest displacement"),
-                "m",
-                "largest distance of the centre from its rest position over a period",
-                of(1),
-            );
+            t = t
+                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0))
+                .float(
+                    format!("{name} largest displacement"),
+                    "m",
+                    "largest distance of the centre from its rest position over a period; NaN when it could not be had",
+                    of(1),
+                );
         }
-        t.float("truncation", "", "dropped over kept force harmonics", column(&|m| m.truncation))
+        t.float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", column(&|m| m.truncation))
             .float("residual", "", "scaled residual of the balance", column(&|m| m.residual))
             .float(
                 "validity",
                 "",
-                "largest use of a part's validity; above 1 is outside",
+                "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
                 all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
             )
             .build()

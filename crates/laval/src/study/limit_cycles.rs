@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, Values};
 use crate::model::system::System;
 use crate::outcome::{
-    self, Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
+    Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
 };
 use crate::solve::harmonic::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::floquet::Exponents;
@@ -49,7 +49,14 @@ impl Study for LimitCycles {
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 3, values, diagnostics)?;
         let (harmonics, truncation, max_points) = read(values);
-        let request = Request { speeds: (speed.from, speed.to), points: speed.points.unwrap_or(200), harmonics, truncation, max_points };
+        let request = Request {
+            speeds: (speed.from, speed.to),
+            points: speed.points.unwrap_or(200),
+            harmonics,
+            truncation,
+            max_points,
+            work: u64::MAX,
+        };
         Some(LimitCycles { request })
     }
 
@@ -60,12 +67,8 @@ impl Study for LimitCycles {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let mut request = self.request;
-        request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
-        let found = limit_cycles(system, &request, context.cancel, &|done| {
-            context.progress.report(done, 0);
-            context.goes_on(done)
-        })?;
+        let request = Request { work: context.work_limit, ..self.request };
+        let found = limit_cycles(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let fastest = found.onsets.iter().map(|o| o.frequency.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |c: &Cycle, measure: &mut Measure| measure.of([c.speed, c.frequency, 0.0], &c.x);
@@ -94,10 +97,7 @@ fn word(o: &Onset) -> &'static str {
 impl Shown<'_> {
     fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
         let found = self.found;
-        let ended = match end(found.families.iter().map(|f| &f.end)) {
-            outcome::End::Reached | outcome::End::Cancelled if found.rest.stopped || context.cancelled() => context.end(false),
-            e => e,
-        };
+        let ended = if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) };
         let mut out = Outcome::new(LimitCycles::KIND, context.name)
             .over("speed", "rad/s")
             .end(ended)
@@ -329,17 +329,19 @@ impl Shown<'_> {
             .float(
                 "largest displacement",
                 "m",
-                "largest distance of any body from its rest position over a period",
+                "largest distance of any body from its rest position over a period; NaN when it could not be had",
                 all.iter().map(|a| self.measured[a.0][a.1].bodies.iter().map(|b| b[1]).fold(f64::NAN, f64::max)).collect(),
             );
         for (b, name) in self.bodies.iter().enumerate() {
             let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0)).float(
-                format!("{name} largest displacement"),
-                "m",
-                "largest distance of the centre from its rest position over a period",
-                of(1),
-            );
+            t = t
+                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0))
+                .float(
+                    format!("{name} largest displacement"),
+                    "m",
+                    "largest distance of the centre from its rest position over a period; NaN when it could not be had",
+                    of(1),
+                );
         }
         t.float(
             "growth rate",
@@ -347,16 +349,31 @@ impl Shown<'_> {
             "largest growth rate of a disturbance that is no shift in time; NaN when not judged",
             column(&Cycle::growth),
         )
-        .float("growth rate error", "1/s", "its estimated error", column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)))
+        .float(
+            "growth rate error",
+            "1/s",
+            "its estimated error; NaN when it could not be had",
+            column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)),
+        )
         .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
-        .float("shift exponent", "1/s", "distance from zero of the exponent of a shift in time, zero in theory", column(&|c| c.trivial))
-        .float("growth of rest", "1/s", "largest growth rate of the machine at rest at this speed", column(&|c| c.rest))
-        .float("truncation", "", "dropped over kept force harmonics", column(&|c| c.truncation))
+        .float(
+            "shift exponent",
+            "1/s",
+            "distance from zero of the exponent of a shift in time, zero in theory; NaN when it could not be had",
+            column(&|c| c.trivial),
+        )
+        .float(
+            "growth of rest",
+            "1/s",
+            "largest growth rate of the machine at rest at this speed; NaN when it could not be had",
+            column(&|c| c.rest),
+        )
+        .float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", column(&|c| c.truncation))
         .float("residual", "", "scaled residual of the balance", column(&|c| c.residual))
         .float(
             "validity",
             "",
-            "largest use of a part's validity; above 1 is outside",
+            "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
             all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
         )
         .build()
@@ -383,7 +400,12 @@ impl Shown<'_> {
                 "soft: small cycles where rest is unstable; hard: where it is stable",
                 all.iter().map(|o| word(o).to_string()).collect(),
             )
-            .float("curvature", "rad/s/m^2", "k of speed - edge = k amplitude^2", all.iter().map(|o| o.curvature).collect())
+            .float(
+                "curvature",
+                "rad/s/m^2",
+                "k of speed - edge = k amplitude^2; NaN when no cycle was found",
+                all.iter().map(|o| o.curvature).collect(),
+            )
             .int("family", "", "number of the family that begins here; 0: none", (0..all.len()).map(family).collect())
             .text("why none", "why no family begins here", all.iter().map(|o| o.left.unwrap_or("").to_string()).collect())
             .build()

@@ -23,7 +23,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Test, Zero, trace};
 use laval_num::dense::{Mat, dot, max_abs, norm};
 use laval_num::newton::{Cause, Options, newton};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +38,8 @@ pub struct Request {
     pub truncation: f64,
     /// Most points of a family.
     pub max_points: usize,
+    /// Most points in all.
+    pub work: u64,
 }
 
 /// Where a family was begun.
@@ -117,6 +119,15 @@ pub struct Backbone {
     pub amplitudes: (f64, f64),
     /// Newton iterations.
     pub iterations: u64,
+    /// Families were left out: stopped on request, or the points allowed were used up.
+    pub stopped: bool,
+}
+
+impl Backbone {
+    /// Points of all families.
+    pub fn points(&self) -> u64 {
+        self.families.iter().map(|f| f.motions.len() as u64).sum()
+    }
 }
 
 /// Largest order the automatic choice goes to.
@@ -161,12 +172,15 @@ pub(super) fn next_order(h: usize) -> usize {
 pub fn backbone<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: &dyn Fn(u64)) -> Result<Backbone, Diagnostic> {
     admit(system, request.speed)?;
     let mut harmonics = request.harmonics.unwrap_or(7);
+    let mut left = request.work;
     loop {
         let d = discretisation(system, request.speed, harmonics);
-        let found = attempt(system, request, d, cancel, tick)?;
+        let mut found = attempt(system, &Request { work: left, ..*request }, d, cancel, tick)?;
+        left = left.saturating_sub(found.points());
+        found.stopped |= cancel.load(Ordering::Relaxed);
         let worst = found.families.iter().flat_map(|f| &f.motions).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         let more = next_order(harmonics);
-        let stopped = found.families.iter().any(|f| f.end == End::Cancelled);
+        let stopped = found.stopped || left == 0;
         if request.harmonics.is_some()
             || d.symmetry == Symmetry::Circular
             || worst <= request.truncation
@@ -210,6 +224,7 @@ fn attempt<'a>(
         discretisation: d,
         amplitudes: (from, to),
         iterations: 0,
+        stopped: false,
     };
     let mut taken: Vec<C64> = Vec::new();
     for mode in &modes {
@@ -241,17 +256,9 @@ fn attempt<'a>(
                         && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
                     if near {
                         taken.push(value);
-                        out.families.push(follow(
-                            &mut free,
-                            &x,
-                            from,
-                            Direction::Up,
-                            (from, to),
-                            request,
-                            Origin::Mode(out.modes.len()),
-                            &mut out.iterations,
-                        )?);
-                        tick(out.families.iter().map(|f| f.motions.len() as u64).sum());
+                        let origin = Origin::Mode(out.modes.len());
+                        follow(&mut free, &x, (from, Direction::Up), request, origin, &mut out)?;
+                        tick(out.points());
                     } else {
                         left = Some("has no free motion of the smallest amplitude near it");
                     }
@@ -263,7 +270,7 @@ fn attempt<'a>(
     out.asymptotes = asymptotes(system, d, speed, fastest)?;
     for k in 0..out.asymptotes.len() {
         from_infinity(system, d, request, k, &mut out, cancel)?;
-        tick(out.families.iter().map(|f| f.motions.len() as u64).sum());
+        tick(out.points());
     }
     Ok(out)
 }
@@ -279,23 +286,29 @@ pub(super) fn static_harmonics(free: &Free, system: &System, speed: f64) -> Opti
     Some(x)
 }
 
-#[allow(clippy::too_many_arguments)]
+/// Follows a family from a motion at an amplitude, as far as the points allowed in all reach.
 fn follow(
     free: &mut Free,
     start: &[f64],
-    at: f64,
-    direction: Direction,
-    (from, to): (f64, f64),
+    (at, direction): (f64, Direction),
     request: &Request,
     origin: Origin,
-    iterations: &mut u64,
-) -> Result<Family, Diagnostic> {
-    let settings = Settings { max_points: request.max_points, max_parameter_step: (to - from) / 25.0, ..Settings::new(from, to) };
+    out: &mut Backbone,
+) -> Result<(), Diagnostic> {
+    let (from, to) = out.amplitudes;
+    let left = usize::try_from(request.work.saturating_sub(out.points())).unwrap_or(usize::MAX);
+    if left < 2 {
+        out.stopped = true;
+        return Ok(());
+    }
+    let max_points = request.max_points.min(left);
+    let settings = Settings { max_points, max_parameter_step: (to - from) / 25.0, ..Settings::new(from, to) };
     let speed = request.speed;
     let mut tests: [Test<'_, Free>; 1] = [Box::new(move |free: &mut Free, p: &Point| free.quantities(&p.x, p.p)[1] - speed)];
     let branch = trace(free, start, at, direction, &settings, &mut tests)
         .map_err(|e| Diagnostic::error("backbone.settings", format!("the family cannot be followed: {e}")))?;
-    *iterations += branch.counters.work.iterations as u64;
+    out.iterations += branch.counters.work.iterations as u64;
+    out.stopped |= branch.end == End::MaxPoints && left < request.max_points;
     let folds = branch.of(Kind::Fold).map(|s| s.fold.as_ref().map_or(s.point.p, |f| f.p)).collect();
     let synchronous = branch.of(Kind::User(0)).map(|s| (s.point.p, (s.bracket[0].p, s.bracket[1].p))).collect();
     let (mut motions, mut end) = (Vec::with_capacity(branch.points.len()), branch.end);
@@ -308,7 +321,8 @@ fn follow(
         }
         motions.push(m);
     }
-    Ok(Family { origin, motions, folds, synchronous, end, lead: free.lead })
+    out.families.push(Family { origin, motions, folds, synchronous, end, lead: free.lead });
+    Ok(())
 }
 
 /// Largest defect of forces, relative, of a motion. At a pole of the condensed stiffness its slope is infinite as well, and a residual measured in
@@ -462,7 +476,7 @@ fn from_infinity(
     out: &mut Backbone,
     cancel: &AtomicBool,
 ) -> Result<(), Diagnostic> {
-    let (speed, (from, to)) = (request.speed, out.amplitudes);
+    let (speed, (_, to)) = (request.speed, out.amplitudes);
     let value = out.asymptotes[k].value;
     let drive = -2.0 * value.re;
     let mut free = Free::new(system, d, (0.25 * to, value.im), speed, Some(cancel))?;
@@ -535,10 +549,7 @@ fn from_infinity(
         if met || (frequency - value.im).abs() > 0.5 * value.im.abs() {
             continue;
         }
-        let mut iterations = 0;
-        let family = follow(&mut free, &x, to, Direction::Down, (from, to), request, Origin::Asymptote(k), &mut iterations)?;
-        out.iterations += iterations;
-        out.families.push(family);
+        follow(&mut free, &x, (to, Direction::Down), request, Origin::Asymptote(k), out)?;
     }
     Ok(())
 }

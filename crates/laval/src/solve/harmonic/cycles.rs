@@ -18,7 +18,7 @@ use crate::solve::symmetry::Symmetry;
 use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Settings, Status, Zero, trace};
 use laval_num::newton::{Options, newton};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub struct Request {
     pub truncation: f64,
     /// Most points of a family.
     pub max_points: usize,
+    /// Most spectra and points in all.
+    pub work: u64,
 }
 
 /// A limit cycle.
@@ -151,6 +153,15 @@ pub struct Cycles {
     pub unjudged: Option<Unjudged>,
     /// Newton iterations.
     pub iterations: u64,
+    /// Families were left out: stopped on request, or the work allowed was used up.
+    pub stopped: bool,
+}
+
+impl Cycles {
+    /// Cycles of all families.
+    pub fn points(&self) -> u64 {
+        self.families.iter().map(|f| f.cycles.len() as u64).sum()
+    }
 }
 
 /// A deflection of this many natural amplitudes is not bounded by the nonlinear parts.
@@ -192,23 +203,25 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
 ///
 /// # Errors
 /// As [`admit`], and eigenvalues that cannot be computed.
-pub fn limit_cycles<'a>(
-    system: &'a System,
-    request: &Request,
-    cancel: &'a AtomicBool,
-    tick: &dyn Fn(u64) -> bool,
-) -> Result<Cycles, Diagnostic> {
+pub fn limit_cycles<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool, tick: &dyn Fn(u64)) -> Result<Cycles, Diagnostic> {
     let (lo, hi) = request.speeds;
     let count = request.points.max(3);
     let speeds: Vec<f64> = (0..count).map(|i| lo + (hi - lo) * i as f64 / (count - 1) as f64).collect();
-    let at_rest = row(system, &|w| rest(system, w), &speeds, 0.0, tick)?;
+    let goes_on = |done: u64| done < request.work && !cancel.load(Ordering::Relaxed);
+    let at_rest = row(system, &|w| rest(system, w), &speeds, 0.0, |done| {
+        tick(done);
+        goes_on(done)
+    })?;
+    let mut left = request.work.saturating_sub(at_rest.solved);
     let mut harmonics = request.harmonics.unwrap_or(7);
     loop {
         let d = discretisation(system, 0.5 * (lo + hi), harmonics);
-        let found = attempt(system, request, at_rest.clone(), d, cancel, tick)?;
+        let mut found = attempt(system, &Request { work: left, ..*request }, at_rest.clone(), d, cancel, tick)?;
+        left = left.saturating_sub(found.points());
+        found.stopped |= found.rest.stopped || cancel.load(Ordering::Relaxed);
         let worst = found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         let more = next_order(harmonics);
-        let stopped = found.families.iter().any(|f| f.end == End::Cancelled);
+        let stopped = found.stopped || left == 0;
         let enough = worst <= request.truncation || more > super::backbone::MOST_HARMONICS;
         if request.harmonics.is_some() || d.symmetry == Symmetry::Circular || enough || stopped {
             return Ok(found);
@@ -223,7 +236,7 @@ fn attempt<'a>(
     at_rest: Row,
     d: Discretisation,
     cancel: &'a AtomicBool,
-    tick: &dyn Fn(u64) -> bool,
+    tick: &dyn Fn(u64),
 ) -> Result<Cycles, Diagnostic> {
     let (lo, hi) = request.speeds;
     let probe = Balance::new(system, d, (0.5 * hi, hi), Some(cancel))?;
@@ -236,7 +249,11 @@ fn attempt<'a>(
         natural,
         unjudged: None,
         iterations: 0,
+        stopped: false,
     };
+    if out.rest.stopped {
+        return Ok(out);
+    }
     let mut judge = match Stability::new(system) {
         Ok(s) => Some(s),
         Err(why) => {
@@ -265,10 +282,17 @@ fn attempt<'a>(
         }
         (free.unknown, free.parameter) = (vec![Quantity::Frequency], Quantity::Speed);
         let direction = if speed > edge.speed { Direction::Up } else { Direction::Down };
-        let settings = Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 50.0, ..Settings::new(lo, hi) };
+        let points = usize::try_from(request.work.saturating_sub(out.points())).unwrap_or(usize::MAX);
+        if points < 2 {
+            out.stopped = true;
+            break;
+        }
+        let max_points = request.max_points.min(points);
+        let settings = Settings { max_points, max_parameter_step: (hi - lo) / 50.0, ..Settings::new(lo, hi) };
         let branch = trace(&mut free, &x, speed, direction, &settings, &mut [])
             .map_err(|e| Diagnostic::error("limit_cycles.settings", format!("the cycles cannot be followed: {e}")))?;
         out.iterations += branch.counters.work.iterations as u64;
+        out.stopped |= branch.end == End::MaxPoints && points < request.max_points;
         let lead = free.lead;
         // beyond a vanishing amplitude the family repeats itself half a period later
         let all = branch.points.len();
@@ -282,7 +306,8 @@ fn attempt<'a>(
         for p in &branch.points[..kept] {
             let (x, residual) = polish(&mut free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
             cycles.push(cycle(&mut free, &mut judge, &mut out.unjudged, &x, p.p, residual));
-            stopped = free.cancelled() || !tick(out.families.iter().map(|f| f.cycles.len()).sum::<usize>() as u64 + cycles.len() as u64);
+            tick(out.points() + cycles.len() as u64);
+            stopped = free.cancelled();
             if stopped {
                 break;
             }
