@@ -37,7 +37,11 @@ fn every_case_has_the_verdict_it_states() {
         assert!(files[0].1.contains(&format!("href=\"{name}\"")), "{name} is not in the index");
         assert!(content.contains("<svg"), "{name} has no figure");
     }
+    let known: HashSet<&str> = files.iter().map(|f| f.0.as_str()).collect();
     for (name, content) in &files {
+        for link in content.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()).filter(|l| l.ends_with(".html")) {
+            assert!(known.contains(link), "{name} links to {link}");
+        }
         assert!(content.contains("default-src 'none'") && !content.contains("<script"), "{name}");
         for outside in ["src=", "<link", "@import", "url(h"] {
             assert!(!content.contains(outside), "{name} contains {outside}");
