@@ -7,6 +7,7 @@ pub mod continuation;
 pub mod dense;
 pub mod dual;
 pub mod eig;
+pub mod elliptic;
 pub mod ensemble;
 pub mod fourier;
 pub mod interpolate;

@@ -1,11 +1,14 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+pub mod backbone;
 pub mod basins;
 pub mod campbell;
 pub mod critical_speeds;
 pub mod duty;
 pub mod forced_response;
+mod free_motion;
 mod history;
+pub mod limit_cycles;
 pub mod limits;
 pub mod modes;
 pub mod nonlinear_response;
@@ -192,6 +195,8 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<stability_map::StabilityMap>(),
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<backbone::Backbone>(),
+        kind::<limit_cycles::LimitCycles>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
         kind::<separation::Separation>(),

@@ -9,6 +9,7 @@
 //! A reference stiffness S (diagonal, in the unit of each coordinate) is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
 //! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
 
+use super::pace::Pace;
 use crate::model::blocks::{Axes, Grid};
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -72,16 +73,16 @@ pub fn lossy(k: usize, reference: f64) -> C64 {
     c(reference, if k == 0 { 0.0 } else { reference })
 }
 
-/// One order condensed at one speed, with derivatives in the speed.
+/// One order condensed at one pace, with derivatives in the parameter that the pace depends on (the speed, under unbalance).
 #[derive(Clone, Debug, Default)]
 pub struct Order {
     /// K over the nonlinear coordinates.
     pub stiffness: Mat<C64>,
-    /// dK/dspeed.
+    /// dK/dparameter.
     pub stiffness_speed: Mat<C64>,
     /// p.
     pub load: Vec<C64>,
-    /// dp/dspeed.
+    /// dp/dparameter.
     pub load_speed: Vec<C64>,
     /// Z^-1 B^T (with the reference stiffness), for the motion of all coordinates.
     pub spread: Mat<C64>,
@@ -95,6 +96,10 @@ pub struct Condenser {
     /// S: reference stiffness on each nonlinear coordinate, N/m or N m/rad.
     pub reference: Vec<f64>,
     divisor: usize,
+    /// The rotating load acts; a free motion leaves it out.
+    pub driven: bool,
+    frequency: D1,
+    drive: D1,
     params: Vec<D1>,
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
@@ -115,6 +120,9 @@ impl Condenser {
             basis: basis.rows.clone(),
             reference,
             divisor,
+            driven: true,
+            frequency: D1::zero(),
+            drive: D1::zero(),
             params: system.params().iter().map(|&x| D1::lift(x)).collect(),
             model: LinearModel::default(),
             scratch: LinearScratch::default(),
@@ -129,9 +137,13 @@ impl Condenser {
         }
     }
 
-    /// Evaluates the linear parts at a speed (rad/s); call before [`Condenser::order`].
-    pub fn set_speed(&mut self, system: &System, speed: f64) {
-        system.linear(&self.params, D1::seed(speed, 0), Form::Frequency, &mut self.model, &mut self.scratch);
+    /// Evaluates the linear parts at a pace; call before [`Condenser::order`].
+    pub fn set_pace(&mut self, system: &System, pace: &Pace) {
+        let [by_speed, by_frequency, by_drive] = pace.rate.map(|rate| [rate]);
+        self.frequency = D1 { re: pace.frequency, eps: by_frequency };
+        self.drive = D1 { re: pace.drive, eps: by_drive };
+        let speed = D1 { re: pace.speed, eps: by_speed };
+        system.linear(&self.params, speed, Form::Frequency, &mut self.model, &mut self.scratch);
     }
 
     /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
@@ -160,9 +172,9 @@ impl Condenser {
     /// Condenses order `k >= 0` of the base frequency.
     pub fn order(&mut self, system: &System, k: usize, out: &mut Order) -> Result<(), Singular> {
         let (n, m) = (system.n(), self.basis.len());
-        let ratio = k as f64 / self.divisor as f64;
         let b = &self.model.blocks;
-        let s = laval_num::complex::c(D1::zero(), b.speed.scale(ratio));
+        let frequency = self.frequency.scale(k as f64);
+        let s = laval_num::complex::c(D1::zero(), frequency);
         system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
         let size = self.grid.rows();
         self.z.reset(size, size);
@@ -170,6 +182,17 @@ impl Condenser {
         for (i, e) in self.grid.data().iter().enumerate() {
             self.z.data_mut()[i] = c(e.re.re, e.im.re);
             self.dz.data_mut()[i] = c(e.re.eps[0], e.im.eps[0]);
+        }
+        if self.drive.re != 0.0 || self.drive.eps[0] != 0.0 {
+            // - xi s M
+            let push = -(self.drive * frequency);
+            for i in 0..n {
+                for j in 0..n {
+                    let x = push * b.mass[(i, j)];
+                    self.z[(i, j)] += c(0.0, x.re);
+                    self.dz[(i, j)] += c(0.0, x.eps[0]);
+                }
+            }
         }
         for (row, &reference) in self.basis.iter().zip(&self.reference) {
             for &(gi, ci) in row {
@@ -187,7 +210,7 @@ impl Condenser {
             }
         }
         for i in 0..size {
-            let (f, df) = if k == self.divisor && i < n {
+            let (f, df) = if k == self.divisor && i < n && self.driven {
                 (c(b.force_cos[i].re, -b.force_sin[i].re), c(b.force_cos[i].eps[0], -b.force_sin[i].eps[0]))
             } else if k == 0 {
                 let x = if i < n { b.force[i] } else { b.rate[i - n] };

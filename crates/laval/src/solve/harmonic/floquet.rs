@@ -190,9 +190,10 @@ impl Stability {
         if terms.symmetry == Symmetry::Circular {
             let mut a = self.constant.clone();
             self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
+            let turn = balance.pace(speed).frequency * terms.divisor as f64;
             for (i, _) in self.pairs.iter().enumerate().filter(|(_, p)| **p) {
-                a[(i, i + 1)] += speed;
-                a[(i + 1, i)] -= speed;
+                a[(i, i + 1)] += turn;
+                a[(i + 1, i)] -= turn;
             }
             let values = self.eigenvalues(&a)?;
             return Ok(Exponents { values, error: rounding(&a), method: Method::Rotating });
@@ -219,7 +220,7 @@ impl Stability {
             let worst = (0..delta.rows()).map(|i| delta.row(i).iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
             variation = variation.max(worst);
         }
-        let base = speed.abs() / terms.divisor as f64 * if terms.symmetry == Symmetry::None { 1.0 } else { 2.0 };
+        let base = balance.pace(speed).frequency.abs() * if terms.symmetry == Symmetry::None { 1.0 } else { 2.0 };
         let bound = variation * variation / detuning(&values, base).max(variation);
         // a law that switches may do so between the samples
         if places.is_empty() && (bound < 0.1 * TOLERANCE * size || variation == 0.0) {

@@ -64,7 +64,7 @@ fn breaks(balance: &mut Balance, x: &[f64], speed: f64, parts: usize, period: f6
     if parts == 0 {
         return Ok(vec![period]);
     }
-    let (length, forward) = (TAU / parts as f64, speed > 0.0);
+    let (length, forward) = (TAU / parts as f64, balance.pace(speed).frequency > 0.0);
     let (places, jumps) = balance.switches(x, speed, (if forward { 0.0 } else { -length }, length));
     if let Some(part) = jumps {
         return Err(Unjudged::Jumps(part));
@@ -88,9 +88,10 @@ impl Stability {
         let blocks = self.blocks(balance, switches);
         // a turn by a quarter mixes x and y: with blocks apart the half turn keeps them apart
         let parts = if blocks.len() > 1 { terms.symmetry.order().min(2) } else { terms.symmetry.order() };
-        let base = speed.abs() / terms.divisor as f64;
+        let pace = balance.pace(speed);
+        let base = pace.frequency.abs();
         let period = TAU / base / parts as f64;
-        let direction = speed.signum();
+        let direction = pace.frequency.signum();
         let breaks = breaks(balance, x, speed, parts, period)?;
         let terms = &balance.terms;
         let window = Window::default();
@@ -106,9 +107,9 @@ impl Stability {
         let mut problem = ode(y.len(), |t, y, dy| {
             let tau = base * window.inside(t) * direction;
             turns(tau, terms.harmonics, &mut turned);
-            motion_at(terms, x, speed / terms.divisor as f64, &turned, &mut motion);
+            motion_at(terms, x, pace.frequency, &turned, &mut motion);
             let [u, v, w] = &motion;
-            sampled.eval_at(system, members, terms, tau, [u, v, w], speed, true);
+            sampled.eval_at(system, members, terms, tau, [u, v, w], pace, true);
             let mut offset = 0;
             for block in &blocks {
                 let d = block.states.len();
@@ -176,7 +177,8 @@ impl Stability {
     /// Configuration-dependent mass, or states in nonlinear parts: everything differentiated along the motion.
     pub(super) fn general(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
         let parts = balance.terms.symmetry.order();
-        let period = TAU / (speed.abs() / balance.terms.divisor as f64) / parts.max(1) as f64;
+        let pace = balance.pace(speed);
+        let period = TAU / pace.frequency.abs() / parts.max(1) as f64;
         let breaks = breaks(balance, x, speed, parts, period)?;
         let window = Window::default();
         let orbit = Orbit::of(balance, x, speed).map_err(|e| Unjudged::Failed(e.to_string()))?;
@@ -184,7 +186,7 @@ impl Stability {
         let (n, m) = (self.n, self.m);
         let states = 2 * n + m;
         let terms = &balance.terms;
-        let direction = speed.signum();
+        let direction = pace.frequency.signum();
         let (mut q, mut v, mut acc, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut tangent = std::mem::take(&mut self.tangent);
         let mut scratch = std::mem::take(&mut self.scratch);
@@ -211,8 +213,8 @@ impl Stability {
         scaled(&mut a0);
         if parts == 0 {
             for (i, _) in self.pairs.iter().enumerate().filter(|(_, p)| **p) {
-                a0[(i, i + 1)] += speed;
-                a0[(i + 1, i)] -= speed;
+                a0[(i, i + 1)] += pace.frequency * terms.divisor as f64;
+                a0[(i + 1, i)] -= pace.frequency * terms.divisor as f64;
             }
             self.tangent = tangent;
             self.scratch = scratch;

@@ -1,5 +1,6 @@
 //! Nonlinear parts by alternating frequency and time: forces and exact tangents at the samples of a period.
 
+use super::pace::Pace;
 use super::terms::Terms;
 use crate::model::blocks::Blocks;
 use crate::model::erased::{D1, D8, Evaluate};
@@ -26,13 +27,13 @@ struct Instants<'a> {
     m: usize,
     angles: &'a [f64],
     divisor: usize,
-    speed: f64,
+    pace: Pace,
 }
 
 impl Instants<'_> {
     /// Spin phase and time of instant `j`.
     fn time(&self, j: usize) -> (f64, f64) {
-        let w = self.speed / self.divisor as f64;
+        let w = self.pace.frequency;
         (self.divisor as f64 * self.angles[j], if w == 0.0 { 0.0 } else { self.angles[j] / w })
     }
 }
@@ -43,7 +44,7 @@ pub struct Sampled {
     u: [Vec<f64>; 3],
     /// Rows at the samples, (samples * m).
     pub rows: Vec<f64>,
-    /// d rows / d speed at the samples with the unknowns fixed.
+    /// d rows / d parameter of the pace at the samples with the unknowns fixed.
     pub rows_speed: Vec<f64>,
     tangent: [Mat; 3],
     uses: [bool; 3],
@@ -71,24 +72,24 @@ impl Sampled {
         &self.u[derivative]
     }
 
-    /// Motion of unknowns `x` at a speed, rows and (with `tangents`) their tangents, of all `members` at all samples.
-    pub fn eval(&mut self, system: &System, members: &[Member], terms: &Terms, x: &[f64], speed: f64, tangents: bool) {
+    /// Motion of unknowns `x` at a pace, rows and (with `tangents`) their tangents, of all `members` at all samples.
+    pub fn eval(&mut self, system: &System, members: &[Member], terms: &Terms, x: &[f64], pace: Pace, tangents: bool) {
         let (m, samples) = (terms.coordinates, terms.samples);
-        let w = speed / terms.divisor as f64;
+        let w = pace.frequency;
         for (d, factor) in [1.0, w, w * w].into_iter().enumerate() {
             self.u[d].clear();
             self.u[d].resize(samples * m, 0.0);
             terms.synthesis[d].mul_vec_add(x, &mut self.u[d]);
             self.u[d].iter_mut().for_each(|v| *v *= factor);
         }
-        self.evaluate(system, members, &Instants { m, angles: &terms.angles, divisor: terms.divisor, speed }, tangents);
+        self.evaluate(system, members, &Instants { m, angles: &terms.angles, divisor: terms.divisor, pace }, tangents);
     }
 
     /// The same at one instant, base phase `tau`, where the coordinates and their derivatives are `u`.
     #[allow(clippy::too_many_arguments)]
-    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], speed: f64, tangents: bool) {
+    pub fn eval_at(&mut self, system: &System, members: &[Member], terms: &Terms, tau: f64, u: [&[f64]; 3], pace: Pace, tangents: bool) {
         self.place(u);
-        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }, tangents);
+        self.evaluate(system, members, &Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, pace }, tangents);
     }
 
     /// Values of the surfaces where a member's law changes, at one instant as in [`Sampled::eval_at`].
@@ -100,15 +101,15 @@ impl Sampled {
         terms: &Terms,
         tau: f64,
         u: [&[f64]; 3],
-        speed: f64,
+        pace: Pace,
         out: &mut Vec<f64>,
     ) {
         self.place(u);
         let slot = &system.slots()[member.slot];
         self.gather(member, &slot.weight, 0..terms.coordinates);
-        let (phase, t) = Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, speed }.time(0);
+        let (phase, t) = Instants { m: terms.coordinates, angles: &[tau], divisor: terms.divisor, pace }.time(0);
         let [q, v, a] = &self.local;
-        let at = At { q, v, a, z: &self.u[0][member.states.clone()], phase, speed, spin_accel: 0.0, t };
+        let at = At { q, v, a, z: &self.u[0][member.states.clone()], phase, speed: pace.speed, spin_accel: 0.0, t };
         out.clear();
         slot.part.switches(&system.params()[slot.params.clone()], &at, out);
     }
@@ -179,7 +180,7 @@ impl Sampled {
         rate.resize(states.len(), 0.0);
         let mut spin = 0.0;
         let [q, v, a] = &self.local;
-        let at = At { q, v, a, z: &self.u[0][states.clone()], phase, speed: instants.speed, spin_accel: 0.0, t };
+        let at = At { q, v, a, z: &self.u[0][states.clone()], phase, speed: instants.pace.speed, spin_accel: 0.0, t };
         let mut out = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
         f64::residual(&*slot.part, &system.params()[slot.params.clone()], &at, &mut out, &mut self.blocks);
         scatter(&member.map, &force, &mut self.rows[range]);
@@ -191,7 +192,7 @@ impl Sampled {
 
     fn member(&mut self, system: &System, member: &Member, instants: &Instants, j: usize) {
         let slot = &system.slots()[member.slot];
-        let &Instants { m, speed, .. } = instants;
+        let &Instants { m, pace, .. } = instants;
         let range = j * m..(j + 1) * m;
         let (phase, t) = instants.time(j);
         self.gather(member, &slot.weight, range.clone());
@@ -216,7 +217,7 @@ impl Sampled {
             let mut spin = D8::lift(0.0);
             let [q, v, a, zs] = &self.seeded;
             let lift = D8::lift;
-            let at = At { q, v, a, z: zs, phase: lift(phase), speed: lift(speed), spin_accel: lift(0.0), t: lift(t) };
+            let at = At { q, v, a, z: zs, phase: lift(phase), speed: lift(pace.speed), spin_accel: lift(0.0), t: lift(t) };
             let mut out = Rows { force: &mut self.force8, rate: &mut self.rate8, spin: &mut spin };
             D8::residual(&*slot.part, &self.params8, &at, &mut out, &mut self.blocks8);
             if pass == 0 {
@@ -250,15 +251,15 @@ impl Sampled {
             self.tangent[1][(range.start + i, i)] += 1.0;
         }
         if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
-            self.speed_derivative(system, member, range, speed, phase, t);
+            self.speed_derivative(system, member, range, pace, phase, t);
         }
     }
 
-    /// d rows / d speed with the unknowns fixed: rates grow with the base frequency, and the part may read the speed itself.
-    fn speed_derivative(&mut self, system: &System, member: &Member, range: Range<usize>, speed: f64, phase: f64, t: f64) {
+    /// d rows / d parameter with the unknowns fixed: rates grow with the base frequency, and the part may read the speed itself.
+    fn speed_derivative(&mut self, system: &System, member: &Member, range: Range<usize>, pace: Pace, phase: f64, t: f64) {
         let slot = &system.slots()[member.slot];
         let start = range.start;
-        let per_speed = if speed == 0.0 { 0.0 } else { 1.0 / speed };
+        let stretch = pace.stretch();
         let states = member.states.clone();
         self.params1.clear();
         self.params1.extend(system.params()[slot.params.clone()].iter().map(|&p| D1::lift(p)));
@@ -267,7 +268,7 @@ impl Sampled {
             for (i, &x) in self.local[d].iter().enumerate() {
                 // the weight's share of the accelerations does not grow with the speed
                 let moving = if d == 2 { x - slot.weight.get(i).copied().unwrap_or(0.0) } else { x };
-                self.seeded1[d].push(D1 { re: x, eps: [power * moving * per_speed] });
+                self.seeded1[d].push(D1 { re: x, eps: [power * moving * stretch] });
             }
         }
         self.seeded1[3].clear();
@@ -278,22 +279,21 @@ impl Sampled {
         self.rate1.resize(states.len(), D1::lift(0.0));
         let mut spin = D1::lift(0.0);
         let [q, v, a, z] = &self.seeded1;
-        let time = D1 { re: t, eps: [-t * per_speed] };
-        let at = At { q, v, a, z, phase: D1::lift(phase), speed: D1::seed(speed, 0), spin_accel: D1::lift(0.0), t: time };
+        let time = D1 { re: t, eps: [-t * stretch] };
+        let at = At { q, v, a, z, phase: D1::lift(phase), speed: D1 { re: pace.speed, eps: [pace.rate[0]] }, spin_accel: D1::lift(0.0), t: time };
         let mut out = Rows { force: &mut self.force1, rate: &mut self.rate1, spin: &mut spin };
         D1::residual(&*slot.part, &self.params1, &at, &mut out, &mut self.blocks1);
         let force: Vec<f64> = self.force1.iter().map(|f| f.eps[0]).collect();
         scatter(&member.map, &force, &mut self.rows_speed[range]);
         for (i, r) in self.rate1.iter().enumerate() {
             let row = start + states.start + i;
-            self.rows_speed[row] += self.u[1][row] * per_speed - r.eps[0];
+            self.rows_speed[row] += self.u[1][row] * stretch - r.eps[0];
         }
     }
 
-    /// Adds the balance's tangent `analysis (T0 E0 + w T1 E1 + w^2 T2 E2)` to `jac`.
-    pub fn add_jacobian(&mut self, terms: &Terms, speed: f64, jac: &mut Mat) {
+    /// Adds the balance's tangent `analysis (T0 E0 + w T1 E1 + w^2 T2 E2)` to `jac`, w the base frequency.
+    pub fn add_jacobian(&mut self, terms: &Terms, w: f64, jac: &mut Mat) {
         let m = terms.coordinates;
-        let w = speed / terms.divisor as f64;
         self.product.reset(terms.samples * m, terms.unknowns);
         for (d, factor) in [1.0, w, w * w].into_iter().enumerate() {
             if !self.uses[d] {

@@ -27,7 +27,7 @@ impl Orbit {
         balance.eval(x, speed, &mut r, None, None)?;
         let system = balance.system;
         let (n, m) = (system.n(), system.m());
-        let frequency = speed / balance.terms.divisor as f64;
+        let frequency = balance.pace(speed).frequency;
         let mut orbit = Orbit { speed, frequency, orders: balance.terms.orders.clone(), ..Orbit::default() };
         let mut motion = Vec::new();
         let mut own = vec![C64::zero(); balance.terms.coordinates];

@@ -10,6 +10,7 @@
 use super::condense::{Basis, Condenser, Order, lossy};
 use super::fourier::Into;
 use super::nonlinear::{Member, Sampled};
+use super::pace::Pace;
 use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
@@ -129,7 +130,9 @@ pub struct Balance<'a> {
     /// Nonlinear forces on the terms at the last evaluation.
     projected: Vec<f64>,
     condenser: Condenser,
-    speed: f64,
+    /// The pace the linear parts stand at.
+    pace: Option<Pace>,
+    free: Option<Pace>,
     linear: Mat,
     linear_speed: Mat,
     load: Vec<f64>,
@@ -165,7 +168,8 @@ impl<'a> Balance<'a> {
             orders: vec![Order::default(); terms.orders.len()],
             sampled: Sampled::default(),
             condenser,
-            speed: f64::NAN,
+            pace: None,
+            free: None,
             linear: Mat::zeros(unknowns, unknowns),
             linear_speed: Mat::zeros(unknowns, unknowns),
             load: vec![0.0; unknowns],
@@ -230,13 +234,25 @@ impl<'a> Balance<'a> {
             .help("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined")
     }
 
+    /// Seeks motions that no unbalance forces, at this pace: the rotating load is left out, and a speed given elsewhere is not looked at.
+    pub fn set_free(&mut self, pace: Pace) {
+        self.condenser.driven = false;
+        self.free = Some(pace);
+    }
+
+    /// The pace of motions at a spin speed: under unbalance, or as set by [`Balance::set_free`].
+    pub fn pace(&self, speed: f64) -> Pace {
+        self.free.unwrap_or_else(|| Pace::forced(speed, self.terms.divisor))
+    }
+
     /// Condenses the linear parts at a speed, unless they stand there already.
     pub fn set_speed(&mut self, speed: f64) -> Result<(), laval_num::dense::Singular> {
-        if self.speed == speed {
+        let pace = self.pace(speed);
+        if self.pace == Some(pace) {
             return Ok(());
         }
-        self.speed = f64::NAN;
-        self.condenser.set_speed(self.system, speed);
+        self.pace = None;
+        self.condenser.set_pace(self.system, &pace);
         let unknowns = self.terms.unknowns;
         self.linear.reset(unknowns, unknowns);
         self.linear_speed.reset(unknowns, unknowns);
@@ -256,7 +272,7 @@ impl<'a> Balance<'a> {
                 self.terms.add_amplitudes(k, &force, out);
             }
         }
-        self.speed = speed;
+        self.pace = Some(pace);
         Ok(())
     }
 
@@ -300,16 +316,17 @@ impl<'a> Balance<'a> {
     /// Nonlinear forces at a motion `x` on the terms, with derivatives where asked for (added to).
     fn project(&mut self, x: &[f64], p: f64, mut jac: Option<&mut Mat>, mut speed: Option<&mut [f64]>) {
         let tangents = jac.is_some() || speed.is_some();
-        self.sampled.eval(self.system, &self.smooth, &self.terms, x, p, tangents);
+        let pace = self.pace(p);
+        self.sampled.eval(self.system, &self.smooth, &self.terms, x, pace, tangents);
         self.projected.fill(0.0);
         self.terms.analysis.mul_vec_add(&self.sampled.rows, &mut self.projected);
         if let Some(jac) = jac.as_deref_mut().filter(|_| !self.smooth.is_empty()) {
-            self.sampled.add_jacobian(&self.terms, p, jac);
+            self.sampled.add_jacobian(&self.terms, pace.frequency, jac);
         }
         if let Some(speed) = speed.as_deref_mut() {
             self.terms.analysis.mul_vec_add(&self.sampled.rows_speed, speed);
         }
-        self.switching.add(self.system, &self.terms, x, p, &mut Into { coefficients: &mut self.projected, jac, speed });
+        self.switching.add(self.system, &self.terms, x, pace, &mut Into { coefficients: &mut self.projected, jac, speed });
     }
 
     /// Amplitudes of the sampled forces at order `k`, into `self.forces`.
@@ -332,7 +349,8 @@ impl<'a> Balance<'a> {
 
     /// Base phases from `start` to `start + length` where laws switch along the motion `x`, and the name of a part whose force jumps there.
     pub fn switches(&mut self, x: &[f64], speed: f64, span: (f64, f64)) -> (Vec<f64>, Option<String>) {
-        let (places, slot) = self.switching.places(self.system, &self.terms, x, speed, span);
+        let pace = self.pace(speed);
+        let (places, slot) = self.switching.places(self.system, &self.terms, x, pace, span);
         (places, slot.map(|slot| self.system.slots()[slot].name.clone()))
     }
 
@@ -343,7 +361,8 @@ impl<'a> Balance<'a> {
 
     /// Samples the nonlinear parts, with tangents, at a motion `x`; the linear parts are left alone.
     pub fn sample(&mut self, x: &[f64], speed: f64) {
-        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, speed, true);
+        let pace = self.pace(speed);
+        self.sampled.eval(self.system, &self.nonlinear.members, &self.terms, x, pace, true);
     }
 
     /// Memory states at `s` (1/s) that belong to amplitudes of the coordinates: eliminated in the balance, found again here.

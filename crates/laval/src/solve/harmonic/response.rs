@@ -159,7 +159,7 @@ pub struct Response {
 pub type Tick<'a> = &'a dyn Fn(u64);
 
 /// Smallest number of samples for orders up to `h`: without aliasing for a cubic law, a whole number for every symmetry, no less than 32.
-fn samples(h: usize, divisor: usize) -> usize {
+pub(super) fn samples(h: usize, divisor: usize) -> usize {
     Terms::alias_free(3, h.max(divisor)).next_multiple_of(8).max(32)
 }
 

@@ -13,6 +13,7 @@
 
 use super::fourier::{Coefficients, Into, motion_at, turns};
 use super::nonlinear::{Member, Sampled};
+use super::pace::Pace;
 use super::terms::Terms;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -64,12 +65,12 @@ impl Switching {
         if terms.symmetry.order() == 0 {
             return s;
         }
-        let x = vec![0.0; terms.unknowns];
+        let (x, pace) = (vec![0.0; terms.unknowns], Pace::forced(1.0, terms.divisor));
         for k in (0..members.len()).rev() {
             s.members.push(members[k].clone());
-            s.state(terms, &x, 0.0, 1.0);
+            s.state(terms, &x, 0.0, pace);
             let last = s.members.len() - 1;
-            if s.surfaces_of(system, terms, last, 0.0, 1.0).is_empty() {
+            if s.surfaces_of(system, terms, last, 0.0, pace).is_empty() {
                 s.members.pop();
             } else {
                 members.remove(k);
@@ -89,19 +90,19 @@ impl Switching {
     }
 
     /// Motion at a base phase.
-    fn state(&mut self, terms: &Terms, x: &[f64], tau: f64, speed: f64) {
+    fn state(&mut self, terms: &Terms, x: &[f64], tau: f64, pace: Pace) {
         turns(tau, terms.harmonics, &mut self.turns);
-        motion_at(terms, x, speed / terms.divisor as f64, &self.turns, &mut self.u);
+        motion_at(terms, x, pace.frequency, &self.turns, &mut self.u);
     }
 
-    fn surfaces_of(&mut self, system: &System, terms: &Terms, member: usize, tau: f64, speed: f64) -> &[f64] {
+    fn surfaces_of(&mut self, system: &System, terms: &Terms, member: usize, tau: f64, pace: Pace) -> &[f64] {
         let [q, v, a] = &self.u;
-        self.point.switches_at(system, &self.members[member], terms, tau, [q, v, a], speed, &mut self.surfaces);
+        self.point.switches_at(system, &self.members[member], terms, tau, [q, v, a], pace, &mut self.surfaces);
         &self.surfaces
     }
 
     /// Locates the switches of the motion `x` at base phases from `start` to `start + length`.
-    fn locate(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, (start, length): (f64, f64)) {
+    fn locate(&mut self, system: &System, terms: &Terms, x: &[f64], pace: Pace, (start, length): (f64, f64)) {
         self.events.clear();
         let count = (terms.samples as f64 * length / Self::length(terms)).round() as usize;
         let h = length / count as f64;
@@ -110,13 +111,13 @@ impl Switching {
             // one step more on both sides, to see a law that hardly switches at an end
             for j in 0..count + 3 {
                 let tau = start + (j as f64 - 1.0) * h;
-                self.state(terms, x, tau, speed);
-                seen.push(self.surfaces_of(system, terms, member, tau, speed).to_vec());
+                self.state(terms, x, tau, pace);
+                seen.push(self.surfaces_of(system, terms, member, tau, pace).to_vec());
             }
             let surfaces = seen.iter().map(Vec::len).min().unwrap_or(0);
             let of = |s: &mut Self, surface: usize, tau: f64| {
-                s.state(terms, x, tau, speed);
-                s.surfaces_of(system, terms, member, tau, speed).get(surface).copied().unwrap_or(f64::NAN)
+                s.state(terms, x, tau, pace);
+                s.surfaces_of(system, terms, member, tau, pace).get(surface).copied().unwrap_or(f64::NAN)
             };
             let mut roots = Vec::new();
             for surface in 0..surfaces {
@@ -144,8 +145,8 @@ impl Switching {
                     let j = ((at - start) / h).floor().clamp(0.0, count as f64);
                     for [from, to] in [[start + j * h, at - BESIDE], [at + BESIDE, start + (j + 1.0) * h]] {
                         let [left, right] = [from, to].map(|tau| {
-                            self.state(terms, x, tau, speed);
-                            self.surfaces_of(system, terms, member, tau, speed).to_vec()
+                            self.state(terms, x, tau, pace);
+                            self.surfaces_of(system, terms, member, tau, pace).to_vec()
                         });
                         for surface in (0..surfaces).filter(|&k| from < to && (left[k] < 0.0) != (right[k] < 0.0)) {
                             roots.push((root(|t| of(self, surface, t), [from, to], [left[surface], right[surface]]), surface));
@@ -162,14 +163,14 @@ impl Switching {
     }
 
     /// Adds the projections of all switching parts at a motion `x`.
-    pub fn add(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, out: &mut Into) {
+    pub fn add(&mut self, system: &System, terms: &Terms, x: &[f64], pace: Pace, out: &mut Into) {
         if self.members.is_empty() {
             return;
         }
         let length = Self::length(terms);
-        self.locate(system, terms, x, speed, (0.0, length));
+        self.locate(system, terms, x, pace, (0.0, length));
         let tangents = out.jac.is_some() || out.speed.is_some();
-        let frequency = speed / terms.divisor as f64;
+        let frequency = pace.frequency;
         self.seen.clear(terms);
         let longest = PANEL / (2 * terms.harmonics + 4) as f64;
         let mut from = (0.0, false);
@@ -192,7 +193,7 @@ impl Switching {
                     turns(tau, if tangents { 2 } else { 1 } * terms.harmonics, &mut self.turns);
                     motion_at(terms, x, frequency, &self.turns, &mut self.u);
                     let [q, v, a] = &self.u;
-                    self.point.eval_at(system, &self.members, terms, tau, [q, v, a], speed, tangents);
+                    self.point.eval_at(system, &self.members, terms, tau, [q, v, a], pace, tangents);
                     let share = weight * stretched * wide / length;
                     self.seen.add_rows(&self.point.rows, &self.turns, share);
                     if tangents {
@@ -206,17 +207,17 @@ impl Switching {
         self.rule = rule;
         self.seen.project(terms, frequency, out);
         if tangents {
-            self.add_jumps(system, terms, x, speed, out);
+            self.add_jumps(system, terms, x, pace, out);
         }
     }
 
     /// Change of the rows at a switch, where the force jumps there.
-    fn jump(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, event: Event) -> Option<Vec<f64>> {
+    fn jump(&mut self, system: &System, terms: &Terms, x: &[f64], pace: Pace, event: Event) -> Option<Vec<f64>> {
         let mut change = |near: f64| {
             let [before, mut after] = [event.tau - near, event.tau + near].map(|tau| {
-                self.state(terms, x, tau, speed);
+                self.state(terms, x, tau, pace);
                 let [q, v, a] = &self.u;
-                self.point.eval_at(system, &self.members[event.member..=event.member], terms, tau, [q, v, a], speed, false);
+                self.point.eval_at(system, &self.members[event.member..=event.member], terms, tau, [q, v, a], pace, false);
                 self.point.rows.clone()
             });
             after.iter_mut().zip(&before).for_each(|(a, b)| *a -= b);
@@ -229,32 +230,32 @@ impl Switching {
     }
 
     /// Base phases from `start` to `start + length` where laws switch along the motion `x`, and the slot of a part whose force jumps there.
-    pub fn places(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, span: (f64, f64)) -> (Vec<f64>, Option<usize>) {
+    pub fn places(&mut self, system: &System, terms: &Terms, x: &[f64], pace: Pace, span: (f64, f64)) -> (Vec<f64>, Option<usize>) {
         if self.members.is_empty() {
             return (Vec::new(), None);
         }
-        self.locate(system, terms, x, speed, span);
+        self.locate(system, terms, x, pace, span);
         let events = self.events.clone();
-        let jumping = events.iter().find(|&&e| self.jump(system, terms, x, speed, e).is_some());
+        let jumping = events.iter().find(|&&e| self.jump(system, terms, x, pace, e).is_some());
         (events.iter().map(|e| e.tau).collect(), jumping.map(|e| self.members[e.member].slot))
     }
 
     /// Where rows jump at a switch: the jump times d tau / d unknowns, from the surface held at zero.
-    fn add_jumps(&mut self, system: &System, terms: &Terms, x: &[f64], speed: f64, out: &mut Into) {
+    fn add_jumps(&mut self, system: &System, terms: &Terms, x: &[f64], pace: Pace, out: &mut Into) {
         let length = Self::length(terms);
         let near = NEAR;
         let mut synthesis = [0; 3].map(|_| Mat::default());
         for event in self.events.clone() {
-            let Some(jump) = self.jump(system, terms, x, speed, event) else { continue };
+            let Some(jump) = self.jump(system, terms, x, pace, event) else { continue };
             terms.rows_at(event.tau, &mut synthesis);
-            let surface = |s: &mut Self, tau: f64| s.surfaces_of(system, terms, event.member, tau, speed)[event.surface];
-            self.state(terms, x, event.tau + near, speed);
+            let surface = |s: &mut Self, tau: f64| s.surfaces_of(system, terms, event.member, tau, pace)[event.surface];
+            self.state(terms, x, event.tau + near, pace);
             let later = surface(self, event.tau);
-            self.state(terms, x, event.tau - near, speed);
+            self.state(terms, x, event.tau - near, pace);
             let rate = (later - surface(self, event.tau)) / (2.0 * near);
             // derivatives of the surface in coordinates and rates by central differences
-            self.state(terms, x, event.tau, speed);
-            let (m, w) = (terms.coordinates, speed / terms.divisor as f64);
+            self.state(terms, x, event.tau, pace);
+            let (m, w) = (terms.coordinates, pace.frequency);
             let mut by_unknown = vec![0.0; terms.unknowns];
             let mut by_speed = 0.0;
             for (d, factor) in [(0, 1.0), (1, w)] {
@@ -269,7 +270,7 @@ impl Switching {
                     for (b, e) in by_unknown.iter_mut().zip(synthesis[d].row(c)) {
                         *b += slope * factor * e;
                     }
-                    by_speed += if d == 1 { slope * own / speed } else { 0.0 };
+                    by_speed += if d == 1 { slope * own * pace.stretch() } else { 0.0 };
                 }
             }
             for i in 0..terms.unknowns {

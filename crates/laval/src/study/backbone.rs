@@ -1,0 +1,312 @@
+//! Free whirls of a machine at fixed spin speed: frequency against amplitude.
+//!
+//! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
+//! [`crate::solve::harmonic::free`]. Amplitudes become infinite where the machine can whirl without deflecting its nonlinear parts
+//! (`det(B Z(i w)^-1 B^T) = 0`; for a rotor with liquid on a foundation `(M + m + mL G) w^2 = c2`).
+//!
+//! Symbols: w whirl frequency, rad/s; W spin speed, rad/s; xi drive, 1/s, a force `xi M q'` that makes up for the losses.
+//!
+//! Validity: constant speed, no unbalance. Of a damped machine these are motions with exactly that much excitation; without damping xi is zero.
+//!
+//! Sources: `theory/nonlinear-response.md` section 5; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
+
+use super::free_motion::{HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, constant_speed, end, invalid, read, unfinished};
+use super::support::{SPEED, speed};
+use super::{Context, Study};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
+use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
+use crate::solve::symmetry::Symmetry;
+
+/// See the [module](self).
+pub struct Backbone {
+    request: Request,
+}
+
+impl Backbone {
+    /// The study that answers this request.
+    pub fn new(request: Request) -> Self {
+        Backbone { request }
+    }
+}
+
+/// Drive over frequency that is rounding: the machine is undamped.
+const ROUNDING: f64 = 1e-10;
+
+impl Study for Backbone {
+    const KIND: &'static str = "backbone";
+    const DOC: &'static str = "Free whirls at one spin speed, mode by mode: how the whirl frequency depends on the amplitude, from the linear mode \
+        upwards, and the frequencies at which the amplitude has no bound. Unbalance is left out. A damped machine is kept whirling by a drive \
+        proportional to mass, whose size is told; without damping it is zero.";
+    const FIELDS: &'static [Field] = &[
+        Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),
+        Field::optional(
+            "amplitude",
+            FieldKind::Range { unit: "m", bounds: Bounds::closed(1e-12, 1.0) },
+            "",
+            "amplitudes of the deflection of the nonlinear parts, first order; from a thousandth to four times the one at which their force is half as \
+             much again as its tangent when left out",
+        ),
+        HARMONICS,
+        TRUNCATION,
+        MAX_POINTS,
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = speed(values, system, diagnostics);
+        let mut amplitudes = None;
+        if let Some(range) = values.range("amplitude") {
+            if !(range.from < range.to) {
+                diagnostics.push(
+                    Diagnostic::error("backbone.amplitude", "amplitude must go from a lower to a higher value")
+                        .at(values.span_of("amplitude"))
+                        .help("exchange from and to"),
+                );
+                return None;
+            }
+            amplitudes = Some((range.from, range.to));
+        }
+        let (harmonics, truncation, max_points) = read(values);
+        Some(Backbone { request: Request { speed: speed?, amplitudes, harmonics, truncation, max_points } })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        constant_speed(system)?;
+        admit(system, self.request.speed)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let mut request = self.request;
+        request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
+        let found = backbone(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let fastest = found.modes.iter().map(|m| m.value.im.abs()).fold(1.0, f64::max);
+        let mut measure = Measure::new(system, found.discretisation, fastest)?;
+        let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
+        let measured: Vec<Vec<Measured>> =
+            found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
+        let shown = Shown { request: &request, found: &found, measured, bodies: measure.bodies.iter().map(|b| b.0.clone()).collect() };
+        shown.outcome(context).map_err(Diagnostic::from)
+    }
+}
+
+struct Shown<'a> {
+    request: &'a Request,
+    found: &'a crate::solve::harmonic::backbone::Backbone,
+    measured: Vec<Vec<Measured>>,
+    bodies: Vec<String>,
+}
+
+impl Shown<'_> {
+    fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+        let found = self.found;
+        let mut out = Outcome::new(Backbone::KIND, context.name)
+            .over("amplitude", "m")
+            .end(end(found.families.iter().map(|f| &f.end)))
+            .work("Newton iterations", found.iterations)
+            .work("points", found.families.iter().map(|f| f.motions.len() as u64).sum());
+        for f in self.findings() {
+            out = out.finding(f);
+        }
+        let points: usize = found.families.iter().map(|f| f.motions.len()).sum();
+        if points > 0 {
+            out = out.table(self.table()?).figure(self.figure());
+        }
+        for t in [self.modes()?, self.asymptotes()?] {
+            if t.rows() > 0 {
+                out = out.table(t);
+            }
+        }
+        for (k, f) in found.families.iter().enumerate() {
+            for &a in &f.folds {
+                out = out.special_point(SpecialPoint::new("fold", a, (a, a)).of(format!("family {}", k + 1)));
+            }
+            for &(a, (lo, hi)) in &f.synchronous {
+                out = out.special_point(SpecialPoint::new("synchronous", a, (lo.min(hi), lo.max(hi))).of(format!("family {}", k + 1)).evidence(
+                    "frequency",
+                    self.request.speed,
+                    "rad/s",
+                ));
+            }
+        }
+        out.checked()
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let found = self.found;
+        let mut out = Vec::new();
+        for (k, f) in found.families.iter().enumerate() {
+            out.extend(self.family(k, f));
+        }
+        if found.families.is_empty() {
+            out.push(Finding::warning("no_family", "No free whirl of the nonlinear machine was found at this speed."));
+        }
+        let motions = || found.families.iter().flat_map(|f| &f.motions);
+        let driven = motions().map(|m| (m.drive.abs(), m.frequency.abs())).max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+        if let Some((drive, w)) = driven {
+            out.push(if drive <= ROUNDING * w {
+                Finding::info("undamped", "Nothing damps these whirls: they go on by themselves, at any amplitude.")
+                    .evidence("largest drive over frequency", drive / w, "")
+            } else {
+                Finding::info(
+                    "driven",
+                    "The machine is damped: these whirls are those a drive proportional to mass keeps up, of {} at most (as much negative damping per \
+                     mass).",
+                )
+                .value(drive, "1/s")
+                .evidence("frequency", w, "rad/s")
+            });
+        }
+        for m in &found.modes {
+            if let Some(why) = m.left.filter(|w| w.starts_with("inside")) {
+                let text = format!("No family begins at the linear mode of {{}}: it is {why}, growing at {} 1/s.", significant(m.value.re, 4));
+                out.push(Finding::warning("merged_modes", text).value(m.value.im, "rad/s"));
+            }
+        }
+        let asymptotes: Vec<String> = found.asymptotes.iter().map(|a| significant(a.value.im, 6)).collect();
+        if !asymptotes.is_empty() {
+            out.push(
+                Finding::info(
+                    "asymptotes",
+                    format!(
+                        "With the nonlinear parts rigid the machine whirls at {} rad/s: there amplitudes of a hardening machine have no bound.",
+                        asymptotes.join(", ")
+                    ),
+                )
+                .value(asymptotes.len() as f64, ""),
+            );
+        }
+        let dropped = motions().fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
+        if self.request.harmonics.is_none() && !(dropped <= self.request.truncation) {
+            out.push(
+                Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
+                    .value(dropped, "")
+                    .shown_as(100.0 * dropped, "%")
+                    .evidence("orders kept", found.discretisation.harmonics as f64, ""),
+            );
+        }
+        out.extend(invalid(&self.measured.iter().flatten().collect::<Vec<_>>(), "free whirls"));
+        out
+    }
+
+    fn family(&self, k: usize, f: &Family) -> Vec<Finding> {
+        let mut out = Vec::new();
+        let (Some(first), Some(last)) = (f.motions.first(), f.motions.last()) else { return out };
+        let name = format!("family {}", k + 1);
+        let turns = if self.directed() { if first.frequency < 0.0 { " backward" } else { " forward" } } else { "" };
+        let word = if last.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
+        let text = match f.origin {
+            Origin::Mode(_) => format!(
+                "The{turns} whirl of {{}} {word} with its amplitude: {} at {}, {} at {}.",
+                quantity(first.frequency, "rad/s"),
+                quantity(first.amplitude, "m"),
+                quantity(last.frequency, "rad/s"),
+                quantity(last.amplitude, "m"),
+            ),
+            Origin::Asymptote(a) => {
+                let least = f.motions.iter().map(|m| m.amplitude).fold(f64::INFINITY, f64::min);
+                format!(
+                    "A family of{turns} whirls beside the asymptote at {} rad/s begins at no linear mode: from {{}} at {} it goes down to {} and ends at {} \
+                     with {}.",
+                    significant(self.found.asymptotes.get(a).map_or(f64::NAN, |a| a.value.im), 6),
+                    quantity(first.amplitude, "m"),
+                    quantity(least, "m"),
+                    quantity(last.frequency, "rad/s"),
+                    quantity(last.amplitude, "m"),
+                )
+            }
+        };
+        let residual = f.motions.iter().fold(0.0, |m: f64, p| if p.residual <= m { m } else { p.residual });
+        out.push(
+            Finding::info("family", text)
+                .of(&name)
+                .value(first.frequency, "rad/s")
+                .evidence("scaled residual, worst point", residual, "")
+                .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
+        );
+        for (a, bracket) in &f.synchronous {
+            out.push(
+                Finding::info("synchronous", "At an amplitude of {} this whirl has the frequency of the spin: unbalance would meet it there.")
+                    .of(&name)
+                    .value(*a, "m")
+                    .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
+            );
+        }
+        if let Some(why) = unfinished(&f.end) {
+            let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(first.frequency, "rad/s"));
+            out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
+        }
+        out
+    }
+
+    /// Frequencies have a sign.
+    fn directed(&self) -> bool {
+        matches!(self.found.discretisation.symmetry, Symmetry::Circular | Symmetry::Quarter)
+    }
+
+    fn table(&self) -> Result<Table, OutcomeError> {
+        let all: Vec<(usize, usize, &Motion)> =
+            self.found.families.iter().enumerate().flat_map(|(k, f)| f.motions.iter().enumerate().map(move |(i, m)| (k, i, m))).collect();
+        let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.2)).collect::<Vec<f64>>();
+        let mut t = Table::new("backbone", "Free whirls, family by family in order along each")
+            .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
+            .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
+            .float("frequency", "rad/s", "whirl frequency; negative: backward, where the machine has no preferred direction", column(&|m| m.frequency))
+            .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
+        for (b, name) in self.bodies.iter().enumerate() {
+            let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
+            t = t
+                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude", of(0))
+                .float(format!("{name} largest displacement"), "m", "largest distance of the centre from its rest position over a period", of(1));
+        }
+        t.float("truncation", "", "dropped over kept force harmonics", column(&|m| m.truncation))
+            .float("residual", "", "scaled residual of the balance", column(&|m| m.residual))
+            .float(
+                "validity",
+                "",
+                "largest use of a part's validity; above 1 is outside",
+                all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
+            )
+            .build()
+    }
+
+    fn modes(&self) -> Result<Table, OutcomeError> {
+        let modes = &self.found.modes;
+        let family = |k: usize| self.found.families.iter().position(|f| f.origin == Origin::Mode(k)).map_or(0, |f| f as i64 + 1);
+        Table::new("modes", "Linear modes: free whirls of vanishing amplitude")
+            .float("frequency", "rad/s", "frequency; negative: backward, where the machine has no preferred direction", modes.iter().map(|m| m.value.im).collect())
+            .float("growth", "1/s", "growth rate", modes.iter().map(|m| m.value.re).collect())
+            .text("whirl", "direction", modes.iter().map(|m| m.whirl.word().to_string()).collect())
+            .int("family", "", "number of the family that begins here; 0: none", (0..modes.len()).map(family).collect())
+            .text("why none", "why no family begins here", modes.iter().map(|m| m.left.unwrap_or("").to_string()).collect())
+            .build()
+    }
+
+    fn asymptotes(&self) -> Result<Table, OutcomeError> {
+        let all = &self.found.asymptotes;
+        Table::new("asymptotes", "Modes with the nonlinear parts rigid: free whirls of unbounded amplitude of a hardening machine")
+            .float("frequency", "rad/s", "frequency; negative: backward, where the machine has no preferred direction", all.iter().map(|m| m.value.im).collect())
+            .float("growth", "1/s", "growth rate", all.iter().map(|m| m.value.re).collect())
+            .build()
+    }
+
+    fn figure(&self) -> Figure {
+        let most = self.found.amplitudes.1;
+        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
+        let mut panel = Panel::new(Axis::new("amplitude of the deflection", unit).factor(factor))
+            .mark(Line::new("backbone", "frequency", "amplitude").group("family").name("family"));
+        for a in &self.found.asymptotes {
+            panel = panel.mark(Rule::x(a.value.im, "asymptote"));
+        }
+        let w = self.request.speed;
+        let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
+        let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+        if (least..=highest).contains(&w) {
+            panel = panel.mark(Rule::x(w, "spin"));
+        }
+        let alt = format!("Amplitude of the deflection against whirl frequency at {}, {} families.", quantity(w, "rad/s"), self.found.families.len());
+        Figure::new("backbone", "Free whirls", alt).x(Axis::new("whirl frequency", "rad/s")).panel(panel)
+    }
+}

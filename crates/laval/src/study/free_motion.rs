@@ -1,0 +1,172 @@
+//! What the studies of free motions share: how far bodies move, whether models hold, fields, ends.
+
+use crate::diagnostic::Diagnostic;
+use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
+use crate::model::part::At;
+use crate::model::system::{System, Workspace};
+use crate::outcome::{self, Finding};
+use crate::solve::harmonic::backbone::MOST_HARMONICS;
+use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::pace::Pace;
+use crate::solve::harmonic::problem::{Balance, Discretisation};
+use laval_num::continuation::{End, Refusal};
+use std::f64::consts::TAU;
+
+/// Field: largest order.
+pub(super) const HARMONICS: Field = Field::optional(
+    "harmonics",
+    FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
+    "auto",
+    "largest order of the whirl frequency kept; auto raises it until the dropped force is below truncation",
+);
+/// Field: what the automatic choice of orders accepts.
+pub(super) const TRUNCATION: Field = Field::optional(
+    "truncation",
+    FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-15, 1.0) },
+    "1e-7",
+    "dropped over kept force harmonics that auto accepts",
+);
+/// Field: most points of a family.
+pub(super) const MAX_POINTS: Field =
+    Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a family");
+
+/// Orders, truncation and points from their fields.
+pub(super) fn read(values: &Values) -> (Option<usize>, f64, usize) {
+    let harmonics = match values.get("harmonics") {
+        Some(Value::Integer(h)) => usize::try_from(*h).ok(),
+        _ => None,
+    };
+    let points = values.integer("max_points").and_then(|i| usize::try_from(i).ok()).unwrap_or(2_000);
+    (harmonics, values.number("truncation").unwrap_or(1e-7), points)
+}
+
+/// A machine of constant speed.
+///
+/// # Errors
+/// A free drive.
+pub(super) fn constant_speed(system: &System) -> Result<(), Diagnostic> {
+    if system.machine.drive == crate::model::system::Drive::Free {
+        return Err(Diagnostic::error("free.drive", "free whirls are sought at constant speed, and the speed of this machine is free")
+            .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
+    }
+    Ok(())
+}
+
+const SAMPLES: usize = 64;
+
+/// Measures free motions of one machine.
+pub(super) struct Measure<'a> {
+    system: &'a System,
+    balance: Balance<'a>,
+    /// Names of bodies and their first coordinates.
+    pub bodies: Vec<(String, usize)>,
+}
+
+/// How far a motion goes.
+#[derive(Clone, Debug)]
+pub(super) struct Measured {
+    /// Per body: modulus of the first order in the direction of the whirl, and largest distance from the axis over a period, m.
+    pub bodies: Vec<[f64; 2]>,
+    /// Largest use of a part's validity, and which.
+    pub validity: (f64, String),
+}
+
+/// Of two numbers the larger; NaN stays.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+impl<'a> Measure<'a> {
+    /// For motions of this discretisation, at frequencies about `frequency`.
+    ///
+    /// # Errors
+    /// A body that drifts.
+    pub fn new(system: &'a System, d: Discretisation, frequency: f64) -> Result<Self, Diagnostic> {
+        let w = frequency.abs().max(1e-3);
+        let balance = Balance::new(system, d, (0.9 * w, 1.1 * w), None)?;
+        Ok(Measure { system, balance, bodies: system.bodies().into_iter().map(|b| (b.name, b.x)).collect() })
+    }
+
+    /// A motion with harmonics `x` at speed, frequency and drive.
+    pub fn of(&mut self, [speed, frequency, drive]: [f64; 3], x: &[f64]) -> Measured {
+        self.balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3] });
+        let Ok(orbit) = Orbit::of(&mut self.balance, x, speed) else {
+            return Measured { bodies: vec![[f64::NAN; 2]; self.bodies.len()], validity: (f64::NAN, String::new()) };
+        };
+        let (n, m) = (self.system.n(), self.system.m());
+        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+        let first = |&(_, x): &(String, usize)| {
+            let (forward, backward) = orbit.whirl(x, 1);
+            [forward.abs().max(backward.abs()), 0.0]
+        };
+        let mut bodies: Vec<[f64; 2]> = self.bodies.iter().map(first).collect();
+        let mut worst = (0.0, String::new());
+        let mut ws = Workspace::default();
+        for j in 0..SAMPLES {
+            let tau = TAU * j as f64 / SAMPLES as f64;
+            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+            for (o, &(_, x)) in bodies.iter_mut().zip(&self.bodies) {
+                o[1] = larger(o[1], q[x].hypot(q[x + 1]));
+            }
+            if j % 4 == 0 {
+                let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: tau / frequency };
+                for (slot, v) in self.system.validity(&at, &mut ws) {
+                    if !(v.ratio <= worst.0) {
+                        worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
+                    }
+                }
+            }
+        }
+        Measured { bodies, validity: worst }
+    }
+}
+
+/// That motions leave the validity of models: the worst of each statement.
+pub(super) fn invalid(all: &[&Measured], what: &str) -> Vec<Finding> {
+    let mut worst: Vec<&(f64, String)> = Vec::new();
+    for m in all.iter().filter(|m| !(m.validity.0 <= 1.0)) {
+        match worst.iter_mut().find(|w| w.1 == m.validity.1) {
+            Some(w) if m.validity.0 > w.0 => *w = &m.validity,
+            Some(_) => {}
+            None => worst.push(&m.validity),
+        }
+    }
+    let say = |w: &&(f64, String)| {
+        let (part, statement) = w.1.split_once(": ").unwrap_or(("a part", "no number"));
+        let text = format!("Some {what} are outside the model of \"{part}\": {statement}");
+        if w.0.is_finite() {
+            Finding::invalid("validity", text + " reaches {}, above 1.").of(part).value(w.0, "")
+        } else {
+            Finding::invalid("validity", text + " is without bound.").of(part)
+        }
+    };
+    worst.iter().map(say).collect()
+}
+
+/// Why a family could not be followed further; `None` when it was followed to its end.
+pub(super) fn unfinished(end: &End) -> Option<&'static str> {
+    match end {
+        End::Reached | End::Closed => None,
+        End::StepTooSmall { why: Refusal::Parameter, .. } => Some("it grows without limit there"),
+        End::StepTooSmall { .. } => Some("the equations could not be solved beyond it: keep more harmonics"),
+        End::NewtonFailed { .. } => Some("its start did not converge"),
+        End::MaxPoints => Some("the largest number of points was used up"),
+        End::Cancelled => Some("stopped on request"),
+    }
+}
+
+/// The end of a study from those of its families.
+pub(super) fn end<'e>(ends: impl Iterator<Item = &'e End> + Clone) -> outcome::End {
+    if ends.clone().any(|e| *e == End::Cancelled) {
+        return outcome::End::Cancelled;
+    }
+    for e in ends {
+        match *e {
+            End::StepTooSmall { at, .. } => return outcome::End::StepTooSmall { at },
+            End::NewtonFailed { at, residual, .. } => return outcome::End::NewtonFailed { at, residual },
+            End::MaxPoints => return outcome::End::MaxPoints,
+            _ => {}
+        }
+    }
+    outcome::End::Reached
+}
