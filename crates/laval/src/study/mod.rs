@@ -10,6 +10,7 @@ mod free_motion;
 mod history;
 pub mod limit_cycles;
 pub mod limits;
+pub mod methods;
 pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
@@ -197,6 +198,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
+        kind::<methods::Methods>(),
         kind::<transient::Transient>(),
         kind::<run_up::RunUp>(),
         kind::<separation::Separation>(),

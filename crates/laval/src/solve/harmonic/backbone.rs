@@ -20,8 +20,8 @@ use crate::solve::sectors::Sector;
 use crate::solve::symmetry::{Symmetry, probe};
 use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Test, Zero, trace};
-use laval_num::dense::{Mat, dot, norm};
-use laval_num::newton::{Options, newton};
+use laval_num::dense::{Mat, dot, max_abs, norm};
+use laval_num::newton::{Cause, Options, newton};
 use std::sync::atomic::AtomicBool;
 
 /// What is asked.
@@ -63,6 +63,8 @@ pub struct Motion {
     pub truncation: f64,
     /// Scaled residual.
     pub residual: f64,
+    /// Forces that do not balance, over the largest force of the nonlinear parts.
+    pub defect: f64,
 }
 
 /// A family of free motions.
@@ -213,7 +215,7 @@ fn attempt<'a>(system: &'a System, request: &Request, d: Discretisation, cancel:
                     }
                     x.extend([value.im, -2.0 * value.re]);
                     let options = Options { to_rounding: true, ..Options::default() };
-                    let near = newton(&mut free, &mut x, from, &options).is_ok() && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
+                    let near = newton(&mut free, &mut x, from, &options).is_ok() && defect(&mut free, &x, from) <= BALANCED && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
                     if near {
                         taken.push(value);
                         out.families.push(follow(&mut free, &x, from, Direction::Up, (from, to), request, Origin::Mode(out.modes.len()), &mut out.iterations)?);
@@ -264,12 +266,32 @@ fn follow(
     *iterations += branch.counters.work.iterations as u64;
     let folds = branch.of(Kind::Fold).map(|s| s.fold.as_ref().map_or(s.point.p, |f| f.p)).collect();
     let synchronous = branch.of(Kind::User(0)).map(|s| (s.point.p, (s.bracket[0].p, s.bracket[1].p))).collect();
-    let mut motions = Vec::with_capacity(branch.points.len());
+    let (mut motions, mut end) = (Vec::with_capacity(branch.points.len()), branch.end);
     for p in &branch.points {
         let (x, residual) = polish(free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-        motions.push(motion(free, &x, p.p, residual));
+        let m = motion(free, &x, p.p, residual);
+        if !(m.defect <= BALANCED) {
+            end = End::NewtonFailed { at: p.p, residual: m.defect, cause: Cause::Stalled };
+            break;
+        }
+        motions.push(m);
     }
-    Ok(Family { origin, motions, folds, synchronous, end: branch.end, lead: free.lead })
+    Ok(Family { origin, motions, folds, synchronous, end, lead: free.lead })
+}
+
+/// Largest defect of forces, relative, of a motion. At a pole of the condensed stiffness its slope is infinite as well, and a residual measured in
+/// steps of Newton's method vanishes without any balance.
+const BALANCED: f64 = 1e-5;
+
+/// Forces that do not balance, over the largest force of the nonlinear parts at unknowns `x`.
+fn defect(free: &mut Free, x: &[f64], p: f64) -> f64 {
+    let n = free.harmonics();
+    let speed = free.place(x, p, None);
+    let mut r = vec![0.0; n];
+    match free.balance.eval(&x[..n], speed, &mut r, None, None) {
+        Ok(()) => max_abs(&r) / free.balance.largest_force(),
+        Err(_) => f64::NAN,
+    }
 }
 
 fn motion(free: &mut Free, x: &[f64], amplitude: f64, residual: f64) -> Motion {
@@ -277,7 +299,8 @@ fn motion(free: &mut Free, x: &[f64], amplitude: f64, residual: f64) -> Motion {
     let [_, frequency, drive] = free.quantities(x, amplitude);
     let speed = free.place(x, amplitude, None);
     free.balance.sample(&x[..n], speed);
-    Motion { amplitude, frequency, drive, x: x[..n].to_vec(), truncation: free.balance.truncation(), residual }
+    let truncation = free.balance.truncation();
+    Motion { amplitude, frequency, drive, x: x[..n].to_vec(), truncation, residual, defect: defect(free, x, amplitude) }
 }
 
 /// A point solved to rounding at its parameter, unless that leads away.
@@ -472,7 +495,7 @@ fn from_infinity(
         let mut x = shape.clone();
         x.extend([w, drive]);
         let options = Options { to_rounding: true, ..Options::default() };
-        if newton(&mut free, &mut x, to, &options).is_err() {
+        if newton(&mut free, &mut x, to, &options).is_err() || !(defect(&mut free, &x, to) <= BALANCED) {
             continue;
         }
         let frequency = x[n];

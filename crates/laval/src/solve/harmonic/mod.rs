@@ -2,9 +2,11 @@
 pub mod backbone;
 pub mod condense;
 pub mod cycles;
+pub mod elliptic;
 pub mod floquet;
 pub mod fourier;
 pub mod free;
+pub mod methods;
 mod monodromy;
 pub mod nonlinear;
 pub mod orbit;

@@ -276,6 +276,15 @@ impl<'a> Balance<'a> {
         Ok(())
     }
 
+    /// dL/dw: derivative of the linear part in the base frequency at fixed spin, unknowns by unknowns, under unbalance.
+    pub fn frequency_slope(&mut self, speed: f64) -> Option<Mat> {
+        let free = self.free.replace(Pace { rate: [0.0, 1.0, 0.0], ..Pace::forced(speed, self.terms.divisor) });
+        let done = self.set_speed(speed).is_ok();
+        let slope = self.linear_speed.clone();
+        (self.free, self.pace) = (free, None);
+        done.then_some(slope)
+    }
+
     /// Unknowns of the linear machine in which `part` of the reference stiffness stands for the nonlinear parts, at a speed.
     pub fn linear_estimate(&mut self, speed: f64, part: f64) -> Option<Vec<f64>> {
         self.set_speed(speed).ok()?;
