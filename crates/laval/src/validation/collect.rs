@@ -18,7 +18,7 @@ pub struct Document {
     pub text: String,
 }
 
-/// The documents `*.md` in a folder and the folders below it, in order of their ids; `README.md` is not a case.
+/// The documents `*.md` in a folder and the folders below it, in order of their ids, numbers in them by value; `README.md` is not a case.
 ///
 /// # Errors
 /// When a folder or document cannot be read, with its path.
@@ -40,8 +40,15 @@ pub fn documents(folder: &Path) -> Result<Vec<Document>, (PathBuf, io::Error)> {
             }
         }
     }
-    out.sort_by(|a, b| a.id.cmp(&b.id).then_with(|| a.path.cmp(&b.path)));
+    out.sort_by(|a, b| natural(&a.id).cmp(&natural(&b.id)).then_with(|| a.path.cmp(&b.path)));
     Ok(out)
+}
+
+/// A key that puts `figure-9` before `figure-10`.
+fn natural(id: &str) -> Vec<(u64, &[u8])> {
+    let number = |digits: &[u8]| digits.iter().fold(0u64, |n, d| n.saturating_mul(10).saturating_add(u64::from(d - b'0')));
+    let pieces = id.as_bytes().chunk_by(|a, b| a.is_ascii_digit() == b.is_ascii_digit());
+    pieces.map(|p| if p[0].is_ascii_digit() { (number(p), &p[..0]) } else { (u64::MAX, p) }).collect()
 }
 
 /// Reads and runs documents, several at a time; the pages come in the order of the documents. `each` is called as pages are done.
@@ -55,4 +62,16 @@ pub fn run(documents: &[Document], each: impl Fn(&Page) + Sync) -> Vec<Page> {
         page
     };
     documents.par_iter().map(one).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::natural;
+
+    #[test]
+    fn numbers_are_ordered_by_value() {
+        let mut ids = ["figures-14/9-12", "figures-14/13-26", "figures-2/10", "figures-2/x", "figures-2/9-1", "a"];
+        ids.sort_by_key(|id| natural(id).into_iter().map(|(n, t)| (n, t.to_vec())).collect::<Vec<_>>());
+        assert_eq!(ids, ["a", "figures-2/9-1", "figures-2/10", "figures-2/x", "figures-14/9-12", "figures-14/13-26"]);
+    }
 }

@@ -3,6 +3,7 @@
 use super::case::{Case, Verdict};
 use super::check::{Checked, Compared};
 use super::markdown::{Kind, html, inline};
+use super::marks::marked;
 use super::table::Expectation;
 use crate::diagnostic::Diagnostics;
 use crate::file::{Form, render};
@@ -230,7 +231,11 @@ fn figures(s: &mut String, c: &Checked) -> Result<(), OutcomeError> {
             if c.outcomes.len() > 1 && k == 0 {
                 let _ = writeln!(s, "<h3>Study {}</h3>", escape(&o.name));
             }
-            s.push_str(&figure(f, &o.tables, &format!("f{i}-{k}"))?);
+            let id = format!("f{i}-{k}");
+            match marked(f, o, &c.case.expected)? {
+                Some((f, tables)) => s.push_str(&figure(&f, &tables, &id)?),
+                None => s.push_str(&figure(f, &o.tables, &id)?),
+            }
         }
     }
     Ok(())

@@ -227,10 +227,19 @@ fn marked(text: &str) -> Option<(String, usize)> {
     let inner = text.strip_prefix('[')?;
     let (words, behind) = inner.split_once("](")?;
     let (target, _) = behind.split_once(')')?;
-    if words.contains('[') || !(target.starts_with("https://") || target.starts_with("http://")) {
+    if words.contains('[') {
         return None;
     }
-    Some((format!("<a href=\"{}\">{}</a>", escape(target), inline(words)), words.len() + target.len() + 4))
+    let web = target.starts_with("https://") || target.starts_with("http://");
+    let target_html = if web { target.to_string() } else { gallery_page(target)? };
+    Some((format!("<a href=\"{}\">{}</a>", escape(&target_html), inline(words)), words.len() + target.len() + 4))
+}
+
+/// The page of the gallery that shows the document `../topic/case.md`.
+fn gallery_page(target: &str) -> Option<String> {
+    let (topic, case) = target.strip_prefix("../")?.strip_suffix(".md")?.split_once('/')?;
+    let plain = |t: &str| !t.is_empty() && t.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
+    (plain(topic) && plain(case)).then(|| format!("{topic}-{case}.html"))
 }
 
 #[cfg(test)]
@@ -264,6 +273,7 @@ mod tests {
     fn inside_a_line() {
         assert_eq!(inline("a `<b>*` **c** *d* e*f"), "a <code>&lt;b&gt;*</code> <strong>c</strong> <em>d</em> e*f");
         assert_eq!(inline("[x](https://e.org/?a&b) [y](javascript:z)"), "<a href=\"https://e.org/?a&amp;b\">x</a> [y](javascript:z)");
+        assert_eq!(inline("[x](../a/b-1.md) [y](../a/../b.md)"), "<a href=\"a-b-1.html\">x</a> [y](../a/../b.md)");
         assert_eq!(inline("2 * 3 * 4 ` µ"), "2 * 3 * 4 ` µ");
     }
 }

@@ -57,6 +57,7 @@ mod collect;
 
 mod gallery;
 mod markdown;
+mod marks;
 mod table;
 mod value;
 
