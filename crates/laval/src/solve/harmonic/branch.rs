@@ -120,7 +120,7 @@ pub struct Traced {
     pub end: End,
     /// What its unknowns mean.
     pub discretisation: Discretisation,
-    /// How many states one of its points stands for: turned by the symmetry of the machine, or later by a turn of the rotor.
+    /// How many branches it stands for: turned by the symmetry of the machine, or later by a turn of the rotor.
     pub images: usize,
 }
 

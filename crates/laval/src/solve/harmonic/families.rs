@@ -65,7 +65,6 @@ pub(super) fn extend<'a>(
     let (symmetry, _) = symmetry(system, request)?;
     let mut search =
         Search { system, request, symmetry, settings: settings(request), balances: Vec::new(), response, cancel, tick, found: 0 };
-    let images = search.symmetry;
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
@@ -76,12 +75,7 @@ pub(super) fn extend<'a>(
         search.switch_from(&mut next)?;
     }
     for i in 0..search.response.branches.len() {
-        let d = search.response.branches[i].discretisation;
-        let at = search.balance(d)?;
-        let branch = &mut search.response.branches[i];
-        if let Some(point) = branch.points.get(branch.points.len() / 2) {
-            branch.images = Motion { terms: &search.balances[at].terms, x: &point.x }.images(images);
-        }
+        search.response.branches[i].images = search.images(i)?;
     }
     Ok(())
 }
@@ -114,27 +108,50 @@ impl<'a> Search<'a, '_> {
         out
     }
 
-    /// All known states at a speed.
-    fn known(&mut self, speed: f64) -> Result<Vec<Known>, Diagnostic> {
-        let mut out: Vec<Known> = Vec::new();
-        for i in 0..self.response.branches.len() {
-            let balance = self.balance(self.response.branches[i].discretisation)?;
-            let points = &self.response.branches[i].points;
-            for pair in points.windows(2) {
-                let (a, b) = (pair[0].speed, pair[1].speed);
-                if (a - speed) * (b - speed) > 0.0 || a == b {
-                    continue;
-                }
-                let t = (speed - a) / (b - a);
-                let mut x: Vec<f64> = pair[0].x.iter().zip(&pair[1].x).map(|(p, q)| p + t * (q - p)).collect();
-                let options = Options { to_rounding: true, ..Options::default() };
-                let solved = newton(&mut self.balances[balance], &mut x, speed, &options).is_ok();
-                if solved && !out.iter().any(|k| k.balance == balance && close(&k.x, &x)) {
-                    out.push(Known { balance, x });
-                }
+    /// States of a branch at a speed: its balance and their unknowns.
+    fn on_branch(&mut self, branch: usize, speed: f64) -> Result<(usize, Vec<Vec<f64>>), Diagnostic> {
+        let balance = self.balance(self.response.branches[branch].discretisation)?;
+        let mut out: Vec<Vec<f64>> = Vec::new();
+        for pair in self.response.branches[branch].points.windows(2) {
+            let (a, b) = (pair[0].speed, pair[1].speed);
+            if (a - speed) * (b - speed) > 0.0 || a == b {
+                continue;
+            }
+            let t = (speed - a) / (b - a);
+            let mut x: Vec<f64> = pair[0].x.iter().zip(&pair[1].x).map(|(p, q)| p + t * (q - p)).collect();
+            let options = Options { to_rounding: true, ..Options::default() };
+            if newton(&mut self.balances[balance], &mut x, speed, &options).is_ok() && !out.iter().any(|y| close(y, &x, 1e-8)) {
+                out.push(x);
             }
         }
+        Ok((balance, out))
+    }
+
+    /// All known states at a speed.
+    fn known(&mut self, speed: f64) -> Result<Vec<Known>, Diagnostic> {
+        let mut out = Vec::new();
+        for i in 0..self.response.branches.len() {
+            let (balance, states) = self.on_branch(i, speed)?;
+            out.extend(states.into_iter().map(|x| Known { balance, x }));
+        }
         Ok(out)
+    }
+
+    /// How many branches one stands for: the images of a state of it, by those of them that lie on the branch itself.
+    fn images(&mut self, branch: usize) -> Result<usize, Diagnostic> {
+        let at = self.balance(self.response.branches[branch].discretisation)?;
+        let points = &self.response.branches[branch].points;
+        let motion = |x: &[f64]| Motion { terms: &self.balances[at].terms, x }.images(self.symmetry);
+        let some = [1, 2, 3].iter().filter_map(|k| points.get(k * points.len() / 4));
+        let Some((number, state)) = some.map(|p| (motion(&p.x), p.clone())).max_by_key(|m| m.0) else { return Ok(1) };
+        let (_, states) = self.on_branch(branch, state.speed)?;
+        let terms = &self.balances[at].terms;
+        let mut images = vec![state.x];
+        for _ in 1..number {
+            images.push(Motion { terms, x: &images[images.len() - 1] }.image(self.symmetry));
+        }
+        let own = images.iter().filter(|i| states.iter().any(|s| close(i, s, 1e-5))).count();
+        Ok(number / own.max(1))
     }
 
     /// Solves from a start; a state that is not known is reduced to the most symmetric terms it fits, followed, judged, and made known.
@@ -403,9 +420,9 @@ impl<'a> Search<'a, '_> {
     }
 }
 
-fn close(a: &[f64], b: &[f64]) -> bool {
+fn close(a: &[f64], b: &[f64], tolerance: f64) -> bool {
     let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-8 * size)
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance * size)
 }
 
 /// A balance that holds the whole period without symmetry, and a motion in its terms.

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! with F the unbalance force and Q the motion at the spin frequency. The branch turns back (closes) where the share reaches 1. With a cubic law amplitudes
-//! grow like the speed and the share tends to a limit, `share = limit + O(1/W^2)`: below 1 the branch never closes. For the rotor on a movable foundation
+//! grow like the speed and the share tends to a limit, `share = limit + A/W + B/W^2 + ..`: below 1 the branch never closes. For the rotor on a movable foundation
 //! the limit with one harmonic is `(chi T^2 + chi0 (m'/(M + m'))^2) / (T m e sqrt(kap c1/mu))`, 1 at the critical damping chi*.
 
 use super::branch::Traced;
@@ -36,7 +36,7 @@ pub struct Unclosed {
     pub rise: f64,
     /// Share of the power the unbalance could give that damping uses up there.
     pub share: f64,
-    /// The share at ever higher speed, when two speeds of the branch say so (their shares differ by less than a fifth); else NaN.
+    /// The share at ever higher speed, from three speeds of the branch whose shares differ by less than a fifth; else NaN.
     pub limit: f64,
 }
 
@@ -55,30 +55,46 @@ pub fn unclosed(system: &System, response: &Response, request: &Request) -> Opti
     let orbit = Orbit::of(&mut balance, &last.x, last.speed).ok()?;
     let low = Orbit::of(&mut balance, &high.points.first()?.x, end).ok()?;
     let (amplitude, low_amplitude) = (largest(system, &orbit, request.divisor), largest(system, &low, request.divisor));
-    let before = earlier(branch)?;
-    let other = Orbit::of(&mut balance, &branch.points[before].x, branch.points[before].speed).ok()?;
-    let rise = (amplitude / largest(system, &other, request.divisor)).ln() / (end / other.speed).abs().ln();
-    let (share, share_before) = (share(system, &force, &orbit, request.divisor)?, self::share(system, &force, &other, request.divisor)?);
-    let (w, w0) = (end * end, other.speed * other.speed);
-    let settled = (share - share_before).abs() <= 0.2 * share;
-    let limit = if settled { (w * share - w0 * share_before) / (w - w0) } else { f64::NAN };
+    let mut rise = f64::NAN;
+    let share_here = share(system, &force, &orbit, request.divisor)?;
+    // u = 1/W over that at the end, and the share
+    let mut shares = vec![(1.0, share_here)];
+    for part in [0.75, 0.5] {
+        let point = &branch.points[earlier(branch, part)?];
+        let other = Orbit::of(&mut balance, &point.x, point.speed).ok()?;
+        if rise.is_nan() {
+            rise = (amplitude / largest(system, &other, request.divisor)).ln() / (end / other.speed).abs().ln();
+        }
+        shares.push((end / other.speed, share(system, &force, &other, request.divisor)?));
+    }
+    let settled = shares.iter().all(|s| (s.1 - share_here).abs() <= 0.2 * share_here);
+    let limit = if settled { extrapolated(&shares) } else { f64::NAN };
     (amplitude > low_amplitude && rise > 0.0).then_some(Unclosed {
         branch: index,
         speed: end,
         amplitude,
         low_amplitude,
         rise,
-        share,
+        share: share_here,
         limit,
     })
 }
 
-/// The point of the last run of a branch nearest to three quarters of its last speed.
-fn earlier(branch: &Traced) -> Option<usize> {
+/// The point of the last run of a branch nearest to this part of its last speed.
+fn earlier(branch: &Traced, part: f64) -> Option<usize> {
     let last = branch.points.len().checked_sub(1)?;
-    let wanted = 0.75 * branch.points[last].speed;
+    let wanted = part * branch.points[last].speed;
     let from = branch.folds.last().map_or(0, |f| f.after + 1);
     (from..last).min_by(|&a, &b| (branch.points[a].speed - wanted).abs().total_cmp(&(branch.points[b].speed - wanted).abs()))
+}
+
+/// Value at u = 0 of the polynomial through points (u, value); NaN where two have the same u.
+fn extrapolated(points: &[(f64, f64)]) -> f64 {
+    let weight = |i: usize| {
+        let others = points.iter().enumerate().filter(|(j, _)| *j != i);
+        others.fold(1.0, |w, (_, p)| if p.0 == points[i].0 { f64::NAN } else { w * p.0 / (p.0 - points[i].0) })
+    };
+    (0..points.len()).map(|i| weight(i) * points[i].1).sum()
 }
 
 /// Largest forward amplitude of a body at the spin frequency, m.

@@ -65,7 +65,7 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
         let images = branches.iter().map(|b| b.images).max().unwrap_or(1);
         let turned = match (images, branches.iter().map(|b| b.turns()).max().unwrap_or(1)) {
             (1, _) => String::new(),
-            (n, 1) => format!(" Each stands for {n} states, turned against each other by the symmetry of the machine."),
+            (n, 1) => format!(" A branch stands for up to {n}, turned against each other by the symmetry of the machine."),
             (n, _) => {
                 format!(" Each stands for up to {n} states: turned by the symmetry of the machine, and later by a turn of the rotor.")
             }

@@ -155,7 +155,7 @@ pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
         .int(
             "images",
             "",
-            "states that one point stands for: turned by the symmetry of the machine, or a turn of the rotor later",
+            "branches that it stands for: turned by the symmetry of the machine, or a turn of the rotor later",
             int(&|b| b.images),
         )
         .float("from", "rad/s", "lowest speed", float(&|b| speeds(b).0))
