@@ -16,7 +16,7 @@ pub(super) struct Found {
 }
 
 /// Where a test function vanishes between two nodes.
-struct Zeroed {
+pub(super) struct Zeroed {
     node: Node,
     value: f64,
     bracket: [Side; 2],
@@ -59,7 +59,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
     }
 
     /// Zero of `g` between `a` and `b` by Chandrupatla's method (inverse quadratic steps within a bracket).
-    fn locate(&mut self, a: &Node, b: &Node, ends: [f64; 2], g: &mut dyn FnMut(&mut Self, &Node) -> f64) -> Zeroed {
+    pub(super) fn locate(&mut self, a: &Node, b: &Node, ends: [f64; 2], g: &mut dyn FnMut(&mut Self, &Node) -> f64) -> Zeroed {
         let side = |node: &Node, value| Side { s: node.s, p: node.p, value };
         let [mut f1, mut f2] = ends;
         let (mut x1, mut x2) = (0.0, 1.0);
@@ -111,7 +111,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         best
     }
 
-    fn found(&self, zero: Zeroed, kind: Kind, ends: [f64; 2], after: usize) -> Found {
+    pub(super) fn found(&self, zero: Zeroed, kind: Kind, ends: [f64; 2], after: usize) -> Found {
         let sharp = zero.value.abs() <= 1e-6 * ends[0].abs().max(ends[1].abs());
         let status = if zero.narrow && sharp { Status::Located } else { Status::Bracketed };
         let point = self.point(&zero.node);

@@ -14,6 +14,7 @@
 
 mod branch;
 mod corner;
+mod cross;
 mod event;
 mod fold;
 mod problem;
@@ -22,6 +23,7 @@ mod step;
 mod trace;
 
 pub use branch::{Branch, Counters, End, Kind, Point, Refusal, Side, Special, Status};
+pub use cross::{Crossing, cross, zero_between};
 pub use event::Test;
 pub use fold::{FoldPoint, fold};
 pub use problem::{Failure, Zero, resonance_cap};

@@ -413,3 +413,82 @@ fn a_double_null_vector_is_not_confirmed() {
     let near: Vec<&Special> = b.specials.iter().filter(|s| (s.point.p - p).abs() < 1e-6).collect();
     assert!(!near.is_empty() && near.iter().all(|s| s.status != Status::Confirmed), "{:?} {:?}", b.end, b.specials);
 }
+
+fn pitchfork() -> Problem {
+    problem(1, |x, p, r, j, dp| {
+        r[0] = p * x[0] - x[0].powi(3);
+        j[(0, 0)] = p - 3.0 * x[0] * x[0];
+        dp[0] = x[0];
+    })
+}
+
+/// From the line x = 0 onto x^2 = p, both halves, away from the branch point.
+#[test]
+fn the_bent_branch_of_a_pitchfork_is_reached() {
+    let set = Settings::new(-2.0, 1.0);
+    let line = trace(&mut pitchfork(), &[0.0], -1.03, Direction::Up, &set, &mut []).unwrap();
+    let at = &line.of(Kind::BranchPoint).next().unwrap().point;
+    let found = cross(&mut pitchfork(), at, &set).unwrap();
+    assert_eq!(found.len(), 2);
+    assert!(found[0].x[0] * found[1].x[0] < 0.0);
+    for c in found {
+        assert!((c.null_vector[0].abs() - 1.0).abs() < 1e-8, "{c:?}");
+        let b = trace(&mut pitchfork(), &c.x, c.p, c.direction, &set, &mut []).unwrap();
+        assert_eq!((b.end, b.points[b.points.len() - 1].p), (End::Reached, 1.0));
+        assert!(b.specials.is_empty() && b.points.iter().all(|q| (q.x[0] * q.x[0] - q.p).abs() < 1e-9 && q.x[0] * c.x[0] > 0.0));
+    }
+}
+
+/// Two iterates of the logistic map f = p x (1 - x): the fixed point 1 - 1/p doubles its period at p = 3, where the cycle
+/// `(p + 1 -+ sqrt((p + 1)(p - 3))) / (2 p)` leaves it.
+#[test]
+fn a_doubled_period_branches_off_the_fixed_point() {
+    let z = || {
+        problem(2, |x, p, r, j, dp| {
+            for (i, k) in [(0, 1), (1, 0)] {
+                r[i] = p * x[i] * (1.0 - x[i]) - x[k];
+                j[(i, i)] = p * (1.0 - 2.0 * x[i]);
+                j[(i, k)] = -1.0;
+                dp[i] = x[i] * (1.0 - x[i]);
+            }
+        })
+    };
+    let set = Settings::new(1.5, 3.4);
+    let x0 = 1.0 - 1.0 / 1.6;
+    let fixed = trace(&mut z(), &[x0, x0], 1.6, Direction::Up, &set, &mut []).unwrap();
+    let points: Vec<&Special> = fixed.of(Kind::BranchPoint).collect();
+    assert!(points.len() == 1 && (points[0].point.p - 3.0).abs() < 1e-8, "{points:?}");
+    let found = cross(&mut z(), &points[0].point, &set).unwrap();
+    assert_eq!(found.len(), 2);
+    for c in found {
+        let b = trace(&mut z(), &c.x, c.p, c.direction, &set, &mut []).unwrap();
+        assert_eq!(b.points[b.points.len() - 1].p, 3.4);
+        for q in &b.points {
+            let root = ((q.p + 1.0) * (q.p - 3.0)).sqrt();
+            let (low, high) = ((q.p + 1.0 - root) / (2.0 * q.p), (q.p + 1.0 + root) / (2.0 * q.p));
+            let (a, b) = (q.x[0].min(q.x[1]), q.x[0].max(q.x[1]));
+            assert!((a - low).abs() < 1e-8 && (b - high).abs() < 1e-8, "{q:?} {low} {high}");
+        }
+    }
+}
+
+/// On a circle of radius 1 the abscissa 0.6 is met where p = 0.8, past the fold too.
+#[test]
+fn a_zero_is_found_between_two_points_of_a_branch() {
+    let set = Settings::new(-3.0, 3.0);
+    let b = trace(&mut circle(), &[0.9], 0.19f64.sqrt(), Direction::Up, &set, &mut []).unwrap();
+    let mut met = 0;
+    for w in b.points.windows(2) {
+        for target in [0.6, -0.3] {
+            let g = |q: &Point| q.x[0] - target;
+            if (g(&w[0]) < 0.0) == (g(&w[1]) < 0.0) {
+                continue;
+            }
+            let z = zero_between(&mut circle(), [&w[0], &w[1]], [g(&w[0]), g(&w[1])], &set, &mut |_, q| g(q)).unwrap();
+            let want = (1.0 - target * target).sqrt();
+            assert!((z.point.p.abs() - want).abs() < 1e-13 && z.status == Status::Located && z.width() < 1e-9, "{z:?}");
+            met += 1;
+        }
+    }
+    assert_eq!(met, 4);
+}

@@ -153,7 +153,7 @@ impl Line {
         self
     }
 
-    /// Begins anew, with a gap before, where this flag column is true. For lines that are solid everywhere.
+    /// Begins anew, with a gap before, where this flag column is true.
     pub fn begins_where(mut self, column: impl Into<String>) -> Self {
         self.begins_where = Some(column.into());
         self

@@ -232,7 +232,7 @@ impl Build<'_> {
                         let pieces = match &solid {
                             None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],
                             Some(solid) => {
-                                let (full, dashed) = split(&g.rows, at, solid);
+                                let (full, dashed) = split(&g.rows, at, solid, begins.as_deref());
                                 if !dashed.is_empty() && !meanings.contains(&&m.solid_dashed) {
                                     meanings.push(&m.solid_dashed);
                                 }
@@ -384,10 +384,14 @@ fn pieces_of(rows: &[usize], at: impl Fn(usize) -> (f64, f64), begins: Option<&[
 
 /// Pieces whose both ends are flagged, and the others, each broken by NaN where the other takes over.
 #[allow(clippy::type_complexity)]
-fn split(rows: &[usize], at: impl Fn(usize) -> (f64, f64), solid: &[bool]) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+fn split(rows: &[usize], at: impl Fn(usize) -> (f64, f64), solid: &[bool], begins: Option<&[bool]>) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
     let mut out = [Vec::new(), Vec::new()];
     let mut current = None;
     for w in rows.windows(2) {
+        if begins.is_some_and(|b| b[w[1]]) {
+            current = None;
+            continue;
+        }
         let side = usize::from(!(solid[w[0]] && solid[w[1]]));
         if current != Some(side) {
             if !out[side].is_empty() {

@@ -94,7 +94,7 @@ impl Base {
 
 /// What nearly every test asks for.
 pub fn request(lo: f64, hi: f64) -> Request {
-    Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-9, stability: true, max_points: 20_000 }
+    Request { truncation: 1e-9, max_points: 20_000, ..Request::over(lo, hi) }
 }
 
 /// Runs to the end.

@@ -40,6 +40,8 @@ pub struct Exponents {
     pub error: f64,
     /// How.
     pub method: Method,
+    /// Time after which the map was taken and turned back, s; 0 where coefficients were constant.
+    pub span: f64,
 }
 
 impl Exponents {
@@ -50,6 +52,16 @@ impl Exponents {
     /// No growth beyond the error.
     pub fn stable(&self) -> bool {
         self.growth() <= self.error
+    }
+    /// Exponents in descending order of growth.
+    pub fn descending(&self) -> Vec<C64> {
+        let mut values = self.values.clone();
+        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        values
+    }
+    /// Number that grow beyond the error; NaN counts.
+    pub fn unstable(&self) -> usize {
+        self.values.iter().filter(|z| !(z.re <= self.error)).count()
     }
 }
 
@@ -111,11 +123,11 @@ pub struct Stability {
     pub(super) n: usize,
     pub(super) m: usize,
     pub(super) pairs: Vec<bool>,
-    constant_mass: bool,
+    pub(super) constant_mass: bool,
     speed: f64,
-    constant: Mat,
+    pub(super) constant: Mat,
     input: Mat,
-    entries: Vec<Entry>,
+    pub(super) entries: Vec<Entry>,
     pub(super) tangent: Tangent,
     pub(super) scratch: TangentScratch,
     pub(super) sampled: Sampled,
@@ -124,6 +136,8 @@ pub struct Stability {
     pub(super) dop: Dop853,
     /// Steps of maps over the period that are left: a law with kinks may ask for more than anybody waits for.
     pub(super) steps_left: u64,
+    /// Tolerance of the integration of maps.
+    pub(super) tolerance: f64,
 }
 
 /// Steps of integration spent on the maps of one response, at most.
@@ -161,7 +175,26 @@ impl Stability {
             spectrum: Spectrum::default(),
             dop: Dop853::new(),
             steps_left: MOST_STEPS,
+            tolerance: super::monodromy::TOLERANCE,
         })
+    }
+
+    /// Integrates maps over the period to another tolerance.
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Stability { tolerance, ..self }
+    }
+
+    /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
+    pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+        let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
+        match jumps {
+            Some(part) => Err(Unjudged::Jumps(part)),
+            None if !self.constant_mass => self.general(balance, x, speed),
+            None => {
+                self.set_speed(balance, speed)?;
+                self.map(balance, x, speed, !places.is_empty())
+            }
+        }
     }
 
     /// Exponents of the motion `x` of a balance at a speed. The balance must have been sampled there last ([`Balance::sample`]).
@@ -177,16 +210,7 @@ impl Stability {
         let terms = &balance.terms;
         let mu = terms.coordinates;
         let sampled = &balance.sampled;
-        let mut mean = [Mat::zeros(mu, mu), Mat::zeros(mu, mu)];
-        for (d, mean) in mean.iter_mut().enumerate() {
-            for j in 0..terms.samples {
-                for i in 0..mu {
-                    for k in 0..mu {
-                        mean[(i, k)] += sampled.tangent(d)[(j * mu + i, k)] / terms.samples as f64;
-                    }
-                }
-            }
-        }
+        let mean = means(balance);
         if terms.symmetry == Symmetry::Circular {
             let mut a = self.constant.clone();
             self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
@@ -196,14 +220,7 @@ impl Stability {
                 a[(i + 1, i)] -= turn;
             }
             let values = self.eigenvalues(&a)?;
-            return Ok(Exponents { values, error: rounding(&a), method: Method::Rotating });
-        }
-        // the rest of the period has these tangents turned: their mean over it
-        let kinds = &balance.nonlinear.kinds;
-        for mean in &mut mean {
-            if terms.symmetry == Symmetry::Quarter {
-                average_quarter(kinds, mean);
-            }
+            return Ok(Exponents { values, error: rounding(&a), method: Method::Rotating, span: 0.0 });
         }
         let mut a = self.constant.clone();
         self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
@@ -224,9 +241,21 @@ impl Stability {
         let bound = variation * variation / detuning(&values, base).max(variation);
         // a law that switches may do so between the samples
         if places.is_empty() && (bound < 0.1 * TOLERANCE * size || variation == 0.0) {
-            return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean });
+            return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean, span: 0.0 });
         }
         self.map(balance, x, speed, !places.is_empty())
+    }
+
+    /// Frequencies of the machine linearised about the mean of the motion last sampled, rad/s.
+    pub(super) fn mean_frequencies(&mut self, balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
+        if !self.constant_mass {
+            return None;
+        }
+        self.set_speed(balance, speed).ok()?;
+        let mean = means(balance);
+        let mut a = self.constant.clone();
+        self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
+        Some(self.eigenvalues(&a).ok()?.iter().map(|z| z.im).collect())
     }
 
     pub(super) fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
@@ -234,7 +263,7 @@ impl Stability {
     }
 
     /// Constant part of A and the input of nonlinear forces, scaled.
-    fn set_speed(&mut self, balance: &Balance, speed: f64) -> Result<(), Unjudged> {
+    pub(super) fn set_speed(&mut self, balance: &Balance, speed: f64) -> Result<(), Unjudged> {
         if self.speed == speed {
             return Ok(());
         }
@@ -330,6 +359,28 @@ impl Stability {
             })
             .collect()
     }
+}
+
+/// Tangents of the nonlinear coordinates by displacements and by rates: means over the period of the motion last sampled.
+fn means(balance: &Balance) -> [Mat; 2] {
+    let terms = &balance.terms;
+    let mu = terms.coordinates;
+    let mut mean = [Mat::zeros(mu, mu), Mat::zeros(mu, mu)];
+    for (d, mean) in mean.iter_mut().enumerate() {
+        let tangent = balance.sampled.tangent(d);
+        for j in 0..terms.samples {
+            for i in 0..mu {
+                for k in 0..mu {
+                    mean[(i, k)] += tangent[(j * mu + i, k)] / terms.samples as f64;
+                }
+            }
+        }
+        // the rest of the period has these tangents turned
+        if terms.symmetry == Symmetry::Quarter {
+            average_quarter(&balance.nonlinear.kinds, mean);
+        }
+    }
+    mean
 }
 
 /// Rounding of growth rates that come from eigenvalues of `a`.

@@ -1,11 +1,16 @@
 //! Harmonic balance: periodic motions from linear parts exact in frequency and nonlinear parts sampled in time.
+pub mod agreement;
 pub mod backbone;
+pub mod bifurcation;
+pub mod branch;
 pub mod condense;
 pub mod cycles;
 pub mod elliptic;
+pub mod families;
 pub mod floquet;
 pub mod fourier;
 pub mod free;
+pub mod hill;
 pub mod methods;
 mod monodromy;
 pub mod nonlinear;
@@ -14,5 +19,7 @@ pub mod pace;
 pub mod peak;
 pub mod problem;
 pub mod response;
+pub mod seeds;
 pub mod switching;
 pub mod terms;
+pub mod unclosed;

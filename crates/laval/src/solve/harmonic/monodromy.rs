@@ -13,20 +13,26 @@ use laval_num::ode::{Control, Dop853, End, Ode, Tolerance, integrate, ode};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Tolerance of the integration.
-const TOLERANCE: f64 = 1e-10;
+/// Tolerance of the integration, where no other is asked for.
+pub(super) const TOLERANCE: f64 = 1e-10;
 
 /// Part of the period by which an instant on a switch is moved inside the part that is integrated.
 const INSIDE: f64 = 1e-11;
 
 /// The part between two switches that is integrated.
-#[derive(Default)]
-struct Window(Cell<(f64, f64)>);
+struct Window {
+    ends: Cell<(f64, f64)>,
+    tolerance: f64,
+}
 
 impl Window {
+    fn new(tolerance: f64) -> Self {
+        Window { ends: Cell::default(), tolerance }
+    }
+
     /// The instant `t`, not on the switch itself, where either law might answer.
     fn inside(&self, t: f64) -> f64 {
-        let (from, to) = self.0.get();
+        let (from, to) = self.ends.get();
         t.max(from).min(to)
     }
 
@@ -35,8 +41,9 @@ impl Window {
         let (mut from, mut steps) = (0.0, 0);
         let margin = INSIDE * breaks.last().copied().unwrap_or(0.0);
         for &to in breaks {
-            self.0.set((from + margin, to - margin));
-            let control = Control { max_steps: *left, ..Control::new(Tolerance::All(TOLERANCE), Tolerance::All(TOLERANCE)) };
+            self.ends.set((from + margin, to - margin));
+            let all = || Tolerance::All(self.tolerance);
+            let control = Control { max_steps: *left, ..Control::new(all(), all()) };
             let run = integrate(dop, problem, from, y, to, &control, &mut ());
             let spent = run.work.steps + run.work.rejected;
             steps += spent;
@@ -94,7 +101,7 @@ impl Stability {
         let direction = pace.frequency.signum();
         let breaks = breaks(balance, x, speed, parts, period)?;
         let terms = &balance.terms;
-        let window = Window::default();
+        let window = Window::new(self.tolerance);
         let (mut motion, mut turned) = ([0; 3].map(|_| vec![0.0; terms.coordinates]), Vec::new());
         let mut y: Vec<f64> = Vec::new();
         for block in &blocks {
@@ -153,7 +160,7 @@ impl Stability {
             }
             offset += d * d;
         }
-        Ok(Exponents { values, error: TOLERANCE * steps.max(1) as f64 / period, method: Method::Map })
+        Ok(Exponents { values, error: self.tolerance * steps.max(1) as f64 / period, method: Method::Map, span: period })
     }
 
     fn turned_back(&self, block: &[usize], map: &Mat, angle: f64) -> Mat {
@@ -180,7 +187,7 @@ impl Stability {
         let pace = balance.pace(speed);
         let period = TAU / pace.frequency.abs() / parts.max(1) as f64;
         let breaks = breaks(balance, x, speed, parts, period)?;
-        let window = Window::default();
+        let window = Window::new(self.tolerance);
         let orbit = Orbit::of(balance, x, speed).map_err(|e| Unjudged::Failed(e.to_string()))?;
         let system = balance.system;
         let (n, m) = (self.n, self.m);
@@ -219,7 +226,7 @@ impl Stability {
             self.tangent = tangent;
             self.scratch = scratch;
             let values = self.eigenvalues(&a0)?;
-            return Ok(Exponents { values, error: rounding(&a0), method: Method::Rotating });
+            return Ok(Exponents { values, error: rounding(&a0), method: Method::Rotating, span: 0.0 });
         }
         let mut y = Mat::<f64>::identity(states).data().to_vec();
         let mut failure = None;
@@ -258,7 +265,7 @@ impl Stability {
         let all: Vec<usize> = (0..states).collect();
         let map = self.turned_back(&all, &Mat::from_fn(states, states, |i, j| y[i * states + j]), angle);
         let values = self.eigenvalues(&map)?.into_iter().map(|z| z.ln().scale(1.0 / period)).collect();
-        Ok(Exponents { values, error: TOLERANCE * steps.max(1) as f64 / period, method: Method::Map })
+        Ok(Exponents { values, error: self.tolerance * steps.max(1) as f64 / period, method: Method::Map, span: period })
     }
 }
 

@@ -36,6 +36,18 @@ pub struct Discretisation {
     pub symmetry: Symmetry,
 }
 
+impl Discretisation {
+    /// The same with as many samples as are taken, and the symmetry that an even divisor leaves.
+    pub fn whole(self) -> Self {
+        let symmetry = if self.divisor.is_multiple_of(2) { Symmetry::None } else { self.symmetry };
+        let samples = match symmetry.order() {
+            0 => 1,
+            parts => self.samples.next_multiple_of(parts),
+        };
+        Discretisation { symmetry, samples, ..self }
+    }
+}
+
 /// The nonlinear coordinates of a machine: what its nonlinear parts see, without repetition.
 #[derive(Clone, Debug)]
 pub struct Nonlinear {
@@ -377,6 +389,12 @@ impl<'a> Balance<'a> {
     /// Memory states at `s` (1/s) that belong to amplitudes of the coordinates: eliminated in the balance, found again here.
     pub fn memory_states(&self, s: C64, coordinates: &[C64], states: &mut [C64]) {
         self.condenser.memory_states(self.system, s, coordinates, states);
+    }
+
+    /// What was asked of the discretisation, as it is.
+    pub fn discretisation(&self) -> Discretisation {
+        let t = &self.terms;
+        Discretisation { harmonics: t.harmonics, divisor: t.divisor, samples: t.samples * t.symmetry.order().max(1), symmetry: t.symmetry }
     }
 
     /// Size of the unknowns.

@@ -1,18 +1,22 @@
 //! The forced response over a range of speeds: branches from both ends, folds, stability of every point, evidence.
 
-use super::floquet::{Exponents, Method, Stability, Unjudged};
+use super::agreement::{self, Agreement};
+use super::branch::{Judge, Origin};
+use super::families;
+use super::floquet::Unjudged;
 use super::orbit::Orbit;
 use super::problem::{Balance, Discretisation, Nonlinear};
 use super::terms::{Terms, admitted};
+use super::unclosed::{Unclosed, unclosed};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::symmetry::{Broken, Symmetry, probe, probed_speeds};
-use laval_num::complex::C64;
-use laval_num::continuation::{Branch, Direction, End, Kind, Settings, Special, Status, Zero, fold, trace};
+use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
 use laval_num::newton::{Options, newton};
-use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
+
+pub use super::branch::{Fold, State, Traced};
 
 /// Largest order tried by the automatic choice.
 pub const MOST_HARMONICS: usize = 63;
@@ -41,110 +45,53 @@ pub struct Request {
     pub stability: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
+    /// Which states are looked for.
+    pub states: States,
+    /// Starts taken anywhere when all states are looked for.
+    pub starts: usize,
+    /// Judge some states of every branch again by two other methods.
+    pub check_stability: bool,
+}
+
+/// Which states are looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum States {
+    /// Those of the branches from both ends of the range.
+    Main,
+    /// Also those of less symmetry, of longer period, and apart from the others (see [`super::families`]).
+    All,
 }
 
 impl Request {
     /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
     pub fn over(lo: f64, hi: f64) -> Self {
-        Request { speeds: (lo, hi), harmonics: None, symmetry: None, divisor: 1, truncation: 1e-7, stability: true, max_points: 2_000 }
+        Request {
+            speeds: (lo, hi),
+            harmonics: None,
+            symmetry: None,
+            divisor: 1,
+            truncation: 1e-7,
+            stability: true,
+            max_points: 2_000,
+            states: States::Main,
+            starts: 64,
+            check_stability: false,
+        }
     }
-}
-
-/// One point of the response.
-#[derive(Clone, Debug)]
-pub struct State {
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Unknowns of the balance.
-    pub x: Vec<f64>,
-    /// Exponents, when they could be found.
-    pub exponents: Option<Exponents>,
-    /// Dropped force harmonics over kept ones.
-    pub truncation: f64,
-    /// A law switches along the motion (a contact opens or closes).
-    pub switches: bool,
-    /// Scaled residual.
-    pub residual: f64,
-}
-
-impl State {
-    /// Judged stable; unknown counts as not.
-    pub fn stable(&self) -> bool {
-        self.exponents.as_ref().is_some_and(Exponents::stable)
-    }
-    /// Judged unstable; unknown counts as not.
-    pub fn unstable(&self) -> bool {
-        self.exponents.as_ref().is_some_and(|e| !e.stable())
-    }
-    /// Largest growth rate, 1/s; NaN when not judged.
-    pub fn growth(&self) -> f64 {
-        self.exponents.as_ref().map_or(f64::NAN, Exponents::growth)
-    }
-}
-
-/// A fold of the response, and how well it is known.
-#[derive(Clone, Debug)]
-pub struct Fold {
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Unknowns there.
-    pub x: Vec<f64>,
-    /// Speeds of corrected points on both sides along the branch, where the slope dW/ds has opposite signs.
-    pub bracket: (f64, f64),
-    /// Scaled residual of the extended system, when it confirmed the fold.
-    pub residual: f64,
-    /// Change of the speed between the branch's location and the extended system, rad/s.
-    pub methods_differ: f64,
-    /// Change of the speed when four more orders are kept, rad/s; NaN when that did not converge.
-    pub harmonics_change: f64,
-    /// The extended system found it too.
-    pub confirmed: bool,
-    /// The branch turns back at a corner, where a law switches (as where a contact closes): sharply, not like a parabola.
-    pub corner: bool,
-    /// It lies between this point of the branch and the next.
-    pub after: usize,
-    /// The branch turns back from speeds rising in magnitude here (else from falling ones).
-    pub upper: bool,
-}
-
-/// Loss or gain of stability away from folds.
-#[derive(Clone, Debug)]
-pub struct Change {
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Bracket, rad/s.
-    pub bracket: (f64, f64),
-    /// The exponent that crosses.
-    pub exponent: C64,
-    /// Largest growth rate found at the place, 1/s: how well it is located.
-    pub growth: f64,
-    /// It lies between this point of the branch and the next.
-    pub after: usize,
-}
-
-/// A branch with its points judged.
-#[derive(Clone, Debug)]
-pub struct Traced {
-    /// Points in order along the branch.
-    pub points: Vec<State>,
-    /// Folds in the same order.
-    pub folds: Vec<Fold>,
-    /// Other changes of stability.
-    pub changes: Vec<Change>,
-    /// Speeds of simple branch points met.
-    pub branch_points: Vec<f64>,
-    /// Followed from the end of the range where the rotor turns slowly (else from the other).
-    pub from_low: bool,
-    /// How it ended.
-    pub end: End,
 }
 
 /// The response.
 pub struct Response {
     /// Branches.
     pub branches: Vec<Traced>,
-    /// Discretisation used.
+    /// Discretisation of the branches from the ends of the range.
     pub discretisation: Discretisation,
+    /// Families of states were left unfollowed: there are more than the search follows.
+    pub more_families: bool,
+    /// A branch that does not close in the range.
+    pub unclosed: Option<Unclosed>,
+    /// Stability of some states by two other methods.
+    pub agreement: Option<Agreement>,
     /// Parts that break larger symmetries.
     pub broken: Vec<Broken>,
     /// Why stability was not judged.
@@ -234,7 +181,15 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             oversampling *= 2;
         } else {
             let response = if trial.stability == request.stability { response } else { attempt(system, request, d, cancel, tick)? };
-            return Ok(Response { broken, ..response });
+            let mut response = Response { broken, ..response };
+            if request.states == States::All && complete {
+                families::extend(system, request, &mut response, cancel, tick)?;
+            }
+            response.unclosed = unclosed(system, &response, request);
+            if request.check_stability && request.stability && response.unjudged.is_none() {
+                response.agreement = Some(agreement::check(system, &response, cancel));
+            }
+            return Ok(response);
         }
     }
 }
@@ -255,7 +210,7 @@ fn attempt<'a>(
 ) -> Result<Response, Diagnostic> {
     let (lo, hi) = request.speeds;
     let mut balance = Balance::new(system, d, (lo, hi), Some(cancel))?;
-    let settings = Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
+    let settings = settings(request);
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
@@ -278,31 +233,47 @@ fn attempt<'a>(
         return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
             .help("start the range at a lower speed, where the unbalance force is small"));
     }
-    let (mut stability, mut unjudged) = match request.stability.then(|| Stability::new(system)) {
-        None => (None, None),
-        Some(Ok(s)) => (Some(s), None),
-        Some(Err(why)) => (None, Some(why)),
-    };
+    let mut judge = Judge::new(system, request.stability);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;
     let mut work = [("points", 0), ("Newton iterations", 0), ("factorisations", 0), ("maps over the period", 0)];
     let mut traced = Vec::new();
-    for (branch, from_low) in branches {
+    for (branch, up) in branches {
         work[0].1 += branch.points.len() as u64;
         work[1].1 += branch.counters.work.iterations as u64;
         work[2].1 += branch.counters.work.factorisations as u64;
-        traced.push(judge(&mut balance, &mut stability, &mut unjudged, branch, from_low, request, tick)?);
+        // low and high, up and down speak of how fast the rotor turns, whichever way round
+        let origin = if up != (hi < 0.0) { Origin::Low } else { Origin::High };
+        traced.push(judge.branch(&mut balance, branch, origin, &settings, tick));
     }
     for t in &mut traced {
-        // low and high, up and down speak of how fast the rotor turns, whichever way round
-        if hi < 0.0 {
-            t.from_low = !t.from_low;
-            t.folds.iter_mut().for_each(|f| f.upper = !f.upper);
-        }
-        confirm_with_more_harmonics(system, d, request, &mut t.folds);
+        finish(system, request, t);
     }
-    let maps = |t: &Traced| t.points.iter().filter(|p| p.exponents.as_ref().is_some_and(|e| e.method == Method::Map)).count() as u64;
-    work[3].1 = traced.iter().map(maps).sum();
-    Ok(Response { branches: traced, discretisation: d, broken: Vec::new(), unjudged, sampling, work: work.to_vec() })
+    work[3].1 = traced.iter().map(Traced::maps).sum();
+    Ok(Response {
+        branches: traced,
+        discretisation: d,
+        more_families: false,
+        unclosed: None,
+        agreement: None,
+        broken: Vec::new(),
+        unjudged: judge.unjudged,
+        sampling,
+        work: work.to_vec(),
+    })
+}
+
+/// How branches are followed.
+pub(super) fn settings(request: &Request) -> Settings {
+    let (lo, hi) = request.speeds;
+    Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) }
+}
+
+/// Folds of a judged branch by how fast the rotor turns, with the evidence of more orders.
+pub(super) fn finish(system: &System, request: &Request, branch: &mut Traced) {
+    if request.speeds.1 < 0.0 {
+        branch.folds.iter_mut().for_each(|f| f.upper = !f.upper);
+    }
+    confirm_with_more_harmonics(system, branch.discretisation, request, &mut branch.folds);
 }
 
 /// A motion at one speed: from rest, else by raising the load.
@@ -320,123 +291,6 @@ fn start(balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
         }
     }
     None
-}
-
-fn judge(
-    balance: &mut Balance,
-    stability: &mut Option<Stability>,
-    unjudged: &mut Option<Unjudged>,
-    branch: Branch,
-    from_low: bool,
-    request: &Request,
-    tick: Tick,
-) -> Result<Traced, Diagnostic> {
-    let mut points = Vec::with_capacity(branch.points.len());
-    for (i, p) in branch.points.iter().enumerate() {
-        if balance.cancelled() {
-            break;
-        }
-        let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-        points.push(evaluate(balance, stability, unjudged, &x, p.p).with_residual(residual));
-        if i % 16 == 0 {
-            tick(points.len() as u64);
-        }
-    }
-    let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
-    let branch_points = branch.of(Kind::BranchPoint).map(|s| s.point.p).collect();
-    let mut changes = Vec::new();
-    if stability.is_some() && request.stability {
-        for i in 1..points.len() {
-            let (a, b) = (&points[i - 1], &points[i]);
-            // at a fold on a corner the point between belongs to either side
-            let judged = a.exponents.is_some() && b.exponents.is_some();
-            let differ = judged && a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i || f.corner && f.after + 2 == i);
-            if differ && let Some(c) = locate_change(balance, stability, unjudged, a, b, i - 1) {
-                changes.push(c);
-            }
-        }
-    }
-    let end = if points.len() < branch.points.len() { End::Cancelled } else { branch.end };
-    Ok(Traced { points, folds, changes, branch_points, from_low, end })
-}
-
-/// A point of a branch solved to rounding at its speed (the corrector stops at its tolerance), unless a fold is so near that it would leave.
-fn polish(balance: &mut Balance, x: &[f64], speed: f64) -> Option<(Vec<f64>, f64)> {
-    let mut y = x.to_vec();
-    let done = newton(balance, &mut y, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
-    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-3 * s.max(a.abs()));
-    near.then_some((y, done.residual))
-}
-
-impl State {
-    fn with_residual(self, residual: f64) -> Self {
-        State { residual, ..self }
-    }
-}
-
-fn evaluate(balance: &mut Balance, stability: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64) -> State {
-    let mut state = State { speed, x: x.to_vec(), exponents: None, truncation: f64::NAN, switches: false, residual: f64::NAN };
-    balance.sample(x, speed);
-    state.truncation = balance.truncation();
-    state.switches = !balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64)).0.is_empty();
-    if let Some(s) = stability {
-        match s.exponents(balance, x, speed) {
-            Ok(e) => state.exponents = Some(e),
-            Err(why) => *unjudged = Some(why),
-        }
-    }
-    state
-}
-
-fn fold_of(s: &Special, branch: &Branch) -> Fold {
-    let confirmed = s.status == Status::Confirmed;
-    let polished = s.fold.as_ref();
-    let speed = polished.map_or(s.point.p, |f| f.p);
-    Fold {
-        speed,
-        x: polished.map_or_else(|| s.point.x.clone(), |f| f.x.clone()),
-        bracket: (s.bracket[0].p, s.bracket[1].p),
-        residual: polished.map_or(s.residual, |f| f.residual),
-        methods_differ: polished.map_or(f64::NAN, |f| f.p_difference),
-        harmonics_change: f64::NAN,
-        confirmed,
-        corner: branch.of(Kind::Corner).any(|c| c.after == s.after && c.point.p == s.point.p),
-        after: s.after,
-        upper: branch.points[s.after].p < speed || branch.points[s.after].slope > 0.0,
-    }
-}
-
-/// Bisection with corrected points on the sign of the largest growth rate.
-fn locate_change(
-    balance: &mut Balance,
-    stability: &mut Option<Stability>,
-    unjudged: &mut Option<Unjudged>,
-    a: &State,
-    b: &State,
-    after: usize,
-) -> Option<Change> {
-    let (mut a, mut b) = (a.clone(), b.clone());
-    let mut best = None;
-    for _ in 0..60 {
-        if (b.speed - a.speed).abs() <= 1e-12 * b.speed.abs().max(1.0) {
-            break;
-        }
-        // regula falsi inside, bisection when it leaves the middle
-        let (ga, gb) = (a.growth(), b.growth());
-        let t = (ga / (ga - gb)).clamp(0.1, 0.9);
-        let t = if t.is_finite() { t } else { 0.5 };
-        let speed = a.speed + t * (b.speed - a.speed);
-        let mut x: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| a + t * (b - a)).collect();
-        if newton(balance, &mut x, speed, &Options::default()).is_err() {
-            break;
-        }
-        let mid = evaluate(balance, stability, unjudged, &x, speed);
-        let growth = mid.growth();
-        let leading = mid.exponents.as_ref()?.values.iter().copied().max_by(|x, y| x.re.total_cmp(&y.re))?;
-        best = Some(Change { speed, bracket: (a.speed, b.speed), exponent: leading, growth, after });
-        if mid.stable() == a.stable() { a = mid } else { b = mid }
-    }
-    best.map(|c| Change { bracket: (a.speed.min(b.speed), a.speed.max(b.speed)), ..c })
 }
 
 /// The same folds with four more orders, as evidence.

@@ -1,12 +1,14 @@
 //! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
 
 use super::shown::{Rising, Shown, worst};
+use super::{families, stability};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
 use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::peak::Peak;
-use crate::solve::harmonic::response::{Fold, Request, Response, Traced};
+use crate::solve::harmonic::response::{Fold, Request, Response, States, Traced};
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
 
@@ -14,19 +16,25 @@ impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
         // the state a machine brought to an end of the range is on: the branch that starts there, else the end of the other
-        let from = |low: bool| response.branches.iter().find(|b| b.from_low == low);
-        for up in [true, false] {
-            out.extend(from(up).or(from(!up)).map(|branch| sweep(branch, up, request.speeds)));
+        let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
+        for (up, near, far) in [(true, Origin::Low, Origin::High), (false, Origin::High, Origin::Low)] {
+            let unclosed = up && response.unclosed.is_some();
+            out.extend(from(near).or(from(far)).map(|branch| sweep(branch, up, request.speeds, unclosed)));
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
         }
-        if response.branches.len() > 1 && response.branches.iter().all(|b| b.end == End::Reached) {
+        let mut main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
+        if main.clone().count() > 1 && main.all(|b| b.end == End::Reached) {
             out.push(Finding::info(
                 "two_branches",
                 "Two separate families of states were found: one reached from low speed, one from high speed. Which one the machine is on depends on \
                  how it got there.",
             ));
+        }
+        out.extend(response.unclosed.as_ref().map(families::unclosed));
+        if request.states == States::All {
+            out.extend(families::all(response));
         }
         if let Some(r) = &self.rising {
             out.push(self.without_largest(r, &response.branches[r.branch]));
@@ -74,6 +82,8 @@ impl Shown<'_> {
         }
         if known > 0 {
             out.extend(self.unstable(response));
+            out.extend(stability::changes(response));
+            out.extend(response.agreement.as_ref().map(stability::checked));
             out.extend(self.fitted());
         }
         out.extend(self.invalid(response));
@@ -88,10 +98,10 @@ impl Shown<'_> {
         let grows = matches!(branch.end, End::StepTooSmall { why: Refusal::Parameter | Refusal::Monitor, .. });
         let head = if grows { "The steady displacement is unbounded" } else { "The largest steady displacement was not reached" };
         let text = format!(
-            "{head}: that of \"{}\" still rises at {} rad/s, where the branch from {} speed was left at {{}}.",
+            "{head}: that of \"{}\" still rises at {} rad/s, where the branch of states {} was left at {{}}.",
             rising.body,
             significant(rising.speed, 6),
-            if branch.from_low { "low" } else { "high" },
+            branch.origin.words(),
         );
         let id = if grows { "unbounded_displacement" } else { "largest_displacement_not_reached" };
         Finding::warning(id, text).value(rising.displacement, "m").evidence("speed", rising.speed, "rad/s")
@@ -129,8 +139,8 @@ impl Shown<'_> {
                 Finding::warning(
                     "unstable_states",
                     format!(
-                        "States from {} speed are unstable {}; the fastest growth is {{}} at {} rad/s.",
-                        if branch.from_low { "low" } else { "high" },
+                        "States {} are unstable {}; the fastest growth is {{}} at {} rad/s.",
+                        branch.origin.words(),
                         unstable_words(branch),
                         significant(worst.speed, 5)
                     ),
@@ -211,12 +221,12 @@ fn unstable_words(branch: &Traced) -> String {
 }
 
 /// Where a slow sweep jumps, or that it does not.
-fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64)) -> Finding {
+fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Finding {
     let way = if up { "up" } else { "down" };
     // up is faster, whichever way round the rotor turns
     let (begin, end) = if up == (lo >= 0.0) { (lo, hi) } else { (hi, lo) };
     // along the branch from the end the sweep starts at, the first fold that turns against it
-    let forward = up == branch.from_low;
+    let forward = up == branch.from_low();
     let mut folds: Vec<&Fold> = branch.folds.iter().collect();
     if !forward {
         folds.reverse();
@@ -233,9 +243,10 @@ fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64)) -> Finding {
         None if reaches => Finding::info(
             format!("no_jump_{way}"),
             format!(
-                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on to the end of the range.",
+                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
                 significant(begin, 5),
-                significant(end, 5)
+                significant(end, 5),
+                if unclosed { ", still growing," } else { "" }
             ),
         ),
         None => match branch.points.last() {
@@ -254,9 +265,8 @@ fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64)) -> Finding {
 
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.
 fn unfinished(branch: &Traced) -> Option<Finding> {
-    let from = if branch.from_low { "low" } else { "high" };
     let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
-    let text = format!("Beyond their folds the states from {from} speed could be followed to {{}} only ({}).", reason(&branch.end));
+    let text = format!("Beyond their folds the states {} could be followed to {{}} only ({}).", branch.origin.words(), reason(&branch.end));
     Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
 }
 

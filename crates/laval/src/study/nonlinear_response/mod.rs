@@ -6,6 +6,9 @@
 //!
 //! Validity: periodic motion at the spin frequency (or its submultiple); a motion that has lost its stability is shown, not followed.
 //!
+//! With all states the search combines the planes of known states, switches branches at bifurcations, and starts from subharmonic and from arbitrary
+//! motions (see [`crate::solve::harmonic::families`]).
+//!
 //! Sources: `000_a291f7ede1484e56` chapters 1 and 2 (averaging, harmonic balance); M. Urabe (1965) for the Galerkin form.
 
 use super::support::range;
@@ -14,12 +17,16 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
-use crate::solve::harmonic::response::{MOST_HARMONICS, Request, respond, symmetry};
+use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
 use shown::Shown;
 
+mod families;
 mod findings;
+mod picture;
 mod shown;
+mod stability;
+mod tables;
 
 /// See the [module](self).
 pub struct NonlinearResponse {
@@ -40,8 +47,9 @@ const SLOWEST: f64 = 1e-3;
 
 impl Study for NonlinearResponse {
     const KIND: &'static str = "nonlinear_response";
-    const DOC: &'static str = "Steady response to unbalance over a range of speeds, with every state the machine can settle in: branches followed \
-        from both ends, folds (where a slow sweep jumps) located, stability of every point.";
+    const DOC: &'static str = "Steady response to unbalance over a range of speeds, with the states the machine can settle in: branches followed \
+        from both ends, folds (where a slow sweep jumps) and other bifurcations located, stability of every point; on request also mixed, less symmetric \
+        and subharmonic states.";
     const FIELDS: &'static [Field] = &[
         Field::required(
             "speed",
@@ -73,6 +81,27 @@ impl Study for NonlinearResponse {
         ),
         Field::optional("subharmonic", FieldKind::Integer { min: 1, max: 9 }, "1", "period sought, in turns of the rotor"),
         Field::optional("stability", FieldKind::Flag, "true", "judge the stability of every point"),
+        Field::optional(
+            "check_stability",
+            FieldKind::Flag,
+            "false",
+            "judge some states again by Hill's method and by a second map over the period",
+        ),
+        Field::optional(
+            "states",
+            FieldKind::Choice(&[
+                ("main", "those of the branches from both ends of the range"),
+                ("all", "also mixed, less symmetric and subharmonic states, and those apart from the others"),
+            ]),
+            "main",
+            "which states are looked for",
+        ),
+        Field::optional(
+            "starts",
+            FieldKind::Integer { min: 0, max: 100_000 },
+            "64",
+            "with states = \"all\": starts of any size and phase, the same in every run",
+        ),
         Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch"),
     ];
 
@@ -120,6 +149,9 @@ impl Study for NonlinearResponse {
                 truncation: values.number("truncation").unwrap_or(1e-7),
                 stability: values.flag("stability").unwrap_or(true),
                 max_points: whole("max_points", 2_000),
+                states: if values.choice("states") == Some("all") { States::All } else { States::Main },
+                starts: whole("starts", 64),
+                check_stability: values.flag("check_stability").unwrap_or(false),
             },
         })
     }

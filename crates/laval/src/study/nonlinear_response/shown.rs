@@ -1,28 +1,30 @@
 //! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
 
 use super::NonlinearResponse;
-use super::findings::unstable_ranges;
+use super::tables::{branch_table, change_table, fold_table};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Axis, Band, Figure, Line, Outcome, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{self, Outcome, SpecialPoint, Status};
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
-use crate::solve::harmonic::response::{Fold, Request, Response, State};
+use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
 use std::f64::consts::TAU;
+
 /// What a reader sees of every point.
 pub(super) struct Shown<'a> {
     pub(super) system: &'a System,
-    balance: Balance<'a>,
-    bodies: Vec<(String, usize)>,
-    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x.
-    amplitudes: Vec<Vec<Vec<[f64; 3]>>>,
+    /// By the discretisation of a branch.
+    balances: Vec<Balance<'a>>,
+    pub(super) bodies: Vec<(String, usize)>,
+    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin.
+    pub(super) amplitudes: Vec<Vec<Vec<[f64; 4]>>>,
     /// Names and units of observed quantities, and by branch and point their largest values.
-    observed: Vec<(String, &'static str)>,
-    observations: Vec<Vec<Vec<f64>>>,
+    pub(super) observed: Vec<(String, &'static str)>,
+    pub(super) observations: Vec<Vec<Vec<f64>>>,
     /// By branch and point: largest use of validity and what.
     pub(super) validity: Vec<Vec<(f64, String)>>,
     pub(super) largest: Option<Largest>,
@@ -62,11 +64,16 @@ const SAMPLES: usize = 64;
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
-        let balance = Balance::new(system, response.discretisation, request.speeds, None)?;
+        let mut balances: Vec<Balance> = Vec::new();
+        for d in response.branches.iter().map(|b| b.discretisation.whole()) {
+            if !balances.iter().any(|b| b.discretisation() == d) {
+                balances.push(Balance::new(system, d, request.speeds, None)?);
+            }
+        }
         let bodies = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
         Ok(Shown {
             system,
-            balance,
+            balances,
             bodies,
             amplitudes: vec![],
             observed: vec![],
@@ -77,13 +84,20 @@ impl<'a> Shown<'a> {
         })
     }
 
+    /// Index of the balance whose unknowns a branch has.
+    fn balance_of(&self, branch: &Traced) -> usize {
+        let d = branch.discretisation.whole();
+        self.balances.iter().position(|b| b.discretisation() == d).unwrap_or(0)
+    }
+
     pub(super) fn measure(&mut self, response: &Response) {
         for branch in &response.branches {
+            let balance = self.balance_of(branch);
             let (mut amplitudes, mut observations, mut validity) = (Vec::new(), Vec::new(), Vec::new());
             for state in &branch.points {
-                let orbit = Orbit::of(&mut self.balance, &state.x, state.speed).unwrap_or_default();
-                amplitudes.push(self.amplitudes_of(&orbit));
-                let (seen, valid) = self.observe(&orbit);
+                let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
+                amplitudes.push(self.amplitudes_of(&orbit, branch.turns()));
+                let (seen, valid) = self.observe(&orbit, branch.turns());
                 observations.push(seen);
                 validity.push(valid);
             }
@@ -93,16 +107,20 @@ impl<'a> Shown<'a> {
         }
     }
 
-    fn amplitudes_of(&self, orbit: &Orbit) -> Vec<[f64; 3]> {
+    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 4]> {
         if orbit.orders.is_empty() {
-            return vec![[f64::NAN; 3]; self.bodies.len()];
+            return vec![[f64::NAN; 4]; self.bodies.len()];
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let divisor = self.balance.terms.divisor;
-        let mut out: Vec<[f64; 3]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0]).collect();
-        for j in 0..SAMPLES {
-            orbit.at(TAU * j as f64 / SAMPLES as f64, &mut q, &mut v, &mut a, &mut z);
+        let slow = |x: usize| {
+            let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
+            whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
+        };
+        let mut out: Vec<[f64; 4]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x)]).collect();
+        let samples = SAMPLES * divisor;
+        for j in 0..samples {
+            orbit.at(TAU * j as f64 / samples as f64, &mut q, &mut v, &mut a, &mut z);
             for (o, &(_, x)) in out.iter_mut().zip(&self.bodies) {
                 o[1] = larger(o[1], q[x].hypot(q[x + 1]));
                 o[2] = larger(o[2], q[x].abs());
@@ -111,7 +129,7 @@ impl<'a> Shown<'a> {
         out
     }
 
-    fn observe(&mut self, orbit: &Orbit) -> (Vec<f64>, (f64, String)) {
+    fn observe(&mut self, orbit: &Orbit, turns: usize) -> (Vec<f64>, (f64, String)) {
         let mut worst = (0.0, String::new());
         if orbit.orders.is_empty() {
             return (vec![f64::NAN; self.observed.len()], worst);
@@ -120,9 +138,9 @@ impl<'a> Shown<'a> {
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
         let mut largest = vec![0.0f64; self.observed.len()];
-        let divisor = self.balance.terms.divisor as f64;
-        for j in 0..SAMPLES / 4 {
-            let tau = TAU * j as f64 / (SAMPLES / 4) as f64;
+        let (divisor, samples) = (turns as f64, SAMPLES / 4 * turns);
+        for j in 0..samples {
+            let tau = TAU * j as f64 / samples as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
             // displacements of bodies have columns of their own
@@ -148,14 +166,18 @@ impl<'a> Shown<'a> {
         for f in self.findings(response, request) {
             out = out.finding(f);
         }
-        for t in [self.table(response)?, fold_table(response)?] {
+        let all = request.states == States::All;
+        for t in [self.table(response, all)?, fold_table(response)?, change_table(response)?] {
             if t.rows() > 0 {
                 out = out.table(t);
             }
         }
+        if all {
+            out = out.table(branch_table(response)?);
+        }
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {
-            out = out.figure(self.figure(response));
+            out = out.figure(self.figure(response, all));
         }
         for branch in &response.branches {
             for f in &branch.folds {
@@ -169,110 +191,19 @@ impl<'a> Shown<'a> {
                 );
             }
             for c in &branch.changes {
-                let kind = if c.exponent.im.abs() > 1e-6 * c.speed { "Neimark-Sacker" } else { "change of stability" };
-                out =
-                    out.special_point(SpecialPoint::new(kind, c.speed, c.bracket).evidence("growth rate there", c.growth, "1/s").evidence(
-                        "frequency of the disturbance",
-                        c.exponent.im.abs(),
-                        "rad/s",
-                    ));
+                let status = if c.located { Status::Located } else { Status::Bracketed };
+                out = out.special_point(
+                    SpecialPoint::new(c.event.name(), c.speed, c.bracket)
+                        .status(status)
+                        .evidence("growth rate there", c.growth, "1/s")
+                        .evidence("frequency of the disturbance", c.frequency, "rad/s"),
+                );
             }
         }
         for &(name, count) in &response.work {
             out = out.work(name, count);
         }
         out.checked()
-    }
-
-    fn table(&self, response: &Response) -> Result<Table, outcome::OutcomeError> {
-        let all: Vec<(usize, usize, &State)> =
-            response.branches.iter().enumerate().flat_map(|(b, t)| t.points.iter().enumerate().map(move |(i, s)| (b, i, s))).collect();
-        let mut t = Table::new("response", "Steady states, branch by branch in order along each; a branch may turn back in speed")
-            .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64 + 1).collect())
-            .float("speed", "rad/s", "spin speed", all.iter().map(|a| a.2.speed).collect());
-        for (k, (name, _)) in self.bodies.iter().enumerate() {
-            let column = |c: usize| all.iter().map(|a| self.amplitudes[a.0][a.1][k][c]).collect::<Vec<f64>>();
-            t = t
-                .float(format!("{name} first order"), "m", "modulus of the forward first-order amplitude |Z_1|", column(0))
-                .float(
-                    format!("{name} largest displacement"),
-                    "m",
-                    "largest distance of the centre from its rest position over a period",
-                    column(1),
-                )
-                .float(format!("{name} largest x"), "m", "largest |x| over a period", column(2));
-        }
-        for (k, (name, unit)) in self.observed.iter().enumerate() {
-            let column = all.iter().map(|a| self.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
-            t = t.float(name, *unit, "largest value over a period", column);
-        }
-        t.float(
-            "growth rate",
-            "1/s",
-            "largest real part of the Floquet exponents; positive grows, NaN when not judged",
-            all.iter().map(|a| a.2.growth()).collect(),
-        )
-        .float(
-            "growth rate error",
-            "1/s",
-            "its estimated error; NaN when not judged",
-            all.iter().map(|a| a.2.exponents.as_ref().map_or(f64::NAN, |e| e.error)).collect(),
-        )
-        .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
-        .float("truncation", "", "dropped over kept force harmonics", all.iter().map(|a| a.2.truncation).collect())
-        .float("residual", "", "scaled residual of the balance", all.iter().map(|a| a.2.residual).collect())
-        .float(
-            "validity",
-            "",
-            "largest use of a part's validity; above 1 is outside",
-            all.iter().map(|a| self.validity[a.0][a.1].0).collect(),
-        )
-        .build()
-    }
-
-    fn figure(&self, response: &Response) -> Figure {
-        let values: Vec<f64> = self.amplitudes.iter().flatten().flatten().map(|a| a[1]).filter(|a| *a > 0.0 && a.is_finite()).collect();
-        let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
-        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
-        let axis = if most > 100.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
-        let mut panel = Panel::new(axis.factor(factor));
-        let judged = judged(response);
-        // one family of states needs no number in the legend
-        let grouped = |line: Line| if response.branches.len() > 1 { line.group("branch") } else { line };
-        for (name, _) in &self.bodies {
-            let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(name.clone()));
-            panel = panel.mark(if judged { line.solid_where("stable") } else { line });
-        }
-        for f in response.branches.iter().flat_map(|b| &b.folds) {
-            panel = panel.mark(Rule::x(f.speed, if f.upper { "jump up-sweep" } else { "jump down-sweep" }));
-        }
-        let alt = self.alt(response);
-        let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s")).panel(panel);
-        if judged {
-            let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
-            for (from, to) in response.branches.iter().flat_map(unstable_ranges) {
-                growth = growth.mark(Band::x(from, to).name("unstable").strip());
-            }
-            let growth = growth
-                .mark(grouped(Line::new("response", "speed", "growth rate").name("largest growth rate")).solid_where("stable"))
-                .mark(Rule::y(0.0, ""));
-            figure = figure.panel(growth);
-        }
-        figure
-    }
-
-    fn alt(&self, response: &Response) -> String {
-        let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
-        match &self.largest {
-            Some(l) if self.rising.is_none() => format!(
-                "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
-                response.branches.len(),
-                quantity(l.best().0, "m"),
-                l.body,
-                significant(l.best().1, 5)
-            ),
-            _ => "Largest displacement of each body against speed.".into(),
-        }
     }
 
     /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
@@ -302,7 +233,8 @@ impl<'a> Shown<'a> {
         let largest = best.map(|(displacement, b, i, k)| {
             let (body, x) = self.bodies[k].clone();
             let branch = &response.branches[b];
-            let refined = if displacement > 0.0 { refine(&mut self.balance, branch, i, x, request.speeds) } else { None };
+            let at = self.balance_of(branch);
+            let refined = if displacement > 0.0 { refine(&mut self.balances[at], branch, i, x, request.speeds) } else { None };
             let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
             Largest { body, displacement, speed: branch.points[i].speed, refined, at_end }
         });
@@ -324,30 +256,6 @@ pub(super) fn judged(response: &Response) -> bool {
 
 pub(super) fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {
     response.branches.iter().flat_map(|b| &b.points).fold(0.0, |m, p| larger(m, f(p)))
-}
-
-fn fold_table(response: &Response) -> Result<Table, outcome::OutcomeError> {
-    let all: Vec<(usize, &Fold)> =
-        response.branches.iter().enumerate().flat_map(|(b, t)| t.folds.iter().map(move |f| (b + 1, f))).collect();
-    let column = |f: &dyn Fn(&Fold) -> f64| all.iter().map(|(_, x)| f(x)).collect::<Vec<f64>>();
-    Table::new("folds", "Folds of the response: speeds at which a state ceases to exist")
-        .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64).collect())
-        .float("speed", "rad/s", "spin speed", column(&|f| f.speed))
-        .text("direction", "sweep that jumps here", all.iter().map(|(_, f)| if f.upper { "up" } else { "down" }.to_string()).collect())
-        .float("residual", "", "scaled residual of the extended system", column(&|f| f.residual))
-        .float(
-            "methods differ",
-            "rad/s",
-            "speed by the extended system minus speed located along the branch; NaN when the second found none",
-            column(&|f| f.methods_differ),
-        )
-        .float(
-            "harmonics change",
-            "rad/s",
-            "change when four more orders are kept; NaN when no fold was found with them",
-            column(&|f| f.harmonics_change),
-        )
-        .build()
 }
 
 fn end(response: &Response) -> outcome::End {

@@ -1,0 +1,236 @@
+//! A branch of the response with its points judged: states, folds, other changes of stability, where it comes from.
+
+use super::bifurcation::{Change, changes_between};
+use super::floquet::{Exponents, Method, Stability, Unjudged};
+use super::problem::{Balance, Discretisation};
+use crate::model::system::System;
+use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
+use laval_num::newton::{Options, newton};
+use std::f64::consts::TAU;
+
+/// One point of the response.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Unknowns of the balance.
+    pub x: Vec<f64>,
+    /// Exponents, when they could be found.
+    pub exponents: Option<Exponents>,
+    /// Dropped force harmonics over kept ones.
+    pub truncation: f64,
+    /// A law switches along the motion (a contact opens or closes).
+    pub switches: bool,
+    /// Scaled residual.
+    pub residual: f64,
+}
+
+impl State {
+    /// Judged stable; unknown counts as not.
+    pub fn stable(&self) -> bool {
+        self.exponents.as_ref().is_some_and(Exponents::stable)
+    }
+    /// Judged unstable; unknown counts as not.
+    pub fn unstable(&self) -> bool {
+        self.exponents.as_ref().is_some_and(|e| !e.stable())
+    }
+    /// Largest growth rate, 1/s; NaN when not judged.
+    pub fn growth(&self) -> f64 {
+        self.exponents.as_ref().map_or(f64::NAN, Exponents::growth)
+    }
+}
+
+/// A fold of the response, and how well it is known.
+#[derive(Clone, Debug)]
+pub struct Fold {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Unknowns there.
+    pub x: Vec<f64>,
+    /// Speeds of corrected points on both sides along the branch, where the slope dW/ds has opposite signs.
+    pub bracket: (f64, f64),
+    /// Scaled residual of the extended system, when it confirmed the fold.
+    pub residual: f64,
+    /// Change of the speed between the branch's location and the extended system, rad/s.
+    pub methods_differ: f64,
+    /// Change of the speed when four more orders are kept, rad/s; NaN when that did not converge.
+    pub harmonics_change: f64,
+    /// The extended system found it too.
+    pub confirmed: bool,
+    /// The branch turns back at a corner, where a law switches (as where a contact closes): sharply, not like a parabola.
+    pub corner: bool,
+    /// It lies between this point of the branch and the next.
+    pub after: usize,
+    /// The branch turns back from speeds rising in magnitude here (else from falling ones).
+    pub upper: bool,
+}
+
+/// Where a branch comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Origin {
+    /// Followed from the end of the range where the rotor turns slowly.
+    Low,
+    /// Followed from the other end.
+    High,
+    /// Branches off where another branch, by index, loses its symmetry at this speed, rad/s.
+    Broken(usize, f64),
+    /// Branches off where another branch, by index, doubles its period at this speed, rad/s.
+    Doubled(usize, f64),
+    /// Crosses another branch, by index, at this speed, rad/s.
+    Crossing(usize, f64),
+    /// x moves as on one known state, y as on another.
+    Mixed,
+    /// Found with a component of the spin frequency over this number.
+    Subharmonic(usize),
+    /// Found from a start taken anywhere.
+    Start,
+}
+
+impl Origin {
+    /// After "states": which ones.
+    pub fn words(self) -> String {
+        let at = |w: f64| crate::outcome::significant(w, 5);
+        match self {
+            Origin::Low => "from low speed".into(),
+            Origin::High => "from high speed".into(),
+            Origin::Broken(_, w) => format!("of less symmetry from {} rad/s", at(w)),
+            Origin::Doubled(_, w) => format!("of doubled period from {} rad/s", at(w)),
+            Origin::Crossing(_, w) => format!("crossing at {} rad/s", at(w)),
+            Origin::Mixed => "with x and y on different states".into(),
+            Origin::Subharmonic(nu) => format!("that repeat every {nu} turns"),
+            Origin::Start => "apart from the others".into(),
+        }
+    }
+}
+
+/// A branch with its points judged.
+#[derive(Clone, Debug)]
+pub struct Traced {
+    /// Points in order along the branch.
+    pub points: Vec<State>,
+    /// Folds in the same order.
+    pub folds: Vec<Fold>,
+    /// Other changes of stability.
+    pub changes: Vec<Change>,
+    /// Simple branch points met: the determinant of the equations changes its sign with the speed running on.
+    pub branch_points: Vec<Point>,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// How it ended; of a branch followed both ways, the end that is not the range's, if there is one.
+    pub end: End,
+    /// What its unknowns mean.
+    pub discretisation: Discretisation,
+    /// How many branches it stands for: turned by the symmetry of the machine, or later by a turn of the rotor.
+    pub images: usize,
+}
+
+impl Traced {
+    /// Followed from the end of the range where the rotor turns slowly.
+    pub fn from_low(&self) -> bool {
+        self.origin == Origin::Low
+    }
+    /// Period in turns of the rotor.
+    pub fn turns(&self) -> usize {
+        self.discretisation.divisor
+    }
+    /// Maps over the period that were integrated for its points.
+    pub(super) fn maps(&self) -> u64 {
+        self.points.iter().filter(|p| p.exponents.as_ref().is_some_and(|e| e.method == Method::Map)).count() as u64
+    }
+}
+
+/// Judges states of one machine.
+pub struct Judge {
+    /// `None` where stability was not asked for or cannot be had.
+    pub(super) stability: Option<Stability>,
+    /// Why stability was not judged.
+    pub unjudged: Option<Unjudged>,
+}
+
+impl Judge {
+    /// With `wanted`, of stability too.
+    pub fn new(system: &System, wanted: bool) -> Judge {
+        match wanted.then(|| Stability::new(system)) {
+            None => Judge { stability: None, unjudged: None },
+            Some(Ok(s)) => Judge { stability: Some(s), unjudged: None },
+            Some(Err(why)) => Judge { stability: None, unjudged: Some(why) },
+        }
+    }
+
+    /// What there is to say of a motion.
+    pub(super) fn state(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> State {
+        balance.sample(x, speed);
+        let mut state =
+            State { speed, x: x.to_vec(), exponents: None, truncation: balance.truncation(), switches: false, residual: f64::NAN };
+        state.switches = !balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64)).0.is_empty();
+        if let Some(s) = &mut self.stability {
+            match s.exponents(balance, x, speed) {
+                Ok(e) => state.exponents = Some(e),
+                Err(why) => self.unjudged = Some(why),
+            }
+        }
+        state
+    }
+
+    /// All points of a branch, its folds, and the other changes of stability on it; `tick` is told how many points are done.
+    pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: &dyn Fn(u64)) -> Traced {
+        let mut points = Vec::with_capacity(branch.points.len());
+        for (i, p) in branch.points.iter().enumerate() {
+            if balance.cancelled() {
+                break;
+            }
+            let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
+            points.push(State { residual, ..self.state(balance, &x, p.p) });
+            if i % 16 == 0 {
+                tick(points.len() as u64);
+            }
+        }
+        let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
+        let mut changes = Vec::new();
+        for (i, pair) in points.windows(2).enumerate() {
+            let (Some(a), Some(b)) = (&pair[0].exponents, &pair[1].exponents) else { continue };
+            let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
+            // at a fold on a corner the point between belongs to either side
+            let corner = folds.iter().any(|f| f.corner && (f.after == i || f.after + 1 == i));
+            if !corner && !balance.cancelled() {
+                let ends = [(&branch.points[i], a), (&branch.points[i + 1], b)];
+                changes_between(self, balance, ends, i, fold, settings, &mut changes);
+            }
+        }
+        let cut = points.len() < branch.points.len();
+        let end = match (branch.first_end, branch.end) {
+            _ if cut => End::Cancelled,
+            (Some(first), End::Reached) => first,
+            (_, end) => end,
+        };
+        let branch_points = branch.of(Kind::BranchPoint).map(|s| s.point.clone()).collect();
+        let discretisation = balance.discretisation();
+        Traced { points, folds, changes, branch_points, origin, end, discretisation, images: 1 }
+    }
+}
+
+/// A point of a branch solved to rounding at its speed (the corrector stops at its tolerance), unless a fold is so near that it would leave.
+fn polish(balance: &mut Balance, x: &[f64], speed: f64) -> Option<(Vec<f64>, f64)> {
+    let mut y = x.to_vec();
+    let done = newton(balance, &mut y, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
+    let near = x.iter().zip(&y).zip(balance.scales()).all(|((a, b), s)| (a - b).abs() <= 1e-3 * s.max(a.abs()));
+    near.then_some((y, done.residual))
+}
+
+fn fold_of(s: &Special, branch: &Branch) -> Fold {
+    let confirmed = s.status == Status::Confirmed;
+    let polished = s.fold.as_ref();
+    let speed = polished.map_or(s.point.p, |f| f.p);
+    Fold {
+        speed,
+        x: polished.map_or_else(|| s.point.x.clone(), |f| f.x.clone()),
+        bracket: (s.bracket[0].p, s.bracket[1].p),
+        residual: polished.map_or(s.residual, |f| f.residual),
+        methods_differ: polished.map_or(f64::NAN, |f| f.p_difference),
+        harmonics_change: f64::NAN,
+        confirmed,
+        corner: branch.of(Kind::Corner).any(|c| c.after == s.after && c.point.p == s.point.p),
+        after: s.after,
+        upper: branch.points[s.after].p < speed || branch.points[s.after].slope > 0.0,
+    }
+}

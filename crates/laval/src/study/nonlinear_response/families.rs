@@ -1,0 +1,98 @@
+//! What is said of states beside the main branches, and of a branch that does not close.
+
+use super::tables::label;
+use crate::outcome::{Finding, quantity, significant};
+use crate::solve::harmonic::branch::Origin;
+use crate::solve::harmonic::response::{Response, Traced};
+use crate::solve::harmonic::unclosed::Unclosed;
+
+/// That the branch of large motions goes on beyond the range, and whether it would ever turn back.
+pub(super) fn unclosed(u: &Unclosed) -> Finding {
+    let speed = significant(u.speed.abs(), 5);
+    let verdict = match u.limit {
+        l if l < 1.0 => format!(
+            "Damping takes {} % of the power the unbalance can give there and tends to {} % at ever higher speed: below 100 % these states never end in a \
+             jump.",
+            significant(100.0 * u.share, 4),
+            significant(100.0 * l, 4)
+        ),
+        l if l >= 1.0 => format!(
+            "Damping takes {} % of the power the unbalance can give there and tends to {} % at ever higher speed: the states end in a jump at a higher \
+             speed, where it takes all.",
+            significant(100.0 * u.share, 4),
+            significant(100.0 * l, 4)
+        ),
+        _ => format!(
+            "Damping takes {} % of the power the unbalance can give there; the states end in a jump where it takes all.",
+            significant(100.0 * u.share, 4)
+        ),
+    };
+    let text = format!(
+        "The branch of large motions does not close in the range: at {speed} rad/s its amplitude, {{}}, still grows with the speed, beside {} on the \
+         branch of small motions. The end of the range is no jump. {verdict}",
+        quantity(u.low_amplitude, "m"),
+    );
+    let finding = Finding::warning("branch_not_closed", text).value(u.amplitude, "m");
+    finding
+        .evidence("share of the power of the unbalance at the end of the range", u.share, "")
+        .evidence("share at ever higher speed (1 and more: the branch closes)", u.limit, "")
+        .evidence("d ln amplitude / d ln speed", u.rise, "")
+}
+
+/// What the search for all states found.
+pub(super) fn all(response: &Response) -> Vec<Finding> {
+    let mut out = Vec::new();
+    let mut kinds: Vec<(&str, Vec<&Traced>)> = Vec::new();
+    for branch in response.branches.iter().filter(|b| !matches!(b.origin, Origin::Low | Origin::High)) {
+        let kind = label(branch);
+        match kinds.iter_mut().find(|k| k.0 == kind) {
+            Some(k) => k.1.push(branch),
+            None => kinds.push((kind, vec![branch])),
+        }
+    }
+    for (kind, branches) in &kinds {
+        let points = || branches.iter().flat_map(|b| &b.points);
+        let range = |held: bool| {
+            let speeds = points().filter(|p| !held || p.stable()).map(|p| p.speed);
+            speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)))
+        };
+        let ((from, to), (low, high)) = (range(false), range(true));
+        let stable = if low <= high {
+            format!("some of them stable, between {} and {} rad/s", significant(low, 5), significant(high, 5))
+        } else {
+            "none of them stable".into()
+        };
+        let images = branches.iter().map(|b| b.images).max().unwrap_or(1);
+        let turned = match (images, branches.iter().map(|b| b.turns()).max().unwrap_or(1)) {
+            (1, _) => String::new(),
+            (n, 1) => format!(" A branch stands for up to {n}, turned against each other by the symmetry of the machine."),
+            (n, _) => {
+                format!(" Each stands for up to {n} states: turned by the symmetry of the machine, and later by a turn of the rotor.")
+            }
+        };
+        let text = format!(
+            "Further states {kind} exist from {{}} to {} rad/s on {} branch{}, {stable}.{turned}",
+            significant(to, 6),
+            branches.len(),
+            if branches.len() == 1 { "" } else { "es" },
+        );
+        let worst = points().map(|p| p.truncation).fold(0.0, super::shown::larger);
+        out.push(Finding::info("further_states", text).of(*kind).value(from, "rad/s").evidence(
+            "dropped over kept force harmonics, worst point",
+            worst,
+            "",
+        ));
+    }
+    if kinds.is_empty() {
+        out.push(Finding::info(
+            "further_states",
+            "No states beside those from the ends of the range were found: neither by combining the planes of known states, nor from subharmonic starts, \
+             nor from starts taken anywhere. The search does not exclude that there are some.",
+        ));
+    }
+    if response.more_families {
+        let text = "More families of states were met than are followed: narrow the range of speeds to see those left out.";
+        out.push(Finding::warning("families_left_out", text));
+    }
+    out
+}

@@ -1,0 +1,72 @@
+//! The figure.
+
+use super::findings::unstable_ranges;
+use super::shown::{Shown, judged};
+use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
+use crate::solve::harmonic::branch::Origin;
+use crate::solve::harmonic::response::{Response, Traced};
+
+impl Shown<'_> {
+    /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
+    pub(super) fn figure(&self, response: &Response, all: bool) -> Figure {
+        let values: Vec<f64> = self.amplitudes.iter().flatten().flatten().map(|a| a[1]).filter(|a| *a > 0.0 && a.is_finite()).collect();
+        let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
+        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
+        let factor_of = |label: String| {
+            let axis = if most > 100.0 * least { Axis::log(label, unit) } else { Axis::new(label, unit) };
+            Panel::new(axis.factor(factor))
+        };
+        let judged = judged(response);
+        // one family of states needs no number in the legend
+        let grouped = |line: Line| match (all, response.branches.len()) {
+            (true, _) => line.group("states").begins_where("begins"),
+            (false, 1) => line,
+            _ => line.group("branch"),
+        };
+        let line = |name: &str, shown: &str| {
+            let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(shown));
+            if judged { line.solid_where("stable") } else { line }
+        };
+        let mut panels: Vec<Panel> = if all {
+            self.bodies.iter().map(|(name, _)| factor_of(format!("largest displacement of {name}")).mark(line(name, ""))).collect()
+        } else {
+            let panel = factor_of("largest displacement".into());
+            vec![self.bodies.iter().fold(panel, |panel, (name, _)| panel.mark(line(name, name)))]
+        };
+        let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
+        if let Some(first) = panels.first_mut() {
+            for f in main.flat_map(|b| &b.folds) {
+                *first = first.clone().mark(Rule::x(f.speed, if f.upper { "jump up-sweep" } else { "jump down-sweep" }));
+            }
+        }
+        let alt = self.alt(response);
+        let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s"));
+        figure = panels.into_iter().fold(figure, Figure::panel);
+        if judged {
+            let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+            let shown = |b: &&Traced| !all || matches!(b.origin, Origin::Low | Origin::High);
+            for (from, to) in response.branches.iter().filter(shown).flat_map(unstable_ranges) {
+                growth = growth.mark(Band::x(from, to).name("unstable").strip());
+            }
+            let name = if all { "" } else { "largest growth rate" };
+            let growth =
+                growth.mark(grouped(Line::new("response", "speed", "growth rate").name(name)).solid_where("stable")).mark(Rule::y(0.0, ""));
+            figure = figure.panel(growth);
+        }
+        figure
+    }
+
+    fn alt(&self, response: &Response) -> String {
+        let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
+        match &self.largest {
+            Some(l) if self.rising.is_none() => format!(
+                "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
+                response.branches.len(),
+                quantity(l.best().0, "m"),
+                l.body,
+                significant(l.best().1, 5)
+            ),
+            _ => "Largest displacement of each body against speed.".into(),
+        }
+    }
+}
