@@ -24,15 +24,7 @@ fn main() {
     let never = AtomicBool::new(false);
     println!("processor: {}", processor());
     for (name, stability) in [("orders to 7, folds and stability", true), ("orders to 7, folds", false)] {
-        let request = Request {
-            speeds: (25.0, 8000.0),
-            harmonics: Some(7),
-            symmetry: None,
-            divisor: 1,
-            truncation: 1e-7,
-            stability,
-            max_points: 20_000,
-        };
+        let request = Request { harmonics: Some(7), stability, max_points: 20_000, ..Request::over(25.0, 8000.0) };
         let mut times = Vec::new();
         let mut last = None;
         for _ in 0..runs {
