@@ -107,6 +107,21 @@ fn the_closed_form_window() {
     }
 }
 
+/// A polar inertia changes nothing in a plane but the energy that the rotor holds, by C w^2/2.
+#[test]
+fn the_spin_holds_its_energy() {
+    let energy = |polar: f64| {
+        let o = run(&jeffcott(60.0).replace("mass = 1\n", &format!("mass = 1\npolar_inertia = {polar}\n")));
+        let t = o.find_table("speeds").unwrap();
+        (column(t, "speed"), column(t, "energy"))
+    };
+    let ((w, none), (same, some)) = (energy(0.0), energy(3.0));
+    assert!(w == same && w.len() > 10);
+    for ((w, none), some) in w.iter().zip(none).zip(some) {
+        assert!(((some - none) / (1.5 * w * w) - 1.0).abs() < 1e-9, "{w} {none} {some}");
+    }
+}
+
 /// The speed with the largest least margin lies where a margin that rises meets one that falls, in closed form: separation `1 - (ws/w)^2` or vibration
 /// `1 - (e/A) r^2/(r^2 - 1)` with `r = w/n0`, and stability `1 - w/150`, whose border is 150 rad/s.
 #[test]

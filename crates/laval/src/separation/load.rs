@@ -196,7 +196,7 @@ mod tests {
     /// All points of a cup lie on its side of the plane half way to the next one, and the nearest of them on it.
     #[test]
     fn cups_touch_at_the_least_radius() {
-        for (count, top, tilt) in [(2, 0.02, 0.0), (4, 0.02, 0.0), (3, -0.05, 1.2), (6, 0.01, 0.7), (8, 0.03, 1.5), (12, -0.04, 1.5707)] {
+        for (count, top, tilt) in [(2, 0.02, 0.0), (4, 0.02, 0.0), (3, -0.05, 1.2), (6, 0.01, 0.7), (8, 0.03, 1.5), (12, -0.04, 1.57)] {
             let radius = 0.04;
             let hinge = least_hinge_radius(count, radius, top, tilt);
             let (sin, cos) = (PI / count as f64).sin_cos();

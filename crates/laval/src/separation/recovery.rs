@@ -454,3 +454,23 @@ fn order(all: &[(f64, f64)], share: f64) -> f64 {
     });
     found.or(all.last()).map_or(f64::NAN, |x| x.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without inertia the time falls with the square of the diameter, T s1 d^2 = P: before any path is computed, and below the smallest one that was.
+    #[test]
+    fn small_particles_follow_stokes() {
+        let (product, unit) = (2.5f64, 4e9f64);
+        let mut curve = Curve { density: 2000.0, product: Some(product.ln()), unit: unit.ln(), nodes: vec![], surface: None };
+        let diameter = |time: f64| (product / (unit * time)).sqrt();
+        for time in [1.0, 30.0, 1e4] {
+            assert!((curve.critical(f64::ln(time)) - diameter(time).ln()).abs() < 1e-14, "{time}");
+        }
+        curve.nodes.push((diameter(10.0).ln(), f64::ln(10.0)));
+        assert!((curve.critical(f64::ln(70.0)) - diameter(70.0).ln()).abs() < 1e-14);
+        curve.product = None;
+        assert!(curve.critical(0.0).is_infinite());
+    }
+}

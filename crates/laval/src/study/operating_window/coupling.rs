@@ -86,3 +86,49 @@ fn body(system: &System, name: &str, cups: impl Iterator<Item = (f64, Load)>) ->
     }
     Ok(out)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::builder::Builder;
+    use crate::model::params::Family;
+    use crate::model::part::Link;
+    use crate::parts::{bearing_cubic::*, disc::*};
+    use crate::separation::cup::{Hanging, SwingingCup};
+    use crate::solve::linear_response::response;
+    use crate::solve::rest::rest;
+
+    /// Far above its critical speeds a rotor turns about its principal axis of inertia: that of a disc with one point mass m at the radius r leans by
+    /// P/(A' - C') to the mass (A' as the mean over all directions), P = m r times the height of the mass over the common centre, and passes through that centre.
+    #[test]
+    fn a_free_rotor_turns_about_its_principal_axis() {
+        let (disc, diametral, polar, hinge_height) = (10.0, 0.5, 0.2, 0.3);
+        let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
+        let soft = BearingCubicParams { stiffness: [1e-3; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+        let inertia = DiscParams { mass: disc, diametral_inertia: diametral, polar_inertia: polar, ..DiscFamily::defaults() };
+        let system = Builder::new("free")
+            .part("disc", Disc::tilting(), inertia)
+            .part("upper", spring(0.1), soft)
+            .part("lower", spring(-0.1), soft)
+            .build()
+            .unwrap_or_else(|d| panic!("{d:?}"));
+        let (tilt, m, hinge, l, speed) = (0.9f64, 0.04, 0.15, 0.1, 1e3);
+        let cup = SwingingCup { hinge, body: Hanging::point(m, l), damping: 0.0, gravity: 9.80665 };
+        let ring = Ring { cup, held: Some(tilt), count: 1, mass_differences: vec![], centre_differences: vec![] };
+        let (turned, _) = loaded(&system, &[(Attach::at("disc", hinge_height), ring)], speed).unwrap_or_else(|d| panic!("{d:?}"));
+        let turned = turned.expect("the cups change the machine");
+
+        let (r, z) = (hinge + l * tilt.sin(), hinge_height - l * tilt.cos());
+        let total = disc + m;
+        let centre = m * z / total;
+        let moment = diametral + disc * centre * centre + m * (z - centre).powi(2) + 0.5 * m * r * r - (polar + m * r * r);
+        let lean = m * r * (z - centre) / moment;
+        let found = response(&turned, &|w| rest(&turned, w), speed).unwrap_or_else(|d| panic!("{d:?}")).expect("no resonance");
+        let (x, angle) = (found.circles(0).0, found.circles(2).0);
+        for height in [0.0, 1.0] {
+            let at = x - (angle * c(0.0, 1.0)).scale(height);
+            let expected = -m * r / total - lean * (height - centre);
+            assert!((at - c(expected, 0.0)).abs() < 1e-9 * expected.abs(), "{at:?} {expected}");
+        }
+    }
+}
