@@ -34,8 +34,8 @@ fn of<'a>(c: &'a Comparison, method: Method, speed: f64) -> Vec<&'a Value> {
     c.values.iter().filter(|v| v.method == method && v.speed == speed).collect()
 }
 
-/// Every row: one harmonic, elliptic balance, converged. The table's converged columns are the largest of 256 samples of a period; the peak itself lies up to
-/// 8.8e-5 above.
+/// Every row: one harmonic, elliptic balance, converged. The table's converged columns are the largest of 256 samples of a period, the peak itself lies
+/// up to 8.8e-5 above; its elliptic columns are sampled too and up to 1.6e-5 below the peak.
 #[test]
 fn methods_of_the_table() {
     let (w0, e, range) = (2140.872096444188, 1e-3, (40.0, 7600.0));
@@ -63,7 +63,8 @@ fn methods_of_the_table() {
         for body in 0..2 {
             let peak = |v: &Option<Value>| v.as_ref().map_or(f64::NAN, |v| v.peaks[body] / e);
             check("one harmonic", peak(&one), number(r[2 + body]), 0.6e-8 + 1e-9 * number(r[2 + body]));
-            check("elliptic balance", peak(&elliptic), number(r[4 + body]), 0.6e-6 + 1e-6 * number(r[4 + body]));
+            let want = number(r[4 + body]);
+            check("elliptic balance", peak(&elliptic), want * (1.0 + 8e-6), 0.6e-6 + 9e-6 * want);
             let want = number(r[7 + body]);
             check("converged", peak(&exact), want, 9e-5 * want);
         }

@@ -160,7 +160,7 @@ impl Methods {
             out = out.table(t);
             if all.iter().any(|v| v.deviation > 0.0) {
                 let axis = Axis::log("deviation of the peak", "%").factor(100.0);
-                let points = Points::new("methods", "speed", "deviation").group("method");
+                let points = Points::new("methods", "speed", "deviation").classes("method", &["averaging", "harmonic balance to order 1"]);
                 let alt = "Deviation of each method from the converged peak over the spin speed, all states.";
                 out = out.figure(
                     Figure::new("methods", "Methods side by side", alt)

@@ -16,7 +16,7 @@ use crate::solve::rest::rest;
 use crate::solve::stability::{Edge, Row, row};
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::C64;
-use laval_num::continuation::{Direction, End, Kind, Settings, Status, Zero, trace};
+use laval_num::continuation::{Direction, End, Kind, Point, Settings, Status, Zero, trace};
 use laval_num::newton::{Options, newton};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -164,8 +164,8 @@ impl Cycles {
     }
 }
 
-/// A deflection of this many natural amplitudes is not bounded by the nonlinear parts.
-const FAR: f64 = 30.0;
+/// A whirl that takes a body this many natural amplitudes away is not bounded by the nonlinear parts.
+const FAR: f64 = 100.0;
 
 /// First amplitude over the one at which nonlinear parts show.
 const FIRST: f64 = 1e-2;
@@ -214,19 +214,23 @@ pub fn limit_cycles<'a>(system: &'a System, request: &Request, cancel: &'a Atomi
     })?;
     let mut left = request.work.saturating_sub(at_rest.solved);
     let mut harmonics = request.harmonics.unwrap_or(7);
+    let mut settled = request.harmonics.is_some();
     loop {
         let d = discretisation(system, 0.5 * (lo + hi), harmonics);
-        let mut found = attempt(system, &Request { work: left, ..*request }, at_rest.clone(), d, cancel, tick)?;
-        left = left.saturating_sub(found.points());
+        settled |= d.symmetry == Symmetry::Circular;
+        // stability is judged once the orders are chosen
+        let mut found = attempt(system, &Request { work: left, ..*request }, at_rest.clone(), (d, settled), cancel, tick)?;
         found.stopped |= found.rest.stopped || cancel.load(Ordering::Relaxed);
-        let worst = found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
-        let more = next_order(harmonics);
-        let stopped = found.stopped || left == 0;
-        let enough = worst <= request.truncation || more > super::backbone::MOST_HARMONICS;
-        if request.harmonics.is_some() || d.symmetry == Symmetry::Circular || enough || stopped {
+        if settled || found.stopped {
             return Ok(found);
         }
-        harmonics = more;
+        left = left.saturating_sub(found.points());
+        let worst = found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
+        let more = next_order(harmonics);
+        settled = worst <= request.truncation || more > super::backbone::MOST_HARMONICS;
+        if !settled {
+            harmonics = more;
+        }
     }
 }
 
@@ -234,7 +238,7 @@ fn attempt<'a>(
     system: &'a System,
     request: &Request,
     at_rest: Row,
-    d: Discretisation,
+    (d, stability): (Discretisation, bool),
     cancel: &'a AtomicBool,
     tick: &dyn Fn(u64),
 ) -> Result<Cycles, Diagnostic> {
@@ -255,7 +259,7 @@ fn attempt<'a>(
         return Ok(out);
     }
     let mut judge = match Stability::new(system) {
-        Ok(s) => Some(s),
+        Ok(s) => stability.then_some(s),
         Err(why) => {
             out.unjudged = Some(why);
             None
@@ -297,7 +301,7 @@ fn attempt<'a>(
         // beyond a vanishing amplitude the family repeats itself half a period later
         let all = branch.points.len();
         let vanished = branch.points.iter().position(|p| !(p.x[lead] > 0.0)).unwrap_or(all);
-        let far = branch.points.iter().position(|p| !(p.x[lead].abs() <= FAR * natural)).unwrap_or(all);
+        let far = branch.points.iter().position(|p| !(reach(&mut free, p) <= FAR * natural)).unwrap_or(all);
         let kept = vanished.min(far);
         let unbounded = branch.points.get(far).filter(|_| far < vanished).map(|p| p.p);
         let n = free.harmonics();
@@ -334,6 +338,15 @@ fn attempt<'a>(
         out.families.push(Family { onset: k, ends_at: ends_at.flatten(), cycles, folds, changes, end, unbounded, lead });
     }
     Ok(out)
+}
+
+/// How far a cycle takes the bodies and the nonlinear coordinates, by first order, m.
+fn reach(free: &mut Free, p: &Point) -> f64 {
+    let mut bodies = vec![0.0; free.monitors()];
+    match free.measure(&p.x, p.p, &mut bodies) {
+        Ok(()) => bodies.chunks(2).map(|b| b[0].hypot(b[1])).fold(p.x[free.lead].abs(), |m, b| if b <= m { m } else { b }),
+        Err(_) => f64::NAN,
+    }
 }
 
 fn onset(system: &System, edge: &Edge, symmetry: Symmetry) -> Result<Onset, Diagnostic> {
