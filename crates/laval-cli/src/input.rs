@@ -3,7 +3,7 @@
 use crate::terminal;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Loaded};
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -91,6 +91,14 @@ fn named(c: std::path::Component) -> Option<String> {
         std::path::Component::Normal(name) => Some(name.to_string_lossy().into_owned()),
         _ => None,
     }
+}
+
+/// Makes the folder that results go to, before computing, not after.
+pub fn make_folder(path: &Path) -> Result<(), Diagnostic> {
+    fs::create_dir_all(path).map_err(|e| {
+        let why = if path.is_file() { "it is a file".to_string() } else { e.to_string() };
+        Diagnostic::error("request.out", format!("cannot make the folder {}: {why}", path.display())).help("name another one with --out")
+    })
 }
 
 /// Says one thing that is wrong with the request itself.

@@ -10,7 +10,6 @@ use laval::outcome::{End, Finding, Outcome};
 use laval::report::{self, Format, Provenance, Report, WriteError};
 use laval::store::Keep;
 use laval::study::Context;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -154,10 +153,8 @@ impl<'a> Run<'a> {
 
     fn run(mut self) -> u8 {
         listen();
-        // before computing, not after
-        if let Err(e) = fs::create_dir_all(&self.dir) {
-            let d = Diagnostic::error("request.out", format!("cannot make the folder {}: {e}", self.dir.display()));
-            input::complain(&d.help("name another one with --out"));
+        if let Err(d) = input::make_folder(&self.dir) {
+            input::complain(&d);
             return WRONG;
         }
         // all that is refused is said at once, before anything long begins

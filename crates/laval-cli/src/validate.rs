@@ -32,10 +32,8 @@ pub fn validate(args: &Args) -> u8 {
             return WRONG;
         }
     };
-    // before computing, not after
-    if let Err(e) = fs::create_dir_all(&args.out) {
-        let d = Diagnostic::error("request.out", format!("cannot make the folder {}: {e}", args.out.display()));
-        input::complain(&d.help("name another one with --out"));
+    if let Err(d) = input::make_folder(&args.out) {
+        input::complain(&d);
         return WRONG;
     }
     let width = cases.iter().map(|c| c.id.len()).max().unwrap_or(0);

@@ -115,6 +115,11 @@ impl Diagnostics {
     pub fn has_errors(&self) -> bool {
         self.0.iter().any(|d| d.severity == Severity::Error)
     }
+    /// The first error, of a machine that could not be assembled.
+    pub fn into_error(self) -> Diagnostic {
+        let first = self.0.into_iter().find(|d| d.severity == Severity::Error);
+        first.unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled"))
+    }
 }
 
 /// The candidate a mistyped word probably means: smallest number of single letters changed, left out, added or swapped with a

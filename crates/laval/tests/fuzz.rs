@@ -16,6 +16,7 @@ use laval::diagnostic::Diagnostics;
 use laval::file::{self, Form, Loaded};
 use laval::study::{Context, Progress};
 use std::collections::BTreeMap;
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -167,7 +168,9 @@ fn all<T: Send>(what: &str, cases: &[u64], sources: &Sources, one: impl Fn(&[u8]
                 if let Some((case, since)) = *lock(slot)
                     && since.elapsed() > HANGS_AFTER
                 {
-                    eprintln!("{what}: case {case} hangs\n----\n{}\n----", String::from_utf8_lossy(&sources.case(case)));
+                    let text = format!("{what}: case {case} hangs\n----\n{}\n----\n", String::from_utf8_lossy(&sources.case(case)));
+                    // past the test harness, which keeps what it captures until the end
+                    let _ = std::io::stderr().write_all(text.as_bytes());
                     std::process::exit(101);
                 }
             }

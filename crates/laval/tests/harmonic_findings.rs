@@ -158,3 +158,20 @@ fn refusals_say_what_to_do() {
     all += &refused(skew, Request { symmetry: Some(laval::solve::symmetry::Symmetry::Quarter), ..Request::over(100.0, 1000.0) });
     insta::assert_snapshot!(all);
 }
+
+#[test]
+fn the_other_sense_of_rotation_says_the_same() {
+    let told = |speeds: (f64, f64)| {
+        let o = study(machine(0.0, 20.0), Request::over(speeds.0, speeds.1)).expect("a response");
+        let ids: Vec<String> = o.findings.iter().map(|f| f.id.clone()).collect();
+        let largest = said(&o, "largest_displacement");
+        (ids, largest.value, evidence(largest, "speed"), said(&o, "no_jump_up").text.clone(), said(&o, "no_jump_down").text.clone())
+    };
+    let (ids, largest, at, up, down) = told((200.0, 2000.0));
+    let (mirrored, same, there, faster, slower) = told((-2000.0, -200.0));
+    assert_eq!(ids, mirrored);
+    near(same.expect("an amplitude"), largest.expect("an amplitude"), 1e-9);
+    near(there, -at, 1e-9);
+    assert!(up.contains("from 200 to 2000 rad/s") && down.contains("from 2000 to 200 rad/s"), "{up} {down}");
+    assert!(faster.contains("from −200 to −2000 rad/s") && slower.contains("from −2000 to −200 rad/s"), "{faster} {slower}");
+}

@@ -142,6 +142,19 @@ fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
 }
 
 #[test]
+fn a_machine_at_rest_is_at_no_distance_from_its_critical_speeds() {
+    use laval::study::critical_speeds::CriticalSpeeds;
+    let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0], margin: 0.1 };
+    let told = |speed: f64| {
+        let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.builder().speed(speed).build().expect("a machine");
+        let out = study.run(&system, &Context::quiet("critical")).expect("critical speeds");
+        assert_eq!(out.find_table("critical_speeds").map(|t| t.rows()), Some(4), "{speed}");
+        out.findings.iter().any(|f| f.id == "margin")
+    };
+    assert!(told(100.0) && !told(0.0));
+}
+
+#[test]
 fn critical_speed_of_a_gyroscopic_tilt() {
     use laval::study::campbell::Campbell;
     // forward: A w^2 - C W w = k at w = W gives W^2 = k/(A - C); backward: W^2 = k/(A + C)

@@ -108,7 +108,7 @@ fn a_study_that_runs_another_does_not_offer_itself() {
         assert!(!told.contains("did you mean \"tolerances\""), "{told}");
     }
     let alone = said(&format!("{MACHINE}{}", uncertain("modes")));
-    assert!(alone.contains("{ kind = \"critical_speeds\", .. }"), "{alone}");
+    assert!(alone.contains("{ kind = \"modes\", .. }"), "{alone}");
 }
 
 #[test]

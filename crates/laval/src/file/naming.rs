@@ -20,7 +20,11 @@ pub(super) fn read_kind<'n>(
     let words = || known.iter().map(|k| k.kind);
     let named = name.map(|n| format!(" {n:?}")).unwrap_or_default();
     let Some(e) = get(table, "kind") else {
-        let help = suggestion("", words(), "write kind = \"..\" with one of");
+        let typed = get(table, "type").and_then(|t| t.node.text()).filter(|t| words().any(|w| w == *t));
+        let help = match typed {
+            Some(t) => Some(format!("write kind = {t:?}, not type")),
+            None => suggestion("", words(), "write kind = \"..\" with one of"),
+        };
         let mut d =
             Diagnostic::error("kind.missing", format!("this {what}{named} says no kind")).at(span).label("kind = \"..\" is missing");
         d.help = help.map(Into::into);

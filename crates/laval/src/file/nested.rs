@@ -7,6 +7,11 @@ use super::values::{Context, clip, subject, suggestion};
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{AMOUNTS, Amount, Bounds, DISTRIBUTIONS, FieldKind, InnerStudy, KindInfo, Tolerance, Values};
 
+/// A kind of study that runs another one.
+fn nests(kind: &KindInfo) -> bool {
+    kind.fields.iter().any(|f| f.kind == FieldKind::Study)
+}
+
 impl Context<'_> {
     /// A study by name, or a whole one.
     pub(super) fn inner_study(&mut self, field: &str, node: &Node) -> Option<InnerStudy> {
@@ -14,7 +19,7 @@ impl Context<'_> {
             return self.named_study(field, node, name);
         }
         let Some(table) = node.table() else {
-            let help = "write the name of a study of this file, or { kind = \"critical_speeds\", .. }".to_string();
+            let help = format!("write the name of a study of this file, or {}", self.written_here());
             self.wrong_type(field, node, "a study", help);
             return None;
         };
@@ -29,10 +34,15 @@ impl Context<'_> {
 
     /// Which studies of the file another study can run: not those that run one themselves.
     fn answering(&self, name: &str) -> String {
-        let nests = |k: &KindInfo| k.fields.iter().any(|f| f.kind == FieldKind::Study);
         let names = self.studies.iter().filter(|s| s.info.is_none_or(|k| !nests(k))).map(|s| s.name);
         let help = suggestion(name, names, "studies of this file that can be run");
-        help.unwrap_or_else(|| "add such a study to this file, or write { kind = \"critical_speeds\", .. } here".to_string())
+        help.unwrap_or_else(|| format!("add such a study to this file, or write {} here", self.written_here()))
+    }
+
+    /// How a study is written in place: the first kind that runs none itself.
+    fn written_here(&self) -> String {
+        let kind = self.catalog.studies.iter().find(|k| !nests(k)).map_or("..", |k| k.kind);
+        format!("{{ kind = \"{kind}\", .. }}")
     }
 
     fn named_study(&mut self, field: &str, node: &Node, name: &str) -> Option<InnerStudy> {
@@ -63,7 +73,7 @@ impl Context<'_> {
     }
 
     fn not_nested(&mut self, field: &str, node: &Node, info: &KindInfo) -> Option<()> {
-        if !info.fields.iter().any(|f| f.kind == FieldKind::Study) {
+        if !nests(info) {
             return Some(());
         }
         let message = format!("{} cannot be a study of kind {:?}, which runs a study itself", subject(self.who, field), info.kind);

@@ -43,7 +43,7 @@ impl Context<'_> {
             Data::Text(t) => match units::read_quantity(t, unit) {
                 Ok(x) => (x, false),
                 Err(e) => {
-                    self.unit_error(field, node, e);
+                    self.unit_error(field, node, e, Some(unit));
                     return None;
                 }
             },
@@ -216,7 +216,7 @@ impl Context<'_> {
             Data::Text(t) => match units::read_any(t) {
                 Ok((x, u)) => Some((x, Some(u.dimension.si_text()))),
                 Err(e) => {
-                    self.unit_error(field, node, e);
+                    self.unit_error(field, node, e, None);
                     None
                 }
             },

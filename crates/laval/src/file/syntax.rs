@@ -33,10 +33,21 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         )));
         lines.push(line_at(text, open.line.start));
     }
+    let repeated: Vec<Span> = errors.iter().filter_map(|e| repeated_block(text, e)).collect();
+    let header = |at: usize| text[line_at(text, at)].trim();
+    // keys below a header that stands again run into those of the first
+    let swallowed = |at: usize| repeated.iter().any(|b| line_at(text, b.start).end < at && at < b.end);
     for e in errors {
         if let (Some(open), Some(at)) = (&open, e.span())
             && at.start >= open.line.start
         {
+            continue;
+        }
+        // the first of the repetitions speaks for all
+        let again = |at: usize| {
+            repeated.iter().any(|b| b.contains(&at) && repeated.iter().any(|a| a.start < b.start && header(a.start) == header(b.start)))
+        };
+        if e.span().is_some_and(|s| swallowed(s.start) || again(s.start)) {
             continue;
         }
         let mut at = e.span().unwrap_or(text.len()..text.len());
@@ -60,6 +71,9 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         .map(|l| l.start..text[l.end..].find("\n[").map_or(text.len(), |i| l.end + i))
         .collect();
     out.0.retain(|d| {
+        if d.span.as_ref().is_some_and(|s| swallowed(s.start)) {
+            return false;
+        }
         let orphan = d.code == "file.unknown_table" && d.span.as_ref().is_some_and(|s| under.iter().any(|u| u.contains(&s.start)));
         let missing = matches!(d.code, "key.missing" | "kind.missing" | "file.no_parts" | "file.no_machine" | "parameter.unknown");
         !missing && !orphan && d.span.as_ref().is_none_or(|s| !lines.iter().any(|l| l.start <= s.start && s.start <= l.end))
@@ -70,6 +84,13 @@ pub(super) fn merge(text: &str, errors: &[Error], out: &mut Diagnostics) {
         last.help = Some(help.into());
     }
     out.0.extend(found);
+}
+
+/// The block of a header in single brackets that stands a second time, from the header to the next one.
+fn repeated_block(text: &str, e: &Error) -> Option<Span> {
+    let line = line_at(text, e.span().filter(|_| e.message().starts_with("duplicate key"))?.start);
+    let block = line.start..text[line.end..].find("\n[").map_or(text.len(), |i| line.end + i);
+    text[line].trim_start().starts_with('[').then_some(block)
 }
 
 /// What a file with mistakes of syntax was not examined for.

@@ -5,7 +5,7 @@ use super::references::Units;
 use super::tree::{Data, Entry, Node};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Value, Values, Word};
-use crate::units::UnitError;
+use crate::units::{UnitError, describe, examples};
 
 /// What reading a field needs to know about its surroundings.
 pub(super) struct Context<'a> {
@@ -52,7 +52,8 @@ impl Context<'_> {
         Some(span.start + 1 + e.range.start..span.start + 1 + e.range.end)
     }
 
-    pub(super) fn unit_error(&mut self, field: &str, node: &Node, e: UnitError) {
+    /// Says what is wrong with a quantity, wanted in a unit or in any.
+    pub(super) fn unit_error(&mut self, field: &str, node: &Node, e: UnitError, wanted: Option<&str>) {
         let label = match e.code {
             "unit.unknown" => "unknown unit",
             "unit.missing" => "no unit",
@@ -63,7 +64,16 @@ impl Context<'_> {
         };
         let span = self.inner(node, &e);
         let message = format!("{}: {}", subject(self.who, field), e.message);
-        self.error(e.code, span, message, label, e.help);
+        let known = || {
+            let unit = wanted.filter(|_| e.code == "unit.unknown")?;
+            Some(if unit.is_empty() {
+                "a pure number has none".to_string()
+            } else {
+                format!("{} is given in {}", describe(unit), examples(unit))
+            })
+        };
+        let help = e.help.clone().or_else(known);
+        self.error(e.code, span, message, label, help);
     }
 
     pub(super) fn wrong_type(&mut self, field: &str, node: &Node, wanted: &str, help: impl Into<Option<String>>) {

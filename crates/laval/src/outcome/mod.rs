@@ -285,6 +285,7 @@ pub struct SpecialPoint {
 impl SpecialPoint {
     /// A located point.
     pub fn new(kind: impl Into<String>, at: f64, bracket: (f64, f64)) -> Self {
+        let bracket = if bracket.0 > bracket.1 { (bracket.1, bracket.0) } else { bracket };
         SpecialPoint { kind: kind.into(), subject: String::new(), at, bracket, status: Status::Located, evidence: Vec::new() }
     }
 

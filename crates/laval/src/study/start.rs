@@ -116,20 +116,21 @@ impl Entry {
     fn unit(self, system: &System) -> String {
         match self {
             Entry::Coordinate(i) => system.coordinates()[i].dof.unit.to_string(),
-            Entry::Rate(i) => match system.coordinates()[i].dof.unit {
-                "" => "1/s".to_string(),
-                unit => format!("{unit}/s"),
-            },
+            Entry::Rate(i) => per_second(system.coordinates()[i].dof.unit),
             Entry::State(i) => system.states()[i].dof.unit.to_string(),
         }
     }
 }
 
+/// SI unit of a rate.
+fn per_second(unit: &str) -> String {
+    if unit.is_empty() { "1/s".to_string() } else { format!("{unit}/s") }
+}
+
 /// Names and units of the state (q, v, z): `drum.x`, `drum.x'`, `liquid.surface_x`.
 pub(super) fn state_names(system: &System) -> Vec<(String, String)> {
-    let rate = |unit: &str| if unit.is_empty() { "1/s".to_string() } else { format!("{unit}/s") };
     let coordinates = system.coordinates().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()));
-    let rates = system.coordinates().iter().map(|c| (format!("{}'", c.name), rate(c.dof.unit)));
+    let rates = system.coordinates().iter().map(|c| (format!("{}'", c.name), per_second(c.dof.unit)));
     coordinates.chain(rates).chain(system.states().iter().map(|c| (c.name.clone(), c.dof.unit.to_string()))).collect()
 }
 

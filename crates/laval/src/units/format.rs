@@ -99,7 +99,7 @@ pub fn write_number(x: f64) -> String {
 }
 
 /// A value in SI units for people, with four digits, a readable prefix, and the usual second unit for speeds and angles:
-/// "70 mm", "11 MN/m", "25 rad/s (238.7 rpm)".
+/// "70 mm", "11 MN/m", "25 rad/s (238.7 rpm)", "333.1 K (60 degC)".
 pub fn format_si(x: f64, unit: &str) -> String {
     let n = |x: f64| format_number(x, 4);
     if !x.is_finite() || unit.is_empty() {

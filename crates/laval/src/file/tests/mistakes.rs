@@ -60,6 +60,13 @@ fn typical_mistakes() {
         ("nothing but a machine", "[machine]\n".to_string()),
         ("no machine", "[[part]]\nkind = \"disc\"\nmass = \"1 kg\"\n".to_string()),
         ("keys outside of blocks", "name = \"pump\"\n[machine]\n[[part]]\nkind = \"disc\"\nmass = \"1 kg\"\n".to_string()),
+        (
+            "single brackets each time",
+            format!("{EXAMPLE}\n[study]\nkind = \"modes\"\n\n[study]\nkind = \"modes\"\nspeed = \"1 rpm\"\n")
+                .replace("[[study]]", "[study]"),
+        ),
+        ("type for kind", changed("kind = \"damper\"", "type = \"damper\"")),
+        ("a unit like no other", changed("42 N s/m", "42 bananas")),
         ("a machine twice", format!("{EXAMPLE}\n[machine]\n")),
         (
             "an unknown part in a sweep",

@@ -377,6 +377,12 @@ impl Ode for Motion<'_> {
     }
 
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        if let (Some(Steady::Sparse(equations, state, _)), false) = (&mut self.steady, self.account) {
+            state[..y.len()].copy_from_slice(y);
+            equations.time(t);
+            equations.rhs(t, state, dy);
+            return Ok(());
+        }
         let (n, m) = (self.system.n(), self.system.m());
         let spin = self.accelerate(t, y)?;
         dy[..n].copy_from_slice(&y[n..2 * n]);

@@ -105,9 +105,7 @@ impl Study for Basins {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let own = system
-            .with(&[])
-            .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))?;
+        let own = system.with(&[]).map_err(Diagnostics::into_error)?;
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
             study: self,
@@ -129,6 +127,7 @@ impl Study for Basins {
             chunk: count.div_ceil(50).clamp(64, 256),
             level: Level::best().name().into(),
         };
+        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
         report::report(&fleet, &results, context)
     }

@@ -335,7 +335,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
         .float(
             "remaining",
             "",
-            "estimated distance of its best motion from the limit over its size",
+            "estimated distance of its best motion from the limit over its size; NaN where there is none",
             column(&|a| map.motions[a.best].remaining),
         )
         .float("spread", "", "largest distance of a motion from the first over its size; zero where none repeats", column(&|a| a.spread));

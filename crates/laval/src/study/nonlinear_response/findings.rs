@@ -13,14 +13,10 @@ use laval_num::newton::Cause;
 impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
-        let (lo, hi) = request.speeds;
-        let low = response.branches.iter().find(|b| b.from_low);
-        if let Some(branch) = low {
-            out.push(sweep(branch, true, lo, hi));
-        }
-        // the state a machine brought down from high speed is on: the branch that starts there, else the end of the other
-        if let Some(branch) = response.branches.iter().find(|b| !b.from_low).or(low) {
-            out.push(sweep(branch, false, lo, hi));
+        // the state a machine brought to an end of the range is on: the branch that starts there, else the end of the other
+        let from = |low: bool| response.branches.iter().find(|b| b.from_low == low);
+        for up in [true, false] {
+            out.extend(from(up).or(from(!up)).map(|branch| sweep(branch, up, request.speeds)));
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
@@ -215,8 +211,10 @@ fn unstable_words(branch: &Traced) -> String {
 }
 
 /// Where a slow sweep jumps, or that it does not.
-fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
+fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64)) -> Finding {
     let way = if up { "up" } else { "down" };
+    // up is faster, whichever way round the rotor turns
+    let (begin, end) = if up == (lo >= 0.0) { (lo, hi) } else { (hi, lo) };
     // along the branch from the end the sweep starts at, the first fold that turns against it
     let forward = up == branch.from_low;
     let mut folds: Vec<&Fold> = branch.folds.iter().collect();
@@ -235,9 +233,9 @@ fn sweep(branch: &Traced, up: bool, lo: f64, hi: f64) -> Finding {
         None if reaches => Finding::info(
             format!("no_jump_{way}"),
             format!(
-                "A slow sweep {way} between {} and {} rad/s meets no jump; its states go on to the end of the range.",
-                significant(lo, 5),
-                significant(hi, 5)
+                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on to the end of the range.",
+                significant(begin, 5),
+                significant(end, 5)
             ),
         ),
         None => match branch.points.last() {

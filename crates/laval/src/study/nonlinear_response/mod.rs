@@ -8,6 +8,7 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapters 1 and 2 (averaging, harmonic balance); M. Urabe (1965) for the Galerkin form.
 
+use super::support::range;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
@@ -77,15 +78,8 @@ impl Study for NonlinearResponse {
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
-        let speed = values.range("speed")?;
-        let (lo, hi) = (speed.from.min(speed.to), speed.from.max(speed.to));
-        if lo == hi {
-            diagnostics.push(
-                Diagnostic::error("response.range", "the range of speeds is empty")
-                    .at(values.span_of("speed"))
-                    .help("give different from and to"),
-            );
-        } else if !(lo >= SLOWEST || hi <= -SLOWEST) {
+        let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));
+        if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
             diagnostics.push(
                 Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
                     .at(values.span_of("speed"))
@@ -119,7 +113,7 @@ impl Study for NonlinearResponse {
         }
         Some(NonlinearResponse {
             request: Request {
-                speeds: (lo, hi),
+                speeds: speeds?,
                 harmonics,
                 symmetry,
                 divisor,

@@ -17,7 +17,7 @@ use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Method, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;
 use crate::solve::motion::flight::Choice;
-use crate::solve::pencil::modes_about;
+use crate::solve::pencil::{Spectrum, modes_about};
 use crate::solve::programme::Programme;
 use crate::solve::rest::rest;
 use crate::store::Rows;
@@ -97,10 +97,14 @@ pub(super) struct Settled {
     pub measure: Option<Measure>,
 }
 
-/// Growth of the slowest or fastest growing mode of the machine linearised at rest, over what rounding leaves of it.
+/// Modes of the machine linearised at rest, without their shapes; none where it does not rest.
+fn modes_at_rest(system: &System, speed: f64) -> Option<Spectrum> {
+    modes_about(system, &rest(system, speed).ok()?, false).ok()
+}
+
+/// Growth of the slowest or fastest growing mode at rest, 1/s, and what rounding leaves of it.
 fn least_stable(system: &System, speed: f64) -> Option<(f64, f64)> {
-    let about = rest(system, speed).ok()?;
-    let spectrum = modes_about(system, &about, false).ok()?;
+    let spectrum = modes_at_rest(system, speed)?;
     let largest = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
     Some((spectrum.least_stable()?.growth(), 1e-13 * largest))
 }
@@ -122,15 +126,11 @@ const FAST: f64 = 1000.0;
 
 /// The method for motions of a machine about a speed.
 pub(super) fn method(system: &System, choice: Choice, speed: f64) -> Method {
-    let fast = || {
-        let about = rest(system, speed).ok()?;
-        let spectrum = modes_about(system, &about, false).ok()?;
-        Some(spectrum.modes.iter().any(|m| m.value.abs() > FAST * speed.abs()))
-    };
+    let fast = || modes_at_rest(system, speed).is_some_and(|s| s.modes.iter().any(|m| m.value.abs() > FAST * speed.abs()));
     match choice {
         Choice::Explicit => Method::Explicit,
         Choice::Stiff => Method::Stiff,
-        Choice::Auto if system.slots().iter().any(|s| s.memory > 0) || fast() == Some(true) => Method::Stiff,
+        Choice::Auto if system.slots().iter().any(|s| s.memory > 0) || fast() => Method::Stiff,
         Choice::Auto => Method::Explicit,
     }
 }

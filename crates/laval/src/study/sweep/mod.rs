@@ -171,9 +171,7 @@ impl Study for Sweep {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let own = system
-            .with(&[])
-            .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))?;
+        let own = system.with(&[]).map_err(Diagnostics::into_error)?;
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
             study: self,

@@ -160,8 +160,7 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
         };
         let finding = Finding::info(id, text).value(j.after, "rad/s").evidence("last speed before", j.before, "rad/s");
         let finding = finding.evidence("amplitude before", j.amplitudes.0, "m").evidence("amplitude after", j.amplitudes.1, "m");
-        let bracket = (j.before.min(j.after), j.before.max(j.after));
-        let special = SpecialPoint::new(id, j.after, bracket).status(Status::Bracketed);
+        let special = SpecialPoint::new(id, j.after, (j.before, j.after)).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
     }
     // nothing is said of speeds that could not be computed
@@ -169,17 +168,18 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
     for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
         let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
         let (range, way) = (format!("from {} to {}", quantity(from, "rad/s"), quantity(to, "rad/s")), p.way.word());
-        let text = match joined(paths, p.way) {
+        let (id, text) = match joined(paths, p.way) {
             // a step that the ratio of amplitudes does not show
             Some((a, b)) => {
                 let place = format!("between {} and {}", quantity(a, "rad/s"), quantity(b, "rad/s"));
-                format!(
+                let text = format!(
                     "A slow sweep {way} {range} joins the motion of the sweep the other way {place}: it jumps or turns steeply there, which more speeds would tell."
-                )
+                );
+                (format!("joins_{way}"), text)
             }
-            None => format!("A slow sweep {way} {range} shows no jump between its {} speeds.", p.speed.len()),
+            None => (format!("no_jump_{way}"), format!("A slow sweep {way} {range} shows no jump between its {} speeds.", p.speed.len())),
         };
-        outcome = outcome.finding(Finding::info(format!("no_jump_{way}"), text));
+        outcome = outcome.finding(Finding::info(id, text));
     }
     outcome
 }
@@ -387,6 +387,20 @@ mod tests {
             bounded: vec![false; n],
             amplitude: vec![amplitude.to_vec()],
         }
+    }
+
+    #[test]
+    fn a_step_without_a_jump_joins_the_other_way() {
+        let up = path(&[1.0, 1.2, 1.4, 1.6, 1.8]);
+        let mut down = path(&[1.8, 1.6, 1.2, 1.1, 1.0]);
+        down.way = Way::Down;
+        down.speed.reverse();
+        // at speed 2 the ways differ: 1.4 up, 1.2 down
+        let paths = [up, down];
+        assert_eq!(joined(&paths, Way::Up), Some((2.0, 3.0)));
+        assert_eq!(joined(&paths, Way::Down), Some((1.0, 0.0)));
+        assert_eq!(joined(&paths, Way::Rest), None);
+        assert_eq!(joined(&paths[..1], Way::Up), None);
     }
 
     #[test]

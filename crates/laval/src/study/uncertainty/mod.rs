@@ -208,7 +208,7 @@ impl Uncertainty {
 
     fn machine(&self, system: &System, values: &[f64]) -> Result<System, Diagnostic> {
         let changes: Vec<(&str, f64)> = self.parameters.iter().zip(values).map(|(p, x)| (p.path.as_str(), *x)).collect();
-        system.with(&changes).map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("machine", "it cannot be assembled")))
+        system.with(&changes).map_err(Diagnostics::into_error)
     }
 
     fn columns(&self) -> Vec<Column> {

@@ -109,6 +109,8 @@ pub fn report(study: &Uncertainty, nominal: &[Quantity], results: &Results, cont
     let samples = Samples::read(study, nominal, results)?;
     let mut outcome = Outcome::new(Uncertainty::KIND, context.name).end(results.end()).work("runs of the study", samples.count as u64);
     let own: BTreeMap<&str, f64> = nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
+    // what is missing is said before what was found
+    outcome = failures(outcome, &samples)?;
     match study.design {
         Design::Morris => outcome = screening(outcome, study, &samples)?,
         Design::Plain(_) | Design::Sobol(_) => outcome = distributions(outcome, study, &samples, &own)?,
@@ -118,7 +120,6 @@ pub fn report(study: &Uncertainty, nominal: &[Quantity], results: &Results, cont
         let found: Vec<Option<(Vec<Indices>, usize)>> = samples.values.iter().map(|v| sobol::indices(&plan, v, CONFIDENCE)).collect();
         outcome = sensitivity(outcome, study, &samples, &found)?;
     }
-    outcome = failures(outcome, &samples)?;
     if let Some(remark) = results.remark() {
         outcome = outcome.finding(remark);
     }
