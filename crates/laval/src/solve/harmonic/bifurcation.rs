@@ -61,6 +61,8 @@ pub struct Change {
     pub growth: f64,
     /// Exponents that grow before and after it along the branch.
     pub unstable: (usize, usize),
+    /// Parts of the period that the multiplier belongs to: 2 where the motion repeats itself turned by half a turn, 4 by a quarter.
+    pub parts: usize,
     /// It lies between this point of the branch and the next.
     pub after: usize,
     /// The point itself, with the tangent of the branch.
@@ -183,8 +185,10 @@ pub(super) fn changes_between(
             state.exponents.and_then(|e| growths(&e, fold.is_some(), point.p).get(k).copied()).map_or(f64::NAN, |z| z.re)
         });
         let Ok(special) = special else { continue };
-        let at_fold = fold.is_some_and(|f| near(&f.point, &special.point, balance));
-        let twin = found.last().is_some_and(|c| near(&c.point, &special.point, balance));
+        // motions and their exponents agree to what the orders kept leave out
+        let slack = judge.state(balance, &special.point.x, special.point.p).truncation;
+        let at_fold = fold.is_some_and(|f| near(&f.point, &special.point, balance, slack));
+        let twin = found.last().is_some_and(|c| near(&c.point, &special.point, balance, 0.0));
         if at_fold || twin {
             if let Some(c) = found.last_mut().filter(|_| twin) {
                 if ascending { c.unstable.1 += 1 } else { c.unstable.0 += 1 }
@@ -217,6 +221,7 @@ fn described(
         exponent,
         frequency: frequency(judge, balance, exponent, &exponents, point.p),
         growth: exponent.re,
+        parts: parts(&exponents, balance, point.p),
         unstable,
         after,
         located: special.status != Status::Bracketed,
@@ -224,10 +229,12 @@ fn described(
     })
 }
 
-/// The same point but for what location leaves open.
-pub(super) fn near(a: &Point, b: &Point, balance: &Balance) -> bool {
+/// The same point but for what location leaves open, and a relative `slack`.
+fn near(a: &Point, b: &Point, balance: &Balance, slack: f64) -> bool {
     let scaled = |x: &[f64]| x.iter().zip(balance.scales()).map(|(x, s)| x / s).collect::<Vec<f64>>();
     let (x, y) = (scaled(&a.x), scaled(&b.x));
     let size = x.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
-    (a.p - b.p).abs() <= 1e-7 * a.p.abs() && x.iter().zip(&y).all(|(x, y)| (x - y).abs() <= 1e-4 * size)
+    let moved = x.iter().zip(&y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    // beside a fold unknowns move with the root of the speed
+    (a.p - b.p).abs() <= (1e-7 + 0.1 * slack) * a.p.abs() && moved <= (1e-4 + slack.sqrt()) * size
 }

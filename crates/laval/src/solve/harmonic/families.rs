@@ -69,7 +69,9 @@ pub(super) fn extend<'a>(
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
         let mut known = search.known(speed)?;
+        search.mixed(speed, &mut known)?;
         search.subharmonics(speed, &mut known)?;
+        search.mixed(speed, &mut known)?;
         search.anywhere(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.switch_from(&mut next)?;
@@ -174,9 +176,12 @@ impl<'a> Search<'a, '_> {
             return Ok(false);
         }
         let (at, x) = self.reduced(at, x, speed)?;
+        let (at, x) = self.refined(at, x, speed)?;
         if self.is_known(at, &x, known) {
             return Ok(false);
         }
+        let own_period = self.balances[at].terms.divisor == self.response.discretisation.divisor;
+        let origin = if own_period && matches!(origin, Origin::Subharmonic(_)) { Origin::Start } else { origin };
         let before = self.response.branches.len();
         self.follow(at, origin, |balance, settings, x| trace_both(balance, x, speed, settings, &mut []).ok(), x)?;
         if self.response.branches.len() > before {
@@ -215,6 +220,17 @@ impl<'a> Search<'a, '_> {
             }
         }
         Ok((at, x))
+    }
+
+    /// The motion with as many orders as any branch of its symmetry and period keeps: states are compared there.
+    fn refined(&mut self, at: usize, x: Vec<f64>, speed: f64) -> Result<(usize, Vec<f64>), Diagnostic> {
+        let d = self.balances[at].discretisation();
+        let alike = self.response.branches.iter().map(|b| b.discretisation).filter(|b| b.divisor == d.divisor && b.symmetry == d.symmetry);
+        let Some(finest) = alike.max_by_key(|b| b.harmonics).filter(|b| b.harmonics > d.harmonics) else { return Ok((at, x)) };
+        let to = self.balance(finest)?;
+        let mut y = carry(&self.balances[at].terms, &self.balances[to].terms, &x);
+        let solved = newton(&mut self.balances[to], &mut y, speed, &Options { to_rounding: true, ..Options::default() }).is_ok();
+        Ok(if solved { (to, y) } else { (at, x) })
     }
 
     /// Follows a branch from a state with as many orders as its truncation asks for, judges it and adds it.
@@ -270,18 +286,18 @@ impl<'a> Search<'a, '_> {
     fn switch_from(&mut self, next: &mut usize) -> Result<(), Diagnostic> {
         while *next < self.response.branches.len() {
             let branch = &self.response.branches[*next];
-            let mut places: Vec<(Event, Point)> = branch.changes.iter().map(|c| (c.event, c.point.clone())).collect();
-            places.retain(|(e, _)| *e != Event::NeimarkSacker);
+            let mut places: Vec<(Event, usize, Point)> = branch.changes.iter().map(|c| (c.event, c.parts, c.point.clone())).collect();
+            places.retain(|(e, ..)| *e != Event::NeimarkSacker);
             for p in &branch.branch_points {
-                if !places.iter().any(|(_, q)| (p.p - q.p).abs() <= 1e-6 * p.p.abs()) {
-                    places.push((Event::BranchPoint, p.clone()));
+                if !places.iter().any(|(.., q)| (p.p - q.p).abs() <= 1e-6 * p.p.abs()) {
+                    places.push((Event::BranchPoint, 1, p.clone()));
                 }
             }
-            for (event, point) in places {
+            for (event, parts, point) in places {
                 if self.over() {
                     return Ok(());
                 }
-                self.switch(*next, event, &point)?;
+                self.switch(*next, event, parts, &point)?;
             }
             *next += 1;
         }
@@ -289,12 +305,13 @@ impl<'a> Search<'a, '_> {
     }
 
     /// The branch that leaves branch `from` at a point.
-    fn switch(&mut self, from: usize, event: Event, point: &Point) -> Result<(), Diagnostic> {
+    fn switch(&mut self, from: usize, event: Event, parts: usize, point: &Point) -> Result<(), Diagnostic> {
         let d = self.response.branches[from].discretisation;
         let (to, origin) = match event {
             Event::BranchPoint => (d, Origin::Crossing(from, point.p)),
             Event::SymmetryBreaking => {
-                let symmetry = if d.symmetry == Symmetry::Quarter { Symmetry::Half } else { Symmetry::None };
+                // -1 over a quarter of the period is +1 over half of it
+                let symmetry = if parts == 4 { Symmetry::Half } else { Symmetry::None };
                 (Discretisation { symmetry, ..d }, Origin::Broken(from, point.p))
             }
             Event::PeriodDoubling if 2 * d.divisor <= MOST_TURNS => {
@@ -313,7 +330,8 @@ impl<'a> Search<'a, '_> {
         let Ok(ways) = cross(&mut self.balances[target], &carried, &self.settings) else { return Ok(()) };
         for way in ways {
             let known = self.known(way.p)?;
-            if self.is_known(target, &way.x, &known) {
+            let (finest, x) = self.refined(target, way.x.clone(), way.p)?;
+            if self.is_known(target, &way.x, &known) || self.is_known(finest, &x, &known) {
                 continue;
             }
             let direction: Direction = way.direction;

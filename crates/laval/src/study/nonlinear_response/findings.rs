@@ -122,7 +122,8 @@ impl Shown<'_> {
     /// Intervals of speed in which a branch is unstable between its folds.
     fn unstable(&self, response: &Response) -> Vec<Finding> {
         let mut out = Vec::new();
-        for branch in &response.branches {
+        // of further states their own finding says where they are stable
+        for branch in response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High)) {
             let Some(worst) =
                 branch.points.iter().filter(|p| p.growth() > 0.0 && p.unstable()).max_by(|a, b| a.growth().total_cmp(&b.growth()))
             else {
