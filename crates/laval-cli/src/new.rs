@@ -16,6 +16,18 @@ pub struct Template {
     pub text: &'static str,
 }
 
+impl Template {
+    /// The file, as it stands in a folder of its own under this name.
+    fn named(&self, stem: &str) -> String {
+        let line = |l: &str| match l {
+            l if l.starts_with("#   cargo run ") => format!("#   laval run {stem}.toml\n"),
+            l if l.starts_with("# then open out/") => format!("# then open out/{stem}/report.html.\n"),
+            l => format!("{l}\n"),
+        };
+        self.text.lines().map(line).collect()
+    }
+}
+
 /// All of them, the simplest first.
 pub const TEMPLATES: &[Template] = &[
     Template {
@@ -68,11 +80,12 @@ pub fn new(args: &Args) -> u8 {
     };
     let path = args.out.clone().unwrap_or_else(|| PathBuf::from(format!("{}.toml", template.name)));
     if path == Path::new("-") {
-        terminal::print(template.text);
+        terminal::print(&template.named(template.name));
         return DONE;
     }
+    let text = template.named(&path.file_stem().map_or_else(|| template.name.into(), |s| s.to_string_lossy()));
     // create_new: a file that appears in between is not overwritten either
-    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(|mut f| f.write_all(template.text.as_bytes())) {
+    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(|mut f| f.write_all(text.as_bytes())) {
         Ok(()) => {
             terminal::print(&format!("{}\n", path.display()));
             DONE

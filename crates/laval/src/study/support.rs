@@ -113,12 +113,12 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let names: Vec<&str> = system.slots().iter().filter(|s| !s.is_linear()).map(|s| s.name.as_str()).collect();
     if !names.is_empty() {
         let largest = system.coordinates().iter().zip(&about.q).map(|(c, q)| (q / c.dof.typical).abs()).fold(0.0, f64::max);
-        let place = if largest == 0.0 { "undeflected" } else { "deflected by its load" };
+        let place = if largest == 0.0 { "undeflected state" } else { "state deflected by its load" };
         out.push(
             Finding::info(
                 "linearised",
                 format!(
-                    "Nonlinear parts ({}) enter by their tangent at the {place} state: results hold for small motions about it.",
+                    "Nonlinear parts ({}) enter by their tangent at the {place}: results hold for small motions about it.",
                     names.join(", ")
                 ),
             )

@@ -11,6 +11,7 @@ use crate::solve::harmonic::peak::Peak;
 use crate::solve::harmonic::response::{Fold, Request, Response, States, Traced};
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
+use std::ops::Range;
 
 impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
@@ -124,18 +125,8 @@ impl Shown<'_> {
         let mut out = Vec::new();
         // of further states their own finding says where they are stable
         for branch in response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High)) {
-            let Some(worst) =
-                branch.points.iter().filter(|p| p.growth() > 0.0 && p.unstable()).max_by(|a, b| a.growth().total_cmp(&b.growth()))
-            else {
-                continue;
-            };
-            let between_folds = branch.folds.len() >= 2 && branch.changes.is_empty() && {
-                let (a, b) = (branch.folds[0].after, branch.folds[1].after);
-                branch.points.iter().enumerate().all(|(i, p)| !p.unstable() || (i > a && i <= b))
-            };
-            if between_folds {
-                continue; // the dashed middle of the curve: said by the jumps
-            }
+            let told = unstable_runs(branch).into_iter().flat_map(|run| &branch.points[run]);
+            let Some(worst) = told.filter(|p| p.growth() > 0.0).max_by(|a, b| a.growth().total_cmp(&b.growth())) else { continue };
             out.push(
                 Finding::warning(
                     "unstable_states",
@@ -188,24 +179,30 @@ impl Shown<'_> {
     }
 }
 
-/// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
-pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
-    let mut ranges = Vec::new();
+/// Consecutive unstable points of a branch, but not the middle of a curve that turns back: that is said by the jumps.
+fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
+    let mut runs = Vec::new();
     let mut start = 0;
     for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
         let (first, last) = (start, start + run.len() - 1);
         start += run.len();
-        // the middle of a curve that turns back is said by the jumps
         let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
-        if !run[0].unstable() || turned_back {
-            continue;
+        if run[0].unstable() && !turned_back {
+            runs.push(first..last + 1);
         }
-        // to where the stability is lost and regained, not to the nearest points computed
-        let located = branch.changes.iter().filter(|c| c.after + 1 == first || c.after == last).map(|c| c.speed);
-        let speeds = run.iter().map(|p| p.speed).chain(located);
-        ranges.push(speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s))));
     }
-    ranges
+    runs
+}
+
+/// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
+pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
+    let range = |run: Range<usize>| {
+        // to where the stability is lost and regained, not to the nearest points computed
+        let located = branch.changes.iter().filter(|c| c.after + 1 == run.start || c.after + 1 == run.end).map(|c| c.speed);
+        let speeds = branch.points[run.clone()].iter().map(|p| p.speed).chain(located);
+        speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)))
+    };
+    unstable_runs(branch).into_iter().map(range).collect()
 }
 
 /// The same in words.

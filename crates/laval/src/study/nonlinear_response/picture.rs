@@ -25,7 +25,7 @@ impl Shown<'_> {
         };
         let line = |name: &str, shown: &str| {
             let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(shown));
-            if judged { line.solid_where("stable") } else { line }
+            line.solid_where("not unstable")
         };
         let mut panels: Vec<Panel> = if all {
             self.bodies.iter().map(|(name, _)| factor_of(format!("largest displacement of {name}")).mark(line(name, ""))).collect()

@@ -208,11 +208,10 @@ impl<'a> Shown<'a> {
 
     /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
     pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Option<Largest>, Option<Rising>) {
-        let judged = judged(response);
         let mut best: Option<(f64, usize, usize, usize)> = None;
         let mut rising: Option<Rising> = None;
         for (b, branch) in response.branches.iter().enumerate() {
-            let held: Vec<usize> = (0..branch.points.len()).filter(|&i| !judged || branch.points[i].stable()).collect();
+            let held: Vec<usize> = (0..branch.points.len()).filter(|&i| !branch.points[i].unstable()).collect();
             let left = !matches!(branch.end, End::Reached | End::Closed);
             for k in 0..self.bodies.len() {
                 let a = |i: usize| self.amplitudes[b][i][k][1];
@@ -249,9 +248,9 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// Stability of every state is known.
+/// Stability of some states is known.
 pub(super) fn judged(response: &Response) -> bool {
-    response.unjudged.is_none() && response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some())
+    response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some())
 }
 
 pub(super) fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {

@@ -69,6 +69,7 @@ impl Shown<'_> {
             all.iter().map(|a| a.2.exponents.as_ref().map_or(f64::NAN, |e| e.error)).collect(),
         )
         .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
+        .flag("not unstable", "stable, or not judged", all.iter().map(|a| !a.2.unstable()).collect())
         .float("truncation", "", "dropped over kept force harmonics", all.iter().map(|a| a.2.truncation).collect())
         .float("residual", "", "scaled residual of the balance", all.iter().map(|a| a.2.residual).collect())
         .float(

@@ -23,7 +23,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::{End, Outcome};
+use crate::outcome::{End, Outcome, quantity};
 use crate::separation::batch::{RunUp, Spinning};
 use crate::separation::ensemble::Member;
 use crate::separation::exit::Exit;
@@ -172,6 +172,12 @@ impl Study for Separation {
             let field = if values.number("ramp").is_some() { "ramp" } else { "programme" };
             let message = "liquid flows through this machine, which is fed at speed: it has no run-up to count".into();
             wrong(field, "separation.ramp", message, "leave it out");
+            return None;
+        }
+        if let Some(ramp) = values.number("ramp").filter(|t| run_up != RunUp::None && !(*t <= task.time)) {
+            let (ramp, time) = (quantity(ramp, "s"), quantity(task.time, "s"));
+            let message = format!("the run-up takes {ramp}, longer than the {time} at hand: the speed is never reached");
+            wrong("ramp", "separation.ramp", message, "give a shorter ramp or more time");
             return None;
         }
         let in_cup = matches!(task.vessel.separator, Separator::Cup(_) | Separator::Tube(..));

@@ -115,6 +115,7 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     for f in results.remark().into_iter().chain(Start::new(&fleet.system, fleet.speeds[0]).finding) {
         outcome = outcome.finding(f);
     }
+    outcome = undamped(results, outcome)?;
     outcome = largest(fleet, &paths, outcome);
     outcome = told_jumps(fleet, &paths, &jumps, outcome);
     outcome = hysteresis(&paths, outcome);
@@ -127,6 +128,21 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
     outcome = tables(fleet, results, &jumps, outcome)?;
     figures::figures(fleet, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
+}
+
+/// That settling has no end where a mode at rest does not decay.
+fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let decay = results.numbers("decay")?;
+    let none = decay.iter().filter(|x| !x.is_finite()).count();
+    if none == 0 {
+        return Ok(outcome);
+    }
+    let text = format!(
+        "At {{}} of {} speeds a mode of the machine at rest does not decay: nothing says how long settling takes there, and what is shown, jumps and \
+         hysteresis included, may be what is left of the start.",
+        decay.len()
+    );
+    Ok(outcome.finding(Finding::warning("no_decay", text).value(none as f64, "")))
 }
 
 fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
