@@ -234,7 +234,7 @@ fn near(a: &Point, b: &Point, balance: &Balance, slack: f64) -> bool {
     let scaled = |x: &[f64]| x.iter().zip(balance.scales()).map(|(x, s)| x / s).collect::<Vec<f64>>();
     let (x, y) = (scaled(&a.x), scaled(&b.x));
     let size = x.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
-    let moved = x.iter().zip(&y).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    let limit = (1e-4 + slack.sqrt()) * size;
     // beside a fold unknowns move with the root of the speed
-    (a.p - b.p).abs() <= (1e-7 + 0.1 * slack) * a.p.abs() && moved <= (1e-4 + slack.sqrt()) * size
+    (a.p - b.p).abs() <= (1e-7 + 0.1 * slack) * a.p.abs() && x.iter().zip(&y).all(|(x, y)| (x - y).abs() <= limit)
 }

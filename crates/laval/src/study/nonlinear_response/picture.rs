@@ -13,7 +13,8 @@ impl Shown<'_> {
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let factor_of = |label: String| {
-            let axis = if most > 100.0 * least { Axis::log(label, unit) } else { Axis::new(label, unit) };
+            // on a linear axis families lie apart that on a logarithmic one do not
+            let axis = if most > 100.0 * least && !all { Axis::log(label, unit) } else { Axis::new(label, unit) };
             Panel::new(axis.factor(factor))
         };
         let judged = judged(response);
@@ -23,12 +24,14 @@ impl Shown<'_> {
             (false, 1) => line,
             _ => line.group("branch"),
         };
+        // mixed states are as large as the larger of their planes, but not in the mean
+        let measure = if all { "rms" } else { "largest" };
         let line = |name: &str, shown: &str| {
-            let line = grouped(Line::new("response", "speed", format!("{name} largest displacement")).name(shown));
+            let line = grouped(Line::new("response", "speed", format!("{name} {measure} displacement")).name(shown));
             line.solid_where("not unstable")
         };
         let mut panels: Vec<Panel> = if all {
-            self.bodies.iter().map(|(name, _)| factor_of(format!("largest displacement of {name}")).mark(line(name, ""))).collect()
+            self.bodies.iter().map(|(name, _)| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()
         } else {
             let panel = factor_of("largest displacement".into());
             vec![self.bodies.iter().fold(panel, |panel, (name, _)| panel.mark(line(name, name)))]

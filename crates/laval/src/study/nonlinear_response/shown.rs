@@ -20,8 +20,8 @@ pub(super) struct Shown<'a> {
     /// By the discretisation of a branch.
     balances: Vec<Balance<'a>>,
     pub(super) bodies: Vec<(String, usize)>,
-    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin.
-    pub(super) amplitudes: Vec<Vec<Vec<[f64; 4]>>>,
+    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin, root of the mean square.
+    pub(super) amplitudes: Vec<Vec<Vec<[f64; 5]>>>,
     /// Names and units of observed quantities, and by branch and point their largest values.
     pub(super) observed: Vec<(String, &'static str)>,
     pub(super) observations: Vec<Vec<Vec<f64>>>,
@@ -107,9 +107,9 @@ impl<'a> Shown<'a> {
         }
     }
 
-    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 4]> {
+    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 5]> {
         if orbit.orders.is_empty() {
-            return vec![[f64::NAN; 4]; self.bodies.len()];
+            return vec![[f64::NAN; 5]; self.bodies.len()];
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -117,15 +117,17 @@ impl<'a> Shown<'a> {
             let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
             whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
         };
-        let mut out: Vec<[f64; 4]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x)]).collect();
+        let mut out: Vec<[f64; 5]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0]).collect();
         let samples = SAMPLES * divisor;
         for j in 0..samples {
             orbit.at(TAU * j as f64 / samples as f64, &mut q, &mut v, &mut a, &mut z);
             for (o, &(_, x)) in out.iter_mut().zip(&self.bodies) {
                 o[1] = larger(o[1], q[x].hypot(q[x + 1]));
                 o[2] = larger(o[2], q[x].abs());
+                o[4] += (q[x] * q[x] + q[x + 1] * q[x + 1]) / samples as f64;
             }
         }
+        out.iter_mut().for_each(|o| o[4] = o[4].sqrt());
         out
     }
 

@@ -48,6 +48,9 @@ impl Shown<'_> {
                     column(1),
                 )
                 .float(format!("{name} largest x"), "m", "largest |x| over a period", column(2));
+            if all_states {
+                t = t.float(format!("{name} rms displacement"), "m", "root of the mean square distance from the rest position", column(4));
+            }
             if response.branches.iter().any(|b| b.turns() > 1) {
                 t = t.float(format!("{name} subharmonic"), "m", "largest modulus of a component slower than the spin", column(3));
             }
