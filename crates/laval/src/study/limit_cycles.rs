@@ -236,6 +236,10 @@ impl Shown<'_> {
             for (a, b) in runs {
                 let (lo, hi) =
                     f.cycles[a..=b].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c.speed), h.max(c.speed)));
+                // next to an edge both are neutral within the error
+                if !(hi - lo > 1e-4 * hi) {
+                    continue;
+                }
                 let largest = self.measured[k][a..=b].iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
                 out.push(
                     Finding::warning(
