@@ -540,7 +540,7 @@ mod tests {
     #[test]
     fn unstable_pieces_are_dashed_and_share_their_end_points() {
         let rows = [0, 1, 2, 3, 4];
-        let (full, dashed) = split(&rows, |i| (i as f64, 0.0), &[true, true, false, true, true]);
+        let (full, dashed) = split(&rows, |i| (i as f64, 0.0), &[true, true, false, true, true], None);
         assert_eq!(full.iter().filter(|p| p.0.is_finite()).map(|p| p.0).collect::<Vec<_>>(), [0.0, 1.0, 3.0, 4.0]);
         assert_eq!(dashed.iter().map(|p| p.0).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
     }
