@@ -146,7 +146,7 @@ mod tests {
     /// Gauss's lemniscate: K(1/2) = Gamma(1/4)^2 / (4 sqrt pi); 2 E - K = pi / (2 K) there.
     #[test]
     fn lemniscate() {
-        let quarter = 3.625_609_908_221_908_3_f64;
+        let quarter = 3.625_609_908_221_908_f64;
         let k = quarter * quarter / (4.0 * PI.sqrt());
         close(complete_first(0.5), k, 1e-15);
         close(2.0 * complete_second(0.5) - k, FRAC_PI_2 / k, 1e-15);

@@ -30,7 +30,7 @@ fn compared(builder: Builder, range: (f64, f64), speeds: &[f64], most: usize) ->
     (system, r, c)
 }
 
-fn of<'a>(c: &'a Comparison, method: Method, speed: f64) -> Vec<&'a Value> {
+fn of(c: &Comparison, method: Method, speed: f64) -> Vec<&Value> {
     c.values.iter().filter(|v| v.method == method && v.speed == speed).collect()
 }
 

@@ -86,23 +86,6 @@ pub enum Origin {
     Start,
 }
 
-impl Origin {
-    /// After "states": which ones.
-    pub fn words(self) -> String {
-        let at = |w: f64| crate::outcome::significant(w, 5);
-        match self {
-            Origin::Low => "from low speed".into(),
-            Origin::High => "from high speed".into(),
-            Origin::Broken(_, w) => format!("of less symmetry from {} rad/s", at(w)),
-            Origin::Doubled(_, w) => format!("of doubled period from {} rad/s", at(w)),
-            Origin::Crossing(_, w) => format!("crossing at {} rad/s", at(w)),
-            Origin::Mixed => "with x and y on different states".into(),
-            Origin::Subharmonic(nu) => format!("that repeat every {nu} turns"),
-            Origin::Start => "apart from the others".into(),
-        }
-    }
-}
-
 /// A branch with its points judged.
 #[derive(Clone, Debug)]
 pub struct Traced {

@@ -1,6 +1,6 @@
 //! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
 
-use super::shown::{Rising, Shown, worst};
+use super::shown::{Rising, Shown, words, worst};
 use super::{families, stability};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
@@ -102,7 +102,7 @@ impl Shown<'_> {
             "{head}: that of \"{}\" still rises at {} rad/s, where the branch of states {} was left at {{}}.",
             rising.body,
             significant(rising.speed, 6),
-            branch.origin.words(),
+            words(branch.origin),
         );
         let id = if grows { "unbounded_displacement" } else { "largest_displacement_not_reached" };
         Finding::warning(id, text).value(rising.displacement, "m").evidence("speed", rising.speed, "rad/s")
@@ -132,7 +132,7 @@ impl Shown<'_> {
                     "unstable_states",
                     format!(
                         "States {} are unstable {}; the fastest growth is {{}} at {} rad/s.",
-                        branch.origin.words(),
+                        words(branch.origin),
                         unstable_words(branch),
                         significant(worst.speed, 5)
                     ),
@@ -264,7 +264,7 @@ fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Fin
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.
 fn unfinished(branch: &Traced) -> Option<Finding> {
     let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
-    let text = format!("Beyond their folds the states {} could be followed to {{}} only ({}).", branch.origin.words(), reason(&branch.end));
+    let text = format!("Beyond their folds the states {} could be followed to {{}} only ({}).", words(branch.origin), reason(&branch.end));
     Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
 }
 

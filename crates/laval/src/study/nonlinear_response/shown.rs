@@ -5,7 +5,8 @@ use super::tables::{branch_table, change_table, fold_table};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Outcome, SpecialPoint, Status};
+use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
+use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
@@ -248,6 +249,21 @@ impl<'a> Shown<'a> {
 /// Like `f64::max`, but NaN stays.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
+}
+
+/// After "states": which ones.
+pub(super) fn words(origin: Origin) -> String {
+    let at = |w: f64| significant(w, 5);
+    match origin {
+        Origin::Low => "from low speed".into(),
+        Origin::High => "from high speed".into(),
+        Origin::Broken(_, w) => format!("of less symmetry from {} rad/s", at(w)),
+        Origin::Doubled(_, w) => format!("of doubled period from {} rad/s", at(w)),
+        Origin::Crossing(_, w) => format!("crossing at {} rad/s", at(w)),
+        Origin::Mixed => "with x and y on different states".into(),
+        Origin::Subharmonic(nu) => format!("that repeat every {nu} turns"),
+        Origin::Start => "apart from the others".into(),
+    }
 }
 
 /// Stability of some states is known.

@@ -1,5 +1,6 @@
 //! What is said of changes of stability, and of judging it again by other methods.
 
+use super::shown::words;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::agreement::{Agreement, TOLERANCE};
 use crate::solve::harmonic::bifurcation::{Change, Event};
@@ -37,7 +38,7 @@ fn change(branch: &Traced, c: &Change) -> Finding {
         Event::BranchPoint => "branch point: other states cross".into(),
     };
     let way = if lost { "lose their stability" } else { "become stable" };
-    let text = format!("With rising speed the states {} {way} at {{}} ({what}).", branch.origin.words());
+    let text = format!("With rising speed the states {} {way} at {{}} ({what}).", words(branch.origin));
     let id = if lost { "stability_lost" } else { "stability_gained" };
     Finding::warning(id, text)
         .of(c.event.name())

@@ -1,6 +1,6 @@
 //! The tables: states, folds, other changes of stability, branches.
 
-use super::shown::{Shown, larger};
+use super::shown::{Shown, larger, words};
 use crate::outcome::{OutcomeError, Table};
 use crate::solve::harmonic::bifurcation::Change;
 use crate::solve::harmonic::branch::Origin;
@@ -149,7 +149,7 @@ pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
     let int = |f: &dyn Fn(&Traced) -> usize| all.iter().map(|b| f(b) as i64).collect::<Vec<i64>>();
     Table::new("branches", "Families of states, and how each was followed")
         .int("branch", "", "number of the branch", (1..=all.len() as i64).collect())
-        .text("states", "where they come from", all.iter().map(|b| b.origin.words()).collect())
+        .text("states", "where they come from", all.iter().map(|b| words(b.origin)).collect())
         .int("turns", "", "turns of the rotor after which the motion repeats", int(&Traced::turns))
         .text(
             "symmetry",
