@@ -86,11 +86,10 @@ fn a_pressed_bearing_is_linearised_about_its_contact() {
 
 #[test]
 fn a_bearing_that_alone_holds_the_rotor_is_refused() {
-    for horizontal in [false, true] {
-        for radial in [false, true] {
-            let why = refused(&machine(0.0, hertz(radial, 1e-4), horizontal));
-            assert!(why.contains("\"bearing\"") && why.contains("no stiffness at rest") && why.contains("preload"), "{why}");
-        }
+    // under weight the bearing of each axis still holds nothing across
+    for (horizontal, radial) in [(false, false), (false, true), (true, false)] {
+        let why = refused(&machine(0.0, hertz(radial, 1e-4), horizontal));
+        assert!(why.contains("\"bearing\"") && why.contains("no stiffness at rest") && why.contains("preload"), "{why}");
     }
     // at the edge of contact: no clearance and no load, or a sag that just closes it
     assert!(refused(&machine(K, hertz(true, 0.0), false)).contains("preload"));
@@ -101,6 +100,35 @@ fn a_bearing_that_alone_holds_the_rotor_is_refused() {
         hertz(true, 1e-4)(b).part("side", ShaftLumped::lateral(link()), side)
     };
     assert!(refused(&machine(0.0, one, false)).contains("preload"));
+}
+
+/// Nothing but a radial bearing, into which the weight presses the rotor: f = C s^(3/2) = m g at the contact s, 3/2 C sqrt(s) along the load and
+/// m g / (gap + s) across it. So with a support that is too soft to carry the rotor, and beneath a second body.
+#[test]
+fn weight_alone_closes_a_bearing() {
+    let gap = 2e-5;
+    let contact = |load: f64| (load / CB).powf(2.0 / 3.0);
+    for soft in [0.0, 1.0] {
+        let system = machine(soft, hertz(true, gap), true);
+        let s = contact(M * G);
+        let sag = rest(&system, 100.0).unwrap_or_else(|d| panic!("{}", d.message)).q[1];
+        assert!((sag / -(gap + s) - 1.0).abs() < 1e-4 * soft + 1e-12, "{sag}");
+        let [across, along] = [M * G / (gap + s), 1.5 * CB * s.sqrt()].map(|k| (k / M).sqrt());
+        let f = frequencies(&system);
+        assert!((f[0] / across - 1.0).abs() < 1e-4 * soft + 1e-10 && (f[f.len() - 1] / along - 1.0).abs() < 1e-4 * soft + 1e-10, "{f:?}");
+    }
+    let disc = |mass: f64| DiscParams { mass, ..DiscFamily::defaults() };
+    let upper = BearingHertz::radial(Link::Between(Attach::on("upper"), Attach::on("disc")));
+    let law = BearingHertzParams { coefficient: CB, clearance: gap };
+    let stacked = hertz(true, gap)(Builder::new("stacked").part("disc", Disc::planar(), disc(M)))
+        .part("upper", Disc::planar(), disc(0.5 * M))
+        .part("upper bearing", upper, law)
+        .horizontal()
+        .build()
+        .unwrap_or_else(|d| panic!("{d:?}"));
+    let q = rest(&stacked, 100.0).unwrap_or_else(|d| panic!("{}", d.message)).q;
+    let lower = -(gap + contact(1.5 * M * G));
+    assert!((q[1] / lower - 1.0).abs() < 1e-12 && (q[3] / (lower - gap - contact(0.5 * M * G)) - 1.0).abs() < 1e-12, "{q:?}");
 }
 
 /// Coordinates and states elsewhere that nothing holds do not matter: a free disc beside the machine, a liquid.

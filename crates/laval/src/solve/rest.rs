@@ -18,7 +18,9 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
     if let Some(refused) = unlinearised(system, &start).filter(|_| !loaded(system, &start)) {
         return Err(refused);
     }
-    let found = settle(system, start.clone()).map_err(|d| unlinearised(system, &start).unwrap_or(d))?;
+    let found = settle(system, start.clone())
+        .or_else(|d| sink(system, &start).and_then(|sunk| settle(system, sunk).ok()).ok_or(d))
+        .map_err(|d| unlinearised(system, &start).unwrap_or(d))?;
     if let Some(refused) = unlinearised(system, &found) {
         return Err(refused);
     }
@@ -241,6 +243,48 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
         last = length;
     }
     Err(no_equilibrium(last))
+}
+
+/// Near the equilibrium of a machine that has no stiffness where it starts: bodies sink under their loads, slowed by a support that moves along, until
+/// what they meet carries them. `None` when they sink on and on.
+fn sink(system: &System, start: &Equilibrium) -> Option<Equilibrium> {
+    const MOST: usize = 300;
+    const CARRIED: f64 = 1e-6;
+    let coordinates = coordinate_sectors(system);
+    let n = system.n();
+    let typical: Vec<f64> = system.coordinates().iter().map(|c| c.dof.typical).collect();
+    let mut at = start.clone();
+    // largest work of a load over a typical displacement, at the start
+    let mut first = None;
+    for _ in 0..MOST {
+        let mut t = Characteristic::new(system, &at);
+        let states = t.states().to_vec();
+        let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
+        let mut r = residual(system, &at, &mut t, &coordinates, &x);
+        let work = max_abs(&r[..n].iter().zip(&typical).map(|(r, t)| r * t).collect::<Vec<_>>());
+        let load = *first.get_or_insert(work);
+        if work <= CARRIED * load {
+            return Some(at);
+        }
+        let (mut k, mut d) = (Mat::default(), Mat::default());
+        t.at(C64::zero(), &mut k, &mut d);
+        t.sectors().restore_matrix(t.sectors(), &mut k);
+        let mut k = real_part(&k);
+        for i in 0..n {
+            k[(i, i)] += load / (typical[i] * typical[i]);
+        }
+        Lu::new(&k).ok()?.solve(&mut r);
+        // nothing that is not a number goes on
+        if !r.iter().all(|s| s.is_finite()) {
+            return None;
+        }
+        x.iter_mut().zip(&r).for_each(|(x, s)| *x -= s);
+        at.q.copy_from_slice(&x[..n]);
+        for (&s, &x) in states.iter().zip(&x[n..]) {
+            at.z[s] = x;
+        }
+    }
+    None
 }
 
 fn not_held() -> Diagnostic {
