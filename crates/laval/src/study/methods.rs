@@ -134,13 +134,18 @@ impl Methods {
                     "largest |x| over a period; NaN when the method has no state near the converged one",
                     column(&peak),
                 )
-                .float(format!("{name} converged"), "m", "the same, converged", column(&|v| converged_of(v).map_or(f64::NAN, peak)));
+                .float(
+                    format!("{name} converged"),
+                    "m",
+                    "the same, converged; NaN when there is none",
+                    column(&|v| converged_of(v).map_or(f64::NAN, peak)),
+                );
         }
         let t = t
             .float(
                 "deviation",
                 "",
-                "largest change of a peak from the converged one, over the largest converged peak",
+                "largest change of a peak from the converged one, over the largest converged peak; NaN where the method has no state, or nothing moves",
                 column(&|v| v.deviation),
             )
             .float("growth of slow motion", "1/s", "largest growth rate by averaging; NaN for other methods", column(&|v| v.growth))
@@ -174,7 +179,12 @@ impl Methods {
                 Table::new("folds", "Folds of the response by method")
                     .text("method", "method", folds.iter().map(|f| f.method.clone()).collect())
                     .float("speed", "rad/s", "spin speed", folds.iter().map(|f| f.speed).collect())
-                    .float("deviation", "rad/s", "from the nearest converged fold", folds.iter().map(|f| f.deviation).collect())
+                    .float(
+                        "deviation",
+                        "rad/s",
+                        "from the nearest converged fold; NaN without one",
+                        folds.iter().map(|f| f.deviation).collect(),
+                    )
                     .build()?,
             );
         }

@@ -233,6 +233,20 @@ impl<'a> Search<'a, '_> {
         Ok(if solved { (to, y) } else { (at, x) })
     }
 
+    /// A branch in terms of less symmetry whose states are known: at a fold of both planes a step off the branch may lead back onto it.
+    fn is_known_throughout(&mut self, at: usize, branch: &Branch) -> Result<bool, Diagnostic> {
+        for part in 1..4 {
+            let point = &branch.points[part * branch.points.len() / 4];
+            let known = self.known(point.p)?;
+            let (own, x) = self.reduced(at, point.x.clone(), point.p)?;
+            let (own, x) = self.refined(own, x, point.p)?;
+            if !self.is_known(own, &x, &known) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Follows a branch from a state with as many orders as its truncation asks for, judges it and adds it.
     fn follow(
         &mut self,
@@ -265,6 +279,9 @@ impl<'a> Search<'a, '_> {
             at = finer;
         }
         let Some((at, branch)) = best else { return Ok(()) };
+        if self.is_known_throughout(at, &branch)? {
+            return Ok(());
+        }
         let mut judge = Judge::new(self.system, self.request.stability);
         let mut traced = judge.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
         finish(self.system, self.request, &mut traced);

@@ -165,7 +165,7 @@ pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
         .float("from", "rad/s", "lowest speed", float(&|b| speeds(b).0))
         .float("to", "rad/s", "highest speed", float(&|b| speeds(b).1))
         .float("stable from", "rad/s", "lowest speed of a stable state; NaN when none is stable", float(&|b| held(b).0))
-        .float("stable to", "rad/s", "highest speed of a stable state", float(&|b| held(b).1))
+        .float("stable to", "rad/s", "highest speed of a stable state; NaN when none is stable", float(&|b| held(b).1))
         .int("orders", "", "orders kept, in multiples of the spin frequency over turns", int(&|b| b.discretisation.harmonics))
         .float(
             "truncation",
