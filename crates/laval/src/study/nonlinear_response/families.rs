@@ -71,7 +71,7 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
             }
         };
         let text = format!(
-            "Further states {kind} exist from {{}} to {} rad/s on {} branch{}, {stable}.{turned}",
+            "Further states ({kind}) exist from {{}} to {} rad/s on {} branch{}, {stable}.{turned}",
             significant(to, 6),
             branches.len(),
             if branches.len() == 1 { "" } else { "es" },
