@@ -83,6 +83,8 @@ pub struct Comparison {
     pub no_time: Option<String>,
 }
 
+/// Steps of integration a period, at most.
+const STEPS: u64 = 2000;
 /// Periods over which a state is followed in time.
 const PERIODS: usize = 5;
 /// Instants of a period at which peaks are looked for.
@@ -264,7 +266,11 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
     let absolute = 1e-12 * y[..n].iter().fold(1e-12, |m: f64, x| m.max(x.abs()));
     let outputs: Vec<f64> = (0..=16 * INSTANTS).map(|j| start + period * j as f64 / (16 * INSTANTS) as f64).collect();
     let end = period * PERIODS as f64;
-    let control = Control { outputs: &outputs[..16 * INSTANTS], ..Control::new(Tolerance::All(1e-11), Tolerance::All(absolute)) };
+    let control = Control {
+        outputs: &outputs[..16 * INSTANTS],
+        max_steps: STEPS * PERIODS as u64,
+        ..Control::new(Tolerance::All(1e-11), Tolerance::All(absolute))
+    };
     struct Seen<'s>(&'s [usize], &'s mut Vec<f64>);
     impl laval_num::ode::Observer for Seen<'_> {
         fn output(&mut self, _: usize, _: f64, y: &[f64]) {
@@ -276,6 +282,9 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
     let run = integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, end, &control, &mut Seen(&bodies, &mut seen));
     match run.end {
         End::Reached => Ok(seen),
+        End::WorkLimit { .. } => {
+            Err(format!("the explicit method needs more than {STEPS} steps a period: some motions die out too fast for it"))
+        }
         other => Err(format!("the integration ended early: {other:?}")),
     }
 }
