@@ -184,9 +184,9 @@ fn all<T: Send>(what: &str, cases: &[u64], sources: &Sources, one: impl Fn(&[u8]
         kinds.entry(head(&f.1)).or_insert((0, f)).0 += 1;
     }
     for (count, (case, why)) in kinds.values().take(SHOWN) {
-        eprintln!("{what}: {count} like this:");
+        eprintln!("{what}: {count} like case {case}: {why}");
         let short = shorter(sources.case(*case), why, |b| guarded(|| one(b, *case)).err());
-        eprintln!("{what}: case {case}: {why}\n----\n{}\n----", String::from_utf8_lossy(&short));
+        eprintln!("made shorter:\n----\n{}\n----", String::from_utf8_lossy(&short));
     }
     assert!(failed.is_empty(), "{what}: {} of {} cases failed", failed.len(), cases.len());
     let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);

@@ -328,15 +328,10 @@ fn paths_end_at_the_exits() {
     }
 }
 
-/// The speed a recovery needs with a programme: the same programme with all its speeds in proportion takes just the time at hand; so with nonlinear drag.
-#[test]
-fn speeds_are_found_with_programmes() {
-    let file = |last: f64, drag: &str| {
-        let speeds = [0.0, 0.4 * last, last].map(|w| format!("{w:e}")).join(", ");
-        format!(
-            r#"
+/// The rotor of a laboratory centrifuge on a shaft.
+const ROTOR: &str = r#"
 [machine]
-name = "cups"
+name = "centrifuge"
 [[part]]
 kind = "disc"
 name = "rotor"
@@ -346,6 +341,10 @@ kind = "shaft_lumped"
 name = "shaft"
 between = ["rotor", "ground"]
 stiffness = 4e5
+"#;
+
+/// Its cups and what is in them.
+const CUPS: &str = r#"
 [[cup]]
 kind = "swinging"
 centre_of_mass = "170 mm"
@@ -356,7 +355,15 @@ bottom = "300 mm"
 liquid_density = 870
 viscosity = "15 mPa s"
 particle_density = 2650
-characteristic_diameter = "25 um"
+"#;
+
+/// The speed a recovery needs with a programme: the same programme with all its speeds in proportion takes just the time at hand; so with nonlinear drag.
+#[test]
+fn speeds_are_found_with_programmes() {
+    let file = |last: f64, drag: &str| {
+        let speeds = [0.0, 0.4 * last, last].map(|w| format!("{w:e}")).join(", ");
+        format!(
+            r#"{ROTOR}{CUPS}characteristic_diameter = "25 um"
 spread = 1.3
 drag = "{drag}"
 [[study]]
@@ -393,29 +400,8 @@ impl laval::study::Progress for Told {
 /// Particles that are integrated one by one tell how far they are, to the end, and stop when asked to.
 #[test]
 fn integrations_tell_how_far_they_are() {
-    let text = r#"
-[machine]
-name = "cups"
-[[part]]
-kind = "disc"
-name = "rotor"
-mass = 10
-[[part]]
-kind = "shaft_lumped"
-name = "shaft"
-between = ["rotor", "ground"]
-stiffness = 4e5
-[[cup]]
-kind = "swinging"
-centre_of_mass = "170 mm"
-hinge_radius = "200 mm"
-cup_radius = "45 mm"
-bottom = "300 mm"
-[suspension]
-liquid_density = 870
-viscosity = "15 mPa s"
-particle_density = 2650
-characteristic_diameter = "400 um"
+    let text = format!(
+        r#"{ROTOR}{CUPS}characteristic_diameter = "400 um"
 spread = 1.3
 drag = "schiller_naumann"
 [[study]]
@@ -423,8 +409,9 @@ kind = "separation"
 speed = "600 rpm"
 time = "5 min"
 particles = 64
-"#;
-    let loaded = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+"#
+    );
+    let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
     let told = Told::default();
     let cancel = std::sync::atomic::AtomicBool::new(false);
     let context = Context { name: "coarse", cancel: &cancel, progress: &told, work_limit: u64::MAX, keep: None };
@@ -443,19 +430,7 @@ particles = 64
 fn speeds_at_which_gravity_counts_are_doubted() {
     let file = |throughput: f64| {
         format!(
-            r#"
-[machine]
-name = "bowl"
-[[part]]
-kind = "disc"
-name = "rotor"
-mass = 10
-[[part]]
-kind = "shaft_lumped"
-name = "shaft"
-between = ["rotor", "ground"]
-stiffness = 4e5
-[[cup]]
+            r#"{ROTOR}[[cup]]
 kind = "tubular_bowl"
 length = "500 mm"
 bowl_radius = "100 mm"

@@ -179,12 +179,9 @@ fn the_order_is_eight() {
     assert!((6.8..9.5).contains(&order), "{order}: {e1:e} in {n1}, {e2:e} in {n2}");
 }
 
-/// Bits do not depend on neighbours, on the lane, on the level; also when neighbours fail or meet an event.
-#[test]
-fn neighbours_do_not_matter() {
-    let list = members(40);
-    let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, Go(&[m])).results.remove(0)).collect();
-    let mut mixed = list.clone();
+/// The same with members between them that fail or meet an event.
+fn with_failures(list: &[Member]) -> Vec<Member> {
+    let mut mixed = list.to_vec();
     for (k, m) in mixed.iter_mut().enumerate() {
         match k % 8 {
             1 => m.w = f64::NAN,
@@ -194,6 +191,15 @@ fn neighbours_do_not_matter() {
             _ => {}
         }
     }
+    mixed
+}
+
+/// Bits do not depend on neighbours, on the lane, on the level; also when neighbours fail or meet an event.
+#[test]
+fn neighbours_do_not_matter() {
+    let list = members(40);
+    let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, Go(&[m])).results.remove(0)).collect();
+    let mixed = with_failures(&list);
     let mut backwards = mixed.clone();
     backwards.reverse();
     for level in Level::supported() {
@@ -354,16 +360,7 @@ fn the_stiff_method_in_lanes() {
         assert!(t == 0.25 * i as f64 && (x - exact(&free[id], t)).abs() < 1e-7, "{id} {t} {x}");
     }
     let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, GoStiff(&[m])).results.remove(0)).collect();
-    let mut mixed = list.clone();
-    for (k, m) in mixed.iter_mut().enumerate() {
-        match k % 8 {
-            1 => m.w = f64::NAN,
-            3 => m.level = Some(0.2),
-            5 => m.start = f64::INFINITY,
-            6 => m.d = -1e308,
-            _ => {}
-        }
-    }
+    let mixed = with_failures(&list);
     for level in Level::supported() {
         let found = dispatch(level, GoStiff(&mixed));
         assert_eq!(found.results.len(), 40);

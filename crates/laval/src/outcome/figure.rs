@@ -70,6 +70,12 @@ impl Axis {
         self
     }
 
+    /// For values in m that reach to `most`: in mm, or in µm where that is small.
+    pub fn metres(self, most: f64) -> Self {
+        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
+        Axis { unit: unit.into(), factor, ..self }
+    }
+
     /// Shows this range (in the unit of the axis) whatever the data.
     pub fn range(mut self, from: f64, to: f64) -> Self {
         self.range = Some((from, to));

@@ -88,6 +88,22 @@ impl Row {
     pub fn unstable(&self, s: &Sample, threshold: f64) -> bool {
         above(s, threshold, self.undamped)
     }
+
+    /// Ranges of speed, rad/s, between the located edges where the growth exceeds the threshold (the one the edges were located at), as far as computed.
+    pub fn unstable_ranges(&self, threshold: f64) -> Vec<(f64, f64)> {
+        let (Some(first), Some(last)) = (self.samples.first(), self.samples.last()) else { return Vec::new() };
+        let mut out = Vec::new();
+        let mut from = self.unstable(first, threshold).then_some(first.speed);
+        for e in &self.edges {
+            match from.take() {
+                Some(a) if !e.onset => out.push((a, e.speed)),
+                _ if e.onset => from = Some(e.speed),
+                _ => {}
+            }
+        }
+        out.extend(from.map(|a| (a, last.speed)));
+        out
+    }
 }
 
 fn above(s: &Sample, threshold: f64, undamped: bool) -> bool {

@@ -10,8 +10,11 @@
 //!
 //! Sources: `theory/nonlinear-response.md` section 5; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
 
-use super::free_motion::{HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, constant_speed, end, invalid, read, unfinished};
-use super::support::{SPEED, speed};
+use super::free_motion::{
+    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
+    trust_columns, unfinished,
+};
+use super::support::{SPEED, largest, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -121,14 +124,12 @@ impl Shown<'_> {
             for &a in &f.folds {
                 out = out.special_point(SpecialPoint::new("fold", a, (a, a)).of(format!("family {}", k + 1)));
             }
-            for &(a, (lo, hi)) in &f.synchronous {
-                out = out.special_point(
-                    SpecialPoint::new("synchronous", a, (lo.min(hi), lo.max(hi))).of(format!("family {}", k + 1)).evidence(
-                        "frequency",
-                        self.request.speed,
-                        "rad/s",
-                    ),
-                );
+            for &(a, bracket) in &f.synchronous {
+                out = out.special_point(SpecialPoint::new("synchronous", a, bracket).of(format!("family {}", k + 1)).evidence(
+                    "frequency",
+                    self.request.speed,
+                    "rad/s",
+                ));
             }
         }
         out.checked()
@@ -179,15 +180,8 @@ impl Shown<'_> {
                 .value(asymptotes.len() as f64, ""),
             );
         }
-        let dropped = motions().fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
-        if self.request.harmonics.is_none() && !(dropped <= self.request.truncation) {
-            out.push(
-                Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
-                    .value(dropped, "")
-                    .shown_as(100.0 * dropped, "%")
-                    .evidence("orders kept", found.discretisation.harmonics as f64, ""),
-            );
-        }
+        let kept = found.discretisation.harmonics;
+        out.extend(short(self.request.harmonics, self.request.truncation, motions().map(|m| m.truncation), kept));
         out.extend(invalid(&self.measured.iter().flatten().collect::<Vec<_>>(), "free whirls"));
         out
     }
@@ -220,7 +214,7 @@ impl Shown<'_> {
                 )
             }
         };
-        let residual = f.motions.iter().fold(0.0, |m: f64, p| if p.residual <= m { m } else { p.residual });
+        let residual = largest(f.motions.iter().map(|m| m.residual));
         out.push(
             Finding::info("family", text)
                 .of(&name)
@@ -263,52 +257,24 @@ impl Shown<'_> {
     }
 
     fn table(&self) -> Result<Table, OutcomeError> {
-        let all: Vec<(usize, usize, &Motion)> =
-            self.found.families.iter().enumerate().flat_map(|(k, f)| f.motions.iter().enumerate().map(move |(i, m)| (k, i, m))).collect();
-        let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.2)).collect::<Vec<f64>>();
-        let mut t = Table::new("backbone", "Free whirls, family by family in order along each")
+        let all = in_order(self.found.families.iter().map(|f| &f.motions[..]), &self.measured);
+        let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
+        let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
+        let t = Table::new("backbone", "Free whirls, family by family in order along each")
             .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
             .text("begins", "where the family begins", all.iter().map(|a| self.begins(a.0)).collect())
             .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
-            .float(
-                "frequency",
-                "rad/s",
-                "whirl frequency; negative: backward, where the machine has no preferred direction",
-                column(&|m| m.frequency),
-            )
+            .float("frequency", "rad/s", FREQUENCY, column(&|m| m.frequency))
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
-        for (b, name) in self.bodies.iter().enumerate() {
-            let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t
-                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0))
-                .float(
-                    format!("{name} largest displacement"),
-                    "m",
-                    "largest distance of the centre from its rest position over a period; NaN when it could not be had",
-                    of(1),
-                );
-        }
-        t.float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", column(&|m| m.truncation))
-            .float("residual", "", "scaled residual of the balance", column(&|m| m.residual))
-            .float(
-                "validity",
-                "",
-                "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
-                all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
-            )
-            .build()
+        let t = body_columns(t, &self.bodies, &measured);
+        trust_columns(t, column(&|m| m.truncation), column(&|m| m.residual), &measured).build()
     }
 
     fn modes(&self) -> Result<Table, OutcomeError> {
         let modes = &self.found.modes;
         let family = |k: usize| self.found.families.iter().position(|f| f.origin == Origin::Mode(k)).map_or(0, |f| f as i64 + 1);
         Table::new("modes", "Linear modes: free whirls of vanishing amplitude")
-            .float(
-                "frequency",
-                "rad/s",
-                "frequency; negative: backward, where the machine has no preferred direction",
-                modes.iter().map(|m| m.value.im).collect(),
-            )
+            .float("frequency", "rad/s", FREQUENCY, modes.iter().map(|m| m.value.im).collect())
             .float("growth", "1/s", "growth rate", modes.iter().map(|m| m.value.re).collect())
             .text("whirl", "direction", modes.iter().map(|m| m.whirl.word().to_string()).collect())
             .int("family", "", "number of the family that begins here; 0: none", (0..modes.len()).map(family).collect())
@@ -319,20 +285,14 @@ impl Shown<'_> {
     fn asymptotes(&self) -> Result<Table, OutcomeError> {
         let all = &self.found.asymptotes;
         Table::new("asymptotes", "Modes with the nonlinear parts rigid: free whirls of unbounded amplitude of a hardening machine")
-            .float(
-                "frequency",
-                "rad/s",
-                "frequency; negative: backward, where the machine has no preferred direction",
-                all.iter().map(|m| m.value.im).collect(),
-            )
+            .float("frequency", "rad/s", FREQUENCY, all.iter().map(|m| m.value.im).collect())
             .float("growth", "1/s", "growth rate", all.iter().map(|m| m.value.re).collect())
             .build()
     }
 
     fn figure(&self) -> Figure {
         let most = self.found.amplitudes.1;
-        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
-        let mut panel = Panel::new(Axis::new("amplitude of the deflection", unit).factor(factor))
+        let mut panel = Panel::new(Axis::new("amplitude of the deflection", "m").metres(most))
             .mark(Line::new("backbone", "frequency", "amplitude").group("begins"));
         let w = self.request.speed;
         let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);

@@ -1,10 +1,11 @@
 //! What the studies of free motions share: how far bodies move, whether models hold, fields, ends.
 
+use super::support::{larger, largest};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Finding};
+use crate::outcome::{self, Finding, TableBuilder};
 use crate::solve::harmonic::backbone::MOST_HARMONICS;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::pace::Pace;
@@ -73,11 +74,6 @@ pub(super) struct Measured {
     pub validity: (f64, String),
 }
 
-/// Of two numbers the larger; NaN stays.
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
-}
-
 impl<'a> Measure<'a> {
     /// For motions of this discretisation, at frequencies about `frequency`.
     ///
@@ -121,6 +117,57 @@ impl<'a> Measure<'a> {
         }
         Measured { bodies, validity: worst }
     }
+}
+
+/// What is said of a whirl frequency in tables.
+pub(super) const FREQUENCY: &str = "whirl frequency; negative: backward, where the machine has no preferred direction";
+
+/// Motions of all families in order: the number of the family from 0, the motion, how far it goes.
+pub(super) fn in_order<'a, T>(
+    families: impl IntoIterator<Item = &'a [T]>,
+    measured: &'a [Vec<Measured>],
+) -> Vec<(usize, &'a T, &'a Measured)> {
+    let one = |(k, (motions, measured)): (usize, (&'a [T], &'a Vec<Measured>))| {
+        motions.iter().zip(measured).map(move |(motion, measured)| (k, motion, measured))
+    };
+    families.into_iter().zip(measured).enumerate().flat_map(one).collect()
+}
+
+/// The columns of how far each body goes.
+pub(super) fn body_columns(mut t: TableBuilder, bodies: &[String], measured: &[&Measured]) -> TableBuilder {
+    for (b, name) in bodies.iter().enumerate() {
+        let of = |c: usize| measured.iter().map(|m| m.bodies[b][c]).collect::<Vec<f64>>();
+        t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0)).float(
+            format!("{name} largest displacement"),
+            "m",
+            "largest distance of the centre from its rest position over a period; NaN when it could not be had",
+            of(1),
+        );
+    }
+    t
+}
+
+/// The columns of how far motions are to be trusted.
+pub(super) fn trust_columns(t: TableBuilder, truncation: Vec<f64>, residual: Vec<f64>, measured: &[&Measured]) -> TableBuilder {
+    t.float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", truncation)
+        .float("residual", "", "scaled residual of the balance", residual)
+        .float(
+            "validity",
+            "",
+            "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
+            measured.iter().map(|m| m.validity.0).collect(),
+        )
+}
+
+/// That automatic orders leave out more than was asked for at the worst motion.
+pub(super) fn short(harmonics: Option<usize>, accepted: f64, truncations: impl Iterator<Item = f64>, kept: usize) -> Option<Finding> {
+    let dropped = largest(truncations);
+    (harmonics.is_none() && !(dropped <= accepted)).then(|| {
+        Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
+            .value(dropped, "")
+            .shown_as(100.0 * dropped, "%")
+            .evidence("orders kept", kept as f64, "")
+    })
 }
 
 /// That motions leave the validity of models: the worst of each statement.

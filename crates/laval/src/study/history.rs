@@ -410,6 +410,45 @@ pub(super) fn energy_figure() -> Figure {
         .panel(Panel::new(Axis::new("missing", "J")).mark(line("missing")))
 }
 
+/// Appends what both studies of motions find: whether the energy balance closes (or why there is none), and the common findings.
+///
+/// # Errors
+/// As [`balance`].
+pub(super) fn accounted(
+    motion: &mut Motion,
+    flight: &Flight,
+    no_account: Option<Finding>,
+    mut outcome: Outcome,
+) -> Result<(Outcome, Option<Balance>), Diagnostic> {
+    let balance = balance(motion, flight)?;
+    let closes = balance.as_ref().and_then(|b| balance_finding(b, flight));
+    for f in closes.into_iter().chain(no_account) {
+        outcome = outcome.finding(f);
+    }
+    Ok((common_findings(motion, flight, outcome), balance))
+}
+
+/// Appends the tables and figures of a motion, with velocities and observed quantities where asked for.
+///
+/// # Errors
+/// As [`motion_table`] and [`observed_table`]; an outcome that does not hold together.
+pub(super) fn shown(
+    motion: &mut Motion,
+    flight: &Flight,
+    (velocities, observables): (bool, bool),
+    balance: Option<Balance>,
+    outcome: Outcome,
+) -> Result<Outcome, Diagnostic> {
+    let mut outcome = motion_figures(motion.system(), outcome.table(motion_table(motion, flight, velocities)?));
+    if observables && let Some(table) = observed_table(motion, flight)? {
+        outcome = outcome.table(table);
+    }
+    if let Some(b) = balance {
+        outcome = outcome.table(b.table).figure(energy_figure());
+    }
+    sound(outcome.checked())
+}
+
 /// Adds the energy account, or says which part keeps none.
 pub(super) fn keep_account(motion: &mut Motion) -> Option<Finding> {
     let part = motion.keep_account().err()?;

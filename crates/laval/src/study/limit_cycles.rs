@@ -10,8 +10,11 @@
 //!
 //! Sources: `theory/nonlinear-response.md` section 5; J. E. Marsden, M. McCracken, The Hopf Bifurcation (1976).
 
-use super::free_motion::{HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, constant_speed, end, invalid, read, unfinished};
-use super::support::{SPEED_RANGE, range};
+use super::free_motion::{
+    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
+    trust_columns, unfinished,
+};
+use super::support::{SPEED_RANGE, larger, range, runs};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, Values};
@@ -116,7 +119,7 @@ impl Shown<'_> {
         for o in &found.onsets {
             let status = if o.edge.located { Status::Located } else { Status::Bracketed };
             out = out.special_point(
-                SpecialPoint::new("Hopf", o.edge.speed, (o.edge.bracket.0.min(o.edge.bracket.1), o.edge.bracket.0.max(o.edge.bracket.1)))
+                SpecialPoint::new("Hopf", o.edge.speed, o.edge.bracket)
                     .of(word(o))
                     .status(status)
                     .evidence("whirl frequency", o.frequency, "rad/s")
@@ -172,15 +175,8 @@ impl Shown<'_> {
         if let Some(why) = &found.unjudged {
             out.push(Finding::warning("stability_unknown", format!("Stability of the cycles was not judged: {why}.")));
         }
-        let dropped = found.families.iter().flat_map(|f| &f.cycles).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
-        if self.request.harmonics.is_none() && !(dropped <= self.request.truncation) {
-            out.push(
-                Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
-                    .value(dropped, "")
-                    .shown_as(100.0 * dropped, "%")
-                    .evidence("orders kept", found.discretisation.harmonics as f64, ""),
-            );
-        }
+        let truncations = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.truncation);
+        out.extend(short(self.request.harmonics, self.request.truncation, truncations, found.discretisation.harmonics));
         out.extend(invalid(&self.measured.iter().flatten().collect::<Vec<_>>(), "cycles"));
         out
     }
@@ -218,22 +214,8 @@ impl Shown<'_> {
     fn beside_rest(&self) -> Vec<Finding> {
         let mut out = Vec::new();
         for (k, f) in self.found.families.iter().enumerate() {
-            let both = |c: &Cycle| c.stable() && c.rest < 0.0;
-            let mut from = None;
-            let mut runs: Vec<(usize, usize)> = Vec::new();
-            for (i, c) in f.cycles.iter().enumerate() {
-                match (both(c), from) {
-                    (true, None) => from = Some(i),
-                    (false, Some(a)) => {
-                        runs.push((a, i - 1));
-                        from = None;
-                    }
-                    _ => {}
-                }
-            }
-            runs.extend(from.map(|a| (a, f.cycles.len() - 1)));
-            runs.retain(|(a, b)| b > a);
-            for (a, b) in runs {
+            let both = f.cycles.iter().map(|c| c.stable() && c.rest < 0.0);
+            for (a, b) in runs(both).into_iter().filter(|(a, b)| b > a) {
                 let (lo, hi) =
                     f.cycles[a..=b].iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c.speed), h.max(c.speed)));
                 // next to an edge both are neutral within the error
@@ -317,70 +299,47 @@ impl Shown<'_> {
     }
 
     fn table(&self) -> Result<Table, OutcomeError> {
-        let all: Vec<(usize, usize, &Cycle)> =
-            self.found.families.iter().enumerate().flat_map(|(k, f)| f.cycles.iter().enumerate().map(move |(i, c)| (k, i, c))).collect();
-        let column = |f: &dyn Fn(&Cycle) -> f64| all.iter().map(|a| f(a.2)).collect::<Vec<f64>>();
-        let mut t = Table::new("cycles", "Limit cycles, family by family in order along each; a family may turn back in speed")
+        let all = in_order(self.found.families.iter().map(|f| &f.cycles[..]), &self.measured);
+        let column = |f: &dyn Fn(&Cycle) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
+        let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
+        let t = Table::new("cycles", "Limit cycles, family by family in order along each; a family may turn back in speed")
             .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
             .float("speed", "rad/s", "spin speed", column(&|c| c.speed))
-            .float(
-                "frequency",
-                "rad/s",
-                "whirl frequency; negative: backward, where the machine has no preferred direction",
-                column(&|c| c.frequency),
-            )
+            .float("frequency", "rad/s", FREQUENCY, column(&|c| c.frequency))
             .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|c| c.amplitude))
             .float(
                 "largest displacement",
                 "m",
                 "largest distance of any body from its rest position over a period; NaN when it could not be had",
-                all.iter().map(|a| self.measured[a.0][a.1].bodies.iter().map(|b| b[1]).fold(f64::NAN, f64::max)).collect(),
+                measured.iter().map(|m| m.bodies.iter().map(|b| b[1]).reduce(larger).unwrap_or(f64::NAN)).collect(),
             );
-        for (b, name) in self.bodies.iter().enumerate() {
-            let of = |c: usize| all.iter().map(|a| self.measured[a.0][a.1].bodies[b][c]).collect::<Vec<f64>>();
-            t = t
-                .float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0))
-                .float(
-                    format!("{name} largest displacement"),
-                    "m",
-                    "largest distance of the centre from its rest position over a period; NaN when it could not be had",
-                    of(1),
-                );
-        }
-        t.float(
-            "growth rate",
-            "1/s",
-            "largest growth rate of a disturbance that is no shift in time; NaN when not judged",
-            column(&Cycle::growth),
-        )
-        .float(
-            "growth rate error",
-            "1/s",
-            "its estimated error; NaN when it could not be had",
-            column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)),
-        )
-        .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
-        .float(
-            "shift exponent",
-            "1/s",
-            "distance from zero of the exponent of a shift in time, zero in theory; NaN when it could not be had",
-            column(&|c| c.trivial),
-        )
-        .float(
-            "growth of rest",
-            "1/s",
-            "largest growth rate of the machine at rest at this speed; NaN when it could not be had",
-            column(&|c| c.rest),
-        )
-        .float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", column(&|c| c.truncation))
-        .float("residual", "", "scaled residual of the balance", column(&|c| c.residual))
-        .float(
-            "validity",
-            "",
-            "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
-            all.iter().map(|a| self.measured[a.0][a.1].validity.0).collect(),
-        )
-        .build()
+        let t = body_columns(t, &self.bodies, &measured)
+            .float(
+                "growth rate",
+                "1/s",
+                "largest growth rate of a disturbance that is no shift in time; NaN when not judged",
+                column(&Cycle::growth),
+            )
+            .float(
+                "growth rate error",
+                "1/s",
+                "its estimated error; NaN when it could not be had",
+                column(&|c| c.exponents.as_ref().map_or(f64::NAN, |e| e.error)),
+            )
+            .flag("stable", "no growth beyond the error", all.iter().map(|a| a.1.stable()).collect())
+            .float(
+                "shift exponent",
+                "1/s",
+                "distance from zero of the exponent of a shift in time, zero in theory; NaN when it could not be had",
+                column(&|c| c.trivial),
+            )
+            .float(
+                "growth of rest",
+                "1/s",
+                "largest growth rate of the machine at rest at this speed; NaN when it could not be had",
+                column(&|c| c.rest),
+            );
+        trust_columns(t, column(&|c| c.truncation), column(&|c| c.residual), &measured).build()
     }
 
     fn onsets(&self) -> Result<Table, OutcomeError> {
@@ -388,12 +347,7 @@ impl Shown<'_> {
         let family = |k: usize| self.found.families.iter().position(|f| f.onset == k).map_or(0, |f| f as i64 + 1);
         Table::new("onsets", "Edges of linear instability of rest, where cycles begin")
             .float("speed", "rad/s", "spin speed", all.iter().map(|o| o.edge.speed).collect())
-            .float(
-                "frequency",
-                "rad/s",
-                "whirl frequency; negative: backward, where the machine has no preferred direction",
-                all.iter().map(|o| o.frequency).collect(),
-            )
+            .float("frequency", "rad/s", FREQUENCY, all.iter().map(|o| o.frequency).collect())
             .text(
                 "edge",
                 "onset: rest is unstable above this speed; end: stable above",
@@ -418,7 +372,6 @@ impl Shown<'_> {
     fn figure(&self) -> Figure {
         let found = self.found;
         let most = self.measured.iter().flatten().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
-        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         // one family needs no number in the legend
         let grouped = |line: Line| if found.families.len() > 1 { line.group("family") } else { line.name("whirl") };
         let judged = found.unjudged.is_none();
@@ -426,9 +379,9 @@ impl Shown<'_> {
         // families of very different size are seen together on a logarithmic axis
         let largest = |m: &Vec<Measured>| m.iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
         let least = self.measured.iter().map(largest).fold(f64::INFINITY, f64::min);
-        let axis = if most > 20.0 * least { Axis::log("largest displacement", unit) } else { Axis::new("largest displacement", unit) };
-        let mut panel = Panel::new(axis.factor(factor));
-        for (from, to) in self.unstable_ranges() {
+        let axis = if most > 20.0 * least { Axis::log("largest displacement", "m") } else { Axis::new("largest displacement", "m") };
+        let mut panel = Panel::new(axis.metres(most));
+        for (from, to) in found.rest.unstable_ranges(0.0) {
             panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
         }
         panel = panel.mark(marked(grouped(Line::new("cycles", "speed", "largest displacement"))));
@@ -442,22 +395,5 @@ impl Shown<'_> {
             found.onsets.len()
         );
         Figure::new("cycles", "Self-excited whirls", alt).x(Axis::new("spin speed", "rad/s")).panel(panel).panel(frequency)
-    }
-
-    /// Ranges of speed in which rest is unstable, as far as computed.
-    fn unstable_ranges(&self) -> Vec<(f64, f64)> {
-        let rest = &self.found.rest;
-        let (Some(first), Some(last)) = (rest.samples.first(), rest.samples.last()) else { return Vec::new() };
-        let mut from = rest.unstable(first, 0.0).then_some(first.speed);
-        let mut out = Vec::new();
-        for e in &rest.edges {
-            match from.take() {
-                Some(a) if !e.onset => out.push((a, e.speed)),
-                _ if e.onset => from = Some(e.speed),
-                _ => {}
-            }
-        }
-        out.extend(from.map(|a| (a, last.speed)));
-        out
     }
 }

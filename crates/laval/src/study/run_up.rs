@@ -168,24 +168,9 @@ impl Study for RunUp {
             None => outcome = self.peaks(system, &flight, still, outcome),
         }
         outcome = self.drive(&mut motion, &flight, outcome)?;
-        let balance = history::balance(&mut motion, &flight)?;
-        let closes = balance.as_ref().and_then(|b| history::balance_finding(b, &flight));
-        for f in closes.into_iter().chain(no_account) {
-            outcome = outcome.finding(f);
-        }
-        outcome = history::common_findings(&motion, &flight, outcome);
+        let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
         outcome = self.envelope(system, &flight, outcome)?;
-        outcome = outcome.table(history::motion_table(&motion, &flight, self.velocities)?);
-        outcome = history::motion_figures(system, outcome);
-        if self.observables
-            && let Some(table) = history::observed_table(&mut motion, &flight)?
-        {
-            outcome = outcome.table(table);
-        }
-        if let Some(b) = balance {
-            outcome = outcome.table(b.table).figure(history::energy_figure());
-        }
-        history::sound(outcome.checked())
+        history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)
     }
 }
 

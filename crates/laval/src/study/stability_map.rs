@@ -141,22 +141,6 @@ fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
 }
 
 impl StabilityMap {
-    /// Ranges of speed between the located edges where the growth exceeds the threshold, as far as computed.
-    fn unstable_ranges(&self, row: &Row) -> Vec<(f64, f64)> {
-        let (Some(first), Some(last)) = (row.samples.first(), row.samples.last()) else { return Vec::new() };
-        let mut out = Vec::new();
-        let mut from = row.unstable(first, self.threshold).then_some(first.speed);
-        for e in &row.edges {
-            match from.take() {
-                Some(a) if !e.onset => out.push((a, e.speed)),
-                _ if e.onset => from = Some(e.speed),
-                _ => {}
-            }
-        }
-        out.extend(from.map(|a| (a, last.speed)));
-        out
-    }
-
     fn report(
         &self,
         system: &System,
@@ -347,7 +331,7 @@ impl StabilityMap {
             )
         } else {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
-            for (from, to) in self.unstable_ranges(&rows[0]) {
+            for (from, to) in rows[0].unstable_ranges(self.threshold) {
                 growth = growth.mark(Band::x(from, to).name("unstable").strip());
                 let ends = format!("unstable {} to {}", significant(from, 4), significant(to, 4));
                 growth = growth.mark(Rule::x(from, ends));

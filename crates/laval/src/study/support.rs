@@ -18,6 +18,28 @@ pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bou
 /// Share of the largest eigenvalue, or of the largest amplitude, that a number must exceed to be more than rounding.
 pub const ROUNDING: f64 = 1e-13;
 
+/// Of two numbers the larger; NaN, which `f64::max` drops, stays.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
+}
+
+/// The largest of numbers above zero; NaN stays.
+pub fn largest(x: impl IntoIterator<Item = f64>) -> f64 {
+    x.into_iter().fold(0.0, larger)
+}
+
+/// First and last index of every run of `true`.
+pub fn runs(flags: impl IntoIterator<Item = bool>) -> Vec<(usize, usize)> {
+    let mut out: Vec<(usize, usize)> = Vec::new();
+    for (i, _) in flags.into_iter().enumerate().filter(|f| f.1) {
+        match out.last_mut() {
+            Some(last) if last.1 + 1 == i => last.1 = i,
+            _ => out.push((i, i)),
+        }
+    }
+    out
+}
+
 /// `x`, or zero where it does not stand out from rounding beside a number of that `size`.
 pub fn beyond_rounding(x: f64, size: f64) -> f64 {
     if x.abs() <= ROUNDING * size { 0.0 } else { x }

@@ -4,6 +4,8 @@
 //! within `AGREE` times the settling tolerance over the size of the larger motion. Each motion is compared with the first of its kind: of two
 //! motions on one attractor each is at most one tolerance from it.
 
+use crate::study::support::largest;
+
 /// Distance that counts as agreement, over the settling tolerance.
 pub(super) const AGREE: f64 = 10.0;
 /// Size of a motion over typical sizes below which its changes are judged as if it were that large.
@@ -111,11 +113,6 @@ impl Ruler<'_> {
         let gap = distances.filter(|d| d.is_finite()).min_by(f64::total_cmp);
         Found { attractors: found, of, gap }
     }
-}
-
-/// The largest; NaN stays.
-fn largest(x: impl Iterator<Item = f64>) -> f64 {
-    x.fold(0.0, |m: f64, x| if m.is_nan() || x <= m { m } else { x })
 }
 
 #[cfg(test)]

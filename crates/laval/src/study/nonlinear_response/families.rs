@@ -5,6 +5,7 @@ use crate::outcome::{Finding, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
 use crate::solve::harmonic::unclosed::Unclosed;
+use crate::study::support::largest;
 
 /// That the branch of large motions goes on beyond the range, and whether it would ever turn back.
 pub(super) fn unclosed(u: &Unclosed) -> Finding {
@@ -76,7 +77,7 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
             branches.len(),
             if branches.len() == 1 { "" } else { "es" },
         );
-        let worst = points().map(|p| p.truncation).fold(0.0, super::shown::larger);
+        let worst = largest(points().map(|p| p.truncation));
         out.push(Finding::info("further_states", text).of(*kind).value(from, "rad/s").evidence(
             "dropped over kept force harmonics, worst point",
             worst,

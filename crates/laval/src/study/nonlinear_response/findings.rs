@@ -8,7 +8,8 @@ use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::peak::Peak;
-use crate::solve::harmonic::response::{Fold, Request, Response, States, Traced};
+use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
+use crate::study::support::runs;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
 use std::ops::Range;
@@ -181,17 +182,9 @@ impl Shown<'_> {
 
 /// Consecutive unstable points of a branch, but not the middle of a curve that turns back: that is said by the jumps.
 fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
-    let mut runs = Vec::new();
-    let mut start = 0;
-    for run in branch.points.chunk_by(|a, b| a.unstable() == b.unstable()) {
-        let (first, last) = (start, start + run.len() - 1);
-        start += run.len();
-        let turned_back = branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
-        if run[0].unstable() && !turned_back {
-            runs.push(first..last + 1);
-        }
-    }
-    runs
+    let turned_back = |(first, last): (usize, usize)| branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
+    let unstable = runs(branch.points.iter().map(State::unstable));
+    unstable.into_iter().filter(|&run| !turned_back(run)).map(|(first, last)| first..last + 1).collect()
 }
 
 /// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.

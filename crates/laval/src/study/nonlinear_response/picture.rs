@@ -11,11 +11,10 @@ impl Shown<'_> {
     pub(super) fn figure(&self, response: &Response, all: bool) -> Figure {
         let values: Vec<f64> = self.amplitudes.iter().flatten().flatten().map(|a| a[1]).filter(|a| *a > 0.0 && a.is_finite()).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
-        let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         let factor_of = |label: String| {
             // on a linear axis families lie apart that on a logarithmic one do not
-            let axis = if most > 100.0 * least && !all { Axis::log(label, unit) } else { Axis::new(label, unit) };
-            Panel::new(axis.factor(factor))
+            let axis = if most > 100.0 * least && !all { Axis::log(label, "m") } else { Axis::new(label, "m") };
+            Panel::new(axis.metres(most))
         };
         let judged = judged(response);
         // one family of states needs no number in the legend

@@ -11,6 +11,7 @@ use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
+use crate::study::support::{larger, largest};
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
 use std::f64::consts::TAU;
@@ -246,11 +247,6 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// Like `f64::max`, but NaN stays.
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
-}
-
 /// After "states": which ones.
 pub(super) fn words(origin: Origin) -> String {
     let at = |w: f64| significant(w, 5);
@@ -272,7 +268,7 @@ pub(super) fn judged(response: &Response) -> bool {
 }
 
 pub(super) fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {
-    response.branches.iter().flat_map(|b| &b.points).fold(0.0, |m, p| larger(m, f(p)))
+    largest(response.branches.iter().flat_map(|b| &b.points).map(f))
 }
 
 fn end(response: &Response) -> outcome::End {

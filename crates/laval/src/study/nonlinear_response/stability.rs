@@ -5,6 +5,7 @@ use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::agreement::{Agreement, TOLERANCE};
 use crate::solve::harmonic::bifurcation::{Change, Event};
 use crate::solve::harmonic::response::{Response, Traced};
+use crate::study::support::larger;
 
 /// Changes told one by one at most.
 const MOST: usize = 6;
@@ -65,7 +66,7 @@ pub(super) fn checked(a: &Agreement) -> Finding {
             a.states
         ),
     };
-    let worst = super::shown::larger(a.difference[0], a.difference[1]);
+    let worst = larger(a.difference[0], a.difference[1]);
     let finding =
         if a.contradictions == 0 { Finding::info("stability_checked", text) } else { Finding::warning("stability_contradicted", text) };
     let difference = |k: usize| if a.judged[k] > 0 { a.difference[k] } else { f64::NAN };

@@ -1,10 +1,11 @@
 //! The tables: states, folds, other changes of stability, branches.
 
-use super::shown::{Shown, larger, words};
+use super::shown::{Shown, words};
 use crate::outcome::{OutcomeError, Table};
 use crate::solve::harmonic::bifurcation::Change;
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, State, Traced};
+use crate::study::support::largest;
 use laval_num::continuation::End;
 
 /// The kind of states a branch holds, in the legend.
@@ -171,7 +172,7 @@ pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
             "truncation",
             "",
             "dropped over kept force harmonics, worst point",
-            float(&|b| b.points.iter().fold(0.0, |m, p| larger(m, p.truncation))),
+            float(&|b| largest(b.points.iter().map(|p| p.truncation))),
         )
         .text("end", "how it ends", all.iter().map(|b| ending(b.end).to_string()).collect())
         .build()

@@ -13,6 +13,7 @@ use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
 use crate::study::Context;
 use crate::study::limits::Limits;
+use crate::study::support::largest;
 use laval_num::ode::End;
 use std::f64::consts::TAU;
 
@@ -119,7 +120,7 @@ impl Passage {
     /// Largest torque of the way to a speed and back, N m; NaN stays.
     pub fn torque(&self, speed: f64) -> f64 {
         let both = self.stretches(0, speed).chain(self.stretches(1, speed));
-        both.fold(0.0, |m: f64, (s, _)| if s.torque > m || s.torque.is_nan() { s.torque } else { m })
+        largest(both.map(|(s, _)| s.torque))
     }
 
     /// Displacement of each body when the run-up passes a speed, m.

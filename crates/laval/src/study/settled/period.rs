@@ -5,6 +5,7 @@
 //! `1/(1 - d2/d1)`, as measured: near a fold a motion settles more slowly than the machine does at rest.
 
 use super::Rules;
+use crate::study::support::largest;
 
 /// Longest period looked for, in forcing periods.
 pub const LONGEST: usize = 16;
@@ -137,11 +138,6 @@ impl Sections {
         let verdict = if change < small { Verdict::NotSettled } else { Verdict::NotPeriodic };
         Judged { verdict, remaining: if remaining.is_finite() { remaining } else { f64::NAN } }
     }
-}
-
-/// The largest; NaN stays.
-fn largest(x: impl Iterator<Item = f64>) -> f64 {
-    x.fold(0.0, |m: f64, x| if m.is_nan() || x <= m { m } else { x })
 }
 
 #[cfg(test)]
