@@ -40,6 +40,8 @@ struct Search<'a, 'r> {
     /// Of the machine; where the user imposed one on the motion, that one is kept.
     symmetry: Symmetry,
     settings: Settings,
+    /// Points that may still be computed.
+    left: usize,
     balances: Vec<Balance<'a>>,
     response: &'r mut Response,
     cancel: &'a AtomicBool,
@@ -63,8 +65,10 @@ pub(super) fn extend<'a>(
     tick: Tick,
 ) -> Result<(), Diagnostic> {
     let (symmetry, _) = symmetry(system, request)?;
+    let done = response.branches.iter().map(|b| b.points.len()).sum();
+    let left = usize::try_from(request.work).unwrap_or(usize::MAX).saturating_sub(done);
     let mut search =
-        Search { system, request, symmetry, settings: settings(request), balances: Vec::new(), response, cancel, tick, found: 0 };
+        Search { system, request, symmetry, settings: settings(request), left, balances: Vec::new(), response, cancel, tick, found: 0 };
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
@@ -94,7 +98,12 @@ impl<'a> Search<'a, '_> {
     }
 
     fn over(&self) -> bool {
-        self.found >= MOST_FAMILIES || self.cancel.load(Ordering::Relaxed)
+        self.exhausted() || self.cancel.load(Ordering::Relaxed)
+    }
+
+    /// No further family may be followed.
+    fn exhausted(&self) -> bool {
+        self.found >= MOST_FAMILIES || self.left < 2
     }
 
     /// The ends of the range, places between, and places between folds.
@@ -166,7 +175,7 @@ impl<'a> Search<'a, '_> {
         known: &mut Vec<Known>,
     ) -> Result<bool, Diagnostic> {
         if self.over() {
-            self.response.more_families |= self.found >= MOST_FAMILIES;
+            self.response.more_families |= self.exhausted();
             return Ok(false);
         }
         let at = self.balance(d)?;
@@ -258,7 +267,12 @@ impl<'a> Search<'a, '_> {
         let (mut at, mut x) = (at, x);
         let mut best: Option<(usize, Branch)> = None;
         for _ in 0..4 {
-            let Some(branch) = trace(&mut self.balances[at], &self.settings, &x) else { break };
+            let settings = Settings { max_points: self.settings.max_points.min(self.left), ..self.settings.clone() };
+            if settings.max_points < 2 {
+                break;
+            }
+            let Some(branch) = trace(&mut self.balances[at], &settings, &x) else { break };
+            self.left = self.left.saturating_sub(branch.points.len());
             if branch.points.len() < 2 {
                 break;
             }

@@ -45,6 +45,8 @@ pub struct Request {
     pub stability: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
+    /// Points in all after which no further states are looked for.
+    pub work: u64,
     /// Which states are looked for.
     pub states: States,
     /// Starts taken anywhere when all states are looked for.
@@ -73,6 +75,7 @@ impl Request {
             truncation: 1e-7,
             stability: true,
             max_points: 2_000,
+            work: u64::MAX,
             states: States::Main,
             starts: 64,
             check_stability: false,

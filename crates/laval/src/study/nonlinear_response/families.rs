@@ -84,7 +84,7 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
             "",
         ));
     }
-    if kinds.is_empty() {
+    if kinds.is_empty() && !response.more_families {
         out.push(Finding::info(
             "further_states",
             "No states beside those from the ends of the range were found: neither by combining the planes of known states, nor from subharmonic starts, \
@@ -92,7 +92,7 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
         ));
     }
     if response.more_families {
-        let text = "More families of states were met than are followed: narrow the range of speeds to see those left out.";
+        let text = "Not all families of states were followed: narrow the range of speeds to see those left out.";
         out.push(Finding::warning("families_left_out", text));
     }
     out

@@ -149,6 +149,7 @@ impl Study for NonlinearResponse {
                 truncation: values.number("truncation").unwrap_or(1e-7),
                 stability: values.flag("stability").unwrap_or(true),
                 max_points: whole("max_points", 2_000),
+                work: u64::MAX,
                 states: if values.choice("states") == Some("all") { States::All } else { States::Main },
                 starts: whole("starts", 64),
                 check_stability: values.flag("check_stability").unwrap_or(false),
@@ -171,7 +172,7 @@ impl Study for NonlinearResponse {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let mut request = self.request;
+        let mut request = Request { work: context.work_limit, ..self.request };
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
