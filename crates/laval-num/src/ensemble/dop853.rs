@@ -3,7 +3,8 @@
 use super::Crew;
 use super::method::{Attempt, Ends, Method, bounded};
 use crate::lanes::{Bits, LaneBits, LaneScalar};
-use crate::ode::tableau::{self as t8, Row};
+use crate::ode::nystrom::{self as pairs, Pair};
+use crate::ode::tableau::C;
 
 const STAGES: usize = 16;
 const ROWS: usize = 7;
@@ -31,40 +32,73 @@ fn stride(n: usize) -> usize {
     n | 1
 }
 
-/// `out = y + h sum_m a_m k_m`.
-#[inline(always)]
-fn combine<S: LaneScalar, const N: usize>(out: &mut [S], y: &[S], h: S, k: &[S], row: &Row<N>) {
-    let n = out.len();
-    assert!(y.len() == n && k.len() == STAGES * stride(n));
-    // SAFETY: j is below the length of `out` and `y`, and a row names stages below STAGES
-    let mut j = 0;
-    while j + 2 <= n {
+/// What rates give: `y + h sum_m a_m k_m`; of positions `y + h c v + h^2 sum_m b_m k_m`.
+struct Stage<'a, S> {
+    y: &'a [S],
+    h: S,
+    k: &'a [S],
+    positions: usize,
+    c: f64,
+}
+
+impl<S: LaneScalar> Stage<'_, S> {
+    #[inline(always)]
+    fn state<const N: usize>(&self, out: &mut [S], row: &Pair<N>) {
+        let (n, p, y, h) = (self.y.len(), self.positions, self.y, self.h);
+        let others = n - p;
+        assert!(out.len() == n && self.k.len() == STAGES * stride(others) && p <= others);
+        // SAFETY: the indices stay below the lengths asserted, and a row names stages below STAGES
         unsafe {
-            let (a, b) = (sum(k, n, row, j), sum(k, n, row, j + 1));
-            *out.get_unchecked_mut(j) = *y.get_unchecked(j) + h * a;
-            *out.get_unchecked_mut(j + 1) = *y.get_unchecked(j + 1) + h * b;
+            for j in 0..p {
+                let (v, q) = both(self.k, others, row, j);
+                let velocity = *y.get_unchecked(p + j);
+                *out.get_unchecked_mut(p + j) = velocity + h * v;
+                *out.get_unchecked_mut(j) = *y.get_unchecked(j) + h * (velocity.scale(self.c) + h * q);
+            }
+            for j in p..others {
+                *out.get_unchecked_mut(p + j) = *y.get_unchecked(p + j) + h * both(self.k, others, row, j).0;
+            }
         }
-        j += 2;
-    }
-    if j < n {
-        unsafe { *out.get_unchecked_mut(j) = *y.get_unchecked(j) + h * sum(k, n, row, j) };
     }
 }
 
-/// `sum_m a_m k_m` of state `j`.
+/// `sum_m a_m k_m` and `sum_m b_m k_m` of the rate `j`.
 ///
 /// # Safety
-/// `k` must have STAGES times `n` entries, more than `j` each.
+/// `k` must have STAGES times `stride(n)` entries, and `j` be below `n`.
 #[inline(always)]
-unsafe fn sum<S: LaneScalar, const N: usize>(k: &[S], n: usize, row: &Row<N>, j: usize) -> S {
+unsafe fn both<S: LaneScalar, const N: usize>(k: &[S], n: usize, row: &Pair<N>, j: usize) -> (S, S) {
     // SAFETY: as demanded
     unsafe {
         let n = stride(n);
-        let mut s = k.get_unchecked(row[0].0 * n + j).scale(row[0].1);
+        let first = *k.get_unchecked(row[0].0 * n + j);
+        let (mut a, mut b) = (first.scale(row[0].1), first.scale(row[0].2));
         for m in 1..N {
-            s += k.get_unchecked(row[m].0 * n + j).scale(row[m].1);
+            let x = *k.get_unchecked(row[m].0 * n + j);
+            if row[m].1 != 0.0 {
+                a += x.scale(row[m].1);
+            }
+            if row[m].2 != 0.0 {
+                b += x.scale(row[m].2);
+            }
         }
-        s
+        (a, b)
+    }
+}
+
+/// Squares of both errors over the tolerances, and zero or NaN for the states at the end.
+struct Sums<S> {
+    e5: S,
+    e3: S,
+    finite: S,
+}
+
+impl<S: LaneScalar> Sums<S> {
+    #[inline(always)]
+    fn add(&mut self, x5: S, x3: S, inverse: S, end: S) {
+        self.e5 += (x5 * inverse).square();
+        self.e3 += (x3 * inverse).square();
+        self.finite += end.scale(0.0);
     }
 }
 
@@ -72,50 +106,55 @@ impl<S: LaneScalar> Dop853<S> {
     /// Stages `from` to `to`, one after the other; a single place where the right side is inlined.
     #[inline(always)]
     fn stages<C: Crew<S>>(&mut self, crew: &mut C, from: usize, to: usize) {
-        let (n, h) = (self.ends.n, self.h);
-        let (y, k) = (&self.ends.y0[..n], &mut self.k);
+        let (n, h, positions) = (self.ends.n, self.h, self.ends.positions);
+        let others = n - positions;
         for i in from..=to {
             let state = if i == 12 { &mut self.ends.y1 } else { &mut self.w };
-            let w = &mut state[..n];
-            let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(t8::C[i]) };
+            let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(C[i]) };
             crew.time(t);
+            let from = Stage { y: &self.ends.y0[..n], h, k: &self.k, positions, c: C[i] };
+            let w = &mut state[..n];
             match i {
-                1 => combine(w, y, h, k, &t8::A1),
-                2 => combine(w, y, h, k, &t8::A2),
-                3 => combine(w, y, h, k, &t8::A3),
-                4 => combine(w, y, h, k, &t8::A4),
-                5 => combine(w, y, h, k, &t8::A5),
-                6 => combine(w, y, h, k, &t8::A6),
-                7 => combine(w, y, h, k, &t8::A7),
-                8 => combine(w, y, h, k, &t8::A8),
-                9 => combine(w, y, h, k, &t8::A9),
-                10 => combine(w, y, h, k, &t8::A10),
-                11 => combine(w, y, h, k, &t8::A11),
-                12 => combine(w, y, h, k, &t8::B),
-                13 => combine(w, y, h, k, &t8::A13),
-                14 => combine(w, y, h, k, &t8::A14),
-                _ => combine(w, y, h, k, &t8::A15),
+                1 => from.state(w, &pairs::P1),
+                2 => from.state(w, &pairs::P2),
+                3 => from.state(w, &pairs::P3),
+                4 => from.state(w, &pairs::P4),
+                5 => from.state(w, &pairs::P5),
+                6 => from.state(w, &pairs::P6),
+                7 => from.state(w, &pairs::P7),
+                8 => from.state(w, &pairs::P8),
+                9 => from.state(w, &pairs::P9),
+                10 => from.state(w, &pairs::P10),
+                11 => from.state(w, &pairs::P11),
+                12 => from.state(w, &pairs::P12),
+                13 => from.state(w, &pairs::P13),
+                14 => from.state(w, &pairs::P14),
+                _ => from.state(w, &pairs::P15),
             }
-            crew.rhs(t, state, &mut k[i * stride(n)..][..n]);
+            crew.rhs(t, state, &mut self.k[i * stride(others)..][..others]);
         }
     }
 
     /// The error norm of the formula 8(5,3): h e5^2 / sqrt(e5^2 + e3^2/100), and the lanes whose end state is finite.
     #[inline(always)]
     fn error(&self) -> (S, LaneBits) {
-        let n = self.ends.n;
-        assert!(self.k.len() == STAGES * stride(n));
-        let inverse_h = S::one() / self.h;
-        let (mut e5, mut e3, mut finite) = (S::zero(), S::zero(), S::zero());
-        for j in 0..n {
-            let (y0, y1) = (self.ends.y0[j], self.ends.y1[j]);
-            let inverse = self.ends.weight(j);
-            // SAFETY: asserted
-            let (x5, x3) = unsafe { (sum(&self.k, n, &t8::E5, j), (y1 - y0) * inverse_h - sum(&self.k, n, &t8::BHH, j)) };
-            e5 += (x5 * inverse).square();
-            e3 += (x3 * inverse).square();
-            finite += y1.scale(0.0);
+        let (n, p, h) = (self.ends.n, self.ends.positions, self.h);
+        let others = n - p;
+        assert!(self.k.len() == STAGES * stride(others) && p <= others);
+        let mut sums = Sums { e5: S::zero(), e3: S::zero(), finite: S::zero() };
+        // SAFETY: asserted
+        unsafe {
+            for j in 0..p {
+                let ((v5, q5), (v3, q3)) = (both(&self.k, others, &pairs::E5, j), both(&self.k, others, &pairs::E3, j));
+                sums.add(v5, v3, self.ends.weight(p + j), self.ends.y1[p + j]);
+                sums.add(q5, q3, h * self.ends.weight(j), self.ends.y1[j]);
+            }
+            for j in p..others {
+                let (x5, x3) = (both(&self.k, others, &pairs::E5, j).0, both(&self.k, others, &pairs::E3, j).0);
+                sums.add(x5, x3, self.ends.weight(p + j), self.ends.y1[p + j]);
+            }
         }
+        let Sums { e5, e3, finite } = sums;
         let norm = self.h * e5 / ((e5 + e3.scale(0.01)).scale(n as f64)).sqrt();
         // 0/0 is no error; a NaN of the states stays
         let norm = S::select(e5.le(S::zero()), S::zero(), norm);
@@ -129,12 +168,12 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
         x.sqrt().sqrt().sqrt()
     }
 
-    fn new(n: usize, room: usize) -> Self {
+    fn new(n: usize, positions: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
         Dop853 {
-            ends: Ends::new(n, room),
+            ends: Ends::new(n, positions, room),
             w: zeros(n + room),
-            k: zeros(STAGES * stride(n)),
+            k: zeros(STAGES * stride(n - positions)),
             rows: zeros(ROWS * n),
             t0: S::zero(),
             t1: S::one(),
@@ -158,11 +197,11 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
     /// Derivative at the start of the `fresh` lanes, and the length of a first step.
     #[inline(always)]
     fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
-        let n = self.ends.n;
+        let (n, p) = (self.ends.n, self.ends.positions);
         let (f, g) = self.rows.split_at_mut(n);
         let h = self.ends.first_step::<C, Self>(crew, (t0, t1), (&mut self.w, f, &mut g[..n]));
-        for j in 0..n {
-            self.k[j] = super::lanes_of(fresh, f[j], self.k[j]);
+        for j in 0..n - p {
+            self.k[j] = super::lanes_of(fresh, f[p + j], self.k[j]);
         }
         h
     }
@@ -180,19 +219,24 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
     /// The interpolant of order 7 over the step.
     #[inline(always)]
     fn dense<C: Crew<S>>(&mut self, crew: &mut C) {
-        let (n, h) = (self.ends.n, self.h);
         self.stages(crew, 13, 15);
+        let (n, p, h) = (self.ends.n, self.ends.positions, self.h);
+        let end = 12 * stride(n - p);
         for j in 0..n {
-            let (f0, f1, d) = (h * self.k[j], h * self.k[12 * stride(n) + j], self.ends.y1[j] - self.ends.y0[j]);
+            let (y0, y1) = (&self.ends.y0, &self.ends.y1);
+            let (f0, f1) = if j < p { (y0[p + j], y1[p + j]) } else { (self.k[j - p], self.k[end + j - p]) };
+            let (f0, f1, d) = (h * f0, h * f1, y1[j] - y0[j]);
             self.rows[j] = d;
             self.rows[n + j] = f0 - d;
             self.rows[2 * n + j] = d - f1 - (f0 - d);
         }
         self.w.fill(S::zero());
-        combine(&mut self.rows[3 * n..4 * n], &self.w[..n], h, &self.k, &t8::D3);
-        combine(&mut self.rows[4 * n..5 * n], &self.w[..n], h, &self.k, &t8::D4);
-        combine(&mut self.rows[5 * n..6 * n], &self.w[..n], h, &self.k, &t8::D5);
-        combine(&mut self.rows[6 * n..7 * n], &self.w[..n], h, &self.k, &t8::D6);
+        // these rows sum to zero
+        let from = Stage { y: &self.w[..n], h, k: &self.k, positions: p, c: 0.0 };
+        from.state(&mut self.rows[3 * n..4 * n], &pairs::D3);
+        from.state(&mut self.rows[4 * n..5 * n], &pairs::D4);
+        from.state(&mut self.rows[5 * n..6 * n], &pairs::D5);
+        from.state(&mut self.rows[6 * n..7 * n], &pairs::D6);
     }
 
     /// The lane's interpolant and its ends, to be read at several times: y0, y1, rows.
@@ -229,14 +273,18 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
     #[inline(always)]
     fn advance(&mut self, accepted: Bits) {
         let n = self.ends.n;
+        let others = n - self.ends.positions;
+        let end = 12 * stride(others);
         if accepted == Bits::MAX {
             std::mem::swap(&mut self.ends.y0, &mut self.ends.y1);
-            self.k.copy_within(12 * stride(n)..12 * stride(n) + n, 0);
+            self.k.copy_within(end..end + others, 0);
             return;
         }
         for j in 0..n {
             self.ends.y0[j] = super::lanes_of(accepted, self.ends.y1[j], self.ends.y0[j]);
-            self.k[j] = super::lanes_of(accepted, self.k[12 * stride(n) + j], self.k[j]);
+        }
+        for j in 0..others {
+            self.k[j] = super::lanes_of(accepted, self.k[end + j], self.k[j]);
         }
     }
 }

@@ -16,8 +16,8 @@ pub(super) struct Attempt<S> {
 pub(super) trait Method<S: LaneScalar>: Sized {
     /// The root of the method's order.
     fn root(x: S) -> S;
-    /// For `n` states with the crew's room behind them.
-    fn new(n: usize, room: usize) -> Self;
+    /// For `n` states, of which the first are so many positions, with the crew's room behind them.
+    fn new(n: usize, positions: usize, room: usize) -> Self;
     fn ends(&self) -> &Ends<S>;
     fn ends_mut(&mut self) -> &mut Ends<S>;
     /// Makes all storage of a lane harmless.
@@ -41,6 +41,8 @@ pub(super) trait Method<S: LaneScalar>: Sized {
 /// Both ends of a step, and the tolerances.
 pub(super) struct Ends<S> {
     pub n: usize,
+    /// The first states, whose rates are the states behind them.
+    pub positions: usize,
     pub relative: Vec<S>,
     pub absolute: Vec<S>,
     /// States at both ends of the step, each with the crew's room behind it.
@@ -49,9 +51,9 @@ pub(super) struct Ends<S> {
 }
 
 impl<S: LaneScalar> Ends<S> {
-    pub fn new(n: usize, room: usize) -> Self {
+    pub fn new(n: usize, positions: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
-        Ends { n, relative: zeros(n), absolute: vec![S::one(); n], y0: zeros(n + room), y1: zeros(n + room) }
+        Ends { n, positions, relative: zeros(n), absolute: vec![S::one(); n], y0: zeros(n + room), y1: zeros(n + room) }
     }
 
     /// Puts a member into a lane.
@@ -91,7 +93,7 @@ impl<S: LaneScalar> Ends<S> {
             // a single place where the right side is inlined
             let state = if round == 0 { &mut self.y0[..] } else { &mut *w };
             crew.time(t0 + h0);
-            crew.rhs(t0 + h0, state, &mut *g);
+            rates(crew, t0 + h0, self.positions, state, &mut *g);
             if round == 1 {
                 break;
             }
@@ -143,6 +145,16 @@ impl<S: LaneScalar> Ends<S> {
     pub fn weight(&self, j: usize) -> S {
         let (a, b) = (self.y0[j].abs(), self.y1[j].abs());
         S::one() / (self.absolute[j] + self.relative[j] * S::select(a.lt(b), b, a))
+    }
+}
+
+/// The rates of all states.
+#[inline(always)]
+pub(super) fn rates<S: LaneScalar, C: Crew<S>>(crew: &mut C, t: S, positions: usize, y: &mut [S], dy: &mut [S]) {
+    let (of_positions, others) = dy.split_at_mut(positions);
+    crew.rhs(t, y, others);
+    for j in 0..positions {
+        of_positions[j] = y[positions + j];
     }
 }
 

@@ -103,6 +103,10 @@ pub struct Ended {
 pub trait Crew<S: LaneScalar> {
     /// Number of states.
     fn dim(&self) -> usize;
+    /// Number p of positions: the first p states, whose rates are the p states behind them.
+    fn positions(&self) -> usize {
+        0
+    }
     /// Number of scratch entries wanted behind the states.
     fn room(&self) -> usize {
         0
@@ -110,8 +114,8 @@ pub trait Crew<S: LaneScalar> {
     /// What of the right side depends on time alone, as sines of phases: called before [`Crew::rhs`] with its time, ahead of the arithmetic that
     /// gives its states, so that a processor does both side by side. Inlined like `rhs`.
     fn time(&mut self, t: S);
-    /// The right side in all lanes, each at its own time; `y` are the states and [`Crew::room`] entries for any use. Must be
-    /// `#[inline(always)]`, as must what it calls. A lane without a member, or one whose member is failing, may hold any values.
+    /// The right side in all lanes, each at its own time, but for the positions: `dy` holds the rates of the states behind them. `y` are the
+    /// states and [`Crew::room`] entries for any use. Must be `#[inline(always)]`, as must what it calls. A lane without a member, or one whose member is failing, may hold any values.
     fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]);
     /// Puts the next member into `lane`, its parameters into the equations. `None` when there is no more.
     fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg>;
@@ -180,7 +184,7 @@ pub fn run_stiff<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
 #[inline(always)]
 fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
     let n = crew.dim();
-    let mut method = M::new(n, crew.room());
+    let mut method = M::new(n, crew.positions(), crew.room());
     let mut inside = Inside::new(n, crew.events());
     let zero = S::zero();
     let mut r = Roster {

@@ -12,7 +12,7 @@
 //! package, BIT Numer. Math. 63 (2023) 27.
 
 use super::Crew;
-use super::method::{Attempt, Ends, Method, bounded};
+use super::method::{Attempt, Ends, Method, bounded, rates};
 use crate::lanes::{Bits, LaneBits, LaneScalar};
 
 const STAGES: usize = 8;
@@ -308,10 +308,10 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
         x.pow_pos(0.2)
     }
 
-    fn new(n: usize, room: usize) -> Self {
+    fn new(n: usize, positions: usize, room: usize) -> Self {
         let zeros = |len: usize| vec![S::zero(); len];
         Rodas {
-            ends: Ends::new(n, room),
+            ends: Ends::new(n, positions, room),
             w: zeros(n + room),
             f: zeros(n),
             f0: zeros(n),
@@ -357,7 +357,7 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
             if !matches!(call, Call::State(_)) {
                 crew.time(t);
             }
-            crew.rhs(t, &mut self.w, &mut self.f);
+            rates(crew, t, self.ends.positions, &mut self.w, &mut self.f);
             self.take(&call);
         }
         for j in 0..n {
@@ -453,7 +453,7 @@ mod tests {
         fn run<S: LaneScalar>(self) -> [f64; 3] {
             let (t0, h) = (0.3, self.0);
             let exact = |t: f64| 1.0 / (1.0 + t * t);
-            let mut r = Rodas::<S>::new(1, 0);
+            let mut r = Rodas::<S>::new(1, 0, 0);
             r.ends_mut().seat(0, &[exact(t0)], &[1e-9], &[1e-9]);
             let attempt = r.attempt(&mut Bell, S::cst(t0), S::cst(t0 + h), S::cst(h));
             assert!(attempt.finite.get(0));
@@ -487,7 +487,7 @@ mod tests {
         #[inline(always)]
         fn run<S: LaneScalar>(self) {
             let n = 7;
-            let mut r = Rodas::<S>::new(n, 0);
+            let mut r = Rodas::<S>::new(n, 0, 0);
             let entry = |i: usize, j: usize, lane: usize| {
                 let x = ((i * 31 + j * 17 + lane * 13 + i * j * lane) % 23) as f64 - 11.0;
                 // odd lanes have zeros on the diagonal

@@ -7,6 +7,8 @@ use crate::ode::{Control, Dop853 as Scalar853, End, integrate, ode};
 /// Forced oscillators x'' = -w^2 x - d x' + cos(v t), v, w, d by member.
 struct Oscillators<'a, S> {
     parameters: [S; 3],
+    /// x is known as a position.
+    positions: usize,
     queue: std::slice::Iter<'a, Member>,
     riding: [Option<Member>; LANES],
     results: &'a mut Vec<(usize, Ended, Vec<f64>)>,
@@ -31,12 +33,17 @@ impl<S: LaneScalar> Crew<S> for Oscillators<'_, S> {
     fn dim(&self) -> usize {
         2
     }
+    fn positions(&self) -> usize {
+        self.positions
+    }
     fn time(&mut self, _: S) {}
     #[inline(always)]
     fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
         let [w, d, v] = self.parameters;
-        dy[0] = y[1];
-        dy[1] = (v * t).sin_cos().1 - w * w * y[0] - d * y[1];
+        if self.positions == 0 {
+            dy[0] = y[1];
+        }
+        dy[1 - self.positions] = (v * t).sin_cos().1 - w * w * y[0] - d * y[1];
     }
     fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg> {
         let m = *self.queue.next()?;
@@ -77,7 +84,17 @@ impl Kernel for Go<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, |crew: &mut Oscillators<S>| run(crew))
+        found(self.0, 1, |crew: &mut Oscillators<S>| run(crew))
+    }
+}
+
+/// Without saying that x is a position.
+struct GoPlain<'a>(&'a [Member]);
+impl Kernel for GoPlain<'_> {
+    type Out = Found;
+    #[inline(always)]
+    fn run<S: LaneScalar>(self) -> Found {
+        found(self.0, 0, |crew: &mut Oscillators<S>| run(crew))
     }
 }
 
@@ -86,15 +103,16 @@ impl Kernel for GoStiff<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, |crew: &mut Oscillators<S>| run_stiff(crew))
+        found(self.0, 1, |crew: &mut Oscillators<S>| run_stiff(crew))
     }
 }
 
 #[inline(always)]
-fn found<S: LaneScalar>(list: &[Member], go: impl FnOnce(&mut Oscillators<S>) -> bool) -> Found {
+fn found<S: LaneScalar>(list: &[Member], positions: usize, go: impl FnOnce(&mut Oscillators<S>) -> bool) -> Found {
     let mut found = Found::default();
     let mut crew = Oscillators {
         parameters: [S::one(); 3],
+        positions,
         queue: list.iter(),
         riding: [None; LANES],
         results: &mut found.results,
@@ -144,6 +162,23 @@ fn many_members_follow_their_closed_forms() {
         for &(id, i, t, x) in &found.outputs {
             assert!(t == 0.25 * i as f64 && (x - exact(&list[id], t)).abs() < 1e-8, "{id} {t} {x}");
         }
+    }
+}
+
+/// The method is the same one whether positions are known as such: steps, ends, outputs and crossings.
+#[test]
+fn positions_change_nothing_but_the_work() {
+    let mut list = members(40);
+    list.iter_mut().filter(|m| m.id % 4 == 3).for_each(|m| m.level = Some(0.2));
+    let (known, plain) = (dispatch(Level::best(), Go(&list)), dispatch(Level::best(), GoPlain(&list)));
+    for (a, b) in known.results.iter().zip(&plain.results) {
+        assert_eq!((a.0, a.1.end, a.1.steps, a.1.rejected), (b.0, b.1.end, b.1.steps, b.1.rejected));
+        assert!((a.1.t - b.1.t).abs() < 1e-12, "{a:?} {b:?}");
+        assert!(a.2.iter().zip(&b.2).all(|(a, b)| (a - b).abs() < 1e-11), "{a:?} {b:?}");
+    }
+    assert_eq!(known.outputs.len(), plain.outputs.len());
+    for (a, b) in known.outputs.iter().zip(&plain.outputs) {
+        assert!((a.0, a.1, a.2) == (b.0, b.1, b.2) && (a.3 - b.3).abs() < 1e-12, "{a:?} {b:?}");
     }
 }
 
@@ -239,6 +274,9 @@ fn a_leg_can_be_limited_and_continued() {
         fn dim(&self) -> usize {
             2
         }
+        fn positions(&self) -> usize {
+            self.0.positions()
+        }
         fn time(&mut self, _: S) {}
         #[inline(always)]
         fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
@@ -265,6 +303,7 @@ fn a_leg_can_be_limited_and_continued() {
             let list = [self.0];
             let inner = Oscillators {
                 parameters: [S::one(); 3],
+                positions: 1,
                 queue: list.iter(),
                 riding: [None; LANES],
                 results: &mut results,

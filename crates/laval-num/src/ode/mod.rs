@@ -20,6 +20,7 @@ mod control;
 mod dop853;
 mod driver;
 pub(crate) mod event;
+pub mod nystrom;
 mod radau;
 mod step;
 mod system;

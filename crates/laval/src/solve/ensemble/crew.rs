@@ -146,6 +146,10 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
         self.dim
     }
 
+    fn positions(&self) -> usize {
+        self.zero.len()
+    }
+
     fn room(&self) -> usize {
         match &self.equations {
             Equations::Constant(c) => c.room(self.dim),

@@ -311,7 +311,7 @@ impl<'a, S: LaneScalar> General<'a, S> {
         }
     }
 
-    /// The right side; a long function, compiled once.
+    /// The rates of all but the coordinates; a long function, compiled once.
     #[inline(always)]
     pub fn rhs(&mut self, t: S, y: &[S], dy: &mut [S]) {
         S::apart(RightSide { general: self, t, y, dy });
@@ -339,18 +339,17 @@ impl<'a, S: LaneScalar> General<'a, S> {
             }
             round += 1;
         }
-        dy[..n].copy_from_slice(&y[n..2 * n]);
-        dy[n..2 * n].copy_from_slice(&self.accel[..n]);
+        dy[..n].copy_from_slice(&self.accel[..n]);
         for i in 0..m {
             let mut rate = self.rate[i];
             for j in 0..rows {
                 rate -= self.rate_a[i * rows + j] * self.force[j];
             }
-            dy[2 * n + i] = rate;
+            dy[n + i] = rate;
         }
         if self.free {
-            dy[2 * n + m] = at.speed;
-            dy[2 * n + m + 1] = self.accel[n];
+            dy[n + m] = at.speed;
+            dy[n + m + 1] = self.accel[n];
         }
     }
 }

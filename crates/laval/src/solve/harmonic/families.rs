@@ -40,7 +40,7 @@ struct Search<'a, 'r> {
     /// Of the machine; where the user imposed one on the motion, that one is kept.
     symmetry: Symmetry,
     settings: Settings,
-    /// Points that may still be computed.
+    /// Points that may still be computed; every start tried counts as one.
     left: usize,
     balances: Vec<Balance<'a>>,
     response: &'r mut Response,
@@ -178,6 +178,7 @@ impl<'a> Search<'a, '_> {
             self.response.more_families |= self.exhausted();
             return Ok(false);
         }
+        self.left -= 1;
         let at = self.balance(d)?;
         let mut x = start.to_vec();
         let options = Options { to_rounding: true, max_iterations: 40, ..Options::default() };

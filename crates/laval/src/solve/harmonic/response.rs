@@ -45,7 +45,7 @@ pub struct Request {
     pub stability: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
-    /// Points in all after which no further states are looked for.
+    /// Points, and starts tried, after which no further states are looked for.
     pub work: u64,
     /// Which states are looked for.
     pub states: States,

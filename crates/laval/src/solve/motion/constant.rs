@@ -33,7 +33,7 @@ struct Law<'a, S> {
 /// last.
 pub(in crate::solve) struct Constant<'a, S> {
     n: usize,
-    /// Index in dy of each row: accelerations, then the states of linear parts.
+    /// Index of each row among the rates (accelerations, then states): accelerations, then the states of linear parts.
     target: Vec<usize>,
     rows: Sparse<S>,
     laws: Vec<Law<'a, S>>,
@@ -48,7 +48,7 @@ impl<'a, S: Entry> Constant<'a, S> {
     pub fn new(base: &'a System) -> Self {
         let (n, m) = (base.n(), base.m());
         let states = base.linear_states(crate::model::linear::Form::Time);
-        let target: Vec<usize> = (n..2 * n).chain(states.iter().map(|z| 2 * n + z)).collect();
+        let target: Vec<usize> = (0..n).chain(states.iter().map(|z| n + z)).collect();
         let zeros = |len: usize| vec![S::zero(); len];
         let mut laws = Vec::new();
         let mut first = 2 * n + m + 3;
@@ -130,18 +130,10 @@ impl<'a, S: Entry> Constant<'a, S> {
         self.sine = self.now.sin_cos();
     }
 
+    /// Accelerations and rates of the states.
     #[inline(always)]
-    pub fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
-        let (n, dim, phase) = (self.n, dy.len(), self.now);
-        // in steps of two: a plain copy becomes a call
-        let mut j = 0;
-        while j + 1 < n {
-            (dy[j], dy[j + 1]) = (y[n + j], y[n + j + 1]);
-            j += 2;
-        }
-        if j < n {
-            dy[j] = y[n + j];
-        }
+    pub fn rhs(&mut self, t: S, y: &mut [S], rates: &mut [S]) {
+        let (n, dim, phase) = (self.n, self.n + rates.len(), self.now);
         (y[dim], y[dim + 1], y[dim + 2]) = (S::one(), self.sine.1, self.sine.0);
         for law in &mut self.laws {
             let read = law.map.rows();
@@ -152,7 +144,7 @@ impl<'a, S: Entry> Constant<'a, S> {
             for f in force.iter_mut() {
                 *f = S::zero();
             }
-            let rate = &mut dy[law.states.clone()];
+            let rate = &mut rates[law.states.start - n..law.states.end - n];
             for r in rate.iter_mut() {
                 *r = S::zero();
             }
@@ -165,6 +157,6 @@ impl<'a, S: Entry> Constant<'a, S> {
             };
             S::enter::<Residual, _>(law.part, &mut args);
         }
-        self.rows.times(y, &self.target, dy);
+        self.rows.times(y, &self.target, rates);
     }
 }

@@ -57,7 +57,7 @@ pub struct Motion<'a> {
 
 /// The compiled forms.
 enum Steady<'a> {
-    /// Without memory: the equations, the state with their room behind it, and its rates.
+    /// Without memory: the equations, the state with their room behind it, and the rates of all but the coordinates.
     Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>),
     Dense(Box<Compiled>),
 }
@@ -71,7 +71,7 @@ impl<'a> Steady<'a> {
         equations.load(0, system, speed, phase)?;
         let dim = 2 * system.n() + system.m();
         let room = equations.room(dim);
-        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim]))
+        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()]))
     }
 
     /// Fills `accel` and `rate` of `out`.
@@ -81,11 +81,12 @@ impl<'a> Steady<'a> {
             Steady::Sparse(equations, state, rates) => {
                 let n = system.n();
                 // the account of energy may stand behind the states
-                state[..rates.len()].copy_from_slice(&y[..rates.len()]);
+                let dim = n + rates.len();
+                state[..dim].copy_from_slice(&y[..dim]);
                 equations.time(t);
                 equations.rhs(t, state, rates);
-                out.accel[..n].copy_from_slice(&rates[n..2 * n]);
-                out.rate.copy_from_slice(&rates[2 * n..]);
+                out.accel[..n].copy_from_slice(&rates[..n]);
+                out.rate.copy_from_slice(&rates[n..]);
             }
         }
     }
@@ -378,9 +379,11 @@ impl Ode for Motion<'_> {
 
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
         if let (Some(Steady::Sparse(equations, state, _)), false) = (&mut self.steady, self.account) {
+            let (positions, rates) = dy.split_at_mut(self.system.n());
+            positions.copy_from_slice(&y[positions.len()..2 * positions.len()]);
             state[..y.len()].copy_from_slice(y);
             equations.time(t);
-            equations.rhs(t, state, dy);
+            equations.rhs(t, state, rates);
             return Ok(());
         }
         let (n, m) = (self.system.n(), self.system.m());
