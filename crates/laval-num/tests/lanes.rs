@@ -51,9 +51,12 @@ impl Random {
 
 /// Every operation of the trait, in a list.
 #[inline(always)]
-fn everything<S: Scalar>(x: S, y: S) -> [S; 25] {
+fn everything<S: Scalar>(x: S, y: S) -> [S; 27] {
     let (s, c) = x.sin_cos();
+    let (sq, cq) = x.sin_cos_quarters();
     [
+        sq,
+        cq,
         x + y,
         x - y,
         x * y,

@@ -7,6 +7,8 @@ use laval_num::scalar::Scalar;
 enum F {
     Sin,
     Cos,
+    SinQuarters,
+    CosQuarters,
     Exp,
     Ln,
     Pow,
@@ -24,6 +26,8 @@ fn errors_stay_within_the_documented_units_in_the_last_place() {
         let (got, bound) = match f {
             Sin => (Scalar::sin(x), 0.85),
             Cos => (Scalar::cos(x), 0.85),
+            SinQuarters => (x.sin_cos_quarters().0, 1.8),
+            CosQuarters => (x.sin_cos_quarters().1, 1.8),
             Exp => (Scalar::exp(x), 1.0),
             Ln => (Scalar::ln(x), 1.0),
             Pow => (x.pow_pos(p), 1.0),
@@ -41,6 +45,10 @@ fn ends_of_the_ranges() {
     assert_eq!([Scalar::ln(inf), Scalar::ln(0.0), Scalar::ln(1.0)], [inf, -inf, 0.0]);
     assert!(Scalar::ln(-1.0).is_nan() && Scalar::sin(inf).is_nan() && Scalar::cos(-inf).is_nan());
     assert_eq!(Scalar::sin(-0.0).to_bits(), (-0.0f64).to_bits());
+    for x in [inf, -inf, f64::NAN, 1e16, -3e15] {
+        let (s, c) = x.sin_cos_quarters();
+        assert!(s.is_nan() && c.is_nan(), "{x}");
+    }
     for p in [0.3, 1.0, 1.5, 2.7, inf] {
         assert_eq!((inf.pow_pos(p), 0.0.pow_pos(p), (-inf).pow_pos(p)), (inf, 0.0, 0.0));
     }
@@ -63,6 +71,20 @@ fn ends_of_the_ranges() {
 #[rustfmt::skip]
 #[allow(clippy::excessive_precision, clippy::approx_constant)]
 const TABLE: &[(F, f64, f64, f64, f64)] = &[
+    (SinQuarters, -849505.8395539736, 0.0, -0.24936843148682325, 6.962952536194852e-18),
+    (SinQuarters, 4.159668566292661, 0.0, 0.24818559470799711, -7.965416301631852e-18),
+    (SinQuarters, 2.3226998593590835, 0.0, -0.4854656852386744, 1.803017676625252e-17),
+    (SinQuarters, 41195.669644525275, 0.0, -0.49594361623759153, 1.9048539347667798e-17),
+    (SinQuarters, -4.326254698491587, 0.0, -0.4903398726458047, 2.1670671370564085e-17),
+    (CosQuarters, -6.839759427412261, 0.0, -0.2490558878105606, 9.269030270725664e-18),
+    (CosQuarters, 761067.3317033965, 0.0, 0.49778107986597125, -1.952225023704015e-17),
+    (CosQuarters, -5.328367785892453, 0.0, -0.4932299790071245, 2.181780705519795e-17),
+    (CosQuarters, 4.680703436543089, 0.0, 0.4807851002866904, -2.2442129665295103e-17),
+    (CosQuarters, -4.67659083552134, 0.0, 0.4864394566000377, -2.290822498233252e-17),
+    (SinQuarters, 2.0, 0.0, 0.0, 0.0),
+    (CosQuarters, 1e15, 0.0, 1.0, 0.0),
+    (SinQuarters, 0.5, 0.0, 0.7071067811865476, -4.833646656726457e-17),
+    (CosQuarters, -3.0, 0.0, 0.0, 0.0),
     (Sin, 0.8276907855269479, 0.0, 0.7363709721242215, 2.884213759197756e-17),
     (Sin, 0.8281510872959092, 0.0, 0.736682324153617, 2.994477379788106e-17),
     (Sin, -225527.8614477403, 0.0, 0.7117371785504149, 3.158170221694274e-17),

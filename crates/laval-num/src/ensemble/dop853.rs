@@ -111,7 +111,10 @@ impl<S: LaneScalar> Dop853<S> {
         for i in from..=to {
             let state = if i == 12 { &mut self.ends.y1 } else { &mut self.w };
             let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(C[i]) };
-            crew.time(t);
+            // the end of the step has the time of the stage before it
+            if i != 12 {
+                crew.time(t);
+            }
             let from = Stage { y: &self.ends.y0[..n], h, k: &self.k, positions, c: C[i] };
             let w = &mut state[..n];
             match i {

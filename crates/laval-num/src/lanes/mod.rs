@@ -244,6 +244,14 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
         (s, c)
     }
     #[inline(always)]
+    fn sin_cos_quarters(self) -> (Self, Self) {
+        let (mut s, mut c) = (self, self);
+        for i in 0..K {
+            (s.0[i], c.0[i]) = math::sin_cos_quarters(self.0[i]);
+        }
+        (s, c)
+    }
+    #[inline(always)]
     fn sqrt(self) -> Self {
         each!(self, x, i, x.sqrt())
     }

@@ -9,6 +9,7 @@ use crate::model::system::System;
 use laval_num::dense::Mat;
 use laval_num::lanes::{Entry, Sparse};
 use laval_num::ode::Failure;
+use std::f64::consts::FRAC_2_PI;
 use std::ops::Range;
 
 /// A nonlinear part in its place.
@@ -42,6 +43,35 @@ pub(in crate::solve) struct Constant<'a, S> {
     phase: S,
     now: S,
     sine: (S, S),
+    /// Phase at time 0 and speed in quarter turns.
+    quarters: (S, S),
+}
+
+/// Copies a few numbers, in steps of two: a plain copy would become a call.
+#[inline(always)]
+fn copy<S: Copy>(from: &[S], to: &mut [S]) {
+    let n = from.len().min(to.len());
+    let mut j = 0;
+    while j + 1 < n {
+        (to[j], to[j + 1]) = (from[j], from[j + 1]);
+        j += 2;
+    }
+    if j < n {
+        to[j] = from[j];
+    }
+}
+
+/// Clears a few numbers, likewise.
+#[inline(always)]
+fn clear<S: Entry>(x: &mut [S]) {
+    let mut j = 0;
+    while j + 1 < x.len() {
+        (x[j], x[j + 1]) = (S::zero(), S::zero());
+        j += 2;
+    }
+    if j < x.len() {
+        x[j] = S::zero();
+    }
 }
 
 impl<'a, S: Entry> Constant<'a, S> {
@@ -68,7 +98,17 @@ impl<'a, S: Entry> Constant<'a, S> {
             first += local;
         }
         let zero = S::zero();
-        Constant { n, rows: Sparse::new(target.len(), first), target, laws, speed: zero, phase: zero, now: zero, sine: (zero, zero) }
+        Constant {
+            n,
+            rows: Sparse::new(target.len(), first),
+            target,
+            laws,
+            speed: zero,
+            phase: zero,
+            now: zero,
+            sine: (zero, zero),
+            quarters: (zero, zero),
+        }
     }
 
     /// Number of terms behind the states.
@@ -121,13 +161,25 @@ impl<'a, S: Entry> Constant<'a, S> {
         self.rows.set(lane, &full);
         self.speed = self.speed.with(lane, speed);
         self.phase = self.phase.with(lane, phase);
+        self.quarters.0 = self.quarters.0.with(lane, phase * FRAC_2_PI);
+        self.quarters.1 = self.quarters.1.with(lane, speed * FRAC_2_PI);
         Ok(())
     }
 
     #[inline(always)]
     pub fn time(&mut self, t: S) {
         self.now = self.phase + self.speed * t;
-        self.sine = self.now.sin_cos();
+        self.sine = (self.quarters.0 + self.quarters.1 * t).sin_cos_quarters();
+    }
+
+    /// The same from the states alone, which go to `y` first; rates of the coordinates included.
+    #[inline(always)]
+    pub fn all_rates(&mut self, t: S, states: &[S], y: &mut [S], dy: &mut [S]) {
+        let (positions, rates) = dy.split_at_mut(self.n);
+        copy(&states[self.n..], positions);
+        copy(states, y);
+        self.time(t);
+        self.rhs(t, y, rates);
     }
 
     /// Accelerations and rates of the states.
@@ -141,13 +193,9 @@ impl<'a, S: Entry> Constant<'a, S> {
             let local = law.weight.len();
             let (y, terms) = y.split_at_mut(law.first);
             let force = &mut terms[..local];
-            for f in force.iter_mut() {
-                *f = S::zero();
-            }
+            clear(force);
             let rate = &mut rates[law.states.start - n..law.states.end - n];
-            for r in rate.iter_mut() {
-                *r = S::zero();
-            }
+            clear(rate);
             let mut spin = S::zero();
             let (q, v) = law.local.split_at(local);
             let mut args = ResidualArgs {

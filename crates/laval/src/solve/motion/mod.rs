@@ -379,11 +379,7 @@ impl Ode for Motion<'_> {
 
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
         if let (Some(Steady::Sparse(equations, state, _)), false) = (&mut self.steady, self.account) {
-            let (positions, rates) = dy.split_at_mut(self.system.n());
-            positions.copy_from_slice(&y[positions.len()..2 * positions.len()]);
-            state[..y.len()].copy_from_slice(y);
-            equations.time(t);
-            equations.rhs(t, state, rates);
+            equations.all_rates(t, y, state, dy);
             return Ok(());
         }
         let (n, m) = (self.system.n(), self.system.m());
