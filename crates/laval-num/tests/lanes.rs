@@ -92,7 +92,7 @@ fn same(a: f64, b: f64) -> bool {
 
 struct Values<'a>(&'a [f64; LANES], &'a [f64; LANES]);
 impl Kernel for Values<'_> {
-    type Out = [[f64; LANES]; 25];
+    type Out = [[f64; LANES]; 27];
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Self::Out {
         everything(S::load(self.0), S::load(self.1)).map(|v| v.to_array())
@@ -119,7 +119,7 @@ fn lanes_equal_scalar_at_every_level() {
 
 struct Derivatives<'a>(&'a [f64; LANES], &'a [f64; LANES]);
 impl Kernel for Derivatives<'_> {
-    type Out = [[[f64; LANES]; 3]; 25];
+    type Out = [[[f64; LANES]; 3]; 27];
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Self::Out {
         let (x, y) = (Dual::<S, 2>::seed(S::load(self.0), 0), Dual::seed(S::load(self.1), 1));
