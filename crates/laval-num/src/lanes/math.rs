@@ -106,7 +106,7 @@ pub fn sin_cos_quarters<R: Reg>(x: R) -> (R, R) {
     let z = y * y;
     let w = z * z;
     let p = c(S1) + z * (c(S2) + z * c(S3)) + z * w * (c(S4) + z * (c(S5) + z * c(S6)));
-    let s = y + z * y * (c(S1) + z * p);
+    let s = y + z * y * p;
     let p = c(C1) + z * (c(C2) + z * c(C3)) + z * w * (c(C4) + z * (c(C5) + z * c(C6)));
     let co = c(1.0) - (c(0.5) * z - w * p);
     in_quadrant(n, s, co)
