@@ -75,18 +75,18 @@ fn seen(balance: &mut Balance, x: &[f64], speed: f64, theta: f64) -> Result<[f64
 }
 
 impl CrossingLocus<'_> {
-    /// Number of harmonics.
-    pub fn harmonics(&self) -> usize {
+    /// Number of unknowns of the motion alone.
+    pub fn size(&self) -> usize {
         self.varied.terms().unknowns
     }
     /// Angle of the multiplier at these unknowns, rad.
     pub fn theta(&self, y: &[f64]) -> f64 {
-        self.real.unwrap_or_else(|| y[self.harmonics() + 1])
+        self.real.unwrap_or_else(|| y[self.size() + 1])
     }
 
     /// Derivatives of growth and angle along a direction in scaled (x, speed, parameter).
     fn along(&mut self, at: &[f64], theta: f64, own: [f64; 2], direction: &[f64]) -> Result<[f64; 2], Failure> {
-        let n = self.harmonics();
+        let n = self.size();
         let h = STEP * norm(at).max(1.0);
         let mut side = |h: f64| {
             let y: Vec<f64> = at.iter().zip(direction).map(|(y, t)| y + h * t).collect();
@@ -156,10 +156,10 @@ fn plane(rows: &Mat, r: &[f64]) -> Option<([Vec<f64>; 2], Vec<f64>)> {
 
 impl Zero for CrossingLocus<'_> {
     fn dim(&self) -> usize {
-        self.harmonics() + if self.real.is_some() { 1 } else { 2 }
+        self.size() + if self.real.is_some() { 1 } else { 2 }
     }
     fn scale(&self, out: &mut [f64]) {
-        let n = self.harmonics();
+        let n = self.size();
         out[..n].copy_from_slice(self.varied.scales());
         out[n] = self.varied.speed_scale();
         out[n + 1..].fill(1.0);
@@ -167,8 +167,8 @@ impl Zero for CrossingLocus<'_> {
     fn parameter_scale(&self) -> f64 {
         self.varied.value_scale()
     }
-    fn eval(&mut self, y: &[f64], q: f64, r: &mut [f64], jac: Option<&mut Mat>, mut dr_dq: Option<&mut [f64]>) -> Result<(), Failure> {
-        let n = self.harmonics();
+    fn eval(&mut self, y: &[f64], q: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dq: Option<&mut [f64]>) -> Result<(), Failure> {
+        let n = self.size();
         let (x, speed, theta) = (&y[..n], y[n], self.theta(y));
         if self.varied.beyond(speed) {
             return Err(Failure::Undefined("the locus leaves the range of speeds"));
@@ -218,7 +218,7 @@ impl Zero for CrossingLocus<'_> {
                 jac[(n + 1, n + 1)] = -1.0;
             }
         }
-        if let Some(out) = dr_dq.as_deref_mut() {
+        if let Some(out) = dr_dq {
             out[..n].copy_from_slice(&by_value);
             out[n] = gradient[0][n + 1];
             if pair {

@@ -24,8 +24,8 @@ pub struct FoldLocus<'a> {
 }
 
 impl<'a> FoldLocus<'a> {
-    /// Number of harmonics.
-    pub fn harmonics(&self) -> usize {
+    /// Number of unknowns of the motion alone.
+    pub fn size(&self) -> usize {
         self.varied.terms().unknowns
     }
 
@@ -74,10 +74,10 @@ pub(super) fn scaled(a: &mut Mat, scale: &[f64]) {
 
 impl Zero for FoldLocus<'_> {
     fn dim(&self) -> usize {
-        2 * self.harmonics() + 1
+        2 * self.size() + 1
     }
     fn scale(&self, out: &mut [f64]) {
-        let n = self.harmonics();
+        let n = self.size();
         out[..n].copy_from_slice(self.varied.scales());
         out[n..2 * n].fill(1.0);
         out[2 * n] = self.varied.speed_scale();
@@ -86,7 +86,7 @@ impl Zero for FoldLocus<'_> {
         self.varied.value_scale()
     }
     fn eval(&mut self, y: &[f64], q: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dq: Option<&mut [f64]>) -> Result<(), Failure> {
-        let n = self.harmonics();
+        let n = self.size();
         let (x, v, speed) = (&y[..n], &y[n..2 * n], y[2 * n]);
         if self.varied.beyond(speed) {
             return Err(Failure::Undefined("the locus leaves the range of speeds"));
@@ -98,7 +98,8 @@ impl Zero for FoldLocus<'_> {
         let wanted = jac.is_some();
         let (residual, a, by_speed, sides) = self.varied.at(q, |balance| {
             let (residual, a, by_speed) = linearised(balance, x, speed)?;
-            let sides = if wanted { Some([linearised(balance, &beside(1.0), speed)?, linearised(balance, &beside(-1.0), speed)?]) } else { None };
+            let sides =
+                if wanted { Some([linearised(balance, &beside(1.0), speed)?, linearised(balance, &beside(-1.0), speed)?]) } else { None };
             Ok((residual, a, by_speed, sides))
         })?;
         r[..n].copy_from_slice(&residual);

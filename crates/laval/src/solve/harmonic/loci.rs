@@ -149,6 +149,10 @@ pub struct Loci {
     pub exists: (f64, f64),
     /// Why it does not exist beyond, where that is within the range.
     pub refused: [Option<String>; 2],
+    /// Values of the parameter at which no response was found, and why.
+    pub failed: Vec<(f64, String)>,
+    /// Folds at corners of a law, which are not followed.
+    pub corners: usize,
     /// Bifurcations from which no locus could be followed.
     pub lost: usize,
     /// There are more loci than are followed.
@@ -174,8 +178,11 @@ struct Start {
     kind: LocusKind,
 }
 
+/// A range, and why the machine does not exist below and above it.
+type Existence = ((f64, f64), [Option<String>; 2]);
+
 /// Values at which the machine exists: the part of the range about those values at which it was assembled, its ends by halving.
-fn existence(system: &System, request: &Request) -> Result<((f64, f64), [Option<String>; 2]), Diagnostic> {
+fn existence(system: &System, request: &Request) -> Result<Existence, Diagnostic> {
     let path = request.parameter.as_str();
     let refusal = |x: f64| match system.with(&[(path, x)]) {
         Ok(_) => None,
@@ -215,10 +222,8 @@ fn existence(system: &System, request: &Request) -> Result<((f64, f64), [Option<
 pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick) -> Result<Loci, Diagnostic> {
     let (exists, refused) = existence(system, request)?;
     let path = request.parameter.as_str();
-    let mut values: Vec<f64> = request.values.iter().map(|v| v.clamp(exists.0, exists.1)).collect();
-    values.dedup();
     let mut machines = Vec::new();
-    for value in values {
+    for &value in &request.values {
         if let Ok(machine) = system.with(&[(path, value)]) {
             machines.push((value, machine));
         }
@@ -242,6 +247,8 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         samples: Vec::new(),
         exists,
         refused,
+        failed: Vec::new(),
+        corners: 0,
         lost: 0,
         more: false,
         others: 0,
@@ -263,6 +270,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         let found = match found {
             Ok(found) => found,
             Err(d) => {
+                out.failed.push((*value, d.message.clone()));
                 failed = Some(d);
                 continue;
             }
@@ -273,10 +281,8 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         d.samples = d.samples.max(found.discretisation.samples);
         collect(&found, request, k, *value, &mut out, &mut starts);
     }
-    if out.samples.is_empty() {
-        if let Some(d) = failed {
-            return Err(d);
-        }
+    if let (true, Some(d)) = (out.samples.is_empty(), failed) {
+        return Err(d);
     }
     let sampled = done;
     let mut search = Search { request, machines: &machines, cancel, tick, done };
@@ -304,18 +310,14 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
         out.unjudged.clone_from(&found.unjudged);
     }
     for branch in &found.branches {
-        let start = |speed: f64, x: &[f64], kind| Start {
-            machine,
-            value,
-            speed,
-            x: x.to_vec(),
-            discretisation: branch.discretisation,
-            kind,
-        };
+        let start =
+            |speed: f64, x: &[f64], kind| Start { machine, value, speed, x: x.to_vec(), discretisation: branch.discretisation, kind };
         // at a corner of a law the equations have no second derivative: the fold moves, but not by these equations
-        for f in branch.folds.iter().filter(|f| !f.corner) {
+        for f in &branch.folds {
             sample.folds += 1;
-            if request.folds {
+            if f.corner {
+                out.corners += 1;
+            } else if request.folds {
                 starts.push(start(f.speed, &f.x, LocusKind::Fold));
             }
         }
@@ -375,12 +377,13 @@ impl<'s> Search<'s> {
             let (speed, value) = (start.speed, start.value);
             let known = match start.kind {
                 LocusKind::Fold => folds.iter_mut().any(|(p, path)| {
-                    let at = 2 * p.harmonics();
-                    passes(p, path, value, speed, at)
+                    let at = 2 * p.size();
+                    passes(p, path, value, speed, at, 1e-6)
                 }),
                 LocusKind::Change(event) => changes.iter_mut().filter(|c| c.2 == event).any(|(p, path, _)| {
-                    let at = p.harmonics();
-                    passes(p, path, value, speed, at)
+                    let at = p.size();
+                    // a response places them where the growth rate equals its estimated error
+                    passes(p, path, value, speed, at, 1e-4)
                 }),
             };
             if known {
@@ -396,10 +399,12 @@ impl<'s> Search<'s> {
                     folds.push((p, path));
                     locus
                 }),
-                LocusKind::Change(event) => self.change(CrossingLocus { varied, real: None }, &x, start, &settings)?.map(|(p, path, locus)| {
-                    changes.push((p, path, event));
-                    locus
-                }),
+                LocusKind::Change(event) => {
+                    self.change(CrossingLocus { varied, real: None }, &x, start, &settings)?.map(|(p, path, locus)| {
+                        changes.push((p, path, event));
+                        locus
+                    })
+                }
             };
             match found {
                 Some(locus) => {
@@ -419,7 +424,14 @@ impl<'s> Search<'s> {
         carry(&from, to, &start.x)
     }
 
-    fn follow<P: Zero>(&mut self, problem: &mut P, y: &[f64], value: f64, speed: usize, settings: &Settings) -> Result<Option<Path>, Diagnostic> {
+    fn follow<P: Zero>(
+        &mut self,
+        problem: &mut P,
+        y: &[f64],
+        value: f64,
+        speed: usize,
+        settings: &Settings,
+    ) -> Result<Option<Path>, Diagnostic> {
         let invalid = |e| Diagnostic::error("loci.settings", format!("the locus cannot be followed: {e}"));
         let path = follow(problem, y, value, speed, self.request.speeds, settings).map_err(invalid)?;
         self.done += path.work;
@@ -436,7 +448,7 @@ impl<'s> Search<'s> {
         out: &Loci,
     ) -> Result<Option<(FoldLocus<'s>, Path, Locus)>, Diagnostic> {
         let Ok(y) = problem.unknowns(x, start.speed, start.value) else { return Ok(None) };
-        let n = problem.harmonics();
+        let n = problem.size();
         let Some(mut path) = self.follow(&mut problem, &y, start.value, 2 * n, settings)? else { return Ok(None) };
         path.points.iter_mut().for_each(|p| polish(&mut problem, p));
         let mut points = Vec::with_capacity(path.points.len());
@@ -454,14 +466,8 @@ impl<'s> Search<'s> {
             let harmonics_change = self.finer(turn, &problem, start, out)?;
             corners.push(Corner { speed: turn.y[2 * n], x: turn.y[..n].to_vec(), turn: turn.clone(), harmonics_change });
         }
-        let locus = Locus {
-            kind: start.kind,
-            points,
-            corners,
-            ends: path.ends.clone(),
-            judged_again: (0.0, 0),
-            start: (start.speed, start.value),
-        };
+        let locus =
+            Locus { kind: start.kind, points, corners, ends: path.ends.clone(), judged_again: (0.0, 0), start: (start.speed, start.value) };
         Ok(Some((problem, path, locus)))
     }
 
@@ -475,7 +481,7 @@ impl<'s> Search<'s> {
         let system = &self.machines[start.machine].1;
         let balance = Balance::new(system, more, self.request.speeds, Some(self.cancel))?;
         let mut finer = FoldLocus { varied: Varied::new(system, balance, &self.request.parameter, out.exists, self.request.speeds) };
-        let (n, from) = (coarse.harmonics(), coarse.varied.scales().to_vec());
+        let (n, from) = (coarse.size(), coarse.varied.scales().to_vec());
         let to = finer.varied.scales().to_vec();
         let terms = [coarse.varied.terms(), finer.varied.terms()];
         let lift = |y: &[f64]| -> Vec<f64> {
@@ -497,7 +503,7 @@ impl<'s> Search<'s> {
         start: &Start,
         settings: &Settings,
     ) -> Result<Option<(CrossingLocus<'s>, Path, Locus)>, Diagnostic> {
-        let n = problem.harmonics();
+        let n = problem.size();
         problem.real = match start.kind {
             LocusKind::Change(Event::NeimarkSacker) => None,
             _ => Some(PI),
@@ -505,7 +511,9 @@ impl<'s> Search<'s> {
         // the angle as the maps of the locus see it
         let seen = problem.varied.at(start.value, |b| exponents(b, x, start.speed));
         let Ok(seen) = seen else { return Ok(None) };
-        let crossing = |z: &&C64| (z.im != 0.0 && problem.real.is_none()) || problem.real.is_some_and(|r| (angle(**z, &seen, start.speed) - r).abs() < 1e-3);
+        let crossing = |z: &&C64| {
+            (z.im != 0.0 && problem.real.is_none()) || problem.real.is_some_and(|r| (angle(**z, &seen, start.speed) - r).abs() < 1e-3)
+        };
         let Some(own) = seen.values.iter().filter(crossing).min_by(|a, b| a.re.abs().total_cmp(&b.re.abs())) else { return Ok(None) };
         let mut y: Vec<f64> = x.iter().copied().chain([start.speed]).collect();
         if problem.real.is_none() {
@@ -530,20 +538,15 @@ impl<'s> Search<'s> {
             }
             points.push(point);
         }
-        let corners = path.turns.iter().map(|t| Corner {
-            speed: t.y[n],
-            x: t.y[..n].to_vec(),
-            turn: t.clone(),
-            harmonics_change: [f64::NAN; 2],
-        });
+        let corners =
+            path.turns.iter().map(|t| Corner { speed: t.y[n], x: t.y[..n].to_vec(), turn: t.clone(), harmonics_change: [f64::NAN; 2] });
         let corners = corners.collect();
-        let locus =
-            Locus { kind: start.kind, points, corners, ends: path.ends.clone(), judged_again, start: (start.speed, start.value) };
+        let locus = Locus { kind: start.kind, points, corners, ends: path.ends.clone(), judged_again, start: (start.speed, start.value) };
         Ok(Some((problem, path, locus)))
     }
 
     fn judged(&self, problem: &mut CrossingLocus<'s>, judge: &mut Judge, p: &Point, theta: f64) -> Option<(LocusPoint, Exponents, C64)> {
-        let n = problem.harmonics();
+        let n = problem.size();
         let (x, speed) = (&p.x[..n], p.x[n]);
         let found = problem.varied.at(p.p, |b| {
             let all = exponents(b, x, speed)?;
@@ -556,7 +559,10 @@ impl<'s> Search<'s> {
         });
         let (all, truncation, own, frequency) = found.ok()?;
         let own = own?;
-        let meant = |z: &C64| (z.re - own.re).abs() <= 1e-9 * own.abs().max(1.0) && ((z.im - own.im).abs() <= 1e-9 * own.abs() || (z.im + own.im).abs() <= 1e-9 * own.abs());
+        let meant = |z: &C64| {
+            (z.re - own.re).abs() <= 1e-9 * own.abs().max(1.0)
+                && ((z.im - own.im).abs() <= 1e-9 * own.abs() || (z.im + own.im).abs() <= 1e-9 * own.abs())
+        };
         let growing = all.values.iter().filter(|z| !meant(z) && !(z.re <= all.error)).count();
         let point =
             LocusPoint { speed, value: p.p, x: x.to_vec(), residual: p.residual, truncation, crossing: Some((own.re, frequency, growing)) };
@@ -577,7 +583,7 @@ fn polish<P: Zero>(problem: &mut P, p: &mut Point) {
 
 /// Difference of the growth rate by Hill's method over the whole period, of the multiplier nearest to the one that crosses.
 fn by_hill(problem: &mut CrossingLocus, p: &Point, all: &Exponents, own: C64) -> Option<f64> {
-    let n = problem.harmonics();
+    let n = problem.size();
     let (x, speed) = (&p.x[..n], p.x[n]);
     let machine = problem.varied.machine(p.p).ok()?;
     let terms = problem.varied.terms();

@@ -2,7 +2,7 @@
 
 use super::report::{Shown, corner_name};
 use crate::outcome::{Finding, quantity, significant};
-use crate::solve::harmonic::loci::{Corner, Locus, LocusKind, MOST_LOCI};
+use crate::solve::harmonic::loci::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
 use crate::solve::harmonic::path::PathEnd;
 
 /// Largest difference, relative to the range of the parameter, of values that are the same.
@@ -29,6 +29,7 @@ impl Shown<'_> {
             out.extend(locus.corners.iter().filter_map(|c| self.corner(&name, locus, c)));
         }
         out.extend(self.jumps());
+        out.extend(self.hysteresis());
         for (name, locus) in self.loci() {
             out.extend(self.locus(&name, locus));
             out.extend(self.unfinished(&name, locus));
@@ -42,6 +43,18 @@ impl Shown<'_> {
             let text = format!("From {n} of the bifurcations of the sampled responses no locus could be followed.");
             out.push(Finding::warning("starts_lost", text));
         }
+        if let Some((value, why)) = self.found.failed.first() {
+            let n = self.found.failed.len();
+            let text = format!("No response was computed at {n} of the values of {}; at {}: {why}.", self.path(), self.of(*value));
+            out.push(Finding::warning("no_response", text));
+        }
+        if self.found.corners > 0 && self.request.folds {
+            let n = self.found.corners;
+            let text = format!(
+                "{n} of the folds met lie where the law of a part changes along the motion (as where a contact closes): such corners are not followed."
+            );
+            out.push(Finding::warning("corners", text));
+        }
         if self.found.more {
             let text = format!("There are more than {MOST_LOCI} loci; the others were not followed. Narrow the range of speeds.");
             out.push(Finding::warning("more_loci", text));
@@ -52,13 +65,17 @@ impl Shown<'_> {
                 format!("Stability of some or all states was not judged, and loci of changes of stability may be missing: {why}."),
             ));
         }
-        let dropped = self.found.loci.iter().flat_map(|l| &l.points).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
+        let dropped =
+            self.found.loci.iter().flat_map(|l| &l.points).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         if self.request.harmonics.is_none() && dropped > self.request.truncation {
             out.push(
-                Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point of the loci.")
-                    .value(dropped, "")
-                    .shown_as(100.0 * dropped, "%")
-                    .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
+                Finding::warning(
+                    "harmonics_short",
+                    "The harmonics kept leave out {} of the nonlinear force at the worst point of the loci.",
+                )
+                .value(dropped, "")
+                .shown_as(100.0 * dropped, "%")
+                .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
             );
         }
         out.extend(self.invalid());
@@ -71,7 +88,9 @@ impl Shown<'_> {
         let finding = match corner_name(locus, c) {
             "cusp" => Finding::info(
                 "cusp",
-                format!("Two folds vanish in a cusp at {path} = {{}} and {speed} rad/s: at {here} values the response jumps there, at {beyond} ones it does not."),
+                format!(
+                    "Two folds vanish in a cusp at {path} = {{}} and {speed} rad/s: at {here} values the response jumps there, at {beyond} ones it does not."
+                ),
             ),
             "folds meet" => Finding::info(
                 "folds_meet",
@@ -105,7 +124,9 @@ impl Shown<'_> {
         }
         let same = |a: f64, b: f64| (a - b).abs() <= SAME * (self.found.exists.1 - self.found.exists.0);
         let why = |end: f64, edge: f64| {
-            let corner = folds().flat_map(|l| l.corners.iter().map(move |c| corner_name(l, c)).zip(&l.corners)).find(|(_, c)| same(c.turn.value, end));
+            let corner = folds()
+                .flat_map(|l| l.corners.iter().map(move |c| corner_name(l, c)).zip(&l.corners))
+                .find(|(_, c)| same(c.turn.value, end));
             match corner {
                 Some((name, _)) => name,
                 None if same(end, edge) => "the end of the range",
@@ -114,19 +135,49 @@ impl Shown<'_> {
         };
         let (below, above) = (why(lo, self.found.exists.0), why(hi, self.found.exists.1));
         let speeds = span(folds().flat_map(|l| &l.points).map(|p| p.speed));
-        let text = format!(
-            "Folds were found at values of {} from {{}} ({below}) to {} ({above}), at speeds from {} to {} rad/s.",
-            self.path(),
-            self.of(hi),
-            significant(speeds.0, 6),
-            significant(speeds.1, 6)
-        );
+        let text =
+            format!("Folds were found at values of {} from {{}} ({below}) to {} ({above}), {}.", self.path(), self.of(hi), spread(speeds));
         Some(
             Finding::info("folds_from", text)
                 .value(lo, self.unit)
                 .evidence("largest value", hi, self.unit)
                 .evidence("lowest speed", speeds.0, "rad/s")
                 .evidence("highest speed", speeds.1, "rad/s"),
+        )
+    }
+
+    /// Where two folds that belong together lie farthest apart: the widest range of speeds in which the state depends on how it was reached.
+    fn hysteresis(&self) -> Option<Finding> {
+        let mut widest: Option<(f64, f64, f64)> = None;
+        for (_, locus) in self.loci().filter(|(_, l)| l.kind == LocusKind::Fold) {
+            for corner in &locus.corners {
+                // the arms on both sides of where they join, compared at the values of points of either
+                let (before, after) = locus.points.split_at((corner.turn.after + 1).min(locus.points.len()));
+                for (points, others) in [(before, after), (after, before)] {
+                    for p in points {
+                        let Some(speed) = speed_at(others, p.value) else { continue };
+                        let (lo, hi) = (p.speed.min(speed), p.speed.max(speed));
+                        if widest.is_none_or(|w| hi - lo > w.2 - w.1) {
+                            widest = Some((p.value, lo, hi));
+                        }
+                    }
+                }
+            }
+        }
+        let (value, lo, hi) = widest?;
+        let text = format!(
+            "The jumps of slow sweeps up and down lie farthest apart at {} = {}: {{}}, from {} to {} rad/s.",
+            self.path(),
+            self.of(value),
+            significant(lo, 6),
+            significant(hi, 6)
+        );
+        Some(
+            Finding::info("widest_hysteresis", text)
+                .value(hi - lo, "rad/s")
+                .evidence("parameter", value, self.unit)
+                .evidence("lower fold", lo, "rad/s")
+                .evidence("upper fold", hi, "rad/s"),
         )
     }
 
@@ -145,13 +196,15 @@ impl Shown<'_> {
                 words(&locus.ends[1])
             )
         };
-        let common = |f: Finding| f.of(name).evidence("points", locus.points.len() as f64, "").evidence("largest scaled residual", residual, "");
+        let common =
+            |f: Finding| f.of(name).evidence("points", locus.points.len() as f64, "").evidence("largest scaled residual", residual, "");
         Some(match locus.kind {
             LocusKind::Fold => common(Finding::info("fold_locus", format!("{}: folds {ends}.", capital(name)))),
             LocusKind::Change(event) => {
                 let (lo, hi) = span(locus.points.iter().filter_map(|p| Some(p.crossing?.1)).filter(|f| f.is_finite()));
                 let beside = locus.points.iter().filter(|p| p.crossing.is_some_and(|c| c.2 > 0)).count();
-                let growth = locus.points.iter().filter_map(|p| Some(p.crossing?.0.abs())).fold(0.0, |m: f64, g| if g <= m { m } else { g });
+                let growth =
+                    locus.points.iter().filter_map(|p| Some(p.crossing?.0.abs())).fold(0.0, |m: f64, g| if g <= m { m } else { g });
                 let frequency = match event.name() {
                     "Neimark-Sacker" if lo <= hi => {
                         format!(", of disturbances between {} and {} rad/s", significant(lo, 4), significant(hi, 4))
@@ -218,7 +271,8 @@ impl Shown<'_> {
         let (lo, hi) = self.found.exists;
         let say = |(why, edge, word): (&Option<String>, f64, &str)| {
             let why = why.as_ref()?;
-            let text = format!("The machine exists at values of {} {word} {{}} only, and the rest of the range was left out: {why}.", self.path());
+            let text =
+                format!("The machine exists at values of {} {word} {{}} only, and the rest of the range was left out: {why}.", self.path());
             Some(Finding::warning("parameter_range", text).value(edge, self.unit))
         };
         let [below, above] = &self.found.refused;
@@ -244,6 +298,20 @@ impl Shown<'_> {
         };
         worst.iter().map(say).collect()
     }
+}
+
+/// Speed at a value of the parameter on an arm of a locus, between its points; its own where the value is that of a point.
+fn speed_at(arm: &[LocusPoint], value: f64) -> Option<f64> {
+    arm.windows(2).find(|w| (w[0].value - value) * (w[1].value - value) <= 0.0 && w[0].value != w[1].value).map(|w| {
+        let t = (value - w[0].value) / (w[1].value - w[0].value);
+        w[0].speed + t * (w[1].speed - w[0].speed)
+    })
+}
+
+/// A range of speeds in words.
+fn spread((lo, hi): (f64, f64)) -> String {
+    let [a, b] = [lo, hi].map(|w| significant(w, 6));
+    if a == b { format!("all at {a} rad/s") } else { format!("at speeds from {a} to {b} rad/s") }
 }
 
 fn capital(name: &str) -> String {

@@ -162,7 +162,12 @@ impl<'a> Shown<'a> {
         }
         t.float("truncation", "", "dropped over kept force harmonics", rows.iter().map(|r| r.3.truncation).collect())
             .float("residual", "", "scaled residual of the extended equations", rows.iter().map(|r| r.3.residual).collect())
-            .float("validity", "", "largest use of a part's validity; above 1 is outside", rows.iter().map(|r| finite(r.4.validity.0)).collect())
+            .float(
+                "validity",
+                "",
+                "largest use of a part's validity; above 1 is outside",
+                rows.iter().map(|r| finite(r.4.validity.0)).collect(),
+            )
             .build()
     }
 
@@ -191,8 +196,18 @@ impl<'a> Shown<'a> {
                 "parameter by the extended equations minus parameter located along the locus; NaN when the first found none",
                 float(&|c| c.turn.methods_differ),
             )
-            .float("speed change", "rad/s", "change of the speed when four more orders are kept; NaN when not found", float(&|c| c.harmonics_change[0]))
-            .float("parameter change", self.unit, "change of the parameter when four more orders are kept", float(&|c| c.harmonics_change[1]))
+            .float(
+                "speed change",
+                "rad/s",
+                "change of the speed when four more orders are kept; NaN when not found",
+                float(&|c| c.harmonics_change[0]),
+            )
+            .float(
+                "parameter change",
+                self.unit,
+                "change of the parameter when four more orders are kept",
+                float(&|c| c.harmonics_change[1]),
+            )
             .build()
     }
 
@@ -216,12 +231,25 @@ impl<'a> Shown<'a> {
             unit => (unit, 1.0),
         };
         let line = Line::new("loci", "speed", path).group("kind").begins_where("begins");
-        let line = if self.request.stability { line.solid_where("bounds stability").meaning("folds and bounds of stability", "other growth beside") } else { line };
+        let line = if self.request.stability {
+            line.solid_where("bounds stability").meaning("folds and bounds of stability", "other growth beside")
+        } else {
+            line
+        };
         let mut panel = Panel::new(Axis::new(path, unit).factor(factor)).mark(line);
         if corners {
             panel = panel.mark(Points::new("turns", "speed", path).group("kind"));
         }
-        Figure::new("loci", "Loci of bifurcations", self.alt()).x(Axis::new("spin speed", "rad/s")).panel(panel)
+        Figure::new("loci", "Loci of bifurcations", self.alt()).x(self.speeds()).panel(panel)
+    }
+
+    /// The axis of the speed, a little wider than the loci.
+    fn speeds(&self) -> Axis {
+        let speeds = || self.found.loci.iter().flat_map(|l| &l.points).map(|p| p.speed);
+        let (lo, hi) = speeds().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(w), b.max(w)));
+        let margin = (0.04 * (hi - lo)).max(2e-3 * lo.abs().max(hi.abs()));
+        let axis = Axis::new("spin speed", "rad/s");
+        if lo <= hi { axis.range(lo - margin, hi + margin) } else { axis }
     }
 
     fn alt(&self) -> String {
