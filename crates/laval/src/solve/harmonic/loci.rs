@@ -299,6 +299,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         out.discretisation.harmonics = harmonics;
         out.discretisation.samples = out.discretisation.samples.max(samples(harmonics, 1));
     }
+    out.stopped |= stopped(cancel) || search.done >= request.work;
     out.work = vec![("points", search.done), ("points of responses", sampled)];
     Ok(out)
 }

@@ -26,7 +26,7 @@ impl Shown<'_> {
     pub(super) fn findings(&self) -> Vec<Finding> {
         let mut out = Vec::new();
         for (name, locus) in self.loci() {
-            out.extend(locus.corners.iter().filter_map(|c| self.corner(&name, locus, c)));
+            out.extend(locus.corners.iter().map(|c| self.corner(&name, locus, c)));
         }
         out.extend(self.jumps());
         out.extend(self.hysteresis());
@@ -82,7 +82,7 @@ impl Shown<'_> {
         out
     }
 
-    fn corner(&self, name: &str, locus: &Locus, c: &Corner) -> Option<Finding> {
+    fn corner(&self, name: &str, locus: &Locus, c: &Corner) -> Finding {
         let (path, speed, t) = (self.path(), significant(c.speed, 7), &c.turn);
         let (here, beyond) = if t.opens_up { ("larger", "smaller") } else { ("smaller", "larger") };
         let finding = match corner_name(locus, c) {
@@ -98,20 +98,21 @@ impl Shown<'_> {
                     "Two folds meet at {path} = {{}} and {speed} rad/s and exist at {here} values only: there a detached branch begins, or branches exchange their parts."
                 ),
             ),
-            _ => return None,
+            _ => Finding::info(
+                "stability_extremum",
+                format!("{} turns back at {path} = {{}} and {speed} rad/s: it lies at {here} values only.", capital(locus.kind.name())),
+            ),
         };
-        Some(
-            finding
-                .of(name)
-                .value(t.value, self.unit)
-                .evidence("speed", c.speed, "rad/s")
-                .evidence("scaled residual of the extended equations", t.residual, "")
-                .evidence("difference of two methods", t.methods_differ.abs(), self.unit)
-                .evidence("slope of the speed along the locus, scaled", t.slopes[0].abs(), "")
-                .evidence("slope of the parameter along the locus, scaled", t.slopes[1].abs(), "")
-                .evidence("change of the parameter with four more orders", c.harmonics_change[1].abs(), self.unit)
-                .evidence("change of the speed with four more orders", c.harmonics_change[0].abs(), "rad/s"),
-        )
+        finding
+            .of(name)
+            .value(t.value, self.unit)
+            .evidence("speed", c.speed, "rad/s")
+            .evidence("scaled residual of the extended equations", t.residual, "")
+            .evidence("difference of two methods", t.methods_differ.abs(), self.unit)
+            .evidence("slope of the speed along the locus, scaled", t.slopes[0].abs(), "")
+            .evidence("slope of the parameter along the locus, scaled", t.slopes[1].abs(), "")
+            .evidence("change of the parameter with four more orders", c.harmonics_change[1].abs(), self.unit)
+            .evidence("change of the speed with four more orders", c.harmonics_change[0].abs(), "rad/s")
     }
 
     /// Least and largest value of the parameter with folds, over all loci, and speeds over which they spread there.
@@ -166,7 +167,7 @@ impl Shown<'_> {
         }
         let (value, lo, hi) = widest?;
         let text = format!(
-            "The jumps of slow sweeps up and down lie farthest apart at {} = {}: {{}}, from {} to {} rad/s.",
+            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, the state depends on how it was reached.",
             self.path(),
             self.of(value),
             significant(lo, 6),
