@@ -11,11 +11,17 @@ use laval::model::part::Link;
 use laval::outcome::{Data, End, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
 use laval::solve::harmonic::bifurcation::Event;
+use laval::solve::harmonic::crossing_locus::plane;
+use laval::solve::harmonic::fold_locus::FoldLocus;
 use laval::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, Request, loci};
-use laval::solve::harmonic::path::PathEnd;
+use laval::solve::harmonic::path::{Path, PathEnd, follow, passes};
+use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response;
+use laval::solve::harmonic::varied::Varied;
 use laval::solve::symmetry::Symmetry;
 use laval::study::Context;
+use laval_num::continuation::{Failure, Settings, Zero};
+use laval_num::dense::{Mat, dot, norm};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 fn ask(speeds: (f64, f64), parameter: &str, range: (f64, f64), values: usize) -> Request {
@@ -49,6 +55,151 @@ fn cusps(found: &Loci) -> Vec<&Corner> {
 #[track_caller]
 fn near(a: f64, b: f64, relative: f64) {
     assert!((a - b).abs() <= relative * b.abs(), "{a:.15e} {b:.15e}");
+}
+
+/// The curve `q = b s^2, W = 2 + c s + s^2 + s^3` in unknowns (s, W).
+struct Curve {
+    b: f64,
+    c: f64,
+}
+
+impl Curve {
+    fn speed(&self, s: f64) -> f64 {
+        2.0 + self.c * s + s * s + s * s * s
+    }
+}
+
+impl Zero for Curve {
+    fn dim(&self) -> usize {
+        2
+    }
+    fn scale(&self, out: &mut [f64]) {
+        out.fill(1.0);
+    }
+    fn parameter_scale(&self) -> f64 {
+        1.0
+    }
+    fn eval(&mut self, y: &[f64], q: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dq: Option<&mut [f64]>) -> Result<(), Failure> {
+        let s = y[0];
+        r[0] = self.b * s * s - q;
+        r[1] = y[1] - self.speed(s);
+        if let Some(jac) = jac {
+            (jac[(0, 0)], jac[(1, 0)], jac[(1, 1)]) = (2.0 * self.b * s, -self.c - 2.0 * s - 3.0 * s * s, 1.0);
+        }
+        if let Some(d) = dr_dq {
+            d[0] = -1.0;
+        }
+        Ok(())
+    }
+}
+
+fn followed(b: f64, c: f64, s: f64, speeds: (f64, f64)) -> (Curve, Path) {
+    let mut curve = Curve { b, c };
+    let y = [s, curve.speed(s)];
+    let path = follow(&mut curve, &y, b * s * s, 1, speeds, &Settings::new(-1.0, 1.0)).unwrap();
+    (curve, path)
+}
+
+/// Wherever it was started from: far away, or so near that the first step crosses it.
+#[test]
+fn a_cusp_is_where_both_turn_back() {
+    for b in [1.0, -1.0] {
+        for (c, s) in [(0.0, -0.4), (0.0, 0.4), (0.0, 0.004), (0.0, -0.004), (1.0, -0.4), (-0.3, 0.4), (0.02, 0.4), (0.3, 0.004)] {
+            let (mut curve, path) = followed(b, c, s, (-10.0, 10.0));
+            assert_eq!(path.ends, [PathEnd::Value, PathEnd::Value]);
+            let [turn] = &path.turns[..] else { panic!("{:?}", path.turns) };
+            assert_eq!(turn.speed_turns, c == 0.0, "{b} {c} {s} {turn:?}");
+            assert!(turn.opens_up == (b > 0.0) && turn.confirmed, "{turn:?}");
+            assert!(turn.value.abs() < 1e-14 && (turn.y[1] - 2.0).abs() < 1e-9, "{turn:?}");
+            assert!(path.points[turn.after].x[0] * path.points[turn.after + 1].x[0] <= 0.0);
+            // both ends of the range are reached, on either side
+            let [first, last] = [&path.points[0], &path.points[path.points.len() - 1]];
+            assert!(first.p == b && last.p == b && (first.x[0] * last.x[0] + 1.0).abs() < 1e-9);
+            for s in [0.7f64, -0.7] {
+                assert!(passes(&mut curve, &path, 0.49 * b, Curve { b, c }.speed(s), 1, 1e-6));
+                assert!(!passes(&mut curve, &path, 0.49 * b, Curve { b, c }.speed(s) + 0.01, 1, 1e-6));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_locus_is_cut_off_at_the_range_of_speeds() {
+    let (_, path) = followed(1.0, 1.0, 0.1, (1.7, 2.6));
+    assert_eq!(path.ends, [PathEnd::Speed, PathEnd::Speed]);
+    let speeds: Vec<f64> = path.points.iter().map(|p| p.x[1]).collect();
+    let (lo, hi) = speeds.iter().fold((9.0f64, 0.0f64), |(a, b), s| (a.min(*s), b.max(*s)));
+    assert!((lo - 1.7).abs() < 1e-9 && (hi - 2.6).abs() < 1e-9, "{lo} {hi}");
+    assert_eq!(path.turns.len(), 1);
+}
+
+#[test]
+fn a_plane_is_normal_to_all_rows() {
+    let rows = Mat::from_fn(5, 7, |i, j| ((3 * i + 5 * j * j + 2 * i * j) as f64 * 0.7).sin() * 10f64.powi(i as i32));
+    let r = [1.0, -2.0, 30.0, 400.0, -5e3];
+    let ([s, t], back) = plane(&rows, &r).unwrap();
+    assert!(dot(&s, &t).abs() < 1e-14 && (norm(&s) - 1.0).abs() < 1e-14 && (norm(&t) - 1.0).abs() < 1e-14);
+    for (i, r) in r.iter().enumerate() {
+        for v in [&s, &t] {
+            assert!(dot(rows.row(i), v).abs() < 1e-13 * norm(rows.row(i)));
+        }
+        assert!((dot(rows.row(i), &back) + r).abs() < 1e-12 * r.abs());
+    }
+    assert!(dot(&s, &back).abs() < 1e-12 * norm(&back) && dot(&t, &back).abs() < 1e-12 * norm(&back));
+    assert!(plane(&Mat::from_fn(2, 4, |_, j| j as f64), &[0.0; 2]).is_none());
+}
+
+/// All derivatives of the equations of folds against differences of their residual, within the range and at its end, where the machine ceases to exist.
+#[test]
+fn derivatives_agree_with_differences() {
+    let base = Base { fill: Some(0.667), wave_damping: 5.0, ..Base::default() };
+    let cases = [
+        ("drum.eccentricity", 1e-3, (1e-4, 2e-3)),
+        ("air.damping", 0.0, (0.0, 100.0)),
+        ("liquid.free_surface_radius", 0.0467, (0.03, 0.06)),
+        ("liquid.wave_damping", 0.0, (0.0, 50.0)),
+        ("bearing.cubic_stiffness", 8.7e10, (1e10, 1e11)),
+    ];
+    for (path, q, range) in cases {
+        let system = base.builder().build().unwrap();
+        let speeds = (2000.0, 2600.0);
+        let d = laval::solve::harmonic::problem::Discretisation { harmonics: 5, divisor: 1, samples: 32, symmetry: Symmetry::Quarter };
+        let balance = Balance::new(&system, d, speeds, None).unwrap();
+        let mut locus = FoldLocus { varied: Varied::new(&system, balance, path, range, speeds) };
+        let m = locus.dim();
+        let mut scale = vec![1.0; m];
+        locus.scale(&mut scale);
+        let mut y: Vec<f64> = scale.iter().enumerate().map(|(i, s)| s * (0.4 + (1.3 * i as f64).sin())).collect();
+        y[m - 1] = 2300.0;
+        let (mut r, mut jac, mut by_value) = (vec![0.0; m], Mat::zeros(m, m), vec![0.0; m]);
+        locus.eval(&y, q, &mut r, Some(&mut jac), Some(&mut by_value)).unwrap();
+        let mut residual = |y: &[f64], q: f64| {
+            let mut r = vec![0.0; m];
+            locus.eval(y, q, &mut r, None, None).unwrap();
+            r
+        };
+        let size: Vec<f64> = (0..m).map(|i| (0..m).map(|j| (jac[(i, j)] * scale[j]).abs()).fold(0.0, f64::max)).collect();
+        for j in 0..m {
+            let h = 1e-5 * scale[j];
+            let [plus, minus] = [h, -h].map(|h| {
+                let mut y = y.clone();
+                y[j] += h;
+                residual(&y, q)
+            });
+            for i in 0..m {
+                let want = (plus[i] - minus[i]) / 2e-5;
+                assert!((jac[(i, j)] * scale[j] - want).abs() < 1e-6 * size[i], "{path} {i} {j}: {} {want}", jac[(i, j)] * scale[j]);
+            }
+        }
+        // forwards only, as the machine may end at q: twice the order by extrapolation
+        let wide = range.1 - range.0;
+        let mut step = |h: f64| -> Vec<f64> { residual(&y, q + h).iter().zip(&r).map(|(a, b)| (a - b) / h * wide).collect() };
+        let (one, two) = (step(1e-4 * wide), step(5e-5 * wide));
+        for i in 0..m {
+            let want = 2.0 * two[i] - one[i];
+            assert!((by_value[i] * wide - want).abs() < 1e-5 * size[i], "{path} {i}: {} {want}", by_value[i] * wide);
+        }
+    }
 }
 
 const M: f64 = 2.0;

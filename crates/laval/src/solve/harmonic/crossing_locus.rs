@@ -105,7 +105,7 @@ impl CrossingLocus<'_> {
 }
 
 /// Two unit vectors normal to each other and to the rows of a matrix with two columns more than rows, and the shortest solution of `rows d = -r`.
-fn plane(rows: &Mat, r: &[f64]) -> Option<([Vec<f64>; 2], Vec<f64>)> {
+pub fn plane(rows: &Mat, r: &[f64]) -> Option<([Vec<f64>; 2], Vec<f64>)> {
     let m = rows.cols();
     let mut basis: Vec<Vec<f64>> = Vec::with_capacity(m);
     // takes its parts along the basis off a vector and gives them
@@ -229,26 +229,5 @@ impl Zero for CrossingLocus<'_> {
     }
     fn cancelled(&self) -> bool {
         self.varied.cancelled()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_plane_is_normal_to_all_rows() {
-        let rows = Mat::from_fn(5, 7, |i, j| ((3 * i + 5 * j * j) as f64 * 0.7).sin() * 10f64.powi(i as i32));
-        let r = [1.0, -2.0, 30.0, 400.0, -5e3];
-        let ([s, t], back) = plane(&rows, &r).unwrap();
-        assert!(dot(&s, &t).abs() < 1e-14 && (norm(&s) - 1.0).abs() < 1e-14 && (norm(&t) - 1.0).abs() < 1e-14);
-        for i in 0..5 {
-            for v in [&s, &t] {
-                assert!(dot(rows.row(i), v).abs() < 1e-13 * norm(rows.row(i)));
-            }
-            assert!((dot(rows.row(i), &back) + r[i]).abs() < 1e-12 * r[i].abs());
-        }
-        assert!(dot(&s, &back).abs() < 1e-12 * norm(&back) && dot(&t, &back).abs() < 1e-12 * norm(&back));
-        assert!(plane(&Mat::from_fn(2, 4, |_, j| j as f64), &[0.0; 2]).is_none());
     }
 }
