@@ -2,6 +2,7 @@
 
 pub mod backbone;
 pub mod basins;
+pub mod bifurcation_loci;
 pub mod campbell;
 pub mod critical_speeds;
 pub mod duty;
@@ -196,6 +197,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<stability_map::StabilityMap>(),
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<bifurcation_loci::BifurcationLoci>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
         kind::<methods::Methods>(),

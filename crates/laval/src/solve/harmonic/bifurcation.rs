@@ -102,7 +102,7 @@ fn event(exponent: C64, exponents: &Exponents, balance: &Balance, speed: f64) ->
 }
 
 /// Frequency of a disturbance of this exponent, rad/s.
-fn frequency(judge: &mut Judge, balance: &mut Balance, exponent: C64, exponents: &Exponents, speed: f64) -> f64 {
+pub(super) fn frequency(judge: &mut Judge, balance: &mut Balance, exponent: C64, exponents: &Exponents, speed: f64) -> f64 {
     let own = exponent.im;
     match exponents.method {
         Method::Mean => own.abs(),

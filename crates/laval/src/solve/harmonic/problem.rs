@@ -168,12 +168,41 @@ impl<'a> Balance<'a> {
         let nonlinear = Nonlinear::of(system);
         let terms = Terms::new(&nonlinear.kinds, d.symmetry, d.harmonics, d.divisor, d.samples);
         let reference = reference_stiffness(system, &nonlinear, 0.5 * (speeds.0 + speeds.1));
-        let condenser = Condenser::new(system, &nonlinear.basis, reference, d.divisor);
+        let mut balance = Balance::unscaled(system, nonlinear, terms, reference, cancel);
+        balance.speed_scale = speeds.0.abs().max(speeds.1.abs()).max(1e-3);
+        balance.find_scale(speeds)?;
+        balance.resonances = resonances(system, speeds);
+        Ok(balance)
+    }
+
+    /// The same equations of a machine whose parts have other parameters, with the same sizes; `None` where its nonlinear coordinates are others.
+    pub fn of_other<'b>(&self, system: &'b System) -> Option<Balance<'b>>
+    where
+        'a: 'b,
+    {
+        let nonlinear = Nonlinear::of(system);
+        if nonlinear.kinds != self.nonlinear.kinds || nonlinear.basis.rows.len() != self.nonlinear.basis.rows.len() {
+            return None;
+        }
+        let mut other = Balance::unscaled(system, nonlinear, self.terms.clone(), self.condenser.reference.clone(), self.cancel);
+        other.scale.copy_from_slice(&self.scale);
+        other.speed_scale = self.speed_scale;
+        Some(other)
+    }
+
+    fn unscaled(
+        system: &'a System,
+        nonlinear: Nonlinear,
+        terms: Terms,
+        reference: Vec<f64>,
+        cancel: Option<&'a AtomicBool>,
+    ) -> Balance<'a> {
+        let condenser = Condenser::new(system, &nonlinear.basis, reference, terms.divisor);
         let m = nonlinear.kinds.len();
         let unknowns = terms.unknowns;
         let mut smooth = nonlinear.members.clone();
         let switching = Switching::new(system, &terms, &mut smooth);
-        let mut balance = Balance {
+        Balance {
             switching,
             smooth,
             projected: vec![0.0; unknowns],
@@ -187,7 +216,7 @@ impl<'a> Balance<'a> {
             load: vec![0.0; unknowns],
             load_speed: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
-            speed_scale: speeds.0.abs().max(speeds.1.abs()).max(1e-3),
+            speed_scale: 1.0,
             bodies: system.bodies().iter().map(|b| b.x).collect(),
             resonances: Vec::new(),
             cancel,
@@ -198,10 +227,7 @@ impl<'a> Balance<'a> {
             system,
             nonlinear,
             terms,
-        };
-        balance.find_scale(speeds)?;
-        balance.resonances = resonances(system, speeds);
-        Ok(balance)
+        }
     }
 
     /// A size for every unknown: the geometric mean over the range of the response with the reference stiffness, no less than a
