@@ -15,6 +15,7 @@ pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
 mod passages;
+pub mod response_map;
 pub mod run_up;
 pub mod separation;
 mod settled;
@@ -196,6 +197,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<stability_map::StabilityMap>(),
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<response_map::ResponseMap>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
         kind::<methods::Methods>(),

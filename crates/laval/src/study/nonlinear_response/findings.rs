@@ -16,11 +16,9 @@ use std::ops::Range;
 impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
-        // the state a machine brought to an end of the range is on: the branch that starts there, else the end of the other
-        let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
-        for (up, near, far) in [(true, Origin::Low, Origin::High), (false, Origin::High, Origin::Low)] {
+        for up in [true, false] {
             let unclosed = up && response.unclosed.is_some();
-            out.extend(from(near).or(from(far)).map(|branch| sweep(branch, up, request.speeds, unclosed)));
+            out.extend(swept(response, up).map(|branch| sweep(branch, up, request.speeds, unclosed)));
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
@@ -218,20 +216,27 @@ fn unstable_words(branch: &Traced) -> String {
     if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
 }
 
+/// The branch that a slow sweep follows: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
+/// end of the other.
+pub(super) fn swept(response: &Response, up: bool) -> Option<&Traced> {
+    let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
+    let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
+    from(near).or(from(far))
+}
+
+/// Where a slow sweep along a branch jumps: at the first fold that turns against it.
+pub(super) fn jump(branch: &Traced, up: bool) -> Option<&Fold> {
+    let against = |f: &&Fold| f.upper == up;
+    if up == branch.from_low() { branch.folds.iter().find(against) } else { branch.folds.iter().rev().find(against) }
+}
+
 /// Where a slow sweep jumps, or that it does not.
 fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Finding {
     let way = if up { "up" } else { "down" };
     // up is faster, whichever way round the rotor turns
     let (begin, end) = if up == (lo >= 0.0) { (lo, hi) } else { (hi, lo) };
-    // along the branch from the end the sweep starts at, the first fold that turns against it
-    let forward = up == branch.from_low();
-    let mut folds: Vec<&Fold> = branch.folds.iter().collect();
-    if !forward {
-        folds.reverse();
-    }
-    let first = folds.into_iter().find(|f| f.upper == up);
     let reaches = branch.end == End::Reached;
-    match first {
+    match jump(branch, up) {
         Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
             .value(f.speed, "rad/s")
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")

@@ -275,7 +275,7 @@ pub(super) fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {
     response.branches.iter().flat_map(|b| &b.points).fold(0.0, |m, p| larger(m, f(p)))
 }
 
-fn end(response: &Response) -> outcome::End {
+pub(super) fn end(response: &Response) -> outcome::End {
     let ends = || response.branches.iter().map(|b| b.end);
     if ends().any(|e| e == End::Cancelled) {
         return outcome::End::Cancelled;
