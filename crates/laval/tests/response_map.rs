@@ -110,8 +110,9 @@ fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], asked: &str) {
         let speed = peak.evidence.iter().find(|e| e.what == "speed").unwrap().value;
         assert!(same(number(&o, "peak_speed", row), speed));
         let told = own.findings.iter().filter(|f| f.id == "unstable_states").filter_map(|f| f.value).fold(0.0, f64::max);
-        assert!(number(&o, "growth", row) >= told, "{at:?} {} {told}", number(&o, "growth", row));
-        assert_eq!(number(&o, "growth", row) > 0.0, told > 0.0);
+        // the middle of a curve that folds beyond the range is unstable, but no instability of the machine
+        let (growth, folded) = (number(&o, "growth", row), word(&o, "sweeps", row) == "jumps down only");
+        assert!(if folded { growth <= told } else { growth == told }, "{at:?} {growth} {told}");
         let kinds = own.find_table("bifurcations").map_or(0, |t| match &t.column("kind").unwrap().data {
             Data::Text(v) => v.iter().filter(|k| *k == "Neimark-Sacker").count(),
             _ => 0,

@@ -19,6 +19,7 @@ pub mod response_map;
 pub mod run_up;
 pub mod separation;
 mod settled;
+mod spectra;
 pub mod stability_map;
 mod start;
 pub mod support;

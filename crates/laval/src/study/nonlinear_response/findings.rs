@@ -192,15 +192,31 @@ fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
     runs
 }
 
+/// Those of them that no fold bounds: the middle of a curve whose other fold lies beyond the range is left out as well.
+pub(super) fn unstable_without_fold(branch: &Traced) -> Vec<Range<usize>> {
+    let at_fold = |i: usize| branch.folds.iter().any(|f| f.after.abs_diff(i) <= 1);
+    let last = branch.points.len().saturating_sub(1);
+    let bounded = |run: &Range<usize>| {
+        let (a, b) = (at_fold(run.start.saturating_sub(1)), at_fold(run.end - 1));
+        (a || run.start == 0) && (b || run.end > last) && (a || b)
+    };
+    unstable_runs(branch).into_iter().filter(|r| !bounded(r)).collect()
+}
+
 /// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
 pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
+    ranges_of(branch, unstable_runs(branch))
+}
+
+/// Speeds of runs of points.
+pub(super) fn ranges_of(branch: &Traced, runs: Vec<Range<usize>>) -> Vec<(f64, f64)> {
     let range = |run: Range<usize>| {
         // to where the stability is lost and regained, not to the nearest points computed
         let located = branch.changes.iter().filter(|c| c.after + 1 == run.start || c.after + 1 == run.end).map(|c| c.speed);
         let speeds = branch.points[run.clone()].iter().map(|p| p.speed).chain(located);
         speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)))
     };
-    unstable_runs(branch).into_iter().map(range).collect()
+    runs.into_iter().map(range).collect()
 }
 
 /// The same in words.

@@ -23,6 +23,7 @@ use shown::Shown;
 
 mod families;
 mod findings;
+mod orders;
 mod picture;
 mod shown;
 mod stability;
@@ -32,12 +33,14 @@ mod tables;
 /// See the [module](self).
 pub struct NonlinearResponse {
     request: Request,
+    /// Amplitude from which orders beside the synchronous one are told, m.
+    order_threshold: Option<f64>,
 }
 
 impl NonlinearResponse {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
-        NonlinearResponse { request }
+        NonlinearResponse { request, order_threshold: None }
     }
 }
 
@@ -109,11 +112,18 @@ impl Study for NonlinearResponse {
             "64",
             "with states = \"all\": starts of any size and phase, the same in every run",
         ),
+        Field::optional(
+            "order_threshold",
+            FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
+            "",
+            "amplitude from which sub- and superharmonic orders are told, with the speeds at which they pass it; none unless given",
+        ),
         MAX_POINTS,
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        request(values, diagnostics).map(|request| NonlinearResponse { request })
+        let request = request(values, diagnostics)?;
+        Some(NonlinearResponse { request, order_threshold: values.number("order_threshold") })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
@@ -128,7 +138,11 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
-        shown.outcome(&response, &request, context).map_err(Diagnostic::from)
+        let mut outcome = shown.outcome(&response, &request, context)?;
+        if let Some(threshold) = self.order_threshold {
+            outcome = shown.orders(&response, threshold, outcome)?;
+        }
+        outcome.checked().map_err(Diagnostic::from)
     }
 }
 

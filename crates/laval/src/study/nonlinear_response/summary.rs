@@ -1,6 +1,6 @@
 //! A response in a few numbers: what a study of many machines keeps of each.
 
-use super::findings::{jump, swept, unstable_ranges};
+use super::findings::{jump, ranges_of, swept, unstable_without_fold};
 use super::shown::{Shown, end, worst};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -57,7 +57,7 @@ pub struct Summary {
     pub top: Option<Top>,
     /// A branch was left while its displacement still rose above all others.
     pub rising: bool,
-    /// Ranges in which states between the folds are unstable.
+    /// Ranges in which states are unstable for another reason than lying between two folds.
     pub unstable: Vec<(f64, f64)>,
     /// Changes of stability away from folds.
     pub changes: Vec<(Event, f64)>,
@@ -92,11 +92,12 @@ impl Summary {
             Top { displacement, speed, at_end: l.at_end, body: l.body }
         });
         let (hysteresis, open) = several(&response, request.speeds);
-        let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(unstable_ranges).collect();
+        let mut unstable: Vec<(f64, f64)> =
+            response.branches.iter().flat_map(|b| ranges_of(b, unstable_without_fold(b))).collect();
         unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
         let judged = request.stability && response.unjudged.is_none();
-        let within = |w: f64| unstable.iter().any(|r| r.0 <= w && w <= r.1);
-        let growing = response.branches.iter().flat_map(|b| &b.points).filter(|p| p.unstable() && within(p.speed)).map(|p| p.growth());
+        let points = |b: &'_ Traced| unstable_without_fold(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
+        let growing = response.branches.iter().flat_map(points);
         let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
         let uses = shown.validity.iter().flatten().filter(|v| !v.0.is_nan());
         let validity = uses.max_by(|a, b| a.0.total_cmp(&b.0)).cloned().unwrap_or_default();

@@ -51,8 +51,10 @@ pub(super) fn add(map: &Map, mut outcome: Outcome) -> Outcome {
     }
     let (_, widest) = known("hysteresis");
     if widest > 0.0 {
-        let heat = Heat::new("map", x, y, "hysteresis", Axis::new("width of the hysteresis", "rad/s"));
-        outcome = outcome.figure(figure("hysteresis", "Hysteresis", "Width of the speeds with several states", heat.into(), true));
+        // machines without several states stay blank
+        let heat = Heat::new("map", x, y, "hysteresis", Axis::log("width of the hysteresis", "rad/s"));
+        let what = "Width of the speeds with several states, blank where there are none,";
+        outcome = outcome.figure(figure("hysteresis", "Hysteresis", what, heat.into(), true));
     }
     let classes: Vec<String> = SWEEPS.iter().filter(|s| map.sweeps.iter().any(|w| w == *s)).map(|s| s.to_string()).collect();
     let heat = Heat::new("map", x, y, "sweeps", Axis::new("slow sweeps", "")).of_classes(classes);

@@ -145,7 +145,7 @@ fn peaks(map: &Map) -> Vec<Finding> {
         let (cell, peak) = map.best("peak", sign)?;
         let of = |name: &str| map.column(name).get(cell).copied().unwrap_or(f64::NAN);
         let end = if of("peak_at_end") == 1.0 { ", an end of the range" } else { "" };
-        let text = format!("The {word} peak is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of("peak_speed"), 5));
+        let text = format!("The {word} peak is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of("peak_speed"), 4));
         let f = Finding::info(id, text).value(peak, "m").evidence("speed", of("peak_speed"), "rad/s");
         Some(map.with_place(f.evidence("dropped over kept force harmonics, worst point", of("truncation"), ""), cell))
     };
