@@ -88,7 +88,11 @@ fn the_backward_third_superharmonic_has_its_onset() {
         assert!(f.text.contains("backward") && evidence(f, "forward amplitude there") < 1e-9 * largest, "{}", f.text);
         assert!(evidence(f, "scaled residual") < 1e-9);
 
-        let again = machine("per_axis", "10 mm", &format!("speed = {{ from = {onset}, to = 1200 }}\nharmonics = 11\norder_threshold = {threshold}"));
+        let again = machine(
+            "per_axis",
+            "10 mm",
+            &format!("speed = {{ from = {onset}, to = 1200 }}\nharmonics = 11\norder_threshold = {threshold}"),
+        );
         let t = again.find_table("orders").unwrap();
         let third = |r: &usize| matches!(&t.column("order").unwrap().data, Data::Text(v) if v[*r] == "3");
         let first = (0..t.rows()).find(third).unwrap();
@@ -107,7 +111,11 @@ fn the_isotropic_law_has_no_orders() {
 #[test]
 fn a_subharmonic_begins_at_its_fold() {
     let unit = (1.1e7f64 / 2.4).sqrt();
-    let study = format!("speed = {{ from = {}, to = {} }}\nharmonics = 5\nstates = \"all\"\nstarts = 0\norder_threshold = 1e-4", 3.1 * unit, 3.5 * unit);
+    let study = format!(
+        "speed = {{ from = {}, to = {} }}\nharmonics = 5\nstates = \"all\"\nstarts = 0\norder_threshold = 1e-4",
+        3.1 * unit,
+        3.5 * unit
+    );
     let o = machine("per_axis", "1 mm", &study);
     let f = finding(&o, "subharmonic_range", "drum order 1/3");
     assert!((f.value.unwrap() / unit - 3.172_372_26).abs() < 1e-5, "{}", f.value.unwrap() / unit);

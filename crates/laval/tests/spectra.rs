@@ -59,7 +59,10 @@ fn run(text: &str) -> Outcome {
 }
 
 fn finding<'a>(o: &'a Outcome, id: &str) -> &'a Finding {
-    o.findings.iter().find(|f| f.id == id).unwrap_or_else(|| panic!("no {id} in {:?}", o.findings.iter().map(Finding::sentence).collect::<Vec<_>>()))
+    o.findings
+        .iter()
+        .find(|f| f.id == id)
+        .unwrap_or_else(|| panic!("no {id} in {:?}", o.findings.iter().map(Finding::sentence).collect::<Vec<_>>()))
 }
 
 fn evidence(f: &Finding, what: &str) -> f64 {
@@ -140,7 +143,8 @@ fn a_self_excited_whirl_is_no_multiple_of_the_spin() {
 #[test]
 fn spectra_leave_the_motion_as_it_is() {
     let study = "kind = \"transient\"\nspeed = 2500\nduration = 0.2\ninitial = { \"drum.x\" = \"0.1 mm\" }\npoints = 40";
-    let (plain, with) = (run(&text("per_axis", "1 mm", "", study)), run(&text("per_axis", "1 mm", "", &format!("{study}\nwaterfall = \"drum\""))));
+    let (plain, with) =
+        (run(&text("per_axis", "1 mm", "", study)), run(&text("per_axis", "1 mm", "", &format!("{study}\nwaterfall = \"drum\""))));
     assert_eq!(plain.find_table("motion"), with.find_table("motion"));
     assert_eq!(plain.find_table("energy"), with.find_table("energy"));
 }

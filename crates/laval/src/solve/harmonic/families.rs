@@ -4,6 +4,7 @@
 //! - **Mixed states**: where several states are known at a speed, x is taken from one and y from another, and the result solved for.
 //! - **Longer periods**: known states with a component of a third of the spin frequency added (half as well where the machine has no symmetry).
 //! - **Starts anywhere**: a deterministic set of motions of many sizes and phases.
+//! - **Motions in time**, on request: what an ensemble of starts settles on, of any period up to some turns (see [`super::settle`]).
 //!
 //! Whatever converges to a state that no known branch passes through at that speed, nor an image of it, is followed both ways and judged; its own
 //! bifurcations are switched at in turn. Newton's method finds unstable states as well as stable ones. What is not found is not excluded.
@@ -13,13 +14,14 @@ use super::branch::{Judge, Origin};
 use super::problem::{Balance, Discretisation};
 use super::response::{MOST_HARMONICS, Request, Response, Tick, carry, finish, samples, settings, symmetry};
 use super::seeds::{Motion, Random, anywhere, planes, with_subharmonic};
+use super::settle::{LONGEST, loops};
 use super::terms::Terms;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::symmetry::Symmetry;
 use laval_num::continuation::{Branch, Direction, Point, Settings, cross, trace, trace_both};
 use laval_num::newton::{Options, newton};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Families followed at most beside the main branches.
 const MOST_FAMILIES: usize = 24;
@@ -29,6 +31,12 @@ const MOST_TURNS: usize = 8;
 
 /// Speeds at which states are sought.
 const MOST_SPEEDS: usize = 9;
+
+/// Steps of integration in time for every point that a branch may have: the work limit bounds both.
+const STEPS_PER_POINT: u64 = 50_000;
+
+/// Most unknowns of a state sought from a motion in time.
+const MOST_UNKNOWNS: usize = 400;
 
 /// Sizes and phases of a subharmonic component tried on a known state.
 const SIZES: usize = 10;
@@ -45,6 +53,8 @@ struct Search<'a, 'r> {
     cancel: &'a AtomicBool,
     tick: Tick<'r>,
     found: usize,
+    /// Steps that integrations in time may still take.
+    steps: AtomicU64,
 }
 
 /// A known state at a speed.
@@ -63,8 +73,9 @@ pub(super) fn extend<'a>(
     tick: Tick,
 ) -> Result<(), Diagnostic> {
     let (symmetry, _) = symmetry(system, request)?;
-    let mut search =
-        Search { system, request, symmetry, settings: settings(request), balances: Vec::new(), response, cancel, tick, found: 0 };
+    let steps = AtomicU64::new(STEPS_PER_POINT.saturating_mul(request.max_points as u64));
+    let settings = settings(request);
+    let mut search = Search { system, request, symmetry, settings, balances: Vec::new(), response, cancel, tick, found: 0, steps };
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
@@ -73,6 +84,7 @@ pub(super) fn extend<'a>(
         search.subharmonics(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.anywhere(speed, &mut known)?;
+        search.in_time(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.switch_from(&mut next)?;
     }
@@ -436,6 +448,30 @@ impl<'a> Search<'a, '_> {
             let to = self.balance(d)?;
             let start = anywhere(&self.balances[to].terms, (0.1 * least, 10.0 * most), &mut random);
             self.try_start(d, &start, speed, Origin::Start, known)?;
+        }
+        Ok(())
+    }
+
+    /// What an ensemble of starts settles on in time.
+    fn in_time(&mut self, speed: f64, known: &mut Vec<Known>) -> Result<(), Diagnostic> {
+        let main = self.response.discretisation;
+        if self.request.time_starts == 0 || main.divisor != 1 || self.over() {
+            return Ok(());
+        }
+        let circular = self.symmetry == Symmetry::Circular;
+        let symmetry = if circular { main.symmetry } else { self.request.symmetry.unwrap_or(Symmetry::None) };
+        let found = loops(self.system, speed, self.sizes(known), self.request.time_starts, &self.steps, self.cancel);
+        for motion in found.into_iter().filter(|m| m.turns == 1 || !circular) {
+            let divisor = motion.turns.min(LONGEST);
+            let harmonics = (divisor * main.harmonics).min(MOST_HARMONICS - MOST_HARMONICS % divisor);
+            let d = Discretisation { harmonics, divisor, samples: samples(harmonics, divisor).max(main.samples), symmetry };
+            let to = self.balance(d)?;
+            if self.balances[to].terms.unknowns > MOST_UNKNOWNS {
+                continue;
+            }
+            let start = motion.start(&self.balances[to].terms);
+            let origin = if divisor == 1 { Origin::Start } else { Origin::Subharmonic(divisor) };
+            self.try_start(d, &start, speed, origin, known)?;
         }
         Ok(())
     }

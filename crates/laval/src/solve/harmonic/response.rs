@@ -49,6 +49,8 @@ pub struct Request {
     pub states: States,
     /// Starts taken anywhere when all states are looked for.
     pub starts: usize,
+    /// Starts integrated in time at every speed searched when all states are looked for.
+    pub time_starts: usize,
     /// Judge some states of every branch again by two other methods.
     pub check_stability: bool,
 }
@@ -75,6 +77,7 @@ impl Request {
             max_points: 2_000,
             states: States::Main,
             starts: 64,
+            time_starts: 0,
             check_stability: false,
         }
     }

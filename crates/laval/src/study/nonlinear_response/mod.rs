@@ -17,7 +17,9 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
+use crate::solve::ensemble;
 use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
+use crate::solve::harmonic::settle;
 use crate::solve::symmetry::Symmetry;
 use shown::Shown;
 
@@ -113,6 +115,12 @@ impl Study for NonlinearResponse {
             "with states = \"all\": starts of any size and phase, the same in every run",
         ),
         Field::optional(
+            "time_starts",
+            FieldKind::Integer { min: 0, max: 1000 },
+            "0",
+            "with states = \"all\": starts integrated in time at each speed searched; what they settle on, of periods up to 9 turns, is solved for and followed",
+        ),
+        Field::optional(
             "order_threshold",
             FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
             "",
@@ -183,16 +191,17 @@ pub(super) fn request(values: &Values, diagnostics: &mut Diagnostics) -> Option<
         return None;
     }
     Some(Request {
-            speeds: speeds?,
-            harmonics,
-            symmetry,
-            divisor,
-            truncation: values.number("truncation").unwrap_or(1e-7),
-            stability: values.flag("stability").unwrap_or(true),
-            max_points: whole("max_points", 2_000),
-            states: if values.choice("states") == Some("all") { States::All } else { States::Main },
-            starts: whole("starts", 64),
-            check_stability: values.flag("check_stability").unwrap_or(false),
+        speeds: speeds?,
+        harmonics,
+        symmetry,
+        divisor,
+        truncation: values.number("truncation").unwrap_or(1e-7),
+        stability: values.flag("stability").unwrap_or(true),
+        max_points: whole("max_points", 2_000),
+        states: if values.choice("states") == Some("all") { States::All } else { States::Main },
+        starts: whole("starts", 64),
+        time_starts: whole("time_starts", 0),
+        check_stability: values.flag("check_stability").unwrap_or(false),
     })
 }
 
@@ -203,9 +212,10 @@ pub(super) fn admit(system: &System, request: &Request) -> Result<(), Diagnostic
             "response.free_drive",
             "a steady response is computed at constant speed, and the speed of this machine is free",
         )
-        .help(
-            "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
-        ));
+        .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
+    }
+    if request.states == States::All && request.time_starts > 0 {
+        ensemble::admit(system, settle::method(system))?;
     }
     symmetry(system, request).map(|_| ())
 }

@@ -212,9 +212,11 @@ impl Shown<'_> {
                 let name = format!("{} {what}", kind(s.order, turns));
                 let status = if e.located { Status::Located } else { Status::Bracketed };
                 let point = SpecialPoint::new(name, e.speed, e.bracket).of(&self.bodies[s.body].0).status(status);
-                out = out.special_point(
-                    point.evidence("order", s.order as f64 / turns as f64, "").evidence("scaled residual", e.residual, ""),
-                );
+                out = out.special_point(point.evidence("order", s.order as f64 / turns as f64, "").evidence(
+                    "scaled residual",
+                    e.residual,
+                    "",
+                ));
             }
         }
         if stretches.is_empty() {
@@ -228,7 +230,9 @@ impl Shown<'_> {
     fn order_findings(&self, response: &Response, stretches: &[Stretch], threshold: f64) -> Vec<Finding> {
         let limit = quantity(threshold, "m");
         if stretches.is_empty() {
-            let text = format!("No order beside the synchronous one exceeds {limit} on any state: no body has a sub- or superharmonic that large.");
+            let text = format!(
+                "No order beside the synchronous one exceeds {limit} on any state: no body has a sub- or superharmonic that large."
+            );
             return vec![Finding::info("no_orders", text)];
         }
         let mut sorted: Vec<&Stretch> = stretches.iter().collect();
@@ -274,21 +278,20 @@ impl Shown<'_> {
         let mut rows: Vec<Row> = Vec::new();
         for (branch, whirls) in all.iter().enumerate() {
             let turns = response.branches[branch].turns();
-            let told = |order: usize| {
-                stretches.iter().any(|s| ratio(s.order, response.branches[s.branch].turns()) == ratio(order, turns))
-            };
+            let told = |order: usize| stretches.iter().any(|s| ratio(s.order, response.branches[s.branch].turns()) == ratio(order, turns));
             for (index, &order) in whirls.orders.iter().enumerate().filter(|(_, o)| told(**o)) {
                 rows.extend((0..whirls.values.len()).map(|point| Row { branch, point, order, index }));
             }
         }
         let traced = |r: &Row| &response.branches[r.branch];
-        let mut t = Table::new("orders", "Orders beside the synchronous one that exceed the threshold somewhere, order by order along each branch")
-            .int("branch", "", "number of the branch", rows.iter().map(|r| r.branch as i64 + 1).collect())
-            .text("states", "family of states", rows.iter().map(|r| label(traced(r)).to_string()).collect())
-            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| traced(r).points[r.point].speed).collect())
-            .text("order", "frequency over the spin frequency", rows.iter().map(|r| number(r.order, traced(r).turns())).collect())
-            .flag("begins", "first point of a branch", rows.iter().map(|r| r.point == 0).collect())
-            .flag("not unstable", "stable, or not judged", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
+        let mut t =
+            Table::new("orders", "Orders beside the synchronous one that exceed the threshold somewhere, order by order along each branch")
+                .int("branch", "", "number of the branch", rows.iter().map(|r| r.branch as i64 + 1).collect())
+                .text("states", "family of states", rows.iter().map(|r| label(traced(r)).to_string()).collect())
+                .float("speed", "rad/s", "spin speed", rows.iter().map(|r| traced(r).points[r.point].speed).collect())
+                .text("order", "frequency over the spin frequency", rows.iter().map(|r| number(r.order, traced(r).turns())).collect())
+                .flag("begins", "first point of a branch", rows.iter().map(|r| r.point == 0).collect())
+                .flag("not unstable", "stable, or not judged", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
         for (k, (name, _)) in self.bodies.iter().enumerate() {
             let column = |f: &dyn Fn(Whirl) -> f64| rows.iter().map(|r| f(all[r.branch].values[r.point][r.index][k])).collect::<Vec<f64>>();
             let none = "NaN where the motion could not be had";
@@ -305,7 +308,8 @@ impl Shown<'_> {
         let alt = format!("Semi-major axes of the orders beside the synchronous one over spin speed ({names}), with the threshold.");
         let mut figure = Figure::new("orders", "Sub- and superharmonics", alt).x(Axis::new("spin speed", "rad/s"));
         for (name, _) in self.bodies.iter().take(MOST_PANELS) {
-            let line = Line::new("orders", "speed", format!("{name} amplitude")).group("order").begins_where("begins").solid_where("not unstable");
+            let line =
+                Line::new("orders", "speed", format!("{name} amplitude")).group("order").begins_where("begins").solid_where("not unstable");
             let panel = Panel::new(Axis::log(name, "µm").factor(1e6)).mark(line).mark(Rule::y(threshold, "threshold"));
             figure = figure.panel(panel);
         }

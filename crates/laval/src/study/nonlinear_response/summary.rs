@@ -92,8 +92,7 @@ impl Summary {
             Top { displacement, speed, at_end: l.at_end, body: l.body }
         });
         let (hysteresis, open) = several(&response, request.speeds);
-        let mut unstable: Vec<(f64, f64)> =
-            response.branches.iter().flat_map(|b| ranges_of(b, unstable_without_fold(b))).collect();
+        let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_without_fold(b))).collect();
         unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
         let judged = request.stability && response.unjudged.is_none();
         let points = |b: &'_ Traced| unstable_without_fold(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();

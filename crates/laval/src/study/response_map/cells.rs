@@ -98,7 +98,9 @@ pub(super) fn columns(axes: &[Axis; 2]) -> Vec<CellColumn> {
     number("neimark_sacker_from", "rad/s", &format!("the lowest of them; {none}"), |s| {
         s.neimark_sacker().first().copied().unwrap_or(f64::NAN)
     });
-    number("neimark_sacker_to", "rad/s", &format!("the highest of them; {none}"), |s| s.neimark_sacker().last().copied().unwrap_or(f64::NAN));
+    number("neimark_sacker_to", "rad/s", &format!("the highest of them; {none}"), |s| {
+        s.neimark_sacker().last().copied().unwrap_or(f64::NAN)
+    });
     number("symmetry_breakings", "", "places where states lose their symmetry; NaN where it failed", |s| count(s, Event::SymmetryBreaking));
     number("period_doublings", "", "places where the period doubles; NaN where it failed", |s| count(s, Event::PeriodDoubling));
     number("branch_points", "", "places where states of one symmetry cross; NaN where it failed", |s| count(s, Event::BranchPoint));

@@ -68,8 +68,7 @@ pub(super) fn report(study: &ResponseMap, values: &[Vec<f64>; 2], results: &Resu
     for c in results.columns().iter().filter(|c| c.kind == Kind::Float) {
         numbers.insert(c.name.clone(), results.numbers(&c.name)?);
     }
-    let sweeps: Vec<String> =
-        words(results, "sweeps")?.into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
+    let sweeps: Vec<String> = words(results, "sweeps")?.into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
     let known: Vec<Option<bool>> = sweeps.iter().map(|w| jumps(w)).collect();
     let map = Map { study, values, numbers, border: pieces(&study.axes, values, &known), sweeps };
     let complete = results.end() == End::Reached;
@@ -107,7 +106,8 @@ fn failures(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
     }
     let rising = map.column("rising").iter().filter(|x| **x == 1.0).count();
     if rising > 0 {
-        let text = format!("Of {{}} of {} machines the displacement still rises where a branch was left: they have no peak here.", map.len());
+        let text =
+            format!("Of {{}} of {} machines the displacement still rises where a branch was left: they have no peak here.", map.len());
         out.push(Finding::warning("peaks_not_reached", text).value(rising as f64, ""));
     }
     Ok(out)
@@ -122,11 +122,10 @@ fn jumping(map: &Map) -> Vec<Finding> {
     let count = map.count(|w| jumps(w) == Some(true));
     let text = match count {
         0 => format!("None of the {known} machines jumps in this range of speeds."),
-        n if n == known => format!("All {{}} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN)),
-        _ => format!(
-            "{{}} of {known} machines jump in this range of speeds, {} of them on a sweep down only.",
-            map.count(|w| w == DOWN)
-        ),
+        n if n == known => {
+            format!("All {{}} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN))
+        }
+        _ => format!("{{}} of {known} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN)),
     };
     let mut out =
         vec![Finding::info("jumping_machines", text).value(count as f64, "").evidence("machines whose sweeps are known", known as f64, "")];
@@ -238,13 +237,16 @@ fn border_table(map: &Map) -> Result<Table, Diagnostic> {
     let ends: Vec<(&Piece, usize)> = map.border.iter().flat_map(|p| [(p, 0), (p, 1)]).collect();
     let axes = &map.study.axes;
     let column = |f: &dyn Fn(&Piece, usize) -> f64| ends.iter().map(|(p, e)| f(p, *e)).collect::<Vec<f64>>();
-    Table::new("border", "Border between machines that jump and machines that do not: two rows for each piece, half way between two machines")
-        .float("x", axes[0].unit, axes[0].path.clone(), column(&|p, e| p.ends[e][0]))
-        .float("y", axes[1].unit, axes[1].path.clone(), column(&|p, e| p.ends[e][1]))
-        .flag("begins", "first end of a piece", ends.iter().map(|e| e.1 == 0).collect())
-        .text("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
-        .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|p, _| p.between[0]))
-        .float("side_above", "", "its value on the other side, SI units", column(&|p, _| p.between[1]))
-        .build()
-        .map_err(inconsistent)
+    Table::new(
+        "border",
+        "Border between machines that jump and machines that do not: two rows for each piece, half way between two machines",
+    )
+    .float("x", axes[0].unit, axes[0].path.clone(), column(&|p, e| p.ends[e][0]))
+    .float("y", axes[1].unit, axes[1].path.clone(), column(&|p, e| p.ends[e][1]))
+    .flag("begins", "first end of a piece", ends.iter().map(|e| e.1 == 0).collect())
+    .text("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
+    .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|p, _| p.between[0]))
+    .float("side_above", "", "its value on the other side, SI units", column(&|p, _| p.between[1]))
+    .build()
+    .map_err(inconsistent)
 }

@@ -33,8 +33,12 @@ pub(super) const WATERFALL: Field = Field::optional(
     "body whose spectra are wanted, over frequency and over orders of the spin, forward and backward parts apart",
 );
 /// `spectra`.
-pub(super) const SPECTRA: Field =
-    Field::optional("spectra", FieldKind::Integer { min: 2, max: 1000 }, "60", "with a waterfall: number of spectra, from windows that overlap by half");
+pub(super) const SPECTRA: Field = Field::optional(
+    "spectra",
+    FieldKind::Integer { min: 2, max: 1000 },
+    "60",
+    "with a waterfall: number of spectra, from windows that overlap by half",
+);
 /// `highest_order`.
 pub(super) const HIGHEST_ORDER: Field = Field::optional(
     "highest_order",

@@ -78,7 +78,11 @@ pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome
         if rows.is_empty() {
             continue;
         }
-        let doc = if y.1.is_empty() { "frequency over spin frequency; negative turns against the rotor" } else { "negative turns against the rotor" };
+        let doc = if y.1.is_empty() {
+            "frequency over spin frequency; negative turns against the rotor"
+        } else {
+            "negative turns against the rotor"
+        };
         let table = Table::new(name, title)
             .float("t", "s", "time at the middle of the window", rows.iter().map(|r| r.0.t).collect())
             .float("speed", "rad/s", "spin speed there", rows.iter().map(|r| r.0.speed).collect())
@@ -194,6 +198,8 @@ mod tests {
         assert_eq!(of(1.0 / 3.0), Class::Fraction(1, 3));
         assert_eq!(of(1.5), Class::Fraction(3, 2));
         assert_eq!((of(0.46), of(-0.88)), (Class::Free(true), Class::Free(false)));
-        assert!(words(of(-3.0)).contains("superharmonic of order 3, backward") && words(of(0.5)).contains("subharmonic of order 1/2, forward"));
+        assert!(
+            words(of(-3.0)).contains("superharmonic of order 3, backward") && words(of(0.5)).contains("subharmonic of order 1/2, forward")
+        );
     }
 }
