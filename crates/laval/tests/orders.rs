@@ -7,7 +7,9 @@ use laval::study::Context;
 
 fn machine(law: &str, eccentricity: &str, study: &str) -> Outcome {
     let text = format!(
-        r#"[[part]]
+        r#"[machine]
+name = "rotor"
+[[part]]
 kind = "disc"
 name = "drum"
 mass = "2.4 kg"

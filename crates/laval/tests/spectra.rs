@@ -7,7 +7,9 @@ use laval::study::Context;
 
 fn text(law: &str, eccentricity: &str, liquid: &str, study: &str) -> String {
     format!(
-        r#"[[part]]
+        r#"[machine]
+name = "rotor"
+[[part]]
 kind = "disc"
 name = "drum"
 mass = "2.4 kg"

@@ -21,7 +21,7 @@ use crate::model::system::System;
 use crate::solve::symmetry::Symmetry;
 use laval_num::continuation::{Branch, Direction, Point, Settings, cross, trace, trace_both};
 use laval_num::newton::{Options, newton};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Families followed at most beside the main branches.
 const MOST_FAMILIES: usize = 24;
@@ -53,8 +53,6 @@ struct Search<'a, 'r> {
     cancel: &'a AtomicBool,
     tick: Tick<'r>,
     found: usize,
-    /// Steps that integrations in time may still take.
-    steps: AtomicU64,
 }
 
 /// A known state at a speed.
@@ -73,9 +71,8 @@ pub(super) fn extend<'a>(
     tick: Tick,
 ) -> Result<(), Diagnostic> {
     let (symmetry, _) = symmetry(system, request)?;
-    let steps = AtomicU64::new(STEPS_PER_POINT.saturating_mul(request.max_points as u64));
     let settings = settings(request);
-    let mut search = Search { system, request, symmetry, settings, balances: Vec::new(), response, cancel, tick, found: 0, steps };
+    let mut search = Search { system, request, symmetry, settings, balances: Vec::new(), response, cancel, tick, found: 0 };
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
@@ -460,7 +457,15 @@ impl<'a> Search<'a, '_> {
         }
         let circular = self.symmetry == Symmetry::Circular;
         let symmetry = if circular { main.symmetry } else { self.request.symmetry.unwrap_or(Symmetry::None) };
-        let found = loops(self.system, speed, self.sizes(known), self.request.time_starts, &self.steps, self.cancel);
+        let starts = self.request.time_starts;
+        let most_steps = STEPS_PER_POINT.saturating_mul(self.request.max_points as u64) / (starts * MOST_SPEEDS) as u64;
+        let (found, repeating) = loops(self.system, speed, self.sizes(known), starts, most_steps, self.cancel);
+        for (name, count) in [("starts in time", starts), ("starts in time that repeat", repeating)] {
+            match self.response.work.iter_mut().find(|w| w.0 == name) {
+                Some(w) => w.1 += count as u64,
+                None => self.response.work.push((name, count as u64)),
+            }
+        }
         for motion in found.into_iter().filter(|m| m.turns == 1 || !circular) {
             let divisor = motion.turns.min(LONGEST);
             let harmonics = (divisor * main.harmonics).min(MOST_HARMONICS - MOST_HARMONICS % divisor);

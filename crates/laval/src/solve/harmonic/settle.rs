@@ -15,7 +15,7 @@ use crate::solve::rest::rest;
 use laval_num::complex::{C64, c};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Longest period sought, in turns.
 pub(super) const LONGEST: usize = 9;
@@ -85,13 +85,14 @@ struct Fleet<'a> {
     /// Turns followed before the record.
     turns: u64,
     cancel: &'a AtomicBool,
-    /// Steps that are left to all.
-    steps: &'a AtomicU64,
+    /// Most steps of one start.
+    most_steps: u64,
 }
 
 /// What is remembered of a start.
 struct Log {
     to_go: u64,
+    steps_left: u64,
     recording: bool,
     samples: Vec<Vec<f64>>,
 }
@@ -104,7 +105,7 @@ impl Fleet<'_> {
     fn next(&self, log: &mut Log, first_step: Option<f64>) -> Leg {
         let turns = log.to_go.min(LEG);
         log.recording = turns == 0;
-        let max_steps = self.steps.load(Ordering::Relaxed).max(1);
+        let max_steps = log.steps_left.max(1);
         if log.recording {
             let count = (2 * LONGEST * SAMPLES) as u64;
             let outputs = Grid { start: 0.0, step: self.period() / SAMPLES as f64, count: count + 1 };
@@ -120,7 +121,7 @@ impl Voyage for Fleet<'_> {
     type Row = Option<Loop>;
 
     fn start(&self, index: usize) -> Result<Start<Log>, Option<Loop>> {
-        let mut log = Log { to_go: self.turns, recording: false, samples: Vec::new() };
+        let mut log = Log { to_go: self.turns, steps_left: self.most_steps, recording: false, samples: Vec::new() };
         let leg = self.next(&mut log, None);
         Ok(Start {
             system: self.system.clone(),
@@ -141,9 +142,7 @@ impl Voyage for Fleet<'_> {
     }
 
     fn ended(&self, _: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Option<Loop>> {
-        let spent = ended.steps + ended.rejected;
-        // never below zero
-        let _ = self.steps.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| Some(left.saturating_sub(spent)));
+        log.steps_left = log.steps_left.saturating_sub(ended.steps + ended.rejected);
         if ended.end != LegEnd::Reached || !y.iter().all(|x| x.is_finite()) {
             return Next::Done(None);
         }
@@ -174,11 +173,18 @@ fn repeating(samples: Vec<Vec<f64>>) -> Option<Loop> {
     Some(Loop { turns, samples: own[n - turns * SAMPLES..].to_vec() })
 }
 
-/// What so many starts at a speed (rad/s) settle on, each motion once. `sizes` (m) are the smallest and largest known motions; `steps` is what all
-/// integrations together may still take. The rows do not depend on threads unless the steps run out.
-pub(super) fn loops(system: &System, speed: f64, sizes: (f64, f64), count: usize, steps: &AtomicU64, cancel: &AtomicBool) -> Vec<Loop> {
+/// What so many starts at a speed (rad/s) settle on, each motion once, and how many starts came to nearly repeat. `sizes` (m) are the smallest and largest
+/// known motions; a start that takes more than `most_steps` is given up.
+pub(super) fn loops(
+    system: &System,
+    speed: f64,
+    sizes: (f64, f64),
+    count: usize,
+    most_steps: u64,
+    cancel: &AtomicBool,
+) -> (Vec<Loop>, usize) {
     let nonlinear = Nonlinear::of(system);
-    let Ok(own) = system.with(&[]) else { return Vec::new() };
+    let Ok(own) = system.with(&[]) else { return (Vec::new(), 0) };
     let still = rest(system, speed).ok();
     let decay = still.as_ref().and_then(|e| modes_about(system, e, false).ok()?.least_stable().map(|m| -m.growth()));
     let turns = decay.filter(|r| *r > 0.0).map_or(TURNS.1, |r| FOLDS / r * speed.abs() / TAU).clamp(TURNS.0, TURNS.1).ceil() as u64;
@@ -195,17 +201,19 @@ pub(super) fn loops(system: &System, speed: f64, sizes: (f64, f64), count: usize
     };
     let starts = (0..count).map(&mut start).collect();
     let form = Form::of(system, true);
-    let fleet = Fleet { system: Arc::new(own), nonlinear: &nonlinear, speed, starts, turns, cancel, steps };
+    let fleet = Fleet { system: Arc::new(own), nonlinear: &nonlinear, speed, starts, turns, cancel, most_steps };
     let settings = Settings { method: method(system), ..Settings::default() };
     let found = ensemble::run(&fleet, &fleet.system, form, 0..count, settings).unwrap_or_default();
     let mut out: Vec<Loop> = Vec::new();
+    let mut repeating = 0;
     for l in found.into_iter().flatten() {
+        repeating += 1;
         let low = Terms::new(&nonlinear.kinds, crate::solve::symmetry::Symmetry::None, 3 * l.turns, l.turns, 16);
         if !out.iter().any(|o| l.turns == o.turns && l.same(o, &low)) {
             out.push(l);
         }
     }
-    out
+    (out, repeating)
 }
 
 #[cfg(test)]

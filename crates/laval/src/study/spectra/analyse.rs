@@ -15,6 +15,8 @@ const MOST_TURNS: f64 = 64.0;
 const HALF_WIDTH: f64 = 2.5;
 /// Height over what the windows of larger parts leave there, from which a line is a part.
 const CLEAR: f64 = 4.0;
+/// Parts of a window at most.
+const MOST_PARTS: usize = 6;
 /// Frequencies on one side of zero that are listed at most.
 const MOST_FREQUENCIES: usize = 400;
 
@@ -126,6 +128,21 @@ impl<'r> Turning<'r> {
         Some((Turning { record, range: first..last + 1, weights }, turns))
     }
 
+    /// Amplitudes at the orders `-reach/LINES .. reach/LINES`: from one line to the next every sample turns on by the same angle.
+    fn lines(&self, reach: i64) -> Vec<(f64, f64)> {
+        let phase = &self.record.phase[self.range.clone()];
+        let first = -reach as f64 / LINES as f64;
+        let own = self.record.z[self.range.clone()].iter().zip(phase).zip(&self.weights);
+        let mut turned: Vec<C64> = own.map(|((z, p), w)| (*z * C64::cis(-first * p)).scale(*w)).collect();
+        let step: Vec<C64> = phase.iter().map(|p| C64::cis(-p / LINES as f64)).collect();
+        let line = |k: i64| {
+            let height = turned.iter().fold(C64::zero(), |s, z| s + *z).abs();
+            turned.iter_mut().zip(&step).for_each(|(z, s)| *z = *z * *s);
+            (k as f64 / LINES as f64, height)
+        };
+        (-reach..=reach).map(line).collect()
+    }
+
     /// Amplitude at a signed order.
     fn height(&self, order: f64) -> f64 {
         let own = self.record.z[self.range.clone()].iter().zip(&self.record.phase[self.range.clone()]).zip(&self.weights);
@@ -137,12 +154,7 @@ impl<'r> Turning<'r> {
 fn orders(spectra: &Spectra, record: &Record, from: usize) -> (f64, Vec<(f64, f64)>, Vec<Part>) {
     let Some((turning, turns)) = Turning::of(record, from, spectra.samples) else { return (f64::NAN, Vec::new(), Vec::new()) };
     let reach = (spectra.highest * LINES as f64).floor() as i64;
-    let lines: Vec<(f64, f64)> = (-reach..=reach)
-        .map(|k| {
-            let order = k as f64 / LINES as f64;
-            (order, turning.height(order))
-        })
-        .collect();
+    let lines = turning.lines(reach);
     let parts = parts(&turning, &lines, turns);
     (turns, lines, parts)
 }
@@ -156,19 +168,28 @@ fn left(distance: f64, turns: f64) -> f64 {
 /// Local maxima that larger parts do not explain, the mean and the synchronous part left out; largest first.
 fn parts(turning: &Turning, lines: &[(f64, f64)], turns: f64) -> Vec<Part> {
     let tops = lines.windows(3).filter(|w| w[1].1 >= w[0].1 && w[1].1 > w[2].1);
-    let mut found: Vec<Part> = tops.map(|w| refined(turning, w[1].0)).collect();
-    found.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    let mut tops: Vec<Part> = tops.map(|w| Part { order: w[1].0, amplitude: w[1].1 }).collect();
+    tops.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
     // the mean and the synchronous part are always parts, whether they have a maximum of their own or not
     let known = [0.0, 1.0].map(|order| Part { order, amplitude: turning.height(order) });
     let mut out: Vec<Part> = Vec::new();
-    for p in found {
-        let larger = known.iter().chain(&out);
-        let near = known.iter().chain(&out).any(|o| (p.order - o.order).abs() * turns <= HALF_WIDTH);
-        let explained: f64 = larger.map(|o| o.amplitude * left(p.order - o.order, turns)).sum();
-        if !near && p.amplitude > CLEAR * explained {
-            out.push(p);
+    let own = |p: &Part, out: &[Part]| {
+        let near = known.iter().chain(out).any(|o| (p.order - o.order).abs() * turns <= HALF_WIDTH);
+        let explained: f64 = known.iter().chain(out).map(|o| o.amplitude * left(p.order - o.order, turns)).sum();
+        !near && p.amplitude > CLEAR * explained
+    };
+    for top in tops {
+        if out.len() >= MOST_PARTS {
+            break;
+        }
+        if own(&top, &out) {
+            let p = refined(turning, top.order);
+            if own(&p, &out) {
+                out.push(p);
+            }
         }
     }
+    out.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
     out
 }
 
