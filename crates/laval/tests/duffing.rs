@@ -173,7 +173,8 @@ fn symmetry_breaking_and_period_doubling() {
                 let mean = orbit.orders.iter().position(|&k| k == 0).map_or(0.0, |i| orbit.coordinates[i][0].abs());
                 assert!(mean > 1e-5, "{speed} {mean}");
                 let back = returns(machine, &system, &orbit, 1);
-                assert_eq!(stable, back < 1e-7, "{speed} {back}");
+                // within the orders kept
+                assert_eq!(stable, back < 1e-3 * machine.e, "{speed} {back}");
                 settled += usize::from(stable);
             }
         }
@@ -195,7 +196,7 @@ fn symmetry_breaking_and_period_doubling() {
         let held: Vec<f64> = branch.points.iter().filter(|p| p.stable()).map(|p| p.speed).collect();
         let Some(&speed) = held.get(held.len() / 2) else { continue };
         for (orbit, _) in states(&system, branch, speed).into_iter().filter(|s| s.1) {
-            assert!(returns(machine, &system, &orbit, 2) < 1e-7, "{speed}");
+            assert!(returns(machine, &system, &orbit, 2) < 1e-3 * machine.e, "{speed}");
             let (a, b) = (at(&system, &orbit, 0.0), at(&system, &orbit, 0.5 * TAU));
             assert!(apart(a, b, speed) > 1e-5, "{a:?} {b:?}");
             seen += 1;

@@ -25,6 +25,8 @@ const SAMPLES: usize = 64;
 const FOLDS: f64 = 6.0;
 /// Turns it is followed at least and at most.
 const TURNS: (f64, f64) = (40.0, 4000.0);
+/// Turns it is followed where a mode at rest does not decay: nothing says how long settling takes.
+const UNKNOWN: f64 = 400.0;
 /// Turns of one leg: the phase keeps its digits.
 const LEG: u64 = 1000;
 /// Difference of two successive periods over the size of the motion, up to which it nearly repeats.
@@ -187,7 +189,7 @@ pub(super) fn loops(
     let Ok(own) = system.with(&[]) else { return (Vec::new(), 0) };
     let still = rest(system, speed).ok();
     let decay = still.as_ref().and_then(|e| modes_about(system, e, false).ok()?.least_stable().map(|m| -m.growth()));
-    let turns = decay.filter(|r| *r > 0.0).map_or(TURNS.1, |r| FOLDS / r * speed.abs() / TAU).clamp(TURNS.0, TURNS.1).ceil() as u64;
+    let turns = decay.filter(|r| *r > 0.0).map_or(UNKNOWN, |r| FOLDS / r * speed.abs() / TAU).clamp(TURNS.0, TURNS.1).ceil() as u64;
     let (n, dim) = (own.n(), 2 * own.n() + own.m());
     let mut random = Random(speed.to_bits() ^ 0x5eed);
     let mut start = |_| {

@@ -173,18 +173,20 @@ fn parts(turning: &Turning, lines: &[(f64, f64)], turns: f64) -> Vec<Part> {
     // the mean and the synchronous part are always parts, whether they have a maximum of their own or not
     let known = [0.0, 1.0].map(|order| Part { order, amplitude: turning.height(order) });
     let mut out: Vec<Part> = Vec::new();
-    let own = |p: &Part, out: &[Part]| {
-        let near = known.iter().chain(out).any(|o| (p.order - o.order).abs() * turns <= HALF_WIDTH);
-        let explained: f64 = known.iter().chain(out).map(|o| o.amplitude * left(p.order - o.order, turns)).sum();
-        !near && p.amplitude > CLEAR * explained
+    let others = |out: &[Part]| known.iter().copied().chain(out.iter().copied()).collect::<Vec<Part>>();
+    let clear = |p: &Part, out: &[Part]| {
+        let explained: f64 = others(out).iter().map(|o| o.amplitude * left(p.order - o.order, turns)).sum();
+        p.amplitude > CLEAR * explained
     };
     for top in tops {
         if out.len() >= MOST_PARTS {
             break;
         }
-        if own(&top, &out) {
+        // the line nearest to a part may lie too near to another, though the part does not
+        if clear(&top, &out) {
             let p = refined(turning, top.order);
-            if own(&p, &out) {
+            let near = others(&out).iter().any(|o| (p.order - o.order).abs() * turns <= HALF_WIDTH);
+            if !near && clear(&p, &out) {
                 out.push(p);
             }
         }
