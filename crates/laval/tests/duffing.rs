@@ -115,11 +115,11 @@ fn apart(a: [f64; 2], b: [f64; 2], w: f64) -> f64 {
     (a[0] - b[0]).hypot((a[1] - b[1]) / w)
 }
 
-/// Whether motions in time that begin beside an orbit come back to it: largest distance of the last sections from the orbit's own points.
-fn returns(machine: Duffing, system: &System, orbit: &Orbit, turns: usize) -> f64 {
+/// Whether motions in time that begin beside an orbit, by this share, come back to it: largest distance of the last sections from the orbit's own points.
+fn returns(machine: Duffing, system: &System, orbit: &Orbit, turns: usize, share: f64) -> f64 {
     let w = orbit.speed;
     let points: Vec<[f64; 2]> = (0..turns).map(|k| at(system, orbit, TAU * k as f64 / turns as f64)).collect();
-    let start = [points[0][0] * 1.002 + 1e-6, points[0][1] * 0.998];
+    let start = [points[0][0] * (1.0 + share) + 1e-6, points[0][1] * (1.0 - share)];
     let last = machine.sections(w, 240 * turns, turns, start);
     let nearest = |p: &[f64; 2]| points.iter().map(|q| apart(*p, *q, w)).fold(f64::INFINITY, f64::min);
     last.iter().map(nearest).fold(0.0, f64::max)
@@ -172,7 +172,7 @@ fn symmetry_breaking_and_period_doubling() {
                 // an even order: the mean
                 let mean = orbit.orders.iter().position(|&k| k == 0).map_or(0.0, |i| orbit.coordinates[i][0].abs());
                 assert!(mean > 1e-5, "{speed} {mean}");
-                let back = returns(machine, &system, &orbit, 1);
+                let back = returns(machine, &system, &orbit, 1, 0.002);
                 // within the orders kept
                 assert_eq!(stable, back < 1e-3 * machine.e, "{speed} {back}");
                 settled += usize::from(stable);
@@ -181,7 +181,8 @@ fn symmetry_breaking_and_period_doubling() {
         for c in changes(branch, Event::PeriodDoubling) {
             let y = at(&system, &orbit_of(&system, branch, c), 0.0);
             let there = determinant(machine, c.speed, y, 1.0, -1.0);
-            assert!(there.abs() < 1e-4, "{} {there}", c.speed);
+            // from 0 to 4 while the multiplier goes from -1 to 1: a hundredth of a rad/s
+            assert!(there.abs() < 2e-3, "{} {there}", c.speed);
             doubled += 1;
         }
     }
@@ -196,7 +197,7 @@ fn symmetry_breaking_and_period_doubling() {
         let held: Vec<f64> = branch.points.iter().filter(|p| p.stable()).map(|p| p.speed).collect();
         let Some(&speed) = held.get(held.len() / 2) else { continue };
         for (orbit, _) in states(&system, branch, speed).into_iter().filter(|s| s.1) {
-            assert!(returns(machine, &system, &orbit, 2) < 1e-3 * machine.e, "{speed}");
+            assert!(returns(machine, &system, &orbit, 2, 0.002) < 1e-3 * machine.e, "{speed}");
             let (a, b) = (at(&system, &orbit, 0.0), at(&system, &orbit, 0.5 * TAU));
             assert!(apart(a, b, speed) > 1e-5, "{a:?} {b:?}");
             seen += 1;
@@ -224,9 +225,10 @@ fn isolated_subharmonics_are_found_in_time() {
             let stable: Vec<f64> = branch.points.iter().filter(|p| p.stable()).map(|p| p.speed).collect();
             let Some(&speed) = stable.get(stable.len() / 2) else { continue };
             for (orbit, _) in states(&system, branch, speed).into_iter().filter(|s| s.1) {
-                let back = returns(WEAK, &system, &orbit, turns);
-                // as good as the orders kept
-                assert!(back < 1e-4 * 3e-3, "{speed} {back}");
+                let size = (0..64).map(|k| at(&system, &orbit, TAU * f64::from(k) / 64.0)[0].abs()).fold(0.0, f64::max);
+                let back = returns(WEAK, &system, &orbit, turns, 0.01);
+                // within what seven orders of the spin leave out
+                assert!(back < 0.003 * size, "{speed} {back} {size}");
                 held += 1;
             }
         }

@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn orders_keep_their_amplitudes_while_the_speed_rises() {
         for speeds in [(500.0, 900.0), (-500.0, -900.0), (900.0, 300.0)] {
-            let s = spectra(4.0, 900.0, 4.0, 20);
+            let s = spectra(4.0, 900.0, 8.0, 20);
             let all = windows(&s, &recorded(&s, speeds, &PARTS));
             assert_eq!(all.len(), 20);
             for w in all {
