@@ -196,6 +196,51 @@ impl Dft {
     }
 }
 
+/// Discrete Fourier transform of a length that is a power of two, in N log N operations (Cooley and Tukey, radix 2, in place), from one exact table.
+#[derive(Clone, Debug)]
+pub struct Fft {
+    /// `e^(-2 pi i k/N)` for the first half of the circle.
+    table: Vec<C64>,
+    n: usize,
+}
+
+impl Fft {
+    /// Transform of the smallest power of two that is not below `n`.
+    pub fn at_least(n: usize) -> Self {
+        let n = n.max(1).next_power_of_two();
+        Fft { table: (0..n / 2).map(|k| unit_root(-(k as i64), n as u64)).collect(), n }
+    }
+    /// Its length.
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.n
+    }
+    /// `c_k = 1/N sum_j x_j e^(-2 pi i j k/N)` in place of x, k = 0..N; order -k is at N - k.
+    pub fn forward(&self, x: &mut [C64]) {
+        let n = self.n;
+        assert_eq!(x.len(), n, "length of the sequence differs from the transform");
+        for (i, j) in (0..n).map(|i| (i, if n > 1 { i.reverse_bits() >> (usize::BITS - n.trailing_zeros()) } else { i })) {
+            if i < j {
+                x.swap(i, j);
+            }
+        }
+        let mut half = 1;
+        while half < n {
+            let stride = n / (2 * half);
+            for block in x.chunks_exact_mut(2 * half) {
+                let (low, high) = block.split_at_mut(half);
+                for (k, (a, b)) in low.iter_mut().zip(high).enumerate() {
+                    let t = *b * self.table[k * stride];
+                    (*a, *b) = (*a + t, *a - t);
+                }
+            }
+            half *= 2;
+        }
+        let gain = 1.0 / n as f64;
+        x.iter_mut().for_each(|x| *x = x.scale(gain));
+    }
+}
+
 /// Coefficient of a signed order from equally spaced samples over a whole number of periods (the end point not repeated):
 /// `1/N sum z_j e^(-i order phase_j)`. A real signal has amplitude `2 |c|` at order > 0. Zero for an empty signal.
 pub fn order_coefficient<T: Copy + Into<C64>>(signal: &[T], periods: u32, order: i32) -> C64 {
@@ -279,6 +324,22 @@ mod tests {
         let real: Vec<f64> = x.iter().map(|z| z.re).collect();
         let full = d.forward(&real.iter().map(|&x| c(x, 0.0)).collect::<Vec<_>>());
         assert!(d.forward_real(&real).iter().zip(&full).all(|(a, b)| a == b));
+    }
+
+    #[test]
+    fn fast_transforms_are_those_by_definition() {
+        for n in [1usize, 2, 4, 8, 64, 512] {
+            let fft = Fft::at_least(n);
+            assert_eq!((fft.len(), Fft::at_least(n.max(3) - 1).len() >= n.max(3) - 1), (n, true));
+            let x: Vec<C64> = (0..n).map(|j| c((j * j % 7) as f64 - 3.0, (j % 5) as f64 - 2.0)).collect();
+            let mut fast = x.clone();
+            fft.forward(&mut fast);
+            let slow = Dft::new(n).forward(&x);
+            assert!(fast.iter().zip(&slow).all(|(a, b)| (*a - *b).abs() < 1e-14), "{n}");
+            // Parseval
+            let (time, lines): (f64, f64) = (x.iter().map(|x| x.norm_sqr()).sum(), fast.iter().map(|x| x.norm_sqr()).sum());
+            assert!((time / n as f64 - lines).abs() < 1e-12 * lines.max(1.0), "{n}");
+        }
     }
 
     #[test]

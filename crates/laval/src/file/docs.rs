@@ -69,6 +69,10 @@ fn example_value(f: &Field) -> String {
             format!("[{}, {}]", quantity(unit, x), quantity(unit, farther(&bounds, x)))
         }
         FieldKind::ParameterPath => quoted("drum.mass"),
+        // a second one is of another parameter
+        FieldKind::ParameterRange if f.name == "y" => {
+            "{ parameter = \"drum.eccentricity\", from = \"10 um\", to = \"100 um\", points = 20 }".into()
+        }
         FieldKind::ParameterRange => "{ parameter = \"drum.mass\", from = \"2 kg\", to = \"4 kg\", points = 20 }".into(),
         FieldKind::Coordinate => quoted("drum.x"),
         FieldKind::Columns(list) => {

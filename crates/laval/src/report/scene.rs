@@ -227,7 +227,10 @@ impl Build<'_> {
                     let of = groups.len();
                     for (k, g) in groups.into_iter().enumerate() {
                         let colour = if m.reference { Colour::Muted } else { self.colour(&g.name, k, of) };
-                        let entry = (!m.reference).then(|| self.entry(&g.name, colour, Glyph::Line));
+                        // curves on a heat map are black
+                        let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
+                        let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
+                        let entry = (!m.reference).then(|| self.entry(&g.name, colour, glyph));
                         let at = |i: usize| (xs[i], ys[i]);
                         let pieces = match &solid {
                             None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],

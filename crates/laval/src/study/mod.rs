@@ -16,9 +16,11 @@ pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
 mod passages;
+pub mod response_map;
 pub mod run_up;
 pub mod separation;
 mod settled;
+mod spectra;
 pub mod stability_map;
 mod start;
 pub mod support;
@@ -198,6 +200,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<bifurcation_loci::BifurcationLoci>(),
+        kind::<response_map::ResponseMap>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
         kind::<methods::Methods>(),

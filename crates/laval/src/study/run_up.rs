@@ -11,6 +11,7 @@
 
 use super::history::{self, ABSOLUTE, Columns, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::passages::{envelope, passages};
+use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -38,6 +39,7 @@ pub struct RunUp {
     initial: Vec<(Entry, f64)>,
     velocities: bool,
     observables: bool,
+    spectra: Option<Spectra>,
 }
 
 const TABLE: &[(&str, &str, bool, &str)] =
@@ -87,6 +89,10 @@ impl Study for RunUp {
         POINTS,
         Field::optional("velocities", FieldKind::Flag, "false", "list the rates too"),
         Field::optional("observables", FieldKind::Flag, "false", "list the quantities the parts show, such as bearing forces"),
+        spectra::WATERFALL,
+        spectra::SPECTRA,
+        spectra::HIGHEST_ORDER,
+        spectra::THRESHOLD,
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -101,13 +107,16 @@ impl Study for RunUp {
         let initial = start::state_map(values, "initial", system, diagnostics);
         let settings = Settings::read(values);
         let made = programme(values, system, settings.phase, diagnostics);
+        let t_end = made.as_ref().map(|m| m.1 + values.number("hold").unwrap_or(0.0));
+        let span = made.as_ref().zip(t_end).map(|((p, _), t)| (t, p.largest_speed()));
+        let spectra = Spectra::read(values, system, span.unwrap_or((1.0, 1.0)), diagnostics);
         if diagnostics.0.len() > before {
             return None;
         }
-        let (programme, end) = made?;
         Some(RunUp {
-            programme,
-            t_end: end + values.number("hold").unwrap_or(0.0),
+            programme: made?.0,
+            t_end: t_end?,
+            spectra,
             settings,
             windows: values.integer("windows").map_or(400, |x| x.max(10) as usize),
             initial,
@@ -131,7 +140,8 @@ impl Study for RunUp {
         let still = history::negligible(s, &start);
         let last = self.programme.at(self.t_end);
         history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
-        let outputs = history::spaced(self.t_end, s.points);
+        let asked = history::spaced(self.t_end, s.points);
+        let outputs = self.spectra.as_ref().map_or_else(|| asked.clone(), |s| s.with_outputs(&asked));
         let plan = Plan {
             t_end: self.t_end,
             choice: s.method,
@@ -146,7 +156,8 @@ impl Study for RunUp {
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.t_end),
         };
-        let flight = fly(&mut motion, &y, &plan)?;
+        let mut flight = fly(&mut motion, &y, &plan)?;
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &asked)));
         let (end, stopped) = history::ended(&flight);
         let end = match end {
             End::StepTooSmall { at } => End::StepTooSmall { at: self.programme.at(at).speed },
@@ -170,6 +181,9 @@ impl Study for RunUp {
         outcome = self.drive(&mut motion, &flight, outcome)?;
         let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
         outcome = self.envelope(system, &flight, outcome)?;
+        if let Some((spectra, record)) = record {
+            outcome = spectra.report(&record, outcome)?;
+        }
         history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)
     }
 }

@@ -9,6 +9,7 @@
 //! Sources: `000_a291f7ede1484e56` chapter 2 (transients by direct integration).
 
 use super::history::{self, ABSOLUTE, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -32,6 +33,7 @@ pub struct Transient {
     kick: Option<(f64, Vec<f64>)>,
     velocities: bool,
     observables: bool,
+    spectra: Option<Spectra>,
 }
 
 impl Study for Transient {
@@ -62,6 +64,10 @@ impl Study for Transient {
         ),
         Field::optional("velocities", FieldKind::Flag, "false", "list the rates too"),
         Field::optional("observables", FieldKind::Flag, "true", "list the quantities the parts show, such as bearing forces"),
+        spectra::WATERFALL,
+        spectra::SPECTRA,
+        spectra::HIGHEST_ORDER,
+        spectra::THRESHOLD,
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -108,6 +114,7 @@ impl Study for Transient {
         if !(duration > 0.0 && duration.is_finite()) {
             diagnostics.push(Diagnostic::error("transient.duration", "the duration must be positive").at(values.span_of("duration")));
         }
+        let spectra = Spectra::read(values, system, (duration, speed.unwrap_or(1.0).abs()), diagnostics);
         if diagnostics.0.len() > before {
             return None;
         }
@@ -120,6 +127,7 @@ impl Study for Transient {
             kick: (!kicks.is_empty()).then_some((at, change)),
             velocities: values.flag("velocities").unwrap_or(false),
             observables: values.flag("observables").unwrap_or(true),
+            spectra,
         })
     }
 
@@ -139,13 +147,14 @@ impl Study for Transient {
             (y[k], y[k + 1]) = (s.phase, self.speed);
         }
         history::announce(context, self.duration, self.speed);
-        let outputs = match self.step {
+        let asked: Vec<f64> = match self.step {
             Some(step) => {
                 let count = (self.duration / step * (1.0 + 1e-12)) as usize;
                 (0..=count).map(|i| (i as f64 * step).min(self.duration)).collect()
             }
             None => history::spaced(self.duration, s.points),
         };
+        let outputs = self.spectra.as_ref().map_or_else(|| asked.clone(), |s| s.with_outputs(&asked));
         let plan = Plan {
             t_end: self.duration,
             choice: s.method,
@@ -160,14 +169,18 @@ impl Study for Transient {
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.duration),
         };
-        let flight = fly(&mut motion, &y, &plan)?;
+        let mut flight = fly(&mut motion, &y, &plan)?;
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &asked)));
         let flight = history::magnified(&mut motion, &y, &plan, flight, s.points)?;
         let (end, stopped) = history::ended(&flight);
         let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
         for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &flight, &start)) {
             outcome = outcome.finding(finding);
         }
-        let (outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
+        let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
+        if let Some((spectra, record)) = record {
+            outcome = spectra.report(&record, outcome)?;
+        }
         history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)
     }
 }

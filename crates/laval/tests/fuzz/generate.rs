@@ -358,6 +358,7 @@ impl Sources {
                 _ => [i64::MIN, -1, 0, 1, min, max, max.saturating_add(1), i64::MAX][r.below(8)].to_string(),
             },
             FieldKind::Flag => r.of(&["true", "false"]).into(),
+            FieldKind::Text if f.name == "waterfall" && r.chance(70) => format!("\"{}\"", names.first().map_or("drum", String::as_str)),
             FieldKind::Text => r.of(&["\"text\"", "\"\"", "\"\\u0000\\n\"", "\"\u{1f980}\""]).into(),
             FieldKind::Attach { .. } => point(r, hostility, names),
             FieldKind::Between => format!("[{}, {}]", point(r, hostility, names), point(r, hostility, names)),

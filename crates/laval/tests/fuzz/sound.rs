@@ -67,6 +67,8 @@ pub fn within(o: &Outcome, limit: u64) -> Result<(), String> {
     let most = match o.kind.as_str() {
         "modes" => return Ok(()),
         "nonlinear_response" => 2 * limit.max(2),
+        // a chunk of responses that is begun is finished
+        "response_map" => (1 + 2 * 256) * limit.max(2),
         // every row of a map counts the rows before it as done
         "stability_map" => (limit + 3) * (limit + 1),
         _ => limit + 3,

@@ -4,6 +4,7 @@
 //! - **Mixed states**: where several states are known at a speed, x is taken from one and y from another, and the result solved for.
 //! - **Longer periods**: known states with a component of a third of the spin frequency added (half as well where the machine has no symmetry).
 //! - **Starts anywhere**: a deterministic set of motions of many sizes and phases.
+//! - **Motions in time**, on request: what an ensemble of starts settles on, of any period up to some turns (see [`super::settle`]).
 //!
 //! Whatever converges to a state that no known branch passes through at that speed, nor an image of it, is followed both ways and judged; its own
 //! bifurcations are switched at in turn. Newton's method finds unstable states as well as stable ones. What is not found is not excluded.
@@ -13,6 +14,7 @@ use super::branch::{Judge, Origin};
 use super::problem::{Balance, Discretisation};
 use super::response::{MOST_HARMONICS, Request, Response, Tick, carry, finish, samples, settings, symmetry};
 use super::seeds::{Motion, Random, anywhere, planes, with_subharmonic};
+use super::settle::{LONGEST, loops};
 use super::terms::Terms;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -29,6 +31,12 @@ const MOST_TURNS: usize = 8;
 
 /// Speeds at which states are sought.
 const MOST_SPEEDS: usize = 9;
+
+/// Steps of integration in time for every point that a branch may have: the work limit bounds both.
+const STEPS_PER_POINT: u64 = 50_000;
+
+/// Most unknowns of a state sought from a motion in time.
+const MOST_UNKNOWNS: usize = 400;
 
 /// Sizes and phases of a subharmonic component tried on a known state.
 const SIZES: usize = 10;
@@ -67,8 +75,8 @@ pub(super) fn extend<'a>(
     let (symmetry, _) = symmetry(system, request)?;
     let done = response.branches.iter().map(|b| b.points.len()).sum();
     let left = usize::try_from(request.work).unwrap_or(usize::MAX).saturating_sub(done);
-    let mut search =
-        Search { system, request, symmetry, settings: settings(request), left, balances: Vec::new(), response, cancel, tick, found: 0 };
+    let settings = settings(request);
+    let mut search = Search { system, request, symmetry, settings, left, balances: Vec::new(), response, cancel, tick, found: 0 };
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in search.speeds() {
@@ -77,6 +85,7 @@ pub(super) fn extend<'a>(
         search.subharmonics(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.anywhere(speed, &mut known)?;
+        search.in_time(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.switch_from(&mut next)?;
     }
@@ -451,6 +460,38 @@ impl<'a> Search<'a, '_> {
             let to = self.balance(d)?;
             let start = anywhere(&self.balances[to].terms, (0.1 * least, 10.0 * most), &mut random);
             self.try_start(d, &start, speed, Origin::Start, known)?;
+        }
+        Ok(())
+    }
+
+    /// What an ensemble of starts settles on in time.
+    fn in_time(&mut self, speed: f64, known: &mut Vec<Known>) -> Result<(), Diagnostic> {
+        let main = self.response.discretisation;
+        if self.request.time_starts == 0 || main.divisor != 1 || self.over() {
+            return Ok(());
+        }
+        let circular = self.symmetry == Symmetry::Circular;
+        let symmetry = if circular { main.symmetry } else { self.request.symmetry.unwrap_or(Symmetry::None) };
+        let starts = self.request.time_starts;
+        let most_steps = STEPS_PER_POINT.saturating_mul(self.request.max_points as u64) / (starts * MOST_SPEEDS) as u64;
+        let (found, repeating) = loops(self.system, speed, self.sizes(known), starts, most_steps, self.cancel);
+        for (name, count) in [("starts in time", starts), ("starts in time that repeat", repeating)] {
+            match self.response.work.iter_mut().find(|w| w.0 == name) {
+                Some(w) => w.1 += count as u64,
+                None => self.response.work.push((name, count as u64)),
+            }
+        }
+        for motion in found.into_iter().filter(|m| m.turns == 1 || !circular) {
+            let divisor = motion.turns.min(LONGEST);
+            let harmonics = (divisor * main.harmonics).min(MOST_HARMONICS - MOST_HARMONICS % divisor);
+            let d = Discretisation { harmonics, divisor, samples: samples(harmonics, divisor).max(main.samples), symmetry };
+            let to = self.balance(d)?;
+            if self.balances[to].terms.unknowns > MOST_UNKNOWNS {
+                continue;
+            }
+            let start = motion.start(&self.balances[to].terms);
+            let origin = if divisor == 1 { Origin::Start } else { Origin::Subharmonic(divisor) };
+            self.try_start(d, &start, speed, origin, known)?;
         }
         Ok(())
     }

@@ -24,6 +24,7 @@ pub mod peak;
 pub mod problem;
 pub mod response;
 pub mod seeds;
+pub mod settle;
 pub mod switching;
 pub mod terms;
 pub mod unclosed;

@@ -51,6 +51,8 @@ pub struct Request {
     pub states: States,
     /// Starts taken anywhere when all states are looked for.
     pub starts: usize,
+    /// Starts integrated in time at every speed searched when all states are looked for.
+    pub time_starts: usize,
     /// Judge some states of every branch again by two other methods.
     pub check_stability: bool,
 }
@@ -78,6 +80,7 @@ impl Request {
             work: u64::MAX,
             states: States::Main,
             starts: 64,
+            time_starts: 0,
             check_stability: false,
         }
     }

@@ -111,7 +111,7 @@ fn with_order(term: Term, order: i32) -> Term {
 }
 
 /// Stores a coefficient as unknowns.
-fn put(term: Term, at: usize, z: C64, out: &mut [f64]) {
+pub(super) fn put(term: Term, at: usize, z: C64, out: &mut [f64]) {
     out[at] = z.re;
     match term {
         Term::Pair { .. } => out[at + 1] = z.im,

@@ -17,11 +17,9 @@ use std::ops::Range;
 impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
-        // the state a machine brought to an end of the range is on: the branch that starts there, else the end of the other
-        let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
-        for (up, near, far) in [(true, Origin::Low, Origin::High), (false, Origin::High, Origin::Low)] {
+        for up in [true, false] {
             let unclosed = up && response.unclosed.is_some();
-            out.extend(from(near).or(from(far)).map(|branch| sweep(branch, up, request.speeds, unclosed)));
+            out.extend(swept(response, up).map(|branch| sweep(branch, up, request.speeds, unclosed)));
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
@@ -187,15 +185,31 @@ fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
     unstable.into_iter().filter(|&run| !turned_back(run)).map(|(first, last)| first..last + 1).collect()
 }
 
+/// Those of them that no fold bounds: the middle of a curve whose other fold lies beyond the range is left out as well.
+pub(super) fn unstable_without_fold(branch: &Traced) -> Vec<Range<usize>> {
+    let at_fold = |i: usize| branch.folds.iter().any(|f| f.after.abs_diff(i) <= 1);
+    let last = branch.points.len().saturating_sub(1);
+    let bounded = |run: &Range<usize>| {
+        let (a, b) = (at_fold(run.start.saturating_sub(1)), at_fold(run.end - 1));
+        (a || run.start == 0) && (b || run.end > last) && (a || b)
+    };
+    unstable_runs(branch).into_iter().filter(|r| !bounded(r)).collect()
+}
+
 /// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
 pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
+    ranges_of(branch, unstable_runs(branch))
+}
+
+/// Speeds of runs of points.
+pub(super) fn ranges_of(branch: &Traced, runs: Vec<Range<usize>>) -> Vec<(f64, f64)> {
     let range = |run: Range<usize>| {
         // to where the stability is lost and regained, not to the nearest points computed
         let located = branch.changes.iter().filter(|c| c.after + 1 == run.start || c.after + 1 == run.end).map(|c| c.speed);
         let speeds = branch.points[run.clone()].iter().map(|p| p.speed).chain(located);
         speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)))
     };
-    unstable_runs(branch).into_iter().map(range).collect()
+    runs.into_iter().map(range).collect()
 }
 
 /// The same in words.
@@ -211,20 +225,27 @@ fn unstable_words(branch: &Traced) -> String {
     if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
 }
 
+/// The branch that a slow sweep follows: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
+/// end of the other.
+pub(super) fn swept(response: &Response, up: bool) -> Option<&Traced> {
+    let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
+    let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
+    from(near).or(from(far))
+}
+
+/// Where a slow sweep along a branch jumps: at the first fold that turns against it.
+pub(super) fn jump(branch: &Traced, up: bool) -> Option<&Fold> {
+    let against = |f: &&Fold| f.upper == up;
+    if up == branch.from_low() { branch.folds.iter().find(against) } else { branch.folds.iter().rev().find(against) }
+}
+
 /// Where a slow sweep jumps, or that it does not.
 fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Finding {
     let way = if up { "up" } else { "down" };
     // up is faster, whichever way round the rotor turns
     let (begin, end) = if up == (lo >= 0.0) { (lo, hi) } else { (hi, lo) };
-    // along the branch from the end the sweep starts at, the first fold that turns against it
-    let forward = up == branch.from_low();
-    let mut folds: Vec<&Fold> = branch.folds.iter().collect();
-    if !forward {
-        folds.reverse();
-    }
-    let first = folds.into_iter().find(|f| f.upper == up);
     let reaches = branch.end == End::Reached;
-    match first {
+    match jump(branch, up) {
         Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
             .value(f.speed, "rad/s")
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")

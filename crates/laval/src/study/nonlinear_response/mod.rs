@@ -17,33 +17,69 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
+use crate::solve::ensemble;
 use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
+use crate::solve::harmonic::settle;
 use crate::solve::symmetry::Symmetry;
 use shown::Shown;
 
 mod families;
 mod findings;
+mod orders;
 mod picture;
 mod shown;
 mod stability;
+pub(super) mod summary;
 mod tables;
 
 /// See the [module](self).
 pub struct NonlinearResponse {
     request: Request,
+    /// Amplitude from which orders beside the synchronous one are told, m.
+    order_threshold: Option<f64>,
 }
 
 impl NonlinearResponse {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
-        NonlinearResponse { request }
+        NonlinearResponse { request, order_threshold: None }
     }
 }
 
-const SPEED: Bounds = Bounds::within(1e7);
-
 /// Smallest spin speed, rad/s: the unbalance needs a turn to act.
 const SLOWEST: f64 = 1e-3;
+
+pub(super) const SPEED: Field = Field::required(
+    "speed",
+    FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e7) },
+    "range of the spin speed; negative speeds turn clockwise",
+);
+pub(super) const HARMONICS: Field = Field::optional(
+    "harmonics",
+    FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
+    "auto",
+    "largest order of the spin frequency kept; auto raises it until the dropped force is below truncation",
+);
+pub(super) const TRUNCATION: Field = Field::optional(
+    "truncation",
+    FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-15, 1.0) },
+    "1e-7",
+    "dropped over kept force harmonics that auto accepts",
+);
+pub(super) const SYMMETRY: Field = Field::optional(
+    "symmetry",
+    FieldKind::Choice(&[
+        ("auto", "the largest symmetry the machine has"),
+        ("quarter", "z(t + T/4) = i z(t): orders 1, -3, 5, -7"),
+        ("half", "z(t + T/2) = -z(t): odd orders"),
+        ("none", "all orders"),
+    ]),
+    "auto",
+    "symmetry imposed on the motion; less symmetry admits more states",
+);
+pub(super) const STABILITY: Field = Field::optional("stability", FieldKind::Flag, "true", "judge the stability of every point");
+pub(super) const MAX_POINTS: Field =
+    Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch");
 
 impl Study for NonlinearResponse {
     const KIND: &'static str = "nonlinear_response";
@@ -51,36 +87,12 @@ impl Study for NonlinearResponse {
         from both ends, folds (where a slow sweep jumps) and other bifurcations located, stability of every point; on request also mixed, less symmetric \
         and subharmonic states.";
     const FIELDS: &'static [Field] = &[
-        Field::required(
-            "speed",
-            FieldKind::Range { unit: "rad/s", bounds: SPEED },
-            "range of the spin speed; negative speeds turn clockwise",
-        ),
-        Field::optional(
-            "harmonics",
-            FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
-            "auto",
-            "largest order of the spin frequency kept; auto raises it until the dropped force is below truncation",
-        ),
-        Field::optional(
-            "truncation",
-            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-15, 1.0) },
-            "1e-7",
-            "dropped over kept force harmonics that auto accepts",
-        ),
-        Field::optional(
-            "symmetry",
-            FieldKind::Choice(&[
-                ("auto", "the largest symmetry the machine has"),
-                ("quarter", "z(t + T/4) = i z(t): orders 1, -3, 5, -7"),
-                ("half", "z(t + T/2) = -z(t): odd orders"),
-                ("none", "all orders"),
-            ]),
-            "auto",
-            "symmetry imposed on the motion; less symmetry admits more states",
-        ),
+        SPEED,
+        HARMONICS,
+        TRUNCATION,
+        SYMMETRY,
         Field::optional("subharmonic", FieldKind::Integer { min: 1, max: 9 }, "1", "period sought, in turns of the rotor"),
-        Field::optional("stability", FieldKind::Flag, "true", "judge the stability of every point"),
+        STABILITY,
         Field::optional(
             "check_stability",
             FieldKind::Flag,
@@ -102,72 +114,28 @@ impl Study for NonlinearResponse {
             "64",
             "with states = \"all\": starts of any size and phase, the same in every run",
         ),
-        Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch"),
+        Field::optional(
+            "time_starts",
+            FieldKind::Integer { min: 0, max: 1000 },
+            "0",
+            "with states = \"all\": starts integrated in time at each speed searched; what they settle on, of periods up to 9 turns, is solved for and followed",
+        ),
+        Field::optional(
+            "order_threshold",
+            FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
+            "",
+            "amplitude from which sub- and superharmonic orders are told, with the speeds at which they pass it; none unless given",
+        ),
+        MAX_POINTS,
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let before = diagnostics.0.len();
-        let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));
-        if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
-            diagnostics.push(
-                Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
-                    .at(values.span_of("speed"))
-                    .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
-            );
-        }
-        let harmonics = match values.get("harmonics") {
-            Some(Value::Integer(h)) => usize::try_from(*h).ok(),
-            _ => None,
-        };
-        let symmetry = match values.choice("symmetry") {
-            Some("quarter") => Some(Symmetry::Quarter),
-            Some("half") => Some(Symmetry::Half),
-            Some("none") => Some(Symmetry::None),
-            _ => None,
-        };
-        let whole = |name: &str, default: usize| values.integer(name).and_then(|i| usize::try_from(i).ok()).unwrap_or(default);
-        let divisor = whole("subharmonic", 1);
-        if let Some(h) = harmonics.filter(|&h| h < divisor) {
-            diagnostics.push(
-                Diagnostic::error(
-                    "response.harmonics",
-                    format!("order {h} of the base frequency does not reach the unbalance, which has order {divisor}"),
-                )
-                .at(values.span_of("harmonics"))
-                .help("with subharmonic = n, orders count in steps of speed / n: keep at least n of them"),
-            );
-        }
-        if diagnostics.0.len() > before {
-            return None;
-        }
-        Some(NonlinearResponse {
-            request: Request {
-                speeds: speeds?,
-                harmonics,
-                symmetry,
-                divisor,
-                truncation: values.number("truncation").unwrap_or(1e-7),
-                stability: values.flag("stability").unwrap_or(true),
-                max_points: whole("max_points", 2_000),
-                work: u64::MAX,
-                states: if values.choice("states") == Some("all") { States::All } else { States::Main },
-                starts: whole("starts", 64),
-                check_stability: values.flag("check_stability").unwrap_or(false),
-            },
-        })
+        let request = request(values, diagnostics)?;
+        Some(NonlinearResponse { request, order_threshold: values.number("order_threshold") })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        if system.machine.drive == Drive::Free {
-            return Err(Diagnostic::error(
-                "response.free_drive",
-                "a steady response is computed at constant speed, and the speed of this machine is free",
-            )
-            .help(
-                "prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study",
-            ));
-        }
-        symmetry(system, &self.request).map(|_| ())
+        admit(system, &self.request)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
@@ -178,6 +146,77 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
-        shown.outcome(&response, &request, context).map_err(Diagnostic::from)
+        let mut outcome = shown.outcome(&response, &request, context)?;
+        if let Some(threshold) = self.order_threshold {
+            outcome = shown.orders(&response, threshold, outcome)?;
+        }
+        outcome.checked().map_err(Diagnostic::from)
     }
+}
+
+/// What the fields ask; those that a study does not have stand at their defaults.
+pub(super) fn request(values: &Values, diagnostics: &mut Diagnostics) -> Option<Request> {
+    let before = diagnostics.0.len();
+    let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));
+    if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
+        diagnostics.push(
+            Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
+                .at(values.span_of("speed"))
+                .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
+        );
+    }
+    let harmonics = match values.get("harmonics") {
+        Some(Value::Integer(h)) => usize::try_from(*h).ok(),
+        _ => None,
+    };
+    let symmetry = match values.choice("symmetry") {
+        Some("quarter") => Some(Symmetry::Quarter),
+        Some("half") => Some(Symmetry::Half),
+        Some("none") => Some(Symmetry::None),
+        _ => None,
+    };
+    let whole = |name: &str, default: usize| values.integer(name).and_then(|i| usize::try_from(i).ok()).unwrap_or(default);
+    let divisor = whole("subharmonic", 1);
+    if let Some(h) = harmonics.filter(|&h| h < divisor) {
+        diagnostics.push(
+            Diagnostic::error(
+                "response.harmonics",
+                format!("order {h} of the base frequency does not reach the unbalance, which has order {divisor}"),
+            )
+            .at(values.span_of("harmonics"))
+            .help("with subharmonic = n, orders count in steps of speed / n: keep at least n of them"),
+        );
+    }
+    if diagnostics.0.len() > before {
+        return None;
+    }
+    Some(Request {
+        speeds: speeds?,
+        harmonics,
+        symmetry,
+        divisor,
+        truncation: values.number("truncation").unwrap_or(1e-7),
+        stability: values.flag("stability").unwrap_or(true),
+        max_points: whole("max_points", 2_000),
+        states: if values.choice("states") == Some("all") { States::All } else { States::Main },
+        work: u64::MAX,
+        starts: whole("starts", 64),
+        time_starts: whole("time_starts", 0),
+        check_stability: values.flag("check_stability").unwrap_or(false),
+    })
+}
+
+/// Whether a machine can answer a request at all.
+pub(super) fn admit(system: &System, request: &Request) -> Result<(), Diagnostic> {
+    if system.machine.drive == Drive::Free {
+        return Err(Diagnostic::error(
+            "response.free_drive",
+            "a steady response is computed at constant speed, and the speed of this machine is free",
+        )
+        .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
+    }
+    if request.states == States::All && request.time_starts > 0 {
+        ensemble::admit(system, settle::method(system))?;
+    }
+    symmetry(system, request).map(|_| ())
 }

@@ -92,6 +92,12 @@ impl<'a> Shown<'a> {
         self.balances.iter().position(|b| b.discretisation() == d).unwrap_or(0)
     }
 
+    /// The balance whose unknowns a branch has.
+    pub(super) fn balance_mut(&mut self, branch: &Traced) -> &mut Balance<'a> {
+        let at = self.balance_of(branch);
+        &mut self.balances[at]
+    }
+
     pub(super) fn measure(&mut self, response: &Response) {
         for branch in &response.branches {
             let balance = self.balance_of(branch);
@@ -207,7 +213,7 @@ impl<'a> Shown<'a> {
         for &(name, count) in &response.work {
             out = out.work(name, count);
         }
-        out.checked()
+        Ok(out)
     }
 
     /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
@@ -271,7 +277,7 @@ pub(super) fn worst(response: &Response, f: impl Fn(&State) -> f64) -> f64 {
     largest(response.branches.iter().flat_map(|b| &b.points).map(f))
 }
 
-fn end(response: &Response) -> outcome::End {
+pub(super) fn end(response: &Response) -> outcome::End {
     let ends = || response.branches.iter().map(|b| b.end);
     if ends().any(|e| e == End::Cancelled) {
         return outcome::End::Cancelled;

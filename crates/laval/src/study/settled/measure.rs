@@ -33,7 +33,7 @@ pub struct Measure {
     pub bodies: Vec<BodyMeasure>,
     /// x and y of every body at the last whole periods, oldest first.
     pub points: Vec<Vec<f64>>,
-    /// Semi-major axes at the orders 0, 1/16, 2/16 .. of one body, m.
+    /// Radii of the circular parts of one body at the orders -4, -4 + 1/16 .. 4, m; negative orders turn backward.
     pub spectrum: Vec<f64>,
     /// Statement of validity used most, and its use over the last periods; above 1 is outside. `None` when no part states one.
     pub validity: Option<(String, f64)>,
@@ -105,28 +105,25 @@ fn farthest(f: &[C64]) -> f64 {
     value(x).abs().max(f[2].abs())
 }
 
-/// Semi-major axes at the orders j/16 up to the highest: root mean square over stretches of 16 periods, Hann window.
+/// Radii of the circular parts at the signed orders j/16 up to the highest: root mean square over stretches of 16 periods, Hann window.
 fn spectrum(z: &[C64]) -> Vec<f64> {
     let n = LINES * SAMPLES;
     let window = hann(n);
     let root: Vec<C64> = (0..n).map(|k| unit_root(k as i64, n as u64).conj()).collect();
     let stretches: Vec<&[C64]> = z.chunks_exact(n).collect();
-    let line = |j: usize| {
+    let line = |j: i64| {
         let squares = stretches.iter().map(|s| {
-            let (mut forward, mut backward) = (C64::zero(), C64::zero());
+            let mut sum = C64::zero();
             for (i, (z, w)) in s.iter().zip(&window).enumerate() {
-                let k = (i * j) % n;
-                forward += z.scale(*w) * root[k];
-                backward += z.scale(*w) * root[k].conj();
+                sum += z.scale(*w) * root[(i as i64 * j).rem_euclid(n as i64) as usize];
             }
             // the mean of the window is a half
-            let gain = 2.0 / n as f64;
-            let axis = if j == 0 { forward.abs() } else { forward.abs() + backward.abs() };
-            (gain * axis).powi(2)
+            (2.0 / n as f64 * sum.abs()).powi(2)
         });
         (squares.sum::<f64>() / stretches.len().max(1) as f64).sqrt()
     };
-    (0..=LINES * HIGHEST).map(line).collect()
+    let reach = (LINES * HIGHEST) as i64;
+    (-reach..=reach).map(line).collect()
 }
 
 #[cfg(test)]
@@ -172,9 +169,10 @@ mod tests {
     #[test]
     fn lines_of_a_spectrum() {
         let s = spectrum(&ellipse(48, 0.0));
-        assert_eq!(s.len(), LINES * HIGHEST + 1);
-        for (order, height) in [(1.0, 4.0), (3.0, 0.2), (0.5, 0.5), (2.0, 0.0), (0.0, 0.1)] {
-            let found = s[(order * LINES as f64) as usize];
+        assert_eq!(s.len(), 2 * LINES * HIGHEST + 1);
+        // forward and backward parts of the ellipse stand apart
+        for (order, height) in [(1.0, 3.0), (-1.0, 1.0), (3.0, 0.2), (-3.0, 0.0), (0.5, 0.5), (-0.5, 0.0), (2.0, 0.0), (0.0, 0.1)] {
+            let found = s[((order + HIGHEST as f64) * LINES as f64) as usize];
             assert!((found - height).abs() < 1e-9, "{order} {found}");
         }
     }

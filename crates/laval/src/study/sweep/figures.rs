@@ -41,9 +41,13 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
             .map_or(0.0, |c| (0..c.data.len()).filter_map(|i| c.number(i)).filter(|x| x.is_finite()).fold(0.0, f64::max));
         let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
         // what lies further below is what the integration tolerates
-        let colours = Axis::log("semi-major axis", "µm").factor(1e6).range(DEPTH * top, top);
+        let colours = Axis::log("amplitude", "µm").factor(1e6).range(DEPTH * top, top);
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
-        let alt = format!("Order spectra of {} over spin speed (start: {}).", fleet.bodies[b].name, study.ways[0].word());
+        let alt = format!(
+            "Order spectra of {} over spin speed (start: {}); negative orders turn backward.",
+            fleet.bodies[b].name,
+            study.ways[0].word()
+        );
         outcome =
             outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(Panel::new(Axis::new("order", "")).mark(heat)));
     }

@@ -101,7 +101,12 @@ impl Study for Sweep {
             "",
             "coordinate of the bifurcation diagram, such as \"drum.x\"; x of the first body unless given",
         ),
-        Field::optional("waterfall", FieldKind::Text, "", "body whose order spectra are wanted, orders 0 to 4 in steps of 1/16"),
+        Field::optional(
+            "waterfall",
+            FieldKind::Text,
+            "",
+            "body whose order spectra are wanted, orders -4 (backward) to 4 in steps of 1/16",
+        ),
         Field::optional("lyapunov", FieldKind::Flag, "false", "compute the largest Lyapunov exponent"),
         Field::optional(
             "lyapunov_periods",

@@ -340,17 +340,22 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
             .float("displacement", "m", "displacement", rows.iter().map(|r| r.1).collect());
     outcome = outcome.table(poincare.build().map_err(inconsistent)?);
     if fleet.study.waterfall.is_some() {
-        let lines = (0..=LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
+        let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
         let first = fleet.study.ways[0].word();
         let rows: Vec<(usize, usize)> =
             (0..speed.len()).filter(|&r| start[r] == first).flat_map(|r| (0..lines.len()).map(move |l| (r, l))).collect();
-        let table = Table::new("waterfall", "Semi-major axis of the motion over speed and order")
+        let table = Table::new("waterfall", "Circular parts of the motion over speed and order")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
-            .float("order", "", "frequency over spin speed", rows.iter().map(|r| r.1 as f64 / LINES as f64).collect())
+            .float(
+                "order",
+                "",
+                "frequency over spin speed; negative turns backward",
+                rows.iter().map(|r| r.1 as f64 / LINES as f64 - HIGHEST as f64).collect(),
+            )
             .float(
                 "amplitude",
                 "m",
-                "semi-major axis, root mean square over stretches of 16 periods; NaN where the motion failed",
+                "radius of the circular part, root mean square over stretches of 16 periods; NaN where the motion failed",
                 rows.iter().map(|r| lines[r.1][r.0]).collect(),
             );
         outcome = outcome.table(table.build().map_err(inconsistent)?);

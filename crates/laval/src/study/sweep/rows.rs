@@ -56,8 +56,8 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         }));
     }
     if study.waterfall.is_some() {
-        for line in 0..=LINES * HIGHEST {
-            let doc = "semi-major axis at this order";
+        for line in 0..=2 * LINES * HIGHEST {
+            let doc = "radius of the circular part at this order, the first at the order -4";
             out.push(number(spectrum(line), "m", doc, move |r: &Row| {
                 r.settled.measure.as_ref().and_then(|m| m.spectrum.get(line)).copied().unwrap_or(f64::NAN)
             }));

@@ -23,6 +23,7 @@ use crate::model::field::{Bounds, Field, FieldKind, InnerStudy, Values, Word};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
+pub(super) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
 use laval_num::lanes::Level;
 use laval_num::sampling::quantile::Interval;

@@ -1,0 +1,173 @@
+//! A response in a few numbers: what a study of many machines keeps of each.
+
+use super::findings::{jump, ranges_of, swept, unstable_without_fold};
+use super::shown::{Shown, end, worst};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::outcome;
+use crate::solve::harmonic::bifurcation::Event;
+use crate::solve::harmonic::branch::{Origin, Traced};
+use crate::solve::harmonic::response::{Request, Response, respond};
+use laval_num::continuation::End;
+use std::sync::atomic::AtomicBool;
+
+/// What a slow sweep does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sweep {
+    /// Jumps first at this speed, rad/s.
+    Jumps(f64),
+    /// Goes on to the end of the range.
+    Passes,
+    /// Its states could not be followed to the end.
+    Unfinished,
+}
+
+impl Sweep {
+    /// Where it jumps, rad/s; NaN where it does not.
+    pub fn speed(self) -> f64 {
+        if let Sweep::Jumps(w) = self { w } else { f64::NAN }
+    }
+}
+
+/// The largest stable displacement of any body over a period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Top {
+    /// Name of the body.
+    pub body: String,
+    /// Displacement, m.
+    pub displacement: f64,
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// It lies at an end of the range of speeds.
+    pub at_end: bool,
+}
+
+/// A response in a few numbers. Speeds in rad/s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// Folds of all branches.
+    pub folds: usize,
+    /// Of the slow sweeps up and down.
+    pub sweeps: [Sweep; 2],
+    /// Width of the speeds at which the branches hold more than one state; NaN where a branch could not be followed to its end.
+    pub hysteresis: f64,
+    /// Such speeds reach an end of the range.
+    pub open: bool,
+    /// `None` where the displacement still rises where a branch was left.
+    pub top: Option<Top>,
+    /// A branch was left while its displacement still rose above all others.
+    pub rising: bool,
+    /// Ranges in which states are unstable for another reason than lying between two folds.
+    pub unstable: Vec<(f64, f64)>,
+    /// Changes of stability away from folds.
+    pub changes: Vec<(Event, f64)>,
+    /// Fastest growth in these ranges, 1/s; zero where there are none, NaN where stability is not known.
+    pub growth: f64,
+    /// Largest use of a part's validity, and of what.
+    pub validity: (f64, String),
+    /// Dropped over kept force harmonics, worst point.
+    pub truncation: f64,
+    /// Orders kept.
+    pub orders: usize,
+    /// Points computed.
+    pub points: u64,
+    /// Why stability of some states was not judged.
+    pub unjudged: Option<String>,
+    /// How it ended.
+    pub end: outcome::End,
+}
+
+impl Summary {
+    /// The response of a machine as `nonlinear_response` finds it, with the states of the branches from both ends.
+    ///
+    /// # Errors
+    /// As [`respond`].
+    pub fn of(system: &System, request: &Request, cancel: &AtomicBool) -> Result<Summary, Diagnostic> {
+        let response = respond(system, request, cancel, &|_| {})?;
+        let mut shown = Shown::new(system, &response, request)?;
+        shown.measure(&response);
+        let (largest, rising) = shown.peaks(&response, request);
+        let top = largest.filter(|_| rising.is_none()).map(|l| {
+            let (displacement, speed) = l.best();
+            Top { displacement, speed, at_end: l.at_end, body: l.body }
+        });
+        let (hysteresis, open) = several(&response, request.speeds);
+        let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_without_fold(b))).collect();
+        unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let judged = request.stability && response.unjudged.is_none();
+        let points = |b: &'_ Traced| unstable_without_fold(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
+        let growing = response.branches.iter().flat_map(points);
+        let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
+        let uses = shown.validity.iter().flatten().filter(|v| !v.0.is_nan());
+        let validity = uses.max_by(|a, b| a.0.total_cmp(&b.0)).cloned().unwrap_or_default();
+        Ok(Summary {
+            folds: response.branches.iter().map(|b| b.folds.len()).sum(),
+            sweeps: [true, false].map(|up| sweep(&response, up)),
+            hysteresis,
+            open,
+            top,
+            rising: rising.is_some(),
+            unstable,
+            changes: response.branches.iter().flat_map(|b| &b.changes).map(|c| (c.event, c.speed)).collect(),
+            growth,
+            validity,
+            truncation: worst(&response, |p| p.truncation),
+            orders: response.discretisation.harmonics,
+            points: response.branches.iter().map(|b| b.points.len() as u64).sum(),
+            unjudged: response.unjudged.as_ref().map(ToString::to_string),
+            end: end(&response),
+        })
+    }
+
+    /// Neimark-Sacker points, rad/s, rising.
+    pub fn neimark_sacker(&self) -> Vec<f64> {
+        let mut out: Vec<f64> = self.changes.iter().filter(|c| c.0 == Event::NeimarkSacker).map(|c| c.1).collect();
+        out.sort_by(f64::total_cmp);
+        out
+    }
+}
+
+fn sweep(response: &Response, up: bool) -> Sweep {
+    let Some(branch) = swept(response, up) else { return Sweep::Unfinished };
+    match jump(branch, up) {
+        Some(fold) => Sweep::Jumps(fold.speed),
+        None if branch.end == End::Reached => Sweep::Passes,
+        None => Sweep::Unfinished,
+    }
+}
+
+/// Width of the speeds at which the branches from both ends hold more than one state, and whether such speeds reach an end of the range. Between its
+/// folds the speed along a branch only rises or only falls.
+fn several(response: &Response, (lo, hi): (f64, f64)) -> (f64, bool) {
+    let main = || response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
+    if main().any(|b| !matches!(b.end, End::Reached | End::Closed)) {
+        return (f64::NAN, false);
+    }
+    let pieces: Vec<(f64, f64)> = main().flat_map(pieces).collect();
+    let mut edges: Vec<f64> = pieces.iter().flat_map(|p| [p.0, p.1]).collect();
+    edges.sort_by(f64::total_cmp);
+    let (mut width, mut open) = (0.0, false);
+    let mut from: Option<f64> = None;
+    for pair in edges.windows(2) {
+        let held = pieces.iter().filter(|p| p.0 <= pair[0] && pair[1] <= p.1).count();
+        if pair[0] < pair[1] && held < 2 {
+            // one difference for each interval: of two folds exactly that of their speeds
+            width += from.take().map_or(0.0, |a| pair[0] - a);
+        } else if pair[0] < pair[1] {
+            from.get_or_insert(pair[0]);
+            open |= pair[0] == lo || pair[1] == hi;
+        }
+    }
+    if let (Some(a), Some(b)) = (from, edges.last()) {
+        width += b - a;
+    }
+    (width, open)
+}
+
+/// Intervals of speed of a branch from fold to fold.
+fn pieces(branch: &Traced) -> Vec<(f64, f64)> {
+    let (Some(first), Some(last)) = (branch.points.first(), branch.points.last()) else { return Vec::new() };
+    let turns = branch.folds.iter().map(|f| f.speed);
+    let ends: Vec<f64> = [first.speed].into_iter().chain(turns).chain([last.speed]).collect();
+    ends.windows(2).map(|w| (w[0].min(w[1]), w[0].max(w[1]))).collect()
+}

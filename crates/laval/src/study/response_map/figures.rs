@@ -1,0 +1,62 @@
+//! Maps of the largest peak, of the width of the hysteresis, and of what slow sweeps do.
+
+use super::Axis as Parameter;
+use super::cells::SWEEPS;
+use super::report::Map;
+use crate::outcome::{Axis, Figure, Heat, Line, Mark, Outcome, Panel};
+
+/// A ratio of values from which colours go by powers of ten.
+const WIDE: f64 = 30.0;
+
+/// Lengths in units that people read.
+fn lengths(label: &str, largest: f64, log: bool) -> Axis {
+    let (unit, factor) = if largest < 1e-3 { ("µm", 1e6) } else { ("mm", 1e3) };
+    let axis = if log { Axis::log(label, unit) } else { Axis::new(label, unit) };
+    axis.factor(factor)
+}
+
+fn drawn(axis: &Parameter, values: &[f64]) -> Axis {
+    let largest = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    match axis.unit {
+        "m" => lengths(&axis.path, largest, axis.logarithmic),
+        unit if axis.logarithmic => Axis::log(&axis.path, unit),
+        unit => Axis::new(&axis.path, unit),
+    }
+}
+
+pub(super) fn add(map: &Map, mut outcome: Outcome) -> Outcome {
+    if map.len() == 0 {
+        return outcome;
+    }
+    let axes = &map.study.axes;
+    let (x, y) = (&axes[0].path, &axes[1].path);
+    let figure = |name: &str, title: &str, what: &str, mark: Mark, border: bool| {
+        let mut panel = Panel::new(drawn(&axes[1], &map.values[1])).mark(mark);
+        let mut alt = format!("{what} over {x} and {y}");
+        if border && !map.border.is_empty() {
+            panel = panel.mark(Line::new("border", "x", "y").begins_where("begins").name("border of jumps"));
+            alt += ", with the border between machines that jump and machines that do not";
+        }
+        Figure::new(name, title, alt + ".").x(drawn(&axes[0], &map.values[0])).panel(panel)
+    };
+    let known = |name: &str| {
+        let all = map.column(name).iter().filter(|x| x.is_finite());
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)))
+    };
+    let (least, most) = known("peak");
+    if least <= most {
+        let colours = lengths("largest peak", most, least > 0.0 && most > WIDE * least);
+        let heat = Heat::new("map", x, y, "peak", colours);
+        outcome = outcome.figure(figure("peak", "Largest peak", "Largest stable displacement", heat.into(), true));
+    }
+    let (_, widest) = known("hysteresis");
+    if widest > 0.0 {
+        // machines without several states stay blank
+        let heat = Heat::new("map", x, y, "hysteresis", Axis::log("width of the hysteresis", "rad/s"));
+        let what = "Width of the speeds with several states, blank where there are none,";
+        outcome = outcome.figure(figure("hysteresis", "Hysteresis", what, heat.into(), true));
+    }
+    let classes: Vec<String> = SWEEPS.iter().filter(|s| map.sweeps.iter().any(|w| w == *s)).map(|s| s.to_string()).collect();
+    let heat = Heat::new("map", x, y, "sweeps", Axis::new("slow sweeps", "")).of_classes(classes);
+    outcome.figure(figure("sweeps", "What slow sweeps do", "What slow sweeps up and down do", heat.into(), false))
+}
