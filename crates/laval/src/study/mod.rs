@@ -16,6 +16,7 @@ pub mod nonlinear_response;
 pub mod operating_window;
 mod passages;
 pub mod run_up;
+pub mod sensitivity;
 pub mod separation;
 mod settled;
 pub mod stability_map;
@@ -196,6 +197,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<stability_map::StabilityMap>(),
         kind::<forced_response::ForcedResponse>(),
         kind::<nonlinear_response::NonlinearResponse>(),
+        kind::<sensitivity::Sensitivity>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
         kind::<methods::Methods>(),

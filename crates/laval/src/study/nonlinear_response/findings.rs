@@ -59,6 +59,9 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
+        out.extend(self.force_findings());
+        out.extend(self.centring_findings());
+        out.extend(self.tuning_findings());
         let dropped = worst(response, |p| p.truncation);
         if request.harmonics.is_none() && dropped > request.truncation {
             out.push(

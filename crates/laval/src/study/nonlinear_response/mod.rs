@@ -23,10 +23,13 @@ use shown::Shown;
 
 mod families;
 mod findings;
+mod forces;
 mod picture;
+mod self_centring;
 mod shown;
 mod stability;
 mod tables;
+mod tuning;
 
 /// See the [module](self).
 pub struct NonlinearResponse {
@@ -37,6 +40,10 @@ impl NonlinearResponse {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request }
+    }
+    /// What is asked.
+    pub fn request(&self) -> &Request {
+        &self.request
     }
 }
 
@@ -177,6 +184,9 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
+        shown.forces = shown.extreme_forces(&response, &request);
+        shown.centring = shown.centring(&response);
+        shown.tuned = shown.tuning(&response, &request);
         shown.outcome(&response, &request, context).map_err(Diagnostic::from)
     }
 }

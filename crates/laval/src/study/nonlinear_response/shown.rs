@@ -1,14 +1,18 @@
 //! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
 
 use super::NonlinearResponse;
+use super::forces::Extremes;
+use super::self_centring::Centring;
 use super::tables::{branch_table, change_table, fold_table};
+use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::peak::{Peak, refine};
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
 use crate::study::{Context, Study};
@@ -30,6 +34,9 @@ pub(super) struct Shown<'a> {
     pub(super) validity: Vec<Vec<(f64, String)>>,
     pub(super) largest: Option<Largest>,
     pub(super) rising: Option<Rising>,
+    pub(super) forces: Vec<Extremes>,
+    pub(super) centring: Option<Centring>,
+    pub(super) tuned: Vec<Tuned>,
 }
 
 /// The largest displacement of all states that can be held.
@@ -57,7 +64,7 @@ pub(super) struct Rising {
 impl Largest {
     /// Displacement, m, and speed, rad/s, as well as known.
     pub(super) fn best(&self) -> (f64, f64) {
-        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.displacement, p.speed))
+        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.value, p.speed))
     }
 }
 
@@ -82,7 +89,22 @@ impl<'a> Shown<'a> {
             validity: vec![],
             largest: None,
             rising: None,
+            forces: vec![],
+            centring: None,
+            tuned: vec![],
         })
+    }
+
+    /// A largest or least value next to a point of a branch.
+    pub(super) fn refined(&mut self, branch: &Traced, i: usize, measure: Measure, sense: Sense, request: &Request) -> Option<Peak> {
+        let at = self.balance_of(branch);
+        refine(&mut self.balances[at], branch, i, measure, sense, request.speeds)
+    }
+
+    /// The whole motion of a state.
+    pub(super) fn orbit(&mut self, branch: &Traced, i: usize) -> Option<Orbit> {
+        let (at, state) = (self.balance_of(branch), branch.points.get(i)?);
+        Orbit::of(&mut self.balances[at], &state.x, state.speed).ok()
     }
 
     /// Index of the balance whose unknowns a branch has.
@@ -140,8 +162,8 @@ impl<'a> Shown<'a> {
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
-        let mut largest = vec![0.0f64; self.observed.len()];
-        let (divisor, samples) = (turns as f64, SAMPLES / 4 * turns);
+        let (divisor, samples) = (turns as f64, SAMPLES * turns);
+        let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
         for j in 0..samples {
             let tau = TAU * j as f64 / samples as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
@@ -150,10 +172,10 @@ impl<'a> Shown<'a> {
             let seen: Vec<_> = self.system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
             if self.observed.is_empty() {
                 self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", self.system.slots()[*slot].name, o.name), o.unit)).collect();
-                largest = vec![0.0; seen.len()];
             }
-            for (l, (_, o)) in largest.iter_mut().zip(&seen) {
-                *l = larger(*l, o.value.abs());
+            series.push(seen.iter().map(|(_, o)| o.value.abs()).collect());
+            if j % 4 != 0 {
+                continue;
             }
             for (slot, v) in self.system.validity(&at, &mut ws) {
                 if !(v.ratio <= worst.0) {
@@ -161,6 +183,7 @@ impl<'a> Shown<'a> {
                 }
             }
         }
+        let largest = (0..self.observed.len()).map(|k| crest(&series, k)).collect();
         (largest, worst)
     }
 
@@ -181,6 +204,9 @@ impl<'a> Shown<'a> {
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {
             out = out.figure(self.figure(response, all));
+            if let Some(figure) = self.force_figure(response, all) {
+                out = out.figure(figure);
+            }
         }
         for branch in &response.branches {
             for f in &branch.folds {
@@ -235,8 +261,7 @@ impl<'a> Shown<'a> {
         let largest = best.map(|(displacement, b, i, k)| {
             let (body, x) = self.bodies[k].clone();
             let branch = &response.branches[b];
-            let at = self.balance_of(branch);
-            let refined = if displacement > 0.0 { refine(&mut self.balances[at], branch, i, x, request.speeds) } else { None };
+            let refined = if displacement > 0.0 { self.refined(branch, i, Measure::Displacement(x), Sense::Largest, request) } else { None };
             let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
             Largest { body, displacement, speed: branch.points[i].speed, refined, at_end }
         });
@@ -244,6 +269,23 @@ impl<'a> Shown<'a> {
         let rising = rising.filter(above);
         (largest, rising)
     }
+}
+
+/// Largest value of quantity `k` in samples of a period: at the vertex of the parabola through the largest and those beside it.
+fn crest(series: &[Vec<f64>], k: usize) -> f64 {
+    let of = |j: usize| series[j % series.len()].get(k).copied().unwrap_or(f64::NAN);
+    let mut top = 0;
+    for j in 0..series.len() {
+        if of(j).is_nan() {
+            return f64::NAN;
+        }
+        if of(j) > of(top) {
+            top = j;
+        }
+    }
+    let (a, b, c) = (of(top + series.len() - 1), of(top), of(top + 1));
+    let bend = a - 2.0 * b + c;
+    if bend < 0.0 { b - (a - c) * (a - c) / (8.0 * bend) } else { b }
 }
 
 /// Like `f64::max`, but NaN stays.
