@@ -14,6 +14,7 @@ pub mod methods;
 pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
+pub mod optimum;
 mod passages;
 pub mod run_up;
 pub mod sensitivity;
@@ -208,6 +209,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<sweep::Sweep>(),
         kind::<basins::Basins>(),
         kind::<uncertainty::Uncertainty>(),
+        kind::<optimum::Optimum>(),
     ]
 }
 

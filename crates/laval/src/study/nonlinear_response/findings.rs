@@ -59,6 +59,11 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
+        for l in &self.of_bodies {
+            let (a, speed) = l.best();
+            let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.body, significant(speed, 6));
+            out.push(Finding::info("largest_displacement_of", text).of(&l.body).value(a, "m").evidence("speed", speed, "rad/s"));
+        }
         out.extend(self.force_findings());
         out.extend(self.centring_findings());
         out.extend(self.tuning_findings());

@@ -184,6 +184,9 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
+        if shown.bodies.len() > 1 && shown.rising.is_none() {
+            shown.of_bodies = shown.body_peaks(&response, &request);
+        }
         shown.forces = shown.extreme_forces(&response, &request);
         shown.centring = shown.centring(&response);
         shown.tuned = shown.tuning(&response, &request);

@@ -74,7 +74,7 @@ impl Shown<'_> {
         for e in self.forces.iter().take(MOST_PANELS) {
             let name = &self.system.slots()[e.slot].name;
             let column = self.observed.iter().find(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
-            let line = Line::new("response", "speed", &column.0).solid_where("not unstable");
+            let line = Line::new("response", "speed", &column.0).name("largest over a period").solid_where("not unstable");
             let line = match (all, response.branches.len()) {
                 (true, _) => line.group("states").begins_where("begins"),
                 (false, 1) => line,

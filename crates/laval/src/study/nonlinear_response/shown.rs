@@ -34,6 +34,8 @@ pub(super) struct Shown<'a> {
     pub(super) validity: Vec<Vec<(f64, String)>>,
     pub(super) largest: Option<Largest>,
     pub(super) rising: Option<Rising>,
+    /// Of each body, where there are several.
+    pub(super) of_bodies: Vec<Largest>,
     pub(super) forces: Vec<Extremes>,
     pub(super) centring: Option<Centring>,
     pub(super) tuned: Vec<Tuned>,
@@ -89,6 +91,7 @@ impl<'a> Shown<'a> {
             validity: vec![],
             largest: None,
             rising: None,
+            of_bodies: vec![],
             forces: vec![],
             centring: None,
             tuned: vec![],
@@ -268,6 +271,25 @@ impl<'a> Shown<'a> {
         let above = |r: &Rising| largest.as_ref().is_none_or(|l| r.displacement > l.best().0);
         let rising = rising.filter(above);
         (largest, rising)
+    }
+}
+
+impl Shown<'_> {
+    /// Largest displacement of each body over the states that can be held.
+    pub(super) fn body_peaks(&mut self, response: &Response, request: &Request) -> Vec<Largest> {
+        let mut out = Vec::new();
+        for k in 0..self.bodies.len() {
+            let points = response.branches.iter().enumerate().flat_map(|(b, t)| (0..t.points.len()).map(move |i| (b, i)));
+            let held = points.filter(|&(b, i)| !response.branches[b].points[i].unstable() && self.amplitudes[b][i][k][1].is_finite());
+            let size = |&(b, i): &(usize, usize)| self.amplitudes[b][i][k][1];
+            let Some((b, i)) = held.max_by(|x, y| size(x).total_cmp(&size(y))) else { continue };
+            let (displacement, branch) = (size(&(b, i)), &response.branches[b]);
+            let (body, x) = self.bodies[k].clone();
+            let refined = if displacement > 0.0 { self.refined(branch, i, Measure::Displacement(x), Sense::Largest, request) } else { None };
+            let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
+            out.push(Largest { body, displacement, speed: branch.points[i].speed, refined, at_end });
+        }
+        out
     }
 }
 
