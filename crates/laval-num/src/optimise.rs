@@ -7,8 +7,8 @@
 //! Sources: N. Hansen, "The CMA evolution strategy: a tutorial", arXiv:1604.00772 (2016), default parameters of its table 1.
 
 use crate::dense::{Mat, dot, norm};
-use crate::sampling::distribution::normal_quantile;
 use crate::sampling::Points;
+use crate::sampling::distribution::normal_quantile;
 
 /// What is asked.
 #[derive(Clone, Debug)]
@@ -78,14 +78,8 @@ pub fn minimise(settings: &Settings, mut f: impl FnMut(&[Vec<f64>]) -> Option<Ve
     let mut sigma = settings.width;
     let mut cov = Mat::identity(n);
     let (mut pc, mut ps) = (vec![0.0; n], vec![0.0; n]);
-    let mut out = Optimum {
-        x: mean.clone(),
-        value: f64::INFINITY,
-        evaluations: 0,
-        width: sigma,
-        ended: Ended::Evaluations,
-        history: Vec::new(),
-    };
+    let mut out =
+        Optimum { x: mean.clone(), value: f64::INFINITY, evaluations: 0, width: sigma, ended: Ended::Evaluations, history: Vec::new() };
     let stale = STALE + (30.0 * nf / lambda as f64).ceil() as usize;
     let mut bests: Vec<f64> = Vec::new();
     let mut drawn = 0u32;
@@ -119,17 +113,18 @@ pub fn minimise(settings: &Settings, mut f: impl FnMut(&[Vec<f64>]) -> Option<Ve
         out.history.push((out.evaluations, out.value));
         bests.push(best);
         let lately = &bests[bests.len().saturating_sub(stale)..];
-        let (low, high) = lately.iter().chain([&worth(order[mu])]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+        let (low, high) =
+            lately.iter().chain([&worth(order[mu])]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
         if bests.len() >= stale && high - low <= 1e-13 * low.abs() {
             out.ended = Ended::Arrived;
             break;
         }
         // steps of the better half, in the distribution's own width
-        let steps: Vec<Vec<f64>> = order[..mu].iter().map(|&k| points[k].iter().zip(&mean).map(|(x, m)| (x - m) / sigma).collect()).collect();
+        let steps: Vec<Vec<f64>> =
+            order[..mu].iter().map(|&k| points[k].iter().zip(&mean).map(|(x, m)| (x - m) / sigma).collect()).collect();
         let step: Vec<f64> = (0..n).map(|i| steps.iter().zip(&weights).map(|(y, w)| w * y[i]).sum()).collect();
         mean.iter_mut().zip(&step).for_each(|(m, y)| *m = (*m + sigma * y).clamp(0.0, 1.0));
-        let inner: Vec<f64> =
-            (0..n).map(|k| (0..n).map(|i| axes[(i, k)] * step[i]).sum::<f64>() / lengths[k].max(1e-300).sqrt()).collect();
+        let inner: Vec<f64> = (0..n).map(|k| (0..n).map(|i| axes[(i, k)] * step[i]).sum::<f64>() / lengths[k].max(1e-300).sqrt()).collect();
         let gain = (cs * (2.0 - cs) * mu_eff).sqrt();
         for i in 0..n {
             ps[i] = (1.0 - cs) * ps[i] + gain * (0..n).map(|k| axes[(i, k)] * inner[k]).sum::<f64>();

@@ -83,7 +83,7 @@ fn self_centring_agrees_with_the_table() {
         near(column(&o, "base ground force")[i], c2.hypot(chi0 * top) * z2, 1e-9);
         // circular motion: the largest force of a law per axis is reached on the axes, its first harmonic has 3/4 of the cubic term
         let d = column(&o, "bearing deflection")[i];
-        near(column(&o, "bearing force")[i], c0 * d + c1 * d.powi(3), 1e-12);
+        near(column(&o, "bearing force")[i], c0 * d + c1 * d.powi(3), 1e-9);
         near(c0 * d + 0.75 * c1 * d.powi(3), n("bearing_force_N"), 1e-8);
         let system = base.builder().build().unwrap();
         let found = limit(&system, top).unwrap();
@@ -107,8 +107,9 @@ fn the_way_to_self_centring_is_told() {
         let (w, z) = (column(&o, "speed"), column(&o, "drum first order"));
         let top = (0..w.len()).find(|&i| w[i] == 4e4).unwrap();
         near(evidence(f, "displacement at the top of the range, first order"), z[top], 1e-12);
-        // almost in phase with the limit: the moduli tell the distance
-        near(evidence(f, "relative difference there"), z[top] / goal - 1.0, 1e-3);
+        // the damping turns the motion by c/(m W) against the limit
+        let turned = 42.0 / (mass * 4e4);
+        near(evidence(f, "relative difference there"), (z[top] / goal - 1.0).hypot(turned), 1e-3);
         assert!((evidence(f, "d ln difference / d ln speed") + 2.0).abs() < 0.03, "{f:?}");
         let (c0, c1) = (1.1e7, 8.7e10);
         near(said(&o, "force_limit", "bearing").value.unwrap(), c0 * goal + c1 * goal.powi(3), 1e-8);
@@ -152,7 +153,7 @@ fn largest_forces_over_the_period() {
         let (largest, tau) = Measure::Force(2).largest(&system, &orbit, 1);
         near(largest, fine, 1e-7);
         near(at(tau), largest, 1e-13);
-        near(force[i], fine, 1e-5);
+        near(force[i], fine, 1e-7);
         noncircular += usize::from(at(0.4) < 0.99 * fine);
     }
     assert!(noncircular > 3, "{noncircular}");
@@ -175,7 +176,7 @@ fn the_force_of_the_bearing_vanishes_where_the_foundation_is_in_tune() {
         near(f.value.unwrap(), tuned, 1e-3);
         let left = evidence(f, "force there");
         if chi0 == 0.0 {
-            near(f.value.unwrap(), tuned, 1e-9);
+            near(f.value.unwrap(), tuned, 1e-7);
             assert!(left < 1e-6, "{left}");
         } else {
             let mass = if fill.is_some() { 2.4 + 0.92362824 } else { 2.4 };

@@ -202,7 +202,11 @@ fn derivatives_are_those_of_the_whole_study() {
     let request = Request { harmonics: Some(7), ..request };
     against_differences(Base { isotropic: false, ..base }, &["bearing.cubic_stiffness", "air.damping", "drum.eccentricity"], request);
     let filled = Base { fill: Some(0.8), wave_damping: 40.0, ..base };
-    against_differences(filled, &["liquid.free_surface_radius", "liquid.cavity_radius", "base.mass"], Request { harmonics: None, ..request });
+    against_differences(
+        filled,
+        &["liquid.free_surface_radius", "liquid.cavity_radius", "base.mass"],
+        Request { harmonics: None, ..request },
+    );
 }
 
 /// Axes that differ: halves of a lateral pair are parameters of their own. A Hertz bearing with clearance has a law that switches.
@@ -211,7 +215,11 @@ fn unequal_axes_and_laws_that_switch() {
     let between = |cx: f64, gap: f64| {
         let link = || Link::Between(Attach::on("disc"), Attach::ground());
         disc(2.0, 1e6, 0.0, 200.0, 1e-4)
-            .part("side", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: [cx, 4e5], cubic_stiffness: [1e11; 2], valid_to: 0.0 })
+            .part(
+                "side",
+                BearingCubic::per_axis(link()),
+                BearingCubicParams { stiffness: [cx, 4e5], cubic_stiffness: [1e11; 2], valid_to: 0.0 },
+            )
             .part("stop", Stop::new(link()), StopParams { stiffness: 3e6, gap, damping: 0.0 })
             .build()
             .unwrap()
@@ -235,7 +243,11 @@ fn unequal_axes_and_laws_that_switch() {
     // a force that jumps has no derivatives, and it is said
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let jumping = disc(2.0, 1e6, 0.0, 200.0, 1e-4)
-        .part("side", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: [1e5, 4e5], cubic_stiffness: [1e11; 2], valid_to: 0.0 })
+        .part(
+            "side",
+            BearingCubic::per_axis(link()),
+            BearingCubicParams { stiffness: [1e5, 4e5], cubic_stiffness: [1e11; 2], valid_to: 0.0 },
+        )
         .part("stop", Stop::new(link()), StopParams { stiffness: 3e6, gap: 3e-4, damping: 300.0 })
         .build()
         .unwrap();

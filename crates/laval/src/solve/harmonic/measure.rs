@@ -42,7 +42,8 @@ impl Measure {
         let (n, m) = (system.n(), system.m());
         let (q, z) = (vec![0.0; n], vec![0.0; m]);
         let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed: 1.0, spin_accel: 0.0, t: 0.0 };
-        let mut slots: Vec<usize> = system.observe(&at, &mut Workspace::default()).iter().filter(|(_, o)| o.unit == "N").map(|o| o.0).collect();
+        let mut slots: Vec<usize> =
+            system.observe(&at, &mut Workspace::default()).iter().filter(|(_, o)| o.unit == "N").map(|o| o.0).collect();
         slots.dedup();
         slots.retain(|&k| system.slots()[k].memory == 0 && system.slots()[k].map.len() >= 2);
         slots

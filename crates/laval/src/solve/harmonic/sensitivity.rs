@@ -145,8 +145,8 @@ pub fn moved(
 
 /// Steps of the differences over the size of the unknowns: the widest, and the factor between them.
 const WIDEST: f64 = 0.02;
-const NARROWER: f64 = 0.25;
-const STEPS: usize = 9;
+const NARROWER: f64 = 0.4;
+const STEPS: usize = 12;
 /// Change at which the differences have settled, and at which they are given up.
 const SETTLED: f64 = 1e-10;
 const LOST: f64 = 1e-4;
@@ -168,8 +168,7 @@ impl Point<'_, '_> {
             let unit = if self.what == Stationary::Fold { self.scale[n] } else { local.value };
             let relative = (slope / unit).abs();
             if self.what == Stationary::Fold || !(relative < left) && step > 0 || step == POLISH {
-                left = left.min(relative);
-                return self.derivatives(&y, &t, local, &lu, &rows, &l, left);
+                return self.derivatives(&y, &t, local, &lu, &rows, &l, relative);
             }
             left = relative;
             let second = self.second(&y, &t, &l, true)?;
@@ -233,12 +232,13 @@ impl Point<'_, '_> {
             let [Some(a), Some(b), Some(c), Some(d)] = shifts else { continue };
             let now: Vec<f64> = (0..a.len()).map(|i| (8.0 * (b[i] - c[i]) - (a[i] - d[i])) / (12.0 * e / NARROWER)).collect();
             if let Some(old) = &before {
-                // what counts: the curvature along t, and every parameter's share against the largest
+                // what counts: the curvature along t, and every parameter's influence against the largest
                 let curvature = |g: &[f64]| dot(&g[..n + 1], t);
                 let mut change = ((curvature(&now) - curvature(old)) / curvature(&now)).abs();
-                let largest = now[n + 1..].iter().fold(0.0f64, |m, g| m.max(g.abs()));
-                for (a, b) in now[n + 1..].iter().zip(&old[n + 1..]) {
-                    let own = (a - b).abs() / a.abs().max(1e-6 * largest);
+                let influence = |g: f64, k: usize| (g * self.balance.system.params()[self.parameters[k].first]).abs();
+                let largest = now[n + 1..].iter().enumerate().fold(0.0f64, |m, (k, g)| m.max(influence(*g, k)));
+                for (k, (a, b)) in now[n + 1..].iter().zip(&old[n + 1..]).enumerate() {
+                    let own = influence(a - b, k) / largest;
                     if largest > 0.0 && !(own <= change) {
                         change = own;
                     }

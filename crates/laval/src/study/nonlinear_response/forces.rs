@@ -29,18 +29,15 @@ impl Shown<'_> {
 
     fn extremes(&mut self, response: &Response, request: &Request, slot: usize) -> Option<Extremes> {
         let name = &self.system.slots()[slot].name;
-        let column = self.observed.iter().position(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+        let column =
+            self.observed.iter().position(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
         let measure = Measure::Force(slot);
-        let mut largest: Option<(f64, usize, usize)> = None;
+        let mut values = Vec::new();
         let mut vanishing = Vec::new();
         for (b, branch) in response.branches.iter().enumerate() {
             let force: Vec<f64> = self.observations[b].iter().map(|o| o.get(column).copied().unwrap_or(f64::NAN)).collect();
             let held = |i: usize| !branch.points[i].unstable();
-            for i in (0..force.len()).filter(|&i| held(i) && force[i].is_finite()) {
-                if largest.is_none_or(|l| force[i] > l.0) {
-                    largest = Some((force[i], b, i));
-                }
-            }
+            values.push((0..force.len()).map(|i| if held(i) { force[i] } else { f64::NAN }).collect::<Vec<f64>>());
             // the largest force from either end up to each point
             let running = |all: &mut dyn Iterator<Item = f64>| {
                 all.scan(0.0f64, |m, f| {
@@ -69,10 +66,9 @@ impl Shown<'_> {
         vanishing.retain(|v| joint && v.1 < VANISHING);
         vanishing.sort_by(|a, b| a.1.total_cmp(&b.1));
         vanishing.truncate(MOST);
-        let (force, b, i) = largest?;
-        let branch = &response.branches[b];
-        let refined = if force > 0.0 { self.refined(branch, i, measure, Sense::Largest, request) } else { None };
-        Some(Extremes { slot, largest: (force, branch.points[i].speed), refined, vanishing })
+        let top = self.summit(response, request, measure, &values)?;
+        let speed = response.branches[top.at.0].points[top.at.1].speed;
+        Some(Extremes { slot, largest: (top.value, speed), refined: top.refined, vanishing })
     }
 
     /// The largest force of each part, and where one nearly vanishes.

@@ -24,6 +24,7 @@ use shown::Shown;
 mod families;
 mod findings;
 mod forces;
+mod largest;
 mod picture;
 mod self_centring;
 mod shown;
@@ -184,9 +185,6 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
-        if shown.bodies.len() > 1 && shown.rising.is_none() {
-            shown.of_bodies = shown.body_peaks(&response, &request);
-        }
         shown.forces = shown.extreme_forces(&response, &request);
         shown.centring = shown.centring(&response);
         shown.tuned = shown.tuning(&response, &request);

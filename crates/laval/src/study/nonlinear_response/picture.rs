@@ -73,7 +73,8 @@ impl Shown<'_> {
         let limits = self.force_limits();
         for e in self.forces.iter().take(MOST_PANELS) {
             let name = &self.system.slots()[e.slot].name;
-            let column = self.observed.iter().find(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+            let column =
+                self.observed.iter().find(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
             let line = Line::new("response", "speed", &column.0).name("largest over a period").solid_where("not unstable");
             let line = match (all, response.branches.len()) {
                 (true, _) => line.group("states").begins_where("begins"),
@@ -91,7 +92,7 @@ impl Shown<'_> {
 
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
-        match &self.largest {
+        match self.most() {
             Some(l) if self.rising.is_none() => format!(
                 "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),

@@ -90,7 +90,8 @@ impl Shown<'_> {
             let name = &self.bodies[a.body].0;
             let deviation = a.deviation();
             let close = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
-            let when = if deviation <= CLOSE { String::new() } else { format!(", and is within 1 % of it near {} rad/s", significant(close, 3)) };
+            let when =
+                if deviation <= CLOSE { String::new() } else { format!(", and is within 1 % of it near {} rad/s", significant(close, 3)) };
             let held = if a.stable { "" } else { " (that state does not last)" };
             let text = format!(
                 "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}, {} % from there; the difference \

@@ -2,16 +2,17 @@
 
 use super::NonlinearResponse;
 use super::forces::Extremes;
+use super::largest::{Largest, Rising};
 use super::self_centring::Centring;
 use super::tables::{branch_table, change_table, fold_table};
 use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
-use crate::model::part::At;
+use crate::model::part::{At, Observed};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
 use crate::solve::harmonic::branch::Origin;
-use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
@@ -32,45 +33,17 @@ pub(super) struct Shown<'a> {
     pub(super) observations: Vec<Vec<Vec<f64>>>,
     /// By branch and point: largest use of validity and what.
     pub(super) validity: Vec<Vec<(f64, String)>>,
-    pub(super) largest: Option<Largest>,
+    /// Largest displacement of each body.
+    pub(super) largest: Vec<Largest>,
     pub(super) rising: Option<Rising>,
-    /// Of each body, where there are several.
-    pub(super) of_bodies: Vec<Largest>,
     pub(super) forces: Vec<Extremes>,
     pub(super) centring: Option<Centring>,
     pub(super) tuned: Vec<Tuned>,
 }
 
-/// The largest displacement of all states that can be held.
-pub(super) struct Largest {
-    pub(super) body: String,
-    /// At a computed point: displacement, m, and speed, rad/s.
-    displacement: f64,
-    speed: f64,
-    /// Between computed points, where the displacement falls on both sides.
-    pub(super) refined: Option<Peak>,
-    /// It lies where a branch meets the end of the range of speeds.
-    pub(super) at_end: bool,
-}
-
-/// A displacement that still rises where a branch was left, above all others: there is no largest one.
-pub(super) struct Rising {
-    pub(super) body: String,
-    /// Displacement, m, and speed, rad/s, at the last point.
-    pub(super) displacement: f64,
-    pub(super) speed: f64,
-    /// Index of the branch.
-    pub(super) branch: usize,
-}
-
-impl Largest {
-    /// Displacement, m, and speed, rad/s, as well as known.
-    pub(super) fn best(&self) -> (f64, f64) {
-        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.value, p.speed))
-    }
-}
-
 const SAMPLES: usize = 64;
+/// Step of the second look at a largest value, over the step of the samples.
+const CLOSER: f64 = 0.125;
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
@@ -89,9 +62,8 @@ impl<'a> Shown<'a> {
             observed: vec![],
             observations: vec![],
             validity: vec![],
-            largest: None,
+            largest: vec![],
             rising: None,
-            of_bodies: vec![],
             forces: vec![],
             centring: None,
             tuned: vec![],
@@ -108,6 +80,11 @@ impl<'a> Shown<'a> {
     pub(super) fn orbit(&mut self, branch: &Traced, i: usize) -> Option<Orbit> {
         let (at, state) = (self.balance_of(branch), branch.points.get(i)?);
         Orbit::of(&mut self.balances[at], &state.x, state.speed).ok()
+    }
+
+    /// The largest displacement of all.
+    pub(super) fn most(&self) -> Option<&Largest> {
+        self.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
     }
 
     /// Index of the balance whose unknowns a branch has.
@@ -167,26 +144,39 @@ impl<'a> Shown<'a> {
         let mut ws = Workspace::default();
         let (divisor, samples) = (turns as f64, SAMPLES * turns);
         let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
-        for j in 0..samples {
-            let tau = TAU * j as f64 / samples as f64;
+        let system = self.system;
+        let mut look = |tau: f64, worst: Option<&mut (f64, String)>| -> (Vec<f64>, Vec<(usize, Observed)>) {
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            // displacements of bodies have columns of their own
-            let seen: Vec<_> = self.system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
-            if self.observed.is_empty() {
-                self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", self.system.slots()[*slot].name, o.name), o.unit)).collect();
-            }
-            series.push(seen.iter().map(|(_, o)| o.value.abs()).collect());
-            if j % 4 != 0 {
-                continue;
-            }
-            for (slot, v) in self.system.validity(&at, &mut ws) {
-                if !(v.ratio <= worst.0) {
-                    worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
+            if let Some(worst) = worst {
+                for (slot, v) in system.validity(&at, &mut ws) {
+                    if !(v.ratio <= worst.0) {
+                        *worst = (v.ratio, format!("{}: {}", system.slots()[slot].name, v.what));
+                    }
                 }
             }
+            // displacements of bodies have columns of their own
+            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
+            (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
+        };
+        let h = TAU / samples as f64;
+        for j in 0..samples {
+            let (values, seen) = look(h * j as f64, (j % 4 == 0).then_some(&mut worst));
+            if self.observed.is_empty() {
+                self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit)).collect();
+            }
+            series.push(values);
         }
-        let largest = (0..self.observed.len()).map(|k| crest(&series, k)).collect();
+        let mut largest = vec![f64::NAN; self.observed.len()];
+        for (k, l) in largest.iter_mut().enumerate() {
+            let Some((top, beside)) = crest(&series, k) else { continue };
+            *l = series[top][k];
+            if *l > 0.0 {
+                let tau = h * (top as f64 + beside);
+                let mut near = |shift: f64| look(tau + shift * h, None).0.get(k).copied().unwrap_or(f64::NAN);
+                *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
+            }
+        }
         (largest, worst)
     }
 
@@ -237,77 +227,28 @@ impl<'a> Shown<'a> {
         }
         out.checked()
     }
-
-    /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
-    pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Option<Largest>, Option<Rising>) {
-        let mut best: Option<(f64, usize, usize, usize)> = None;
-        let mut rising: Option<Rising> = None;
-        for (b, branch) in response.branches.iter().enumerate() {
-            let held: Vec<usize> = (0..branch.points.len()).filter(|&i| !branch.points[i].unstable()).collect();
-            let left = !matches!(branch.end, End::Reached | End::Closed);
-            for k in 0..self.bodies.len() {
-                let a = |i: usize| self.amplitudes[b][i][k][1];
-                let last = branch.points.len().saturating_sub(1);
-                let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
-                for &i in &held {
-                    if left && i >= foot && foot < last {
-                        if rising.as_ref().is_none_or(|r| a(i) > r.displacement) {
-                            let (body, speed) = (self.bodies[k].0.clone(), branch.points[i].speed);
-                            rising = Some(Rising { body, displacement: a(i), speed, branch: b });
-                        }
-                    } else if best.is_none_or(|best| a(i) > best.0) {
-                        best = Some((a(i), b, i, k));
-                    }
-                }
-            }
-        }
-        let largest = best.map(|(displacement, b, i, k)| {
-            let (body, x) = self.bodies[k].clone();
-            let branch = &response.branches[b];
-            let refined = if displacement > 0.0 { self.refined(branch, i, Measure::Displacement(x), Sense::Largest, request) } else { None };
-            let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
-            Largest { body, displacement, speed: branch.points[i].speed, refined, at_end }
-        });
-        let above = |r: &Rising| largest.as_ref().is_none_or(|l| r.displacement > l.best().0);
-        let rising = rising.filter(above);
-        (largest, rising)
-    }
 }
 
-impl Shown<'_> {
-    /// Largest displacement of each body over the states that can be held.
-    pub(super) fn body_peaks(&mut self, response: &Response, request: &Request) -> Vec<Largest> {
-        let mut out = Vec::new();
-        for k in 0..self.bodies.len() {
-            let points = response.branches.iter().enumerate().flat_map(|(b, t)| (0..t.points.len()).map(move |i| (b, i)));
-            let held = points.filter(|&(b, i)| !response.branches[b].points[i].unstable() && self.amplitudes[b][i][k][1].is_finite());
-            let size = |&(b, i): &(usize, usize)| self.amplitudes[b][i][k][1];
-            let Some((b, i)) = held.max_by(|x, y| size(x).total_cmp(&size(y))) else { continue };
-            let (displacement, branch) = (size(&(b, i)), &response.branches[b]);
-            let (body, x) = self.bodies[k].clone();
-            let refined = if displacement > 0.0 { self.refined(branch, i, Measure::Displacement(x), Sense::Largest, request) } else { None };
-            let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
-            out.push(Largest { body, displacement, speed: branch.points[i].speed, refined, at_end });
-        }
-        out
-    }
-}
-
-/// Largest value of quantity `k` in samples of a period: at the vertex of the parabola through the largest and those beside it.
-fn crest(series: &[Vec<f64>], k: usize) -> f64 {
+/// Index of the largest of quantity `k` in samples of a period, and how far beside it, in samples, the vertex of the parabola through it and those beside it
+/// lies; `None` where one is not a number.
+fn crest(series: &[Vec<f64>], k: usize) -> Option<(usize, f64)> {
     let of = |j: usize| series[j % series.len()].get(k).copied().unwrap_or(f64::NAN);
     let mut top = 0;
     for j in 0..series.len() {
         if of(j).is_nan() {
-            return f64::NAN;
+            return None;
         }
         if of(j) > of(top) {
             top = j;
         }
     }
-    let (a, b, c) = (of(top + series.len() - 1), of(top), of(top + 1));
+    Some((top, vertex([of(top + series.len() - 1), of(top), of(top + 1)]).0))
+}
+
+/// Place, in steps from the middle one, and value of the vertex of a parabola through three equally spaced values.
+fn vertex([a, b, c]: [f64; 3]) -> (f64, f64) {
     let bend = a - 2.0 * b + c;
-    if bend < 0.0 { b - (a - c) * (a - c) / (8.0 * bend) } else { b }
+    if bend < 0.0 { ((0.5 * (a - c) / bend).clamp(-1.0, 1.0), b - (a - c) * (a - c) / (8.0 * bend)) } else { (0.0, b) }
 }
 
 /// Like `f64::max`, but NaN stays.

@@ -37,7 +37,8 @@ fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot
     let orbit = Orbit::of(&mut balance, &x, speed).ok()?;
     let force = Measure::Force(slot).largest(system, &orbit, d.divisor).0;
     balance.sample(&x, speed);
-    let exponents = if request.stability { Stability::new(system).ok().and_then(|mut s| s.exponents(&mut balance, &x, speed).ok()) } else { None };
+    let exponents =
+        if request.stability { Stability::new(system).ok().and_then(|mut s| s.exponents(&mut balance, &x, speed).ok()) } else { None };
     Some((force, exponents.map(|e| (e.growth(), e.stable())), done.residual))
 }
 

@@ -149,7 +149,11 @@ impl Found<'_> {
                         .value(e.speed, "rad/s")
                         .shown_as(e.speed * RPM, "rpm")
                         .evidence("width of the bracket", e.bracket, "rad/s")
-                        .evidence("difference from the fold by its extended system", fold.map_or(f64::NAN, |w| (w - e.speed).abs()), "rad/s"),
+                        .evidence(
+                            "difference from the fold by its extended system",
+                            fold.map_or(f64::NAN, |w| (w - e.speed).abs()),
+                            "rad/s",
+                        ),
                 );
             }
         }

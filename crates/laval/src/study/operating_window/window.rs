@@ -114,7 +114,15 @@ pub(super) fn intervals(
 ) -> Result<Vec<Interval>, Diagnostic> {
     let mut out: Vec<Interval> = Vec::new();
     let mut made = Vec::new();
-    let limit = |p: &Point| End { speed: p.speed, binding: "range".into(), detail: String::new(), event: "domain limit", bracket: 0.0, beyond: f64::NAN, states: [p.states; 2] };
+    let limit = |p: &Point| End {
+        speed: p.speed,
+        binding: "range".into(),
+        detail: String::new(),
+        event: "domain limit",
+        bracket: 0.0,
+        beyond: f64::NAN,
+        states: [p.states; 2],
+    };
     let mut low: Option<End> = None;
     for i in 0..points.len() {
         let p = &points[i];

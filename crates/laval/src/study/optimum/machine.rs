@@ -38,7 +38,8 @@ impl Vary {
     }
     /// Place of a value, within the bounds.
     pub(super) fn place(&self, x: f64) -> f64 {
-        let u = if self.logarithmic() { (x / self.from).ln() / (self.to / self.from).ln() } else { (x - self.from) / (self.to - self.from) };
+        let u =
+            if self.logarithmic() { (x / self.from).ln() / (self.to / self.from).ln() } else { (x - self.from) / (self.to - self.from) };
         if u.is_nan() { 0.5 } else { u.clamp(0.0, 1.0) }
     }
 }

@@ -60,7 +60,11 @@ impl Study for Optimum {
         widest window, highest speed of instability), keeps limits on others, and says how far each parameter may stray.";
     const FIELDS: &'static [Field] = &[
         Field::required("study", FieldKind::Study, "what is asked of every machine"),
-        Field::required("vary", FieldKind::ParameterRanges, "the parameters and their bounds; a range over a decade and more is searched in the logarithm"),
+        Field::required(
+            "vary",
+            FieldKind::ParameterRanges,
+            "the parameters and their bounds; a range over a decade and more is searched in the logarithm",
+        ),
         Field::optional(
             "minimise",
             FieldKind::Text,
@@ -70,7 +74,12 @@ impl Study for Optimum {
         Field::optional("maximise", FieldKind::Text, "", "the number to make large instead; the least where there are several"),
         Field::optional("at_most", FieldKind::StateMap, "", "upper limits on numbers: { \"largest_force bearing\" = \"5 kN\" }"),
         Field::optional("at_least", FieldKind::StateMap, "", "lower limits on numbers"),
-        Field::optional("starts", FieldKind::Integer { min: 1, max: 32 }, "3", "searches: from the machine as it is, and from elsewhere in the bounds"),
+        Field::optional(
+            "starts",
+            FieldKind::Integer { min: 1, max: 32 },
+            "3",
+            "searches: from the machine as it is, and from elsewhere in the bounds",
+        ),
         Field::optional("runs", FieldKind::Integer { min: 20, max: 100_000 }, "600", "most runs of the study in each search"),
         Field::optional(
             "tolerance",

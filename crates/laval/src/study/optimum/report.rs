@@ -126,10 +126,13 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     let count = found.slopes.len();
     // what a smooth optimum shows at that distance is curvature
     let finding = if worst >= -1e-2 {
-        let text = format!("No machine at a distance of {TEST:.0e} of the bounds is better, in {count} directions: the least slope is {{}}.");
+        let text =
+            format!("No machine at a distance of {TEST:.0e} of the bounds is better, in {count} directions: the least slope is {{}}.");
         Finding::info("optimality", text)
     } else {
-        let text = format!("Of {count} machines at a distance of {TEST:.0e} of the bounds one is better: the search has not arrived (slope {{}}). Allow more runs.");
+        let text = format!(
+            "Of {count} machines at a distance of {TEST:.0e} of the bounds one is better: the search has not arrived (slope {{}}). Allow more runs."
+        );
         Finding::warning("optimality", text)
     };
     out = out.finding(finding.value(worst, "").evidence("distance of the machines tested, as a share of the bounds", TEST, ""));
@@ -189,13 +192,19 @@ fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     let table = Table::new("search", "The best machine found so far, with all limits kept")
         .int("start", "", "number of the search", rows.iter().map(|r| r.0 as i64).collect())
         .int("runs", "", "runs of the study in this search", rows.iter().map(|r| r.1 as i64).collect())
-        .float("number", &found.unit, "the number that is made small or large; NaN before all limits are kept", rows.iter().map(|r| r.2).collect())
+        .float(
+            "number",
+            &found.unit,
+            "the number that is made small or large; NaN before all limits are kept",
+            rows.iter().map(|r| r.2).collect(),
+        )
         .build()
         .map_err(inconsistent)?;
     let drawn = rows.iter().any(|r| r.2.is_finite());
     out = out.table(table);
     if drawn {
-        let panel = Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "as it is"));
+        let panel =
+            Panel::new(axis(study, found)).mark(Line::new("search", "runs", "number").group("start")).mark(Rule::y(found.now, "as it is"));
         let alt = format!("Best {} over the runs of {} searches.", study.aim.name, found.trails.len());
         out = out.figure(Figure::new("search", "The search", alt).x(Axis::new("runs of the study", "")).panel(panel));
     }
@@ -208,7 +217,12 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
     let rows: Vec<(usize, &Run)> = found.profiles.iter().enumerate().flat_map(|(k, p)| p.iter().map(move |r| (k, r))).collect();
     let table = Table::new("profiles", "The number along each parameter, the others at their best")
         .text("parameter", "path", rows.iter().map(|r| study.vary[r.0].path.clone()).collect())
-        .float("place", "", "place between the bounds, 0 to 1; logarithmic over a decade and more", rows.iter().map(|r| r.1.place[r.0]).collect())
+        .float(
+            "place",
+            "",
+            "place between the bounds, 0 to 1; logarithmic over a decade and more",
+            rows.iter().map(|r| r.1.place[r.0]).collect(),
+        )
         .float("value", "", "of the parameter, in its unit", rows.iter().map(|r| study.vary[r.0].value(r.1.place[r.0])).collect())
         .float("number", &found.unit, "the number; NaN where the study does not find it", rows.iter().map(|r| r.1.value).collect())
         .flag("kept", "all limits are kept", rows.iter().map(|r| r.1.kept(&study.limits)).collect())
@@ -236,5 +250,7 @@ fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome,
         .mark(Rule::y(allowed, format!("{} % worse", significant(100.0 * study.tolerance, 3))));
     let alt = format!("{} along each of {} parameters through the optimum.", study.aim.name, study.vary.len());
     out = out.table(table).table(marks);
-    Ok(out.figure(Figure::new("profiles", "Around the optimum", alt).x(Axis::new("place between the bounds", "").range(0.0, 1.0)).panel(panel)))
+    Ok(out.figure(
+        Figure::new("profiles", "Around the optimum", alt).x(Axis::new("place between the bounds", "").range(0.0, 1.0)).panel(panel),
+    ))
 }

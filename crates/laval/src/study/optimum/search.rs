@@ -89,7 +89,7 @@ pub(super) struct Found {
 const WEIGHTS: [f64; 3] = [10.0, 1e3, 1e5];
 /// Width of the first generation in the unit cube, and at which a search has arrived.
 const WIDE: f64 = 0.25;
-const NARROW: f64 = 1e-8;
+const NARROW: f64 = 1e-6;
 /// Length of the steps of the test in the unit cube.
 pub(super) const TEST: f64 = 1e-4;
 /// Directions of the test between the parameters, for each of them.
@@ -139,7 +139,8 @@ impl Bench<'_> {
     fn merit(&self, run: &Run, weight: f64) -> f64 {
         let size = if self.now != 0.0 { self.now.abs() } else { 1.0 };
         let sign = if self.study.aim.large { -1.0 } else { 1.0 };
-        let beyond: f64 = self.study.limits.iter().zip(&run.limited).map(|(l, x)| if l.excess(*x) <= 0.0 { 0.0 } else { l.excess(*x) }).sum();
+        let beyond: f64 =
+            self.study.limits.iter().zip(&run.limited).map(|(l, x)| if l.excess(*x) <= 0.0 { 0.0 } else { l.excess(*x) }).sum();
         sign * run.value / size + weight * beyond
     }
 

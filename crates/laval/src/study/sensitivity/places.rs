@@ -79,7 +79,9 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
             for i in 1..sizes.len().saturating_sub(1) {
                 let [before, a, after] = [i - 1, i, i + 1].map(|i| sizes[i][k]);
                 if a > before && a >= after && !branch.points[i].unstable() {
-                    let Some(peak) = refine(&mut balance, branch, i, Measure::Displacement(body.x), Sense::Largest, request.speeds) else { continue };
+                    let Some(peak) = refine(&mut balance, branch, i, Measure::Displacement(body.x), Sense::Largest, request.speeds) else {
+                        continue;
+                    };
                     let way = along(&branch.points[i - 1], &branch.points[i + 1]);
                     seeds.push((Kind::Peak, b, k, peak.x, peak.speed, way, peak.value));
                 }
@@ -124,7 +126,10 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     for p in std::mem::take(&mut found.places) {
         let same = |q: &Place| {
             let (a, b) = (&p.moved, &q.moved);
-            q.kind == p.kind && q.body == p.body && (a.speed - b.speed).abs() <= 1e-7 * a.speed.abs() && (a.value - b.value).abs() <= 1e-6 * a.value
+            q.kind == p.kind
+                && q.body == p.body
+                && (a.speed - b.speed).abs() <= 1e-7 * a.speed.abs()
+                && (a.value - b.value).abs() <= 1e-6 * a.value
         };
         if !kept.iter().any(same) {
             kept.push(p);

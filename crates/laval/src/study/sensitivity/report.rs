@@ -59,11 +59,7 @@ fn finding(place: &Place, found: &Found) -> Finding {
     let m = &place.moved;
     let (speed, body) = (significant(m.speed, 6), &place.body);
     let text = match place.kind {
-        Kind::Peak => format!(
-            "The peak of \"{body}\", {{}} at {speed} rad/s, changes most by {}; its speed by {}.",
-            told(1),
-            told(0)
-        ),
+        Kind::Peak => format!("The peak of \"{body}\", {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0)),
         Kind::JumpUp | Kind::JumpDown => format!(
             "The {} at {speed} rad/s moves most by {}; the displacement of \"{body}\" there, {{}}, changes most by {}.",
             place.word(),
