@@ -177,7 +177,8 @@ fn the_force_of_the_bearing_vanishes_where_the_foundation_is_in_tune() {
         let left = evidence(f, "force there");
         if chi0 == 0.0 {
             near(f.value.unwrap(), tuned, 1e-7);
-            assert!(left < 1e-6, "{left}");
+            // beside 10 N on both sides
+            assert!(left < 1e-5, "{left}");
         } else {
             let mass = if fill.is_some() { 2.4 + 0.92362824 } else { 2.4 };
             near(left, chi0 * tuned * 2.4e-3 / mass, 0.02);

@@ -94,7 +94,8 @@ fn peak(mu: f64, f: f64, z: f64) -> f64 {
 /// gives: `|x|/e >= sqrt(2/(mu (1 + mu)))` (G. Warburton, 1982); the least highest peak lies just above, and both peaks are then as high.
 #[test]
 fn the_tuned_absorber_is_found() {
-    for mu in [0.05, 0.2] {
+    {
+        let mu = 0.2;
         let system = absorber(mu);
         let w0 = (K / M).sqrt();
         let study = Optimum {
@@ -103,7 +104,7 @@ fn the_tuned_absorber_is_found() {
             aim: least("largest_displacement_of rotor"),
             limits: vec![],
             starts: 2,
-            runs: 900,
+            runs: 400,
             tolerance: 0.05,
         };
         let o = run(&study, &system);
@@ -161,8 +162,8 @@ fn bounds_and_limits_bind() {
         vary: vec![vary(&system, "air.damping", 20.0, 500.0)],
         aim: least("largest_displacement"),
         limits,
-        starts: 2,
-        runs: 400,
+        starts: 1,
+        runs: 120,
         tolerance: 0.1,
     };
     let o = run(&study(vec![]), &system);
@@ -204,7 +205,7 @@ fn a_foundation_is_tuned_to_a_speed() {
         aim: least("largest_force bearing"),
         limits: vec![],
         starts: 2,
-        runs: 400,
+        runs: 200,
         tolerance: 0.5,
     };
     let o = run(&study, &system);

@@ -16,6 +16,7 @@ use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
+use crate::solve::symmetry::Symmetry;
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
 use std::f64::consts::TAU;
@@ -42,6 +43,8 @@ pub(super) struct Shown<'a> {
 }
 
 const SAMPLES: usize = 64;
+/// Instants at which a circular motion, whose sizes stay, is looked at.
+const ROUND: usize = 4;
 /// Step of the second look at a largest value, over the step of the samples.
 const CLOSER: f64 = 0.125;
 
@@ -100,7 +103,7 @@ impl<'a> Shown<'a> {
             for state in &branch.points {
                 let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
                 amplitudes.push(self.amplitudes_of(&orbit, branch.turns()));
-                let (seen, valid) = self.observe(&orbit, branch.turns());
+                let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
                 observations.push(seen);
                 validity.push(valid);
             }
@@ -134,7 +137,7 @@ impl<'a> Shown<'a> {
         out
     }
 
-    fn observe(&mut self, orbit: &Orbit, turns: usize) -> (Vec<f64>, (f64, String)) {
+    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, (f64, String)) {
         let mut worst = (0.0, String::new());
         if orbit.orders.is_empty() {
             return (vec![f64::NAN; self.observed.len()], worst);
@@ -142,7 +145,9 @@ impl<'a> Shown<'a> {
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
-        let (divisor, samples) = (turns as f64, SAMPLES * turns);
+        // sizes repeat with the part of the period that the symmetry repeats
+        let (divisor, parts) = (turns as f64, symmetry.order().max(1));
+        let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
         let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
         let system = self.system;
         let mut look = |tau: f64, worst: Option<&mut (f64, String)>| -> (Vec<f64>, Vec<(usize, Observed)>) {
@@ -159,9 +164,9 @@ impl<'a> Shown<'a> {
             let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
             (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
         };
-        let h = TAU / samples as f64;
+        let h = TAU / (samples * parts) as f64;
         for j in 0..samples {
-            let (values, seen) = look(h * j as f64, (j % 4 == 0).then_some(&mut worst));
+            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut worst));
             if self.observed.is_empty() {
                 self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit)).collect();
             }
