@@ -92,7 +92,7 @@ fn limits_are_reached_and_jumps_lie_at_folds() {
         let jump = begins[0].value.unwrap();
         assert!((jump - upper).abs() < 1e-7, "{jump} {upper}");
         assert!(evidence(begins[0], "difference from the fold by its extended system") < 1e-7);
-        assert!(begins[0].text.contains("2 stable states, both of which a slow sweep can reach"), "{}", begins[0].text);
+        assert!(begins[0].text.contains("2 stable states (a slow sweep can reach each of them"), "{}", begins[0].text);
         let widest = o.findings.iter().find(|f| f.id == "widest_window").unwrap();
         assert!((widest.value.unwrap() - (5000.0 - jump).max(at - 50.0)).abs() < 1e-9);
         let t = o.find_table("window").unwrap();

@@ -178,8 +178,8 @@ impl Found<'_> {
             ("jump", _) => {
                 let fold = self.main.folds.iter().copied().min_by(|a, b| (a - e.speed).abs().total_cmp(&(b - e.speed).abs()));
                 let fold = fold.filter(|w| (w - e.speed).abs() <= 1e-6 * e.speed);
-                let at = if fold.is_some() { ", which begin at a fold" } else { "" };
-                let many = if e.states[1] > 1 { ", both of which a slow sweep can reach and which count" } else { "" };
+                let at = if fold.is_some() { "; the edge is a fold" } else { "" };
+                let many = if e.states[1] > 1 { " (a slow sweep can reach each of them, so that all count)" } else { "" };
                 let excess = match limit {
                     Some(_) if e.beyond.is_finite() => format!("has {} times its limit", significant(1.0 - e.beyond, 4)),
                     _ => "breaks its limit".into(),

@@ -188,6 +188,6 @@ fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Out
     }
     let title = format!("What moves the {}", place.name());
     let alt = format!("{title}: relative influence of the {count} parameters that matter most, one pair of bars each.");
-    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("per cent for one per cent more", "%"));
+    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("per cent for one per cent more", ""));
     Ok(out.figure(figure.panel(panel.mark(Rule::x(0.0, "")))))
 }
