@@ -88,11 +88,11 @@ fn disc(mass: f64, k: f64, cubic: f64, c: f64, e: f64) -> Builder {
 /// `a = e/(2 D sqrt(1 - D^2))`, `W = w0/sqrt(1 - 2 D^2)`, `D = c/(2 sqrt(k m))`, differentiated by hand.
 #[test]
 fn a_linear_peak_moves_like_the_closed_form() {
-    let (m, k, e) = (2.0, 1e6, 1e-4);
+    let (m, k, e): (f64, f64, f64) = (2.0, 1e6, 1e-4);
     for c in [30.0, 400.0] {
         let found = places(&study(&disc(m, k, 0.0, c, e).build().unwrap(), Request::over(100.0, 3e3)));
         assert_eq!(found.len(), 1);
-        let (w0, d) = ((k / m as f64).sqrt(), c / (2.0 * (k * m as f64).sqrt()));
+        let (w0, d) = ((k / m).sqrt(), c / (2.0 * (k * m).sqrt()));
         let (root, under) = ((1.0 - d * d).sqrt(), 1.0 - 2.0 * d * d);
         let (a, w) = (e / (2.0 * d * root), w0 / under.sqrt());
         near(found[0].value, a, 1e-12);

@@ -29,8 +29,18 @@ pub(super) struct Tuned {
     residual: f64,
 }
 
-/// The state that Newton's method finds from rest: its forces, growth rate and residual.
-fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot: usize) -> Option<(f64, Option<(f64, bool)>, f64)> {
+/// A state of small motion.
+struct Small {
+    /// Largest force of the part, N.
+    force: f64,
+    /// Growth rate, 1/s, and whether it lasts; `None` when not judged.
+    growth: Option<(f64, bool)>,
+    /// Scaled residual.
+    residual: f64,
+}
+
+/// The state that Newton's method finds from rest.
+fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot: usize) -> Option<Small> {
     let mut balance = Balance::new(system, d, request.speeds, None).ok()?;
     let mut x = vec![0.0; balance.dim()];
     let done = newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
@@ -39,7 +49,7 @@ fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot
     balance.sample(&x, speed);
     let exponents =
         if request.stability { Stability::new(system).ok().and_then(|mut s| s.exponents(&mut balance, &x, speed).ok()) } else { None };
-    Some((force, exponents.map(|e| (e.growth(), e.stable())), done.residual))
+    Some(Small { force, growth: exponents.map(|e| (e.growth(), e.stable())), residual: done.residual })
 }
 
 impl Shown<'_> {
@@ -72,10 +82,10 @@ impl Shown<'_> {
                     slot,
                     speed,
                     stiffness: [stiffness, tuned],
-                    force: [before.0, after.0],
-                    growth: after.1.map_or(f64::NAN, |g| g.0),
-                    stable: after.1.map(|g| g.1),
-                    residual: after.2,
+                    force: [before.force, after.force],
+                    growth: after.growth.map_or(f64::NAN, |g| g.0),
+                    stable: after.growth.map(|g| g.1),
+                    residual: after.residual,
                 });
             }
         }

@@ -54,10 +54,12 @@ pub(super) struct Trail {
     pub width: f64,
 }
 
+/// A direction: index of the parameter and the sign, or `None` for one between parameters.
+type Along = Option<(usize, f64)>;
+
 /// One-sided slopes of the merit at the optimum, per length in the unit cube, over a direction.
 pub(super) struct Slope {
-    /// Index of the parameter and the sign, or `None` for a direction between.
-    pub along: Option<(usize, f64)>,
+    pub along: Along,
     pub slope: f64,
 }
 
@@ -239,7 +241,7 @@ fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
     let n = s.vary.len();
     let here = bench.merit(best, found.weight);
     // directions that stay inside the bounds
-    let mut ways: Vec<(Option<(usize, f64)>, Vec<f64>)> = Vec::new();
+    let mut ways: Vec<(Along, Vec<f64>)> = Vec::new();
     for k in 0..n {
         for sign in [1.0, -1.0] {
             let mut d = vec![0.0; n];

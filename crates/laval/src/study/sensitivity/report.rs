@@ -128,8 +128,11 @@ fn places(found: &Found) -> Result<Table, Diagnostic> {
         .map_err(inconsistent)
 }
 
+/// Index of a place and of a parameter, and its relative influence on speed and displacement.
+type Row = (usize, usize, [f64; 2]);
+
 fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
-    let rows: Vec<(usize, usize, [f64; 2])> = found
+    let rows: Vec<Row> = found
         .places
         .iter()
         .enumerate()
@@ -138,9 +141,9 @@ fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
             p.order(found).into_iter().map(move |k| (i, k, relative[k]))
         })
         .collect();
-    let of = |r: &(usize, usize, [f64; 2])| (&found.places[r.0], &found.parameters[r.1], found.places[r.0].moved.slopes[r.1]);
-    let text = |f: &dyn Fn(&(usize, usize, [f64; 2])) -> String| rows.iter().map(f).collect::<Vec<String>>();
-    let float = |f: &dyn Fn(&(usize, usize, [f64; 2])) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+    let of = |r: &Row| (&found.places[r.0], &found.parameters[r.1], found.places[r.0].moved.slopes[r.1]);
+    let text = |f: &dyn Fn(&Row) -> String| rows.iter().map(f).collect::<Vec<String>>();
+    let float = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
     Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
         .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
         .text("what", "the place", text(&|r| of(r).0.name()))
