@@ -163,7 +163,7 @@ fn bounds_and_limits_bind() {
         aim: least("largest_displacement"),
         limits,
         starts: 1,
-        runs: 120,
+        runs: 300,
         tolerance: 0.1,
     };
     let o = run(&study(vec![]), &system);
