@@ -46,7 +46,7 @@ impl Shown<'_> {
         let largest = goal.iter().fold(0.0f64, |m, z| m.max(z.abs()));
         let ends = response.branches.iter().filter(|b| b.turns() == 1).flat_map(|b| {
             let last = b.points.len().checked_sub(1);
-            [Some(0), last].into_iter().flatten().filter(|&i| b.points[i].speed.abs() == top).map(move |i| (b, i))
+            [Some(0), last].into_iter().flatten().filter(|&i| b.points.get(i).is_some_and(|p| p.speed.abs() == top)).map(move |i| (b, i))
         });
         let ends: Vec<(&Traced, usize)> = ends.collect();
         let mut bodies = Vec::new();
