@@ -1,5 +1,5 @@
 //! Numerics for the dynamics of machines: scalars with exact derivatives and lanes, small dense algebra, Newton's method,
-//! continuation, time integration, eigenproblems, polynomials, Fourier sampling, and sampling of uncertain inputs. It knows nothing of rotors.
+//! continuation, time integration, eigenproblems, polynomials, Fourier sampling, minimisation without derivatives, and sampling of uncertain inputs. It knows nothing of rotors.
 #![warn(missing_docs)]
 
 pub mod complex;
@@ -14,6 +14,7 @@ pub mod interpolate;
 pub mod lanes;
 pub mod newton;
 pub mod ode;
+pub mod optimise;
 pub mod poly;
 pub mod quadrature;
 pub mod sampling;

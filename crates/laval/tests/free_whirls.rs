@@ -175,7 +175,7 @@ fn drive_makes_up_for_the_losses() {
         for family in &f.families {
             for m in family.motions.iter().step_by(5) {
                 let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
-                balance.set_free(Pace { speed: 500.0, frequency: m.frequency, drive: m.drive, rate: [0.0; 3] });
+                balance.set_free(Pace { speed: 500.0, frequency: m.frequency, drive: m.drive, rate: [0.0; 3], parameter: None });
                 let orbit = Orbit::of(&mut balance, &m.x, 500.0).unwrap();
                 let (mut fed, mut lost, count) = (0.0, 0.0, 64);
                 for j in 0..count {
@@ -195,7 +195,7 @@ fn drive_makes_up_for_the_losses() {
     let (system, f) = found(Base { e: 0.0, fill: Some(0.8), ..undamped() }, request(0.5 * W0));
     for m in f.families.iter().flat_map(|f| &f.motions).step_by(7) {
         let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
-        balance.set_free(Pace { speed: 0.5 * W0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3] });
+        balance.set_free(Pace { speed: 0.5 * W0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
         let orbit = Orbit::of(&mut balance, &m.x, 0.5 * W0).unwrap();
         let d = defect(&system, &orbit, 1);
         // what the orders leave out is what is missing
@@ -233,7 +233,7 @@ fn unequal_planes_whirl_apart() {
             let orders = 2.0 * m.x.iter().step_by(4).zip(m.x.iter().skip(1).step_by(4)).map(|(x, y)| x.hypot(*y)).next().unwrap();
             assert!((orders - 2.0 * m.amplitude).abs() < 1e-9 * orders);
             let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
-            balance.set_free(Pace { speed: 100.0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3] });
+            balance.set_free(Pace { speed: 100.0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
             let orbit = Orbit::of(&mut balance, &m.x, 100.0).unwrap();
             let peak = orbit.largest_radius(&system, 0, 256);
             let a2 = peak * peak * c1 / c0;

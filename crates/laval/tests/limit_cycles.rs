@@ -71,7 +71,7 @@ fn isotropic_cycles_are_the_closed_form() {
         }
         for cycle in family.cycles.iter().step_by(9) {
             let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
-            balance.set_free(Pace { speed: cycle.speed, frequency: cycle.frequency, drive: 0.0, rate: [0.0; 3] });
+            balance.set_free(Pace { speed: cycle.speed, frequency: cycle.frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
             let orbit = Orbit::of(&mut balance, &cycle.x, cycle.speed).unwrap();
             assert!(defect(&system, &orbit, 1) < 1e-7);
         }

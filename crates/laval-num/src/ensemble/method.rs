@@ -153,9 +153,7 @@ impl<S: LaneScalar> Ends<S> {
 pub(super) fn rates<S: LaneScalar, C: Crew<S>>(crew: &mut C, t: S, positions: usize, y: &mut [S], dy: &mut [S]) {
     let (of_positions, others) = dy.split_at_mut(positions);
     crew.rhs(t, y, others);
-    for j in 0..positions {
-        of_positions[j] = y[positions + j];
-    }
+    of_positions.copy_from_slice(&y[positions..2 * positions]);
 }
 
 /// `safety/root(error)` within its bounds; the least for what is not a number.

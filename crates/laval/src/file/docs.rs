@@ -89,6 +89,7 @@ fn example_value(f: &Field) -> String {
         FieldKind::Named { unit, bounds } => of(unit, &bounds),
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
         FieldKind::Study => "{ kind = \"modes\", speed = \"3000 rpm\" }".into(),
+        FieldKind::ParameterRanges => "[{ parameter = \"drum.mass\", from = \"2 kg\", to = \"4 kg\" }]".into(),
         FieldKind::Tolerances => "[{ parameter = \"drum.mass\", distribution = \"normal\", deviation = \"2 %\" }]".into(),
     }
 }
@@ -149,6 +150,7 @@ pub fn takes(f: &Field) -> String {
             format!("columns of equal length {{ {} }}", each.join("; "))
         }
         FieldKind::Named { unit, bounds } => format!("{}; one value, or {{ name = .., name = .. }}", number(unit, &bounds)),
+        FieldKind::ParameterRanges => "a list of { parameter = .., from = .., to = .. }, the ends in the unit of the parameter".into(),
         FieldKind::StateMap => "values by coordinate or rate: { \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
         FieldKind::Study => "the name of another study of the file, or a whole one: { kind = \"modes\", .. }".into(),
         FieldKind::Tolerances => {

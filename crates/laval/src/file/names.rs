@@ -20,6 +20,11 @@ pub(super) fn check(fields: &[Field], values: &Values, registry: &[StudyKind], s
                     out.push(system.unknown_param(&t.parameter).at(t.span.clone()).label("unknown parameter"));
                 }
             }
+            (FieldKind::ParameterRanges, Some(Value::ParameterRanges(list))) => {
+                for (path, _, place) in list.iter().filter(|r| system.param(&r.0).is_none()) {
+                    out.push(system.unknown_param(path).at(place.clone()).label("unknown parameter"));
+                }
+            }
             // one that is named is checked where it stands
             (FieldKind::Study, Some(Value::Study(inner))) if inner.name.is_none() => {
                 if let Some(kind) = registry.iter().find(|k| k.info.kind == inner.kind) {

@@ -4,7 +4,7 @@ use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::model::field::{Attach, Bounds, Value};
+use crate::model::field::{Attach, Bounds, RangeValue, Value};
 
 /// The SI unit in which each entry of a table of values was given; none for a bare number.
 pub(super) type Units = Vec<Option<String>>;
@@ -130,6 +130,32 @@ impl Context<'_> {
         let path = self.text_value(&format!("{name}.parameter"), &e.node, "the path of a parameter")?;
         let unit = self.parameter(name, &e.node, &path)?;
         self.range(name, node, &["parameter"], unit).map(|r| Value::ParameterRange(path, r))
+    }
+
+    /// Ranges of several parameters, each named once.
+    pub(super) fn parameter_ranges(&mut self, name: &str, node: &Node) -> Option<Value> {
+        let help = "write [{ parameter = \"part.parameter\", from = .., to = .. }]".to_string();
+        let list = match &node.data {
+            Data::List(list) if !list.is_empty() => list,
+            _ => {
+                self.wrong_type(name, node, "a list of ranges of parameters", help);
+                return None;
+            }
+        };
+        let mut fine = true;
+        let mut out: Vec<(String, RangeValue, Option<Span>)> = Vec::new();
+        for (i, n) in list.iter().enumerate() {
+            match self.parameter_range(&format!("{name}[{}]", i + 1), n) {
+                Some(Value::ParameterRange(path, _)) if out.iter().any(|o| o.0 == path) => {
+                    let message = format!("{} names {path:?} twice", subject(self.who, name));
+                    self.error("parameter.twice", n.span.clone(), message, "named above", None);
+                    fine = false;
+                }
+                Some(Value::ParameterRange(path, r)) => out.push((path, r, n.span.clone())),
+                _ => fine = false,
+            }
+        }
+        fine.then_some(Value::ParameterRanges(out))
     }
 
     /// The name of a coordinate.

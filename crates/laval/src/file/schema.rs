@@ -183,6 +183,10 @@ fn field(f: &Field) -> Json {
         FieldKind::Range { unit, bounds } => range(&[], quantity(unit, &bounds)),
         FieldKind::List { unit, bounds } => json!({ "type": "array", "items": quantity(unit, &bounds), "minItems": 1 }),
         FieldKind::ParameterRange => range(&[("parameter", json!({ "type": "string", "minLength": 1 }))], quantity("", &any)),
+        FieldKind::ParameterRanges => {
+            let one = range(&[("parameter", json!({ "type": "string", "minLength": 1 }))], quantity("", &any));
+            json!({ "type": "array", "items": one, "minItems": 1 })
+        }
         FieldKind::Columns(list) => {
             let column = |c: &(&str, &str, bool, &str)| {
                 (c.0.to_string(), json!({ "type": "array", "items": quantity(c.1, &any), "minItems": 1, "description": c.3 }))

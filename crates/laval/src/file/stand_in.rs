@@ -67,6 +67,7 @@ fn value(kind: FieldKind, side: Side) -> Option<Value> {
         FieldKind::Text
         | FieldKind::ParameterPath
         | FieldKind::ParameterRange
+        | FieldKind::ParameterRanges
         | FieldKind::Coordinate
         | FieldKind::Study
         | FieldKind::Tolerances => return None,

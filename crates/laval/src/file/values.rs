@@ -138,6 +138,7 @@ impl Context<'_> {
                 self.parameter(name, node, &path).map(|_| Value::Text(path))
             }
             FieldKind::ParameterRange => self.parameter_range(name, node),
+            FieldKind::ParameterRanges => self.parameter_ranges(name, node),
             FieldKind::Columns(declared) => self.columns(name, node, declared),
             FieldKind::Named { unit, bounds } => self.named(name, node, unit, &bounds, given_units),
             FieldKind::StateMap => self.state_map(name, node, given_units),

@@ -2,6 +2,7 @@
 //! exact: reading it gives the same spec.
 
 use super::{Axis, Block, Catalog, Spec, parameter_in};
+use crate::diagnostic::Span;
 use crate::model::field::{Amount, Attach, Field, FieldKind, KindInfo, RangeValue, Tolerance, Value, Values};
 use crate::units::{write_number, write_si};
 use serde_json::{Map, Value as Json, json};
@@ -91,6 +92,12 @@ impl Writer<'_> {
             Value::Range(r) => range(r, unit, ""),
             Value::List(v) => list(v, unit),
             Value::ParameterRange(path, r) => range(r, self.parameter_unit(path), &format!("parameter = {}, ", quoted(path))),
+            Value::ParameterRanges(l) => {
+                let one = |(path, r, _): &(String, RangeValue, Option<Span>)| {
+                    range(r, self.parameter_unit(path), &format!("parameter = {}, ", quoted(path)))
+                };
+                format!("[{}]", l.iter().map(one).collect::<Vec<_>>().join(", "))
+            }
             Value::Columns(columns) => {
                 let unit = |c: &str| match f.map(|f| f.kind) {
                     Some(FieldKind::Columns(l)) => l.iter().find(|o| o.0 == c).map_or("", |o| o.1),
@@ -284,6 +291,14 @@ fn json_value(name: &str, value: &Value, values: &Values, whole: bool) -> Json {
             let mut o = range(r);
             o.insert("parameter".into(), json!(path));
             Json::Object(o)
+        }
+        Value::ParameterRanges(l) => {
+            let one = |(path, r, _): &(String, RangeValue, Option<Span>)| {
+                let mut o = range(r);
+                o.insert("parameter".into(), json!(path));
+                Json::Object(o)
+            };
+            Json::Array(l.iter().map(one).collect())
         }
         Value::Columns(c) => json!(c),
         Value::Study(inner) => {

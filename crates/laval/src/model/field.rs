@@ -74,6 +74,8 @@ pub enum FieldKind {
     /// The range of one parameter: `{ parameter = "liquid.free_surface_radius", from = .., to = .., points = .. }`;
     /// its unit is that of the parameter.
     ParameterRange,
+    /// Ranges of several parameters: a list of what a [`FieldKind::ParameterRange`] takes, without points.
+    ParameterRanges,
     /// A coordinate by name, for instance `"drum.x"`.
     Coordinate,
     /// Numbers in columns of equal length: `{ speed = [..], kxx = [..] }`; each column's name, unit, whether it is required, meaning.
@@ -241,6 +243,8 @@ pub enum Value {
     List(Vec<f64>),
     /// [`FieldKind::ParameterRange`]: path and range.
     ParameterRange(String, RangeValue),
+    /// [`FieldKind::ParameterRanges`]: paths, ranges and their places.
+    ParameterRanges(Vec<(String, RangeValue, Option<Span>)>),
     /// [`FieldKind::Columns`]: by column name.
     Columns(BTreeMap<&'static str, Vec<f64>>),
     /// [`FieldKind::StateMap`]; the entries of a [`FieldKind::Named`] that is not one number.
@@ -291,6 +295,7 @@ impl Values {
                 Value::StateMap(entries) => entries.iter_mut().for_each(|e| e.2 = 0..0),
                 Value::Study(inner) => inner.values.forget_spans(),
                 Value::Tolerances(list) => list.iter_mut().for_each(|t| t.span = None),
+                Value::ParameterRanges(list) => list.iter_mut().for_each(|r| r.2 = None),
                 _ => {}
             }
         }
@@ -311,6 +316,13 @@ impl Values {
         match self.get(name)? {
             Value::Lateral(x) => Some(*x),
             Value::Number(x) => Some([*x, *x]),
+            _ => None,
+        }
+    }
+    /// Ranges of several parameters.
+    pub fn parameter_ranges(&self, name: &str) -> Option<&[(String, RangeValue, Option<Span>)]> {
+        match self.get(name)? {
+            Value::ParameterRanges(list) => Some(list),
             _ => None,
         }
     }

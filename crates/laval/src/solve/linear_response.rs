@@ -42,7 +42,7 @@ impl Response {
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
     let about = state(speed)?;
     Ok(if about.frame == Frame::Fixed && nonlinear_states(system).is_empty() {
-        let (m, load) = fixed(system, &about);
+        let (m, load) = fixed(system, speed, Some(&about));
         solve(&m, load, speed)
     } else {
         let mut t = Characteristic::new(system, &about);
@@ -57,14 +57,20 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
     })
 }
 
-/// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes.
-fn fixed(system: &System, about: &Equilibrium) -> (Mat<C64>, Vec<C64>) {
-    let (n, speed, s) = (system.n(), about.speed, c(0.0, about.speed));
+/// Response of the linear parts alone, nonlinear parts left out; `None` where they hold no body.
+pub fn of_linear_parts(system: &System, speed: f64) -> Option<Response> {
+    let (m, load) = fixed(system, speed, None);
+    solve(&m, load, speed)
+}
+
+/// T(i W) and the load in x and y, without derivatives: all that a response about a state at rest takes. Without a state nonlinear parts are left out.
+fn fixed(system: &System, speed: f64, about: Option<&Equilibrium>) -> (Mat<C64>, Vec<C64>) {
+    let (n, s) = (system.n(), c(0.0, speed));
     let (mut model, mut scratch, mut grid) = (LinearModel::default(), LinearScratch::default(), Grid::empty());
     system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
     system.dynamic_stiffness(system.params(), &model, Form::Frequency, s, &mut grid, &mut scratch);
     let mut matrix = Mat::from_fn(grid.rows(), grid.cols(), |i, j| grid[(i, j)]);
-    if system.slots().iter().any(|s| !s.is_linear()) {
+    if let Some(about) = about.filter(|_| system.slots().iter().any(|s| !s.is_linear())) {
         let zero = vec![0.0; n];
         let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());

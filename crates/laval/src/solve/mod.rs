@@ -1,5 +1,6 @@
 //! Solving: equilibria, spectra, responses, motions. An analysis knows the system and no concrete part.
 
+pub mod centring;
 pub mod characteristic;
 pub mod ensemble;
 pub mod extrema;

@@ -87,7 +87,7 @@ impl<'a> Measure<'a> {
 
     /// A motion with harmonics `x` at speed, frequency and drive.
     pub fn of(&mut self, [speed, frequency, drive]: [f64; 3], x: &[f64]) -> Measured {
-        self.balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3] });
+        self.balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3], parameter: None });
         let Ok(orbit) = Orbit::of(&mut self.balance, x, speed) else {
             return Measured { bodies: vec![[f64::NAN; 2]; self.bodies.len()], validity: (f64::NAN, String::new()) };
         };

@@ -15,9 +15,11 @@ pub mod methods;
 pub mod modes;
 pub mod nonlinear_response;
 pub mod operating_window;
+pub mod optimum;
 mod passages;
 pub mod response_map;
 pub mod run_up;
+pub mod sensitivity;
 pub mod separation;
 mod settled;
 mod spectra;
@@ -201,6 +203,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<bifurcation_loci::BifurcationLoci>(),
         kind::<response_map::ResponseMap>(),
+        kind::<sensitivity::Sensitivity>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),
         kind::<methods::Methods>(),
@@ -211,6 +214,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<sweep::Sweep>(),
         kind::<basins::Basins>(),
         kind::<uncertainty::Uncertainty>(),
+        kind::<optimum::Optimum>(),
     ]
 }
 

@@ -359,6 +359,7 @@ impl Sources {
             },
             FieldKind::Flag => r.of(&["true", "false"]).into(),
             FieldKind::Text if f.name == "waterfall" && r.chance(70) => format!("\"{}\"", names.first().map_or("drum", String::as_str)),
+            FieldKind::Text if f.name == "minimise" && r.chance(70) => r.of(&["\"largest_displacement\"", "\"least_damped_mode\""]).into(),
             FieldKind::Text => r.of(&["\"text\"", "\"\"", "\"\\u0000\\n\"", "\"\u{1f980}\""]).into(),
             FieldKind::Attach { .. } => point(r, hostility, names),
             FieldKind::Between => format!("[{}, {}]", point(r, hostility, names), point(r, hostility, names)),
@@ -368,6 +369,15 @@ impl Sources {
             FieldKind::ParameterRange => {
                 let (path, unit, bounds) = self.path(r, names);
                 range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
+            }
+            FieldKind::ParameterRanges => {
+                let each: Vec<String> = (0..1 + r.below(2))
+                    .map(|_| {
+                        let (path, unit, bounds) = self.path(r, names);
+                        range(r, hostility, unit, &bounds, &format!("parameter = \"{path}\", "))
+                    })
+                    .collect();
+                format!("[{}]", each.join(", "))
             }
             // a whole number
             FieldKind::Named { unit: "", .. } if f.name == "points" && r.chance(80) => r.of(&["2", "5", "12"]).into(),
@@ -379,6 +389,7 @@ impl Sources {
                 let kinds = [
                     "modes\", speed = 100.0",
                     "critical_speeds\", speed = { from = 1.0, to = 900.0, points = 9 }",
+                    "nonlinear_response\", speed = { from = 1.0, to = 900.0 }, harmonics = 1, max_points = 40",
                     "uncertainty\"",
                     "mode\"",
                 ];

@@ -88,6 +88,9 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
         FieldKind::List { bounds, .. } => prop::collection::vec(number(bounds), 1..5).prop_map(Value::List).boxed(),
         FieldKind::ParameterPath => Just(Value::Text("drum.mass".into())).boxed(),
         FieldKind::ParameterRange => range(Bounds::positive(1e6)).prop_map(|r| Value::ParameterRange("drum.mass".into(), r)).boxed(),
+        FieldKind::ParameterRanges => {
+            range(Bounds::positive(1e6)).prop_map(|r| Value::ParameterRanges(vec![("drum.mass".into(), r, None)])).boxed()
+        }
         FieldKind::Columns(list) => (1usize..4)
             .prop_flat_map(move |n| prop::collection::vec(prop::collection::vec(number(Bounds::within(1e12)), n..=n), list.len()))
             .prop_map(move |v| Value::Columns(list.iter().map(|c| c.0).zip(v).collect()))

@@ -487,7 +487,7 @@ fn from_infinity(
     // near the pole the stiffness is the product of one vector with itself: the deflection lies along it
     let mut jac = Mat::zeros(n, n);
     let mut r = vec![0.0; n];
-    free.balance.set_free(Pace { speed, frequency: value.im * (1.0 + 1e-7), drive, rate: [0.0; 3] });
+    free.balance.set_free(Pace { speed, frequency: value.im * (1.0 + 1e-7), drive, rate: [0.0; 3], parameter: None });
     if free.balance.eval(&vec![0.0; n], speed, &mut r, Some(&mut jac), None).is_err() {
         return Ok(());
     }
@@ -506,7 +506,7 @@ fn from_infinity(
         return Ok(());
     }
     let mut along = |w: f64| -> f64 {
-        free.balance.set_free(Pace { speed, frequency: w, drive, rate: [0.0; 3] });
+        free.balance.set_free(Pace { speed, frequency: w, drive, rate: [0.0; 3], parameter: None });
         let mut r = vec![0.0; n];
         match free.balance.eval(&shape, speed, &mut r, None, None) {
             Ok(()) => dot(&r, &shape),

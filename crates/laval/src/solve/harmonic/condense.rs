@@ -88,6 +88,10 @@ pub struct Order {
     pub spread: Mat<C64>,
     /// Z^-1 F.
     pub free: Vec<C64>,
+    /// d spread/dparameter.
+    pub spread_speed: Mat<C64>,
+    /// d free/dparameter.
+    pub free_speed: Vec<C64>,
 }
 
 /// Condenses orders of one machine; keeps its scratch.
@@ -143,6 +147,9 @@ impl Condenser {
         self.frequency = D1 { re: pace.frequency, eps: by_frequency };
         self.drive = D1 { re: pace.drive, eps: by_drive };
         let speed = D1 { re: pace.speed, eps: by_speed };
+        for (i, p) in self.params.iter_mut().enumerate() {
+            p.eps = [pace.parameter.map_or(0.0, |q| q.rate(i))];
+        }
         system.linear(&self.params, speed, Form::Frequency, &mut self.model, &mut self.scratch);
     }
 
@@ -258,6 +265,15 @@ impl Condenser {
         for i in 0..size {
             out.spread.row_mut(i).copy_from_slice(&self.rhs.row(i)[..m]);
             out.free.push(self.rhs[(i, m)]);
+        }
+        // d(Z^-1) = -Z^-1 dZ Z^-1
+        out.spread_speed.reset(size, m);
+        out.free_speed.clear();
+        for i in 0..size {
+            for (d, w) in out.spread_speed.row_mut(i).iter_mut().zip(self.work.row(i)) {
+                *d = -*w;
+            }
+            out.free_speed.push(self.rhs[(i, m + 1)] - self.work[(i, m)]);
         }
         Ok(())
     }

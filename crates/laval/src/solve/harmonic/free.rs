@@ -70,7 +70,7 @@ impl<'a> Free<'a> {
     ) -> Result<Self, Diagnostic> {
         let w = frequency.abs();
         let mut balance = Balance::new(system, d, (0.9 * w, 1.1 * w), cancel)?;
-        balance.set_free(Pace { speed, frequency, drive: 0.0, rate: [0.0; 3] });
+        balance.set_free(Pace { speed, frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
         Ok(Free {
             unknown: vec![Quantity::Frequency, Quantity::Drive],
             parameter: Quantity::Amplitude,
@@ -108,7 +108,7 @@ impl<'a> Free<'a> {
         if let Some(q) = along.filter(|q| *q != Quantity::Amplitude) {
             rate[q as usize] = 1.0;
         }
-        self.balance.set_free(Pace { speed, frequency, drive, rate });
+        self.balance.set_free(Pace { speed, frequency, drive, rate, parameter: None });
         speed
     }
 

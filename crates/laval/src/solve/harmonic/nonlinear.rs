@@ -1,6 +1,6 @@
 //! Nonlinear parts by alternating frequency and time: forces and exact tangents at the samples of a period.
 
-use super::pace::Pace;
+use super::pace::{Pace, Parameter};
 use super::terms::Terms;
 use crate::model::blocks::Blocks;
 use crate::model::erased::{D1, D8, Evaluate};
@@ -250,7 +250,9 @@ impl Sampled {
         for i in states.clone() {
             self.tangent[1][(range.start + i, i)] += 1.0;
         }
-        if member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty() {
+        let own = |q: Parameter| slot.params.clone().any(|i| q.rate(i) != 0.0);
+        let moves = member.uses.velocity || member.uses.acceleration || member.uses.spin || !states.is_empty();
+        if pace.parameter.map_or(moves, own) {
             self.speed_derivative(system, member, range, pace, phase, t);
         }
     }
@@ -262,7 +264,8 @@ impl Sampled {
         let stretch = pace.stretch();
         let states = member.states.clone();
         self.params1.clear();
-        self.params1.extend(system.params()[slot.params.clone()].iter().map(|&p| D1::lift(p)));
+        let own = slot.params.clone().zip(&system.params()[slot.params.clone()]);
+        self.params1.extend(own.map(|(i, &p)| D1 { re: p, eps: [pace.parameter.map_or(0.0, |q| q.rate(i))] }));
         for (d, power) in [0.0, 1.0, 2.0].into_iter().enumerate() {
             self.seeded1[d].clear();
             for (i, &x) in self.local[d].iter().enumerate() {

@@ -1,104 +1,86 @@
-//! The largest displacement of a body along a branch, refined between the points of the branch.
+//! Where along a branch the displacement of a body or the force of a part is largest or least, refined between the points of the branch.
 //!
-//! With s the arclength and r(tau; s) the distance of the body from its rest position, the largest distance over a period a(s) = max r is
-//! stationary where `da/ds = dr/ds` at the instant of the maximum vanishes. That slope is followed along corrected points; its zero is located within a
-//! bracket like any special point.
+//! With s the arclength and r(tau; s) the size at base phase tau, the largest over a period a(s) = max r is stationary where `da/ds = dr/ds` at the instant of
+//! the maximum vanishes. That slope is followed along corrected points; its zero is located within a bracket like any special point.
 
+use super::measure::Measure;
 use super::orbit::Orbit;
 use super::problem::Balance;
 use super::response::Traced;
 use laval_num::continuation::{Direction, Kind, Point, Settings, Status, Test, trace};
-use std::f64::consts::TAU;
 
-/// A stationary largest displacement.
+/// A stationary largest value.
 #[derive(Clone, Debug)]
 pub struct Peak {
     /// Spin speed, rad/s.
     pub speed: f64,
-    /// Largest distance of the body from its rest position over a period, m.
-    pub displacement: f64,
+    /// Largest value over a period, m or N.
+    pub value: f64,
+    /// Unknowns of the balance there.
+    pub x: Vec<f64>,
     /// Speeds of corrected points on both sides, where the slope has opposite signs, rad/s.
     pub bracket: (f64, f64),
-    /// Relative slope `d ln a / ds` left at the peak, per scaled arclength.
+    /// Slope left, `d (a^2) / ds / (2 a0^2)` per scaled arclength, a0 the value at the point of the branch.
     pub slope: f64,
-    /// Scaled residual of the balance at the peak.
+    /// Scaled residual of the balance there.
     pub residual: f64,
+}
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// A peak.
+    Largest,
+    /// Where a force or displacement nearly vanishes.
+    Least,
 }
 
 /// Points followed at most: a peak is sought within two steps of the branch.
 const POINTS: usize = 40;
 
-/// Instants of a period at which the largest distance is looked for before it is refined.
-const SAMPLES: usize = 64;
-
-/// The peak of the body whose pair starts at coordinate `body`, next to point `i` of a branch, where it moves farthest of all points. `None` where the
-/// branch ends or turns back before the displacement falls again.
-pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, body: usize, (lo, hi): (f64, f64)) -> Option<Peak> {
+/// The peak (or least value) next to point `i` of a branch, where it is larger (less) than at the points beside. `None` where the branch ends or turns back
+/// before it falls (rises) again.
+pub fn refine(balance: &mut Balance, branch: &Traced, i: usize, measure: Measure, sense: Sense, (lo, hi): (f64, f64)) -> Option<Peak> {
     let (before, at) = (branch.points.get(i.checked_sub(1)?)?, branch.points.get(i)?);
     branch.points.get(i + 1)?;
     let direction = if at.speed > before.speed { Direction::Up } else { Direction::Down };
     let settings = Settings { max_points: POINTS, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) };
-    let mut tests: [Test<'_, Balance>; 1] = [Box::new(move |balance, point| slope(balance, point, body).unwrap_or(f64::NAN))];
+    let size = |balance: &mut Balance, x: &[f64], speed: f64| {
+        Some(measure.largest(balance.system, &Orbit::of(balance, x, speed).ok()?, branch.turns()).0)
+    };
+    let sampled = size(balance, &at.x, at.speed)?;
+    let beside = size(balance, &before.x, before.speed)?;
+    let (turns, unit) = (branch.turns(), sampled.max(beside));
+    let mut tests: [Test<'_, Balance>; 1] =
+        [Box::new(move |balance, point| slope(balance, point, measure, turns, unit).unwrap_or(f64::NAN))];
     let found = trace(balance, &before.x, before.speed, direction, &settings, &mut tests).ok()?;
     let mut best: Option<Peak> = None;
+    let better = |a: f64, b: f64| if sense == Sense::Largest { a > b } else { a < b };
     for special in found.specials.iter().take_while(|s| s.kind != Kind::Fold) {
         if special.kind != Kind::User(0) || special.status != Status::Located {
             continue;
         }
         let point = &special.point;
-        let orbit = Orbit::of(balance, &point.x, point.p).ok()?;
-        let displacement = farthest(&orbit, body).0;
-        if best.as_ref().is_none_or(|b| displacement > b.displacement) {
+        let value = size(balance, &point.x, point.p)?;
+        if best.as_ref().is_none_or(|b| better(value, b.value)) {
             let bracket = (special.bracket[0].p, special.bracket[1].p);
-            best = Some(Peak { speed: point.p, displacement, bracket, slope: special.residual, residual: point.residual });
+            best = Some(Peak { speed: point.p, value, x: point.x.clone(), bracket, slope: special.residual, residual: point.residual });
         }
     }
-    let sampled = farthest(&Orbit::of(balance, &at.x, at.speed).ok()?, body).0;
-    best.filter(|p| p.displacement >= sampled * (1.0 - 1e-9))
+    let slack = 1e-9 * sampled;
+    best.filter(|p| if sense == Sense::Largest { p.value >= sampled - slack } else { p.value <= sampled + slack })
 }
 
-/// Relative slope of the largest distance along a branch: at the instant of the maximum, by central differences along the tangent.
-fn slope(balance: &mut Balance, point: &Point, body: usize) -> Option<f64> {
-    let (a, tau) = farthest(&Orbit::of(balance, &point.x, point.p).ok()?, body);
+/// Slope of the square along a branch: at the instant of the largest value, by central differences along the tangent.
+fn slope(balance: &mut Balance, point: &Point, measure: Measure, turns: usize, unit: f64) -> Option<f64> {
+    let system = balance.system;
+    let tau = measure.largest(system, &Orbit::of(balance, &point.x, point.p).ok()?, turns).1;
     let size = point.x.iter().zip(balance.scales()).map(|(x, s)| (x / s) * (x / s)).sum::<f64>().sqrt().max(1.0);
     let step = 1e-5 * size;
     let mut square = |h: f64| {
         let x: Vec<f64> = point.x.iter().zip(&point.dx_ds).map(|(x, d)| x + h * d).collect();
         let orbit = Orbit::of(balance, &x, point.p + h * point.dp_ds).ok()?;
-        let [[x, y], ..] = orbit.pair_at(body, tau);
-        Some(x * x + y * y)
+        Some(measure.square_at(system, &orbit, turns, tau))
     };
-    Some((square(step)? - square(-step)?) / (4.0 * step * a * a))
-}
-
-/// Largest distance from the axis over a period, and the base phase where it is reached.
-fn farthest(orbit: &Orbit, body: usize) -> (f64, f64) {
-    let h = TAU / SAMPLES as f64;
-    let square = |tau: f64| {
-        let [[x, y], ..] = orbit.pair_at(body, tau);
-        x * x + y * y
-    };
-    let (mut tau, mut best) = (0.0, square(0.0));
-    for j in 1..SAMPLES {
-        let at = h * j as f64;
-        let r = square(at);
-        if r > best {
-            (tau, best) = (at, r);
-        }
-    }
-    // Newton's method on the rate of the square, where it leads to more
-    for _ in 0..8 {
-        let [[x, y], [dx, dy], [ddx, ddy]] = orbit.pair_at(body, tau);
-        let (rate, bend) = (x * dx + y * dy, dx * dx + dy * dy + x * ddx + y * ddy);
-        if !(bend < 0.0) {
-            break;
-        }
-        let next = tau + (-rate / bend).clamp(-h, h);
-        let r = square(next);
-        if !(r > best) {
-            break;
-        }
-        (tau, best) = (next, r);
-    }
-    (best.sqrt(), tau)
+    Some((square(step)? - square(-step)?) / (4.0 * step * unit * unit))
 }

@@ -10,7 +10,7 @@
 use super::condense::{Basis, Condenser, Order, lossy};
 use super::fourier::Into;
 use super::nonlinear::{Member, Sampled};
-use super::pace::Pace;
+use super::pace::{Pace, Parameter};
 use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
@@ -141,26 +141,31 @@ pub struct Balance<'a> {
     smooth: Vec<Member>,
     /// Nonlinear forces on the terms at the last evaluation.
     projected: Vec<f64>,
-    condenser: Condenser,
+    pub(super) condenser: Condenser,
     /// The pace the linear parts stand at.
     pace: Option<Pace>,
     free: Option<Pace>,
-    linear: Mat,
-    linear_speed: Mat,
+    /// Derivatives are taken in this parameter of the machine instead of the speed.
+    by: Option<Parameter>,
+    pub(super) linear: Mat,
+    pub(super) linear_speed: Mat,
     load: Vec<f64>,
-    load_speed: Vec<f64>,
+    pub(super) load_speed: Vec<f64>,
     scale: Vec<f64>,
     speed_scale: f64,
     bodies: Vec<usize>,
     /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
     resonances: Vec<(f64, f64)>,
     cancel: Option<&'a AtomicBool>,
-    amplitudes: Vec<C64>,
-    forces: Vec<C64>,
+    pub(super) amplitudes: Vec<C64>,
+    pub(super) forces: Vec<C64>,
     coefficients: Vec<f64>,
     /// Evaluations of the residual so far.
     pub evaluations: u64,
 }
+
+/// Why the balance has no residual.
+pub(super) const NO_RESPONSE: &str = "the linear parts have no response at this speed";
 
 impl<'a> Balance<'a> {
     /// Sets up the balance for speeds around `speeds` (rad/s), which also set its scales.
@@ -211,6 +216,7 @@ impl<'a> Balance<'a> {
             condenser,
             pace: None,
             free: None,
+            by: None,
             linear: Mat::zeros(unknowns, unknowns),
             linear_speed: Mat::zeros(unknowns, unknowns),
             load: vec![0.0; unknowns],
@@ -280,7 +286,16 @@ impl<'a> Balance<'a> {
 
     /// The pace of motions at a spin speed: under unbalance, or as set by [`Balance::set_free`].
     pub fn pace(&self, speed: f64) -> Pace {
-        self.free.unwrap_or_else(|| Pace::forced(speed, self.terms.divisor))
+        let pace = self.free.unwrap_or_else(|| Pace::forced(speed, self.terms.divisor));
+        match self.by {
+            None => pace,
+            Some(_) => Pace { rate: [0.0; 3], parameter: self.by, ..pace },
+        }
+    }
+
+    /// From here on derivatives are taken in a parameter of the machine, or again in the speed.
+    pub fn differentiate_by(&mut self, parameter: Option<Parameter>) {
+        self.by = parameter;
     }
 
     /// Condenses the linear parts at a speed, unless they stand there already.
@@ -361,7 +376,7 @@ impl<'a> Balance<'a> {
     }
 
     /// Nonlinear forces at a motion `x` on the terms, with derivatives where asked for (added to).
-    fn project(&mut self, x: &[f64], p: f64, mut jac: Option<&mut Mat>, mut speed: Option<&mut [f64]>) {
+    pub(super) fn project(&mut self, x: &[f64], p: f64, mut jac: Option<&mut Mat>, mut speed: Option<&mut [f64]>) {
         let tangents = jac.is_some() || speed.is_some();
         let pace = self.pace(p);
         self.sampled.eval(self.system, &self.smooth, &self.terms, x, pace, tangents);
@@ -377,7 +392,7 @@ impl<'a> Balance<'a> {
     }
 
     /// Amplitudes of the sampled forces at order `k`, into `self.forces`.
-    fn force_amplitudes(&mut self, k: usize) {
+    pub(super) fn force_amplitudes(&mut self, k: usize) {
         self.coefficients.fill(0.0);
         for &(term, at) in &self.terms.list {
             if term.order().unsigned_abs() as usize == k {
@@ -577,7 +592,7 @@ impl Zero for Balance<'_> {
     }
     fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
         self.evaluations += 1;
-        self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
+        self.set_speed(p).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         let (mut jac, mut dr_dp) = (jac, dr_dp);
         if let Some(jac) = jac.as_deref_mut() {
             jac.copy_from(&self.linear);
@@ -606,7 +621,7 @@ impl Zero for Balance<'_> {
         out.fill(1e-3 * size);
     }
     fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
-        self.set_speed(p).map_err(|_| Failure::Undefined("the linear parts have no response at this speed"))?;
+        self.set_speed(p).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         let Some(which) = self.terms.orders.iter().position(|&k| k == self.terms.divisor) else { return Ok(()) };
         self.project(x, p, None, None);
         let mut motion = Vec::new();

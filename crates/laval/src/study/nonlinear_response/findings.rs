@@ -1,6 +1,7 @@
 //! What the response says in words: jumps, the largest displacement, instability, and how far the branches could be followed.
 
-use super::shown::{Rising, Shown, words, worst};
+use super::largest::Rising;
+use super::shown::{Shown, words, worst};
 use super::{families, stability};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
@@ -38,7 +39,7 @@ impl Shown<'_> {
         }
         if let Some(r) = &self.rising {
             out.push(self.without_largest(r, &response.branches[r.branch]));
-        } else if let Some(l) = &self.largest {
+        } else if let Some(l) = self.most() {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
             let end = if l.at_end { ", an end of the range" } else { "" };
@@ -58,6 +59,14 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
+        for l in self.largest.iter().filter(|_| self.largest.len() > 1 && self.rising.is_none()) {
+            let (a, speed) = l.best();
+            let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.body, significant(speed, 6));
+            out.push(Finding::info("largest_displacement_of", text).of(&l.body).value(a, "m").evidence("speed", speed, "rad/s"));
+        }
+        out.extend(self.force_findings());
+        out.extend(self.centring_findings());
+        out.extend(self.tuning_findings());
         let dropped = worst(response, |p| p.truncation);
         if request.harmonics.is_none() && dropped > request.truncation {
             out.push(

@@ -25,12 +25,16 @@ use shown::Shown;
 
 mod families;
 mod findings;
+mod forces;
+mod largest;
 mod orders;
 mod picture;
+mod self_centring;
 mod shown;
 mod stability;
 pub(super) mod summary;
 mod tables;
+mod tuning;
 
 /// See the [module](self).
 pub struct NonlinearResponse {
@@ -43,6 +47,10 @@ impl NonlinearResponse {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request, order_threshold: None }
+    }
+    /// What is asked.
+    pub fn request(&self) -> &Request {
+        &self.request
     }
 }
 
@@ -146,6 +154,9 @@ impl Study for NonlinearResponse {
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
+        shown.forces = shown.extreme_forces(&response, &request);
+        shown.centring = shown.centring(&response);
+        shown.tuned = shown.tuning(&response, &request);
         let mut outcome = shown.outcome(&response, &request, context)?;
         if let Some(threshold) = self.order_threshold {
             outcome = shown.orders(&response, threshold, outcome)?;

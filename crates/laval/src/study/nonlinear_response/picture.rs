@@ -6,6 +6,9 @@ use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significan
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
 
+/// Panels of the figure of forces at most.
+const MOST_PANELS: usize = 4;
+
 impl Shown<'_> {
     /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
     pub(super) fn figure(&self, response: &Response, all: bool) -> Figure {
@@ -58,9 +61,37 @@ impl Shown<'_> {
         figure
     }
 
+    /// Forces of bearings and to the ground over the speed, a panel each, with what they tend to.
+    pub(super) fn force_figure(&self, response: &Response, all: bool) -> Option<Figure> {
+        let mut figure = Figure::new(
+            "forces",
+            "Forces of the steady response",
+            format!("Largest force over a period of {} parts against speed.", self.forces.len()),
+        )
+        .x(Axis::new("speed", "rad/s"));
+        let limits = self.force_limits();
+        for e in self.forces.iter().take(MOST_PANELS) {
+            let name = &self.system.slots()[e.slot].name;
+            let column =
+                self.observed.iter().find(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+            let line = Line::new("response", "speed", &column.0).name("largest over a period").solid_where("not unstable");
+            let line = match (all, response.branches.len()) {
+                (true, _) => line.group("states").begins_where("begins"),
+                (false, 1) => line,
+                _ => line.group("branch"),
+            };
+            let mut panel = Panel::new(Axis::log(&column.0, "N")).mark(line);
+            for (_, limit) in limits.iter().filter(|l| l.0 == e.slot) {
+                panel = panel.mark(Rule::y(*limit, "at ever higher speed"));
+            }
+            figure = figure.panel(panel);
+        }
+        (!figure.panels.is_empty()).then_some(figure)
+    }
+
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
-        match &self.largest {
+        match self.most() {
             Some(l) if self.rising.is_none() => format!(
                 "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),

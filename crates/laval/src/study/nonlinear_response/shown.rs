@@ -1,16 +1,22 @@
 //! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
 
 use super::NonlinearResponse;
+use super::forces::Extremes;
+use super::largest::{Largest, Rising};
+use super::self_centring::Centring;
 use super::tables::{branch_table, change_table, fold_table};
+use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
-use crate::model::part::At;
+use crate::model::part::{At, Observed};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
 use crate::solve::harmonic::branch::Origin;
+use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::peak::{Peak, refine};
+use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
+use crate::solve::symmetry::Symmetry;
 use crate::study::support::{larger, largest};
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
@@ -29,40 +35,19 @@ pub(super) struct Shown<'a> {
     pub(super) observations: Vec<Vec<Vec<f64>>>,
     /// By branch and point: largest use of validity and what.
     pub(super) validity: Vec<Vec<(f64, String)>>,
-    pub(super) largest: Option<Largest>,
+    /// Largest displacement of each body.
+    pub(super) largest: Vec<Largest>,
     pub(super) rising: Option<Rising>,
-}
-
-/// The largest displacement of all states that can be held.
-pub(super) struct Largest {
-    pub(super) body: String,
-    /// At a computed point: displacement, m, and speed, rad/s.
-    displacement: f64,
-    speed: f64,
-    /// Between computed points, where the displacement falls on both sides.
-    pub(super) refined: Option<Peak>,
-    /// It lies where a branch meets the end of the range of speeds.
-    pub(super) at_end: bool,
-}
-
-/// A displacement that still rises where a branch was left, above all others: there is no largest one.
-pub(super) struct Rising {
-    pub(super) body: String,
-    /// Displacement, m, and speed, rad/s, at the last point.
-    pub(super) displacement: f64,
-    pub(super) speed: f64,
-    /// Index of the branch.
-    pub(super) branch: usize,
-}
-
-impl Largest {
-    /// Displacement, m, and speed, rad/s, as well as known.
-    pub(super) fn best(&self) -> (f64, f64) {
-        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.displacement, p.speed))
-    }
+    pub(super) forces: Vec<Extremes>,
+    pub(super) centring: Option<Centring>,
+    pub(super) tuned: Vec<Tuned>,
 }
 
 const SAMPLES: usize = 64;
+/// Instants at which a circular motion, whose sizes stay, is looked at.
+const ROUND: usize = 4;
+/// Step of the second look at a largest value, over the step of the samples.
+const CLOSER: f64 = 0.125;
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
@@ -81,9 +66,29 @@ impl<'a> Shown<'a> {
             observed: vec![],
             observations: vec![],
             validity: vec![],
-            largest: None,
+            largest: vec![],
             rising: None,
+            forces: vec![],
+            centring: None,
+            tuned: vec![],
         })
+    }
+
+    /// A largest or least value next to a point of a branch.
+    pub(super) fn refined(&mut self, branch: &Traced, i: usize, measure: Measure, sense: Sense, request: &Request) -> Option<Peak> {
+        let at = self.balance_of(branch);
+        refine(&mut self.balances[at], branch, i, measure, sense, request.speeds)
+    }
+
+    /// The whole motion of a state.
+    pub(super) fn orbit(&mut self, branch: &Traced, i: usize) -> Option<Orbit> {
+        let (at, state) = (self.balance_of(branch), branch.points.get(i)?);
+        Orbit::of(&mut self.balances[at], &state.x, state.speed).ok()
+    }
+
+    /// The largest displacement of all.
+    pub(super) fn most(&self) -> Option<&Largest> {
+        self.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
     }
 
     /// Index of the balance whose unknowns a branch has.
@@ -105,7 +110,7 @@ impl<'a> Shown<'a> {
             for state in &branch.points {
                 let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
                 amplitudes.push(self.amplitudes_of(&orbit, branch.turns()));
-                let (seen, valid) = self.observe(&orbit, branch.turns());
+                let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
                 observations.push(seen);
                 validity.push(valid);
             }
@@ -139,7 +144,7 @@ impl<'a> Shown<'a> {
         out
     }
 
-    fn observe(&mut self, orbit: &Orbit, turns: usize) -> (Vec<f64>, (f64, String)) {
+    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, (f64, String)) {
         let mut worst = (0.0, String::new());
         if orbit.orders.is_empty() {
             return (vec![f64::NAN; self.observed.len()], worst);
@@ -147,25 +152,41 @@ impl<'a> Shown<'a> {
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut ws = Workspace::default();
-        let mut largest = vec![0.0f64; self.observed.len()];
-        let (divisor, samples) = (turns as f64, SAMPLES / 4 * turns);
-        for j in 0..samples {
-            let tau = TAU * j as f64 / samples as f64;
+        // sizes repeat with the part of the period that the symmetry repeats
+        let (divisor, parts) = (turns as f64, symmetry.order().max(1));
+        let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
+        let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
+        let system = self.system;
+        let mut look = |tau: f64, worst: Option<&mut (f64, String)>| -> (Vec<f64>, Vec<(usize, Observed)>) {
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            // displacements of bodies have columns of their own
-            let seen: Vec<_> = self.system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
-            if self.observed.is_empty() {
-                self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", self.system.slots()[*slot].name, o.name), o.unit)).collect();
-                largest = vec![0.0; seen.len()];
-            }
-            for (l, (_, o)) in largest.iter_mut().zip(&seen) {
-                *l = larger(*l, o.value.abs());
-            }
-            for (slot, v) in self.system.validity(&at, &mut ws) {
-                if !(v.ratio <= worst.0) {
-                    worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
+            if let Some(worst) = worst {
+                for (slot, v) in system.validity(&at, &mut ws) {
+                    if !(v.ratio <= worst.0) {
+                        *worst = (v.ratio, format!("{}: {}", system.slots()[slot].name, v.what));
+                    }
                 }
+            }
+            // displacements of bodies have columns of their own
+            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
+            (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
+        };
+        let h = TAU / (samples * parts) as f64;
+        for j in 0..samples {
+            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut worst));
+            if self.observed.is_empty() {
+                self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit)).collect();
+            }
+            series.push(values);
+        }
+        let mut largest = vec![f64::NAN; self.observed.len()];
+        for (k, l) in largest.iter_mut().enumerate() {
+            let Some((top, beside)) = crest(&series, k) else { continue };
+            *l = series[top][k];
+            if *l > 0.0 {
+                let tau = h * (top as f64 + beside);
+                let mut near = |shift: f64| look(tau + shift * h, None).0.get(k).copied().unwrap_or(f64::NAN);
+                *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
             }
         }
         (largest, worst)
@@ -188,6 +209,9 @@ impl<'a> Shown<'a> {
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {
             out = out.figure(self.figure(response, all));
+            if let Some(figure) = self.force_figure(response, all) {
+                out = out.figure(figure);
+            }
         }
         for branch in &response.branches {
             for f in &branch.folds {
@@ -215,42 +239,28 @@ impl<'a> Shown<'a> {
         }
         Ok(out)
     }
+}
 
-    /// Largest stable displacement of any body, and one that rises above it where a branch was left: what rises to such an end is no maximum.
-    pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Option<Largest>, Option<Rising>) {
-        let mut best: Option<(f64, usize, usize, usize)> = None;
-        let mut rising: Option<Rising> = None;
-        for (b, branch) in response.branches.iter().enumerate() {
-            let held: Vec<usize> = (0..branch.points.len()).filter(|&i| !branch.points[i].unstable()).collect();
-            let left = !matches!(branch.end, End::Reached | End::Closed);
-            for k in 0..self.bodies.len() {
-                let a = |i: usize| self.amplitudes[b][i][k][1];
-                let last = branch.points.len().saturating_sub(1);
-                let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
-                for &i in &held {
-                    if left && i >= foot && foot < last {
-                        if rising.as_ref().is_none_or(|r| a(i) > r.displacement) {
-                            let (body, speed) = (self.bodies[k].0.clone(), branch.points[i].speed);
-                            rising = Some(Rising { body, displacement: a(i), speed, branch: b });
-                        }
-                    } else if best.is_none_or(|best| a(i) > best.0) {
-                        best = Some((a(i), b, i, k));
-                    }
-                }
-            }
+/// Index of the largest of quantity `k` in samples of a period, and how far beside it, in samples, the vertex of the parabola through it and those beside it
+/// lies; `None` where one is not a number.
+fn crest(series: &[Vec<f64>], k: usize) -> Option<(usize, f64)> {
+    let of = |j: usize| series[j % series.len()].get(k).copied().unwrap_or(f64::NAN);
+    let mut top = 0;
+    for j in 0..series.len() {
+        if of(j).is_nan() {
+            return None;
         }
-        let largest = best.map(|(displacement, b, i, k)| {
-            let (body, x) = self.bodies[k].clone();
-            let branch = &response.branches[b];
-            let at = self.balance_of(branch);
-            let refined = if displacement > 0.0 { refine(&mut self.balances[at], branch, i, x, request.speeds) } else { None };
-            let at_end = refined.is_none() && (i == 0 || i + 1 == branch.points.len());
-            Largest { body, displacement, speed: branch.points[i].speed, refined, at_end }
-        });
-        let above = |r: &Rising| largest.as_ref().is_none_or(|l| r.displacement > l.best().0);
-        let rising = rising.filter(above);
-        (largest, rising)
+        if of(j) > of(top) {
+            top = j;
+        }
     }
+    Some((top, vertex([of(top + series.len() - 1), of(top), of(top + 1)]).0))
+}
+
+/// Place, in steps from the middle one, and value of the vertex of a parabola through three equally spaced values.
+fn vertex([a, b, c]: [f64; 3]) -> (f64, f64) {
+    let bend = a - 2.0 * b + c;
+    if bend < 0.0 { ((0.5 * (a - c) / bend).clamp(-1.0, 1.0), b - (a - c) * (a - c) / (8.0 * bend)) } else { (0.0, b) }
 }
 
 /// After "states": which ones.

@@ -87,7 +87,7 @@ impl Summary {
         let mut shown = Shown::new(system, &response, request)?;
         shown.measure(&response);
         let (largest, rising) = shown.peaks(&response, request);
-        let top = largest.filter(|_| rising.is_none()).map(|l| {
+        let top = largest.into_iter().filter(|_| rising.is_none()).max_by(|a, b| a.best().0.total_cmp(&b.best().0)).map(|l| {
             let (displacement, speed) = l.best();
             Top { displacement, speed, at_end: l.at_end, body: l.body }
         });

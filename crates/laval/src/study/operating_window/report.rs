@@ -3,7 +3,7 @@
 use super::evaluate::Evaluated;
 use super::margins::{NAMES, Point};
 use super::vary::{Map, Robust};
-use super::window::{End, excluding, relaxations};
+use super::window::{End, Interval, excluding, relaxations};
 use super::{MAP_PLACES, Objective, OperatingWindow, Policy};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{
@@ -114,6 +114,7 @@ impl Found<'_> {
                     .evidence("width over mean speed", 2.0 * (i.high.speed - i.low.speed) / (i.high.speed + i.low.speed), ""),
             );
         }
+        out = self.edges(out);
         if let Some(r) = &self.robust {
             let given = match r.corners {
                 0 => String::new(),
@@ -134,6 +135,61 @@ impl Found<'_> {
             }
         }
         out
+    }
+
+    /// Why each end of a window is an end, and how wide the widest window is.
+    fn edges(&self, mut out: Outcome) -> Outcome {
+        for i in &self.main.intervals {
+            for (e, side) in [(&i.low, "begins"), (&i.high, "ends")].into_iter().filter(|e| e.0.event != "domain limit") {
+                let (reason, fold) = self.reason(e);
+                let text = format!("Why the window {side} at {{}}: {reason}.");
+                out = out.finding(
+                    Finding::info("edge", text)
+                        .of(side)
+                        .value(e.speed, "rad/s")
+                        .shown_as(e.speed * RPM, "rpm")
+                        .evidence("width of the bracket", e.bracket, "rad/s")
+                        .evidence(
+                            "difference from the fold by its extended system",
+                            fold.map_or(f64::NAN, |w| (w - e.speed).abs()),
+                            "rad/s",
+                        ),
+                );
+            }
+        }
+        let width = |i: &Interval| i.high.speed - i.low.speed;
+        if let Some(w) = self.main.intervals.iter().max_by(|a, b| width(a).total_cmp(&width(b))) {
+            let text = format!("The widest window, from {} to {}, spans {{}}.", rpm(w.low.speed), rpm(w.high.speed));
+            out = out.finding(Finding::info("widest_window", text).value(width(w), "rad/s").shown_as(width(w) * RPM, "rpm"));
+        }
+        out
+    }
+
+    /// Why the window ends there, and the speed of the fold it ends at.
+    fn reason(&self, e: &End) -> (String, Option<f64>) {
+        let l = &self.main.asked.limits;
+        let lists = [("displacement", &l.displacement, "m"), ("velocity", &l.velocity, "m/s"), ("force", &l.force, "N")];
+        let limit = lists.iter().find_map(|(what, list, unit)| {
+            let own = list.iter().find(|x| format!("{what} of {}", x.name) == e.detail)?;
+            Some((own.value, *unit))
+        });
+        let what = if e.detail.is_empty() { words(&e.binding, self.flow().is_some()) } else { e.detail.as_str() };
+        match (e.event, limit) {
+            ("jump", _) => {
+                let fold = self.main.folds.iter().copied().min_by(|a, b| (a - e.speed).abs().total_cmp(&(b - e.speed).abs()));
+                let fold = fold.filter(|w| (w - e.speed).abs() <= 1e-6 * e.speed);
+                let at = if fold.is_some() { "; the edge is a fold" } else { "" };
+                let many = if e.states[1] > 1 { " (a slow sweep can reach each of them, so that all count)" } else { "" };
+                let excess = match limit {
+                    Some(_) if e.beyond.is_finite() => format!("has {} times its limit", significant(1.0 - e.beyond, 4)),
+                    _ => "breaks its limit".into(),
+                };
+                (format!("beyond it the {what} {excess} in one of {} stable states{many}{at}", e.states[1]), fold)
+            }
+            (_, Some((value, unit))) => (format!("the {what} reaches its limit, {}", quantity(value, unit)), None),
+            ("eigenvalue crossing", None) => (format!("the {what} passes the limit of {} 1/s", significant(-l.growth, 4)), None),
+            _ => (format!("the limit of {what} is reached"), None),
+        }
     }
 
     /// Why there is no window, and what would open one.
@@ -326,6 +382,11 @@ impl Found<'_> {
         out
     }
 
+    /// The reason for a table.
+    fn told(&self, e: &End) -> String {
+        if e.event == "domain limit" { "the range looked at ends".into() } else { self.reason(e).0 }
+    }
+
     fn margins_table(&self) -> Built<Table> {
         let rows: Vec<(&Point, &super::margins::Margin)> =
             self.main.points.iter().flat_map(|p| p.margins.iter().map(move |m| (p, m))).collect();
@@ -394,6 +455,8 @@ impl Found<'_> {
             .text("high binding", "requirement that ends it above", i.iter().map(|x| x.high.binding.clone()).collect())
             .text("low event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.low.event.into()).collect())
             .text("high event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.high.event.into()).collect())
+            .text("low reason", "why it ends below", i.iter().map(|x| self.told(&x.low)).collect())
+            .text("high reason", "why it ends above", i.iter().map(|x| self.told(&x.high)).collect())
             .float("low bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.low.bracket).collect())
             .float("high bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.high.bracket).collect())
             .float(

@@ -5,6 +5,7 @@ use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::harmonic::floquet::Stability;
+use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::problem::{Balance, Discretisation};
 use crate::solve::harmonic::response::{Request, Response, respond};
@@ -79,6 +80,15 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         let mut rows = crate::model::part::Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
         system.residual(system.params(), &at, &mut rows, &mut ws, |_| true);
         out.torque += spin / SAMPLES as f64;
+    }
+    // about the axis the largest values lie between the instants
+    if offset.iter().all(|o| *o == 0.0) {
+        for (d, b) in out.displacement.iter_mut().zip(&bodies) {
+            raise(d, Measure::Displacement(b.x).largest(system, orbit, order).0);
+        }
+        for slot in Measure::forces(system) {
+            raise(out.force.entry(system.slots()[slot].name.clone()).or_insert(0.0), Measure::Force(slot).largest(system, orbit, order).0);
+        }
     }
     out
 }

@@ -17,6 +17,9 @@ pub(super) struct End {
     pub event: &'static str,
     /// Width of the bracket, rad/s.
     pub bracket: f64,
+    /// Beyond it: the margin that ends it, and how many stable states there are against inside.
+    pub beyond: f64,
+    pub states: [usize; 2],
 }
 
 /// Speeds at which all requirements are kept.
@@ -98,6 +101,8 @@ fn end(inside: &Point, outside: &Point) -> End {
         detail: binding.map_or_else(String::new, |m| m.detail.clone()),
         event,
         bracket: (inside.speed - outside.speed).abs(),
+        beyond: binding.map_or(f64::NAN, |m| m.value),
+        states: [inside.states, outside.states],
     }
 }
 
@@ -109,7 +114,15 @@ pub(super) fn intervals(
 ) -> Result<Vec<Interval>, Diagnostic> {
     let mut out: Vec<Interval> = Vec::new();
     let mut made = Vec::new();
-    let limit = |p: &Point| End { speed: p.speed, binding: "range".into(), detail: String::new(), event: "domain limit", bracket: 0.0 };
+    let limit = |p: &Point| End {
+        speed: p.speed,
+        binding: "range".into(),
+        detail: String::new(),
+        event: "domain limit",
+        bracket: 0.0,
+        beyond: f64::NAN,
+        states: [p.states; 2],
+    };
     let mut low: Option<End> = None;
     for i in 0..points.len() {
         let p = &points[i];

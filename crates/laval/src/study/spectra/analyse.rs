@@ -2,6 +2,7 @@
 
 use super::Spectra;
 use crate::solve::programme::Spin;
+use crate::study::support::largest;
 use laval_num::complex::{C64, c};
 use laval_num::fourier::{Fft, hann};
 use std::f64::consts::{PI, TAU};
@@ -85,16 +86,12 @@ fn window(spectra: &Spectra, record: &Record, from: usize, fft: &Fft, shape: &[f
     let reach = (top / merged).max(1);
     let frequencies = (-reach..=reach).map(|g| {
         let lines = (g * merged - (merged - 1) / 2)..=(g * merged + merged / 2);
-        let height = lines.map(|k| x[((sense as i64) * k).rem_euclid(n as i64) as usize].abs()).fold(0.0, larger);
+        let height = largest(lines.map(|k| x[((sense as i64) * k).rem_euclid(n as i64) as usize].abs()));
         (g as f64 * merged as f64 * step, height)
     });
     let frequencies = frequencies.collect();
     let (turns, orders, parts) = orders(spectra, record, from);
     Window { t, speed, turns, frequencies, orders, parts }
-}
-
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a || b.is_nan() { b } else { a }
 }
 
 /// The part of a window over which orders are taken, in the spin angle.

@@ -12,7 +12,7 @@
 //! Sources: Saltelli et al., Comput. Phys. Commun. 181 (2010) 259; Jansen, Comput. Phys. Commun. 117 (1999) 35; Morris, Technometrics 33 (1991) 161;
 //! Campolongo et al., Environ. Model. Softw. 22 (2007) 1509.
 
-mod collect;
+pub(super) mod collect;
 mod figures;
 mod report;
 mod tolerance;
@@ -157,7 +157,7 @@ impl Study for Uncertainty {
     }
 }
 
-fn build_inner(inner: &InnerStudy, system: &System, diagnostics: &mut Diagnostics) -> Option<Box<dyn ErasedStudy>> {
+pub(super) fn build_inner(inner: &InnerStudy, system: &System, diagnostics: &mut Diagnostics) -> Option<Box<dyn ErasedStudy>> {
     let kind = super::registry().into_iter().find(|k| k.info.kind == inner.kind)?;
     let mut own = Diagnostics::default();
     let built = (kind.build)(&inner.values, system, &mut own);

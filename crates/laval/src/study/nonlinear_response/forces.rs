@@ -1,0 +1,113 @@
+//! What is said of the forces of bearings and to the ground: the largest, and where the force of a bearing nearly vanishes.
+
+use super::shown::Shown;
+use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::peak::{Peak, Sense};
+use crate::solve::harmonic::response::{Request, Response};
+
+/// Extreme values of the force of one part over the states that can be held.
+pub(super) struct Extremes {
+    pub(super) slot: usize,
+    /// At a computed point: force, N, and speed, rad/s; refined between the points where it falls on both sides.
+    largest: (f64, f64),
+    refined: Option<Peak>,
+    /// Where it nearly vanishes, with its share of the smaller of the largest forces on both sides.
+    vanishing: Vec<(Peak, f64)>,
+}
+
+/// A force vanishes nearly where it is this share of what it is on both sides.
+const VANISHING: f64 = 0.05;
+/// Places told for one part at most.
+const MOST: usize = 2;
+
+impl Shown<'_> {
+    /// Of every part that shows a force.
+    pub(super) fn extreme_forces(&mut self, response: &Response, request: &Request) -> Vec<Extremes> {
+        Measure::forces(self.system).into_iter().filter_map(|slot| self.extremes(response, request, slot)).collect()
+    }
+
+    fn extremes(&mut self, response: &Response, request: &Request, slot: usize) -> Option<Extremes> {
+        let name = &self.system.slots()[slot].name;
+        let column =
+            self.observed.iter().position(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+        let measure = Measure::Force(slot);
+        let mut values = Vec::new();
+        let mut vanishing = Vec::new();
+        for (b, branch) in response.branches.iter().enumerate() {
+            let force: Vec<f64> = self.observations[b].iter().map(|o| o.get(column).copied().unwrap_or(f64::NAN)).collect();
+            let held = |i: usize| !branch.points[i].unstable();
+            values.push((0..force.len()).map(|i| if held(i) { force[i] } else { f64::NAN }).collect::<Vec<f64>>());
+            // the largest force from either end up to each point
+            let running = |all: &mut dyn Iterator<Item = f64>| {
+                all.scan(0.0f64, |m, f| {
+                    *m = m.max(f);
+                    Some(*m)
+                })
+                .collect::<Vec<f64>>()
+            };
+            let before = running(&mut force.iter().copied());
+            let mut after = running(&mut force.iter().rev().copied());
+            after.reverse();
+            for i in 1..force.len().saturating_sub(1) {
+                let share = force[i] / before[i].min(after[i]);
+                let least = force[i] <= force[i - 1] && force[i] < force[i + 1];
+                if least && share < 4.0 * VANISHING && held(i) {
+                    let found = self.refined(branch, i, measure, Sense::Least, request);
+                    vanishing.extend(found.map(|p| {
+                        let share = p.value / before[i].min(after[i]);
+                        (p, share)
+                    }));
+                }
+            }
+        }
+        // of joints between bodies: what leads to the ground follows the motion of one
+        let joint = self.system.slots()[slot].map.iter().take(2).all(|row| row.len() > 1);
+        vanishing.retain(|v| joint && v.1 < VANISHING);
+        vanishing.sort_by(|a, b| a.1.total_cmp(&b.1));
+        vanishing.truncate(MOST);
+        let top = self.summit(response, request, measure, &values)?;
+        let speed = response.branches[top.at.0].points[top.at.1].speed;
+        Some(Extremes { slot, largest: (top.value, speed), refined: top.refined, vanishing })
+    }
+
+    /// The largest force of each part, and where one nearly vanishes.
+    pub(super) fn force_findings(&self) -> Vec<Finding> {
+        let mut out = Vec::new();
+        let rising = self.rising.is_some();
+        for e in &self.forces {
+            let name = &self.system.slots()[e.slot].name;
+            let (force, speed) = e.refined.as_ref().map_or(e.largest, |p| (p.value, p.speed));
+            let so_far = if rising { " up to where the states were left" } else { "" };
+            let text = format!("The largest steady force of \"{name}\"{so_far} is {{}}, at {} rad/s.", significant(speed, 6));
+            let of = |f: &dyn Fn(&Peak) -> f64| e.refined.as_ref().map_or(f64::NAN, f);
+            out.push(
+                Finding::info("largest_force", text)
+                    .of(name)
+                    .value(force, "N")
+                    .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
+                    .evidence("scaled residual", of(&|p| p.residual), "")
+                    .evidence("speed", speed, "rad/s"),
+            );
+        }
+        for e in &self.forces {
+            let name = &self.system.slots()[e.slot].name;
+            for (p, share) in &e.vanishing {
+                let text = format!(
+                    "The force of \"{name}\" nearly vanishes at {{}}: it falls to {} N there, {} % of what it is on both sides.",
+                    significant(p.value, 4),
+                    significant(100.0 * share, 2)
+                );
+                out.push(
+                    Finding::info("vanishing_force", text)
+                        .of(name)
+                        .value(p.speed, "rad/s")
+                        .evidence("width of the bracket", (p.bracket.0 - p.bracket.1).abs(), "rad/s")
+                        .evidence("force there", p.value, "N")
+                        .evidence("scaled residual", p.residual, ""),
+                );
+            }
+        }
+        out
+    }
+}

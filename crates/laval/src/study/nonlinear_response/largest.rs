@@ -1,0 +1,111 @@
+//! The largest displacement and force over all states that can be held.
+
+use super::shown::Shown;
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::peak::{Peak, Sense};
+use crate::solve::harmonic::response::{Request, Response};
+use laval_num::continuation::End;
+
+/// The largest displacement of a body, or of all.
+pub(super) struct Largest {
+    pub(super) body: String,
+    /// At a computed point: displacement, m, and speed, rad/s.
+    displacement: f64,
+    speed: f64,
+    /// Between computed points, where the displacement falls on both sides.
+    pub(super) refined: Option<Peak>,
+    /// It lies where a branch meets the end of the range of speeds.
+    pub(super) at_end: bool,
+}
+
+impl Largest {
+    /// Displacement, m, and speed, rad/s, as well as known.
+    pub(super) fn best(&self) -> (f64, f64) {
+        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.value, p.speed))
+    }
+}
+
+/// A displacement that still rises where a branch was left, above all others: there is no largest one.
+pub(super) struct Rising {
+    pub(super) body: String,
+    /// Displacement, m, and speed, rad/s, at the last point.
+    pub(super) displacement: f64,
+    pub(super) speed: f64,
+    /// Index of the branch.
+    pub(super) branch: usize,
+}
+
+/// The largest value at a computed point, and between points.
+pub(super) struct Summit {
+    pub(super) value: f64,
+    /// Branch and point.
+    pub(super) at: (usize, usize),
+    pub(super) refined: Option<Peak>,
+}
+
+/// Of several peaks each that is as high as this share of the highest, at computed points, is refined: the highest may lie farther from a point.
+const COMPETES: f64 = 0.9;
+
+impl Shown<'_> {
+    /// The largest of values by branch and point; NaN where a state does not count.
+    pub(super) fn summit(&mut self, response: &Response, request: &Request, measure: Measure, values: &[Vec<f64>]) -> Option<Summit> {
+        let all = values.iter().enumerate().flat_map(|(b, v)| v.iter().enumerate().map(move |(i, v)| (*v, b, i)));
+        let (value, b, i) = all.filter(|v| !v.0.is_nan()).max_by(|x, y| x.0.total_cmp(&y.0))?;
+        let mut refined: Option<Peak> = None;
+        if value > 0.0 {
+            let first = (b, i);
+            let mut tops = vec![first];
+            for (b, v) in values.iter().enumerate() {
+                let top = |i: &usize| v[*i] >= COMPETES * value && !(v[*i] < v[i - 1]) && !(v[*i] <= v[i + 1]);
+                tops.extend((1..v.len().saturating_sub(1)).filter(top).map(|i| (b, i)).filter(|t| *t != first));
+            }
+            for (b, i) in tops {
+                let found = self.refined(&response.branches[b], i, measure, Sense::Largest, request);
+                refined = [refined, found].into_iter().flatten().max_by(|x, y| x.value.total_cmp(&y.value));
+            }
+        }
+        // a computed point, as at the end of the range, may lie above all peaks
+        let refined = refined.filter(|p| p.value >= value * (1.0 - 1e-9));
+        Some(Summit { value, at: (b, i), refined })
+    }
+
+    /// The largest displacement of a body, of values by branch and point.
+    fn largest_of(&mut self, response: &Response, request: &Request, k: usize, values: &[Vec<f64>]) -> Option<Largest> {
+        let (body, x) = self.bodies[k].clone();
+        let s = self.summit(response, request, Measure::Displacement(x), values)?;
+        let (branch, i) = (&response.branches[s.at.0], s.at.1);
+        let at_end = s.refined.is_none() && (i == 0 || i + 1 == branch.points.len());
+        Some(Largest { body, displacement: s.value, speed: branch.points[i].speed, refined: s.refined, at_end })
+    }
+
+    /// Largest stable displacement of each body, and one that rises above all of them where a branch was left: what rises to such an end is no maximum.
+    pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Vec<Largest>, Option<Rising>) {
+        let mut rising: Option<Rising> = None;
+        let mut values: Vec<Vec<Vec<f64>>> = vec![vec![]; self.bodies.len()];
+        for (b, branch) in response.branches.iter().enumerate() {
+            let left = !matches!(branch.end, End::Reached | End::Closed);
+            for (k, values) in values.iter_mut().enumerate() {
+                let a = |i: usize| self.amplitudes[b][i][k][1];
+                let last = branch.points.len().saturating_sub(1);
+                let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
+                let mut own = vec![f64::NAN; branch.points.len()];
+                for i in (0..branch.points.len()).filter(|&i| !branch.points[i].unstable()) {
+                    if left && i >= foot && foot < last {
+                        if rising.as_ref().is_none_or(|r| a(i) > r.displacement) {
+                            let (body, speed) = (self.bodies[k].0.clone(), branch.points[i].speed);
+                            rising = Some(Rising { body, displacement: a(i), speed, branch: b });
+                        }
+                    } else {
+                        own[i] = a(i);
+                    }
+                }
+                values.push(own);
+            }
+        }
+        let largest: Vec<Largest> =
+            values.iter().enumerate().filter_map(|(k, values)| self.largest_of(response, request, k, values)).collect();
+        let most = largest.iter().map(|l| l.best().0).fold(f64::NEG_INFINITY, f64::max);
+        let rising = rising.filter(|r| r.displacement > most);
+        (largest, rising)
+    }
+}

@@ -1,0 +1,121 @@
+//! What is said of self-centring: the displacement that a rotor tends to at ever higher speed, and how far from it the machine is at the top of the range.
+
+use super::shown::Shown;
+use crate::outcome::{Finding, quantity, significant};
+use crate::solve::centring::{Limit, limit};
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::response::{Response, Traced};
+use laval_num::complex::C64;
+
+/// The limit and the way to it.
+pub(super) struct Centring {
+    limit: Limit,
+    bodies: Vec<Approach>,
+}
+
+/// One body on its way to the limit.
+struct Approach {
+    body: usize,
+    /// Forward displacement of the limit, m.
+    limit: C64,
+    /// Speed, rad/s, and forward displacement, m, at the top of the range on the branch of small motions.
+    speed: f64,
+    displacement: C64,
+    /// d ln |deviation| / d ln speed between half that speed and it.
+    power: f64,
+    stable: bool,
+}
+
+impl Approach {
+    fn deviation(&self) -> f64 {
+        (self.displacement - self.limit).abs() / self.limit.abs()
+    }
+}
+
+/// A body follows the unbalance when it goes to this share of the largest limit, at least.
+const MOVES: f64 = 1e-6;
+/// Deviation, as a share, for which the speed is told.
+const CLOSE: f64 = 0.01;
+
+impl Shown<'_> {
+    /// On the branch of the smallest motion that reaches the top of the range.
+    pub(super) fn centring(&mut self, response: &Response) -> Option<Centring> {
+        let top = response.branches.iter().flat_map(|b| &b.points).map(|p| p.speed.abs()).fold(0.0, f64::max);
+        let limit = limit(self.system, top).filter(|_| top > 0.0)?;
+        let goal: Vec<C64> = self.bodies.iter().map(|&(_, x)| limit.orbit.whirl(x, 1).0).collect();
+        let largest = goal.iter().fold(0.0f64, |m, z| m.max(z.abs()));
+        let ends = response.branches.iter().filter(|b| b.turns() == 1).flat_map(|b| {
+            let last = b.points.len().checked_sub(1);
+            [Some(0), last].into_iter().flatten().filter(|&i| b.points.get(i).is_some_and(|p| p.speed.abs() == top)).map(move |i| (b, i))
+        });
+        let ends: Vec<(&Traced, usize)> = ends.collect();
+        let mut bodies = Vec::new();
+        for (body, &limit) in goal.iter().enumerate().filter(|(_, z)| z.abs() > MOVES * largest) {
+            let x = self.bodies[body].1;
+            let at = |shown: &mut Self, branch: &Traced, i: usize| shown.orbit(branch, i).map(|o| o.whirl(x, 1).0);
+            let mut best: Option<(C64, &Traced, usize)> = None;
+            for &(branch, i) in &ends {
+                let Some(z) = at(self, branch, i) else { continue };
+                if best.as_ref().is_none_or(|b| z.abs() < b.0.abs()) {
+                    best = Some((z, branch, i));
+                }
+            }
+            let Some((displacement, branch, i)) = best else { continue };
+            // the point nearest to half the speed, going along the branch from the top
+            let way: Vec<usize> = if i == 0 { (0..branch.points.len()).collect() } else { (0..branch.points.len()).rev().collect() };
+            let Some(&half) = way.iter().find(|&&k| branch.points[k].speed.abs() <= 0.5 * top) else { continue };
+            let Some(there) = at(self, branch, half) else { continue };
+            let power = ((displacement - limit).abs() / (there - limit).abs()).ln() / (top / branch.points[half].speed.abs()).ln();
+            bodies.push(Approach { body, limit, speed: branch.points[i].speed, displacement, power, stable: !branch.points[i].unstable() });
+        }
+        // towards the limit, not away from it: the range ends above the resonances
+        bodies.retain(|a| (a.displacement * a.limit.conj()).re > 0.0 && a.power < 0.0 && a.deviation().is_finite());
+        (!bodies.is_empty()).then_some(Centring { limit, bodies })
+    }
+
+    /// Forces that parts without damping tend to, by slot, N.
+    pub(super) fn force_limits(&self) -> Vec<(usize, f64)> {
+        let Some(c) = &self.centring else { return Vec::new() };
+        let slots = self.system.slots();
+        let lasting = |&k: &usize| !slots[k].is_linear() && !slots[k].uses.velocity && !slots[k].uses.spin && slots[k].states.is_empty();
+        let forces = Measure::forces(self.system).into_iter().filter(lasting);
+        forces.map(|k| (k, Measure::Force(k).largest(self.system, &c.limit.orbit, 1).0)).filter(|f| f.1 > 0.0).collect()
+    }
+
+    /// Displacements and forces that remain at ever higher speed.
+    pub(super) fn centring_findings(&self) -> Vec<Finding> {
+        let Some(c) = &self.centring else { return Vec::new() };
+        let mut out = Vec::new();
+        for a in &c.bodies {
+            let name = &self.bodies[a.body].0;
+            let deviation = a.deviation();
+            let close = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
+            let when =
+                if deviation <= CLOSE { String::new() } else { format!(", and is within 1 % of it near {} rad/s", significant(close, 3)) };
+            let held = if a.stable { "" } else { " (that state does not last)" };
+            let text = format!(
+                "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}, {} % from there; the difference \
+                 falls like speed^{}{when}.",
+                significant(a.speed, 5),
+                quantity(a.displacement.abs(), "m"),
+                significant(100.0 * deviation, 3),
+                significant(a.power, 3),
+            );
+            out.push(
+                Finding::info("self_centring", text)
+                    .of(name)
+                    .value(a.limit.abs(), "m")
+                    .evidence("displacement at the top of the range, first order", a.displacement.abs(), "m")
+                    .evidence("relative difference there", deviation, "")
+                    .evidence("d ln difference / d ln speed", a.power, "")
+                    .evidence("change of the limit from a tenth of the speed it was taken at", c.limit.change, ""),
+            );
+        }
+        for (slot, force) in self.force_limits() {
+            let name = &self.system.slots()[slot].name;
+            let text = format!("The force of \"{name}\" does not vanish at high speed: on the branch of small motions it tends to {{}}.");
+            out.push(Finding::info("force_limit", text).of(name).value(force, "N"));
+        }
+        out
+    }
+}

@@ -1,0 +1,125 @@
+//! Tuning of a foundation so that a bearing on it carries no force at the speed of the machine.
+//!
+//! A body of mass M on a spring c whirls by itself where `W^2 = c/M`: it then follows the rotor, and the bearing between them stays undeflected. With the
+//! damping chi0 of the foundation the force that remains is about `chi0 W |z|`.
+
+use super::shown::Shown;
+use crate::model::system::System;
+use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::floquet::Stability;
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::problem::{Balance, Discretisation};
+use crate::solve::harmonic::response::{Request, Response};
+use laval_num::continuation::Zero;
+use laval_num::newton::{Options, newton};
+
+/// A foundation tuned to the speed of the machine.
+pub(super) struct Tuned {
+    body: String,
+    slot: usize,
+    speed: f64,
+    /// N/m: as it is, and tuned.
+    stiffness: [f64; 2],
+    /// Largest force of the part, N: as it is, and tuned.
+    force: [f64; 2],
+    /// Growth rate of the tuned state, 1/s; NaN when not judged.
+    growth: f64,
+    stable: Option<bool>,
+    residual: f64,
+}
+
+/// A state of small motion.
+struct Small {
+    /// Largest force of the part, N.
+    force: f64,
+    /// Growth rate, 1/s, and whether it lasts; `None` when not judged.
+    growth: Option<(f64, bool)>,
+    /// Scaled residual.
+    residual: f64,
+}
+
+/// The state that Newton's method finds from rest.
+fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot: usize) -> Option<Small> {
+    let mut balance = Balance::new(system, d, request.speeds, None).ok()?;
+    let mut x = vec![0.0; balance.dim()];
+    let done = newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).ok()?;
+    let orbit = Orbit::of(&mut balance, &x, speed).ok()?;
+    let force = Measure::Force(slot).largest(system, &orbit, d.divisor).0;
+    balance.sample(&x, speed);
+    let exponents =
+        if request.stability { Stability::new(system).ok().and_then(|mut s| s.exponents(&mut balance, &x, speed).ok()) } else { None };
+    Some(Small { force, growth: exponents.map(|e| (e.growth(), e.stable())), residual: done.residual })
+}
+
+impl Shown<'_> {
+    /// For every body on a spring of its own and every nonlinear part between it and another body, at the machine's speed.
+    pub(super) fn tuning(&self, response: &Response, request: &Request) -> Vec<Tuned> {
+        let system = self.system;
+        let Some(speed) = system.machine.speed.filter(|w| (request.speeds.0..=request.speeds.1).contains(w)) else { return Vec::new() };
+        let d = response.discretisation.whole();
+        let mut out = Vec::new();
+        for (body, x) in &self.bodies {
+            let value = |path: &str| {
+                let at = system.param(&format!("{body}.{path}"))?;
+                let all: Vec<f64> = at.iter().map(|&i| system.params()[i]).collect();
+                all.windows(2).all(|p| p[0] == p[1]).then(|| all[0])
+            };
+            let (Some(mass), Some(stiffness)) = (value("mass"), value("stiffness")) else { continue };
+            let tuned = mass * speed * speed;
+            for slot in Measure::forces(system) {
+                let part = &system.slots()[slot];
+                let joins = |i: usize| part.map[i].len() > 1 && part.map[i].iter().any(|&(g, _)| g == x + i);
+                if part.is_linear() || !(joins(0) && joins(1)) {
+                    continue;
+                }
+                let Ok(changed) = system.with(&[(&format!("{body}.stiffness"), tuned)]) else { continue };
+                let (Some(before), Some(after)) = (state(system, d, request, speed, slot), state(&changed, d, request, speed, slot)) else {
+                    continue;
+                };
+                out.push(Tuned {
+                    body: body.clone(),
+                    slot,
+                    speed,
+                    stiffness: [stiffness, tuned],
+                    force: [before.force, after.force],
+                    growth: after.growth.map_or(f64::NAN, |g| g.0),
+                    stable: after.growth.map(|g| g.1),
+                    residual: after.residual,
+                });
+            }
+        }
+        out
+    }
+
+    /// What tuning would do.
+    pub(super) fn tuning_findings(&self) -> Vec<Finding> {
+        let say = |t: &Tuned| {
+            let name = &self.system.slots()[t.slot].name;
+            let lasts = match t.stable {
+                Some(true) => "; that state is stable".to_string(),
+                Some(false) => format!("; but that state grows at {} 1/s and does not last", significant(t.growth, 4)),
+                None => "; its stability was not judged".to_string(),
+            };
+            let text = format!(
+                "At the machine's {} rad/s the force of \"{name}\" on the branch of small motions would fall from {} N to {} N with a stiffness of \"{}\" of {{}} \
+                 (mass times speed squared; it has {} N/m){lasts}.",
+                significant(t.speed, 5),
+                significant(t.force[0], 4),
+                significant(t.force[1], 4),
+                t.body,
+                significant(t.stiffness[0], 4),
+            );
+            let warn = t.stable == Some(false);
+            let finding = if warn { Finding::warning("foundation_tuning", text) } else { Finding::info("foundation_tuning", text) };
+            finding
+                .of(name)
+                .value(t.stiffness[1], "N/m")
+                .evidence("force when tuned", t.force[1], "N")
+                .evidence("force as it is", t.force[0], "N")
+                .evidence("growth rate when tuned", t.growth, "1/s")
+                .evidence("scaled residual when tuned", t.residual, "")
+        };
+        self.tuned.iter().filter(|t| t.force[1] < t.force[0]).map(say).collect()
+    }
+}

@@ -1,0 +1,196 @@
+//! Findings, tables and bars.
+
+use super::Sensitivity;
+use super::places::{Found, Kind, Place};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::study::support::inconsistent;
+use crate::study::{Context, Study};
+
+/// Figures at most: jumps and the highest peaks.
+const FIGURES: usize = 6;
+
+impl Place {
+    fn name(&self) -> String {
+        let speed = significant(self.moved.speed, 5);
+        match self.kind {
+            Kind::Peak => format!("peak of {} at {speed} rad/s", self.body),
+            Kind::JumpUp => format!("jump up at {speed} rad/s"),
+            Kind::JumpDown => format!("jump down at {speed} rad/s"),
+        }
+    }
+
+    fn word(&self) -> &'static str {
+        match self.kind {
+            Kind::Peak => "peak",
+            Kind::JumpUp => "jump up",
+            Kind::JumpDown => "jump down",
+        }
+    }
+
+    /// Relative influence of every parameter: on the speed, on the displacement.
+    fn relative(&self, found: &Found) -> Vec<[f64; 2]> {
+        let m = &self.moved;
+        found.parameters.iter().zip(&m.slopes).map(|(p, s)| [s.speed * p.value / m.speed, s.value * p.value / m.value]).collect()
+    }
+
+    /// Parameters by falling influence; those without any are left out.
+    fn order(&self, found: &Found) -> Vec<usize> {
+        let relative = self.relative(found);
+        let size = |&k: &usize| relative[k][0].abs().max(relative[k][1].abs());
+        let acts = |k: &usize| self.moved.slopes[*k].speed != 0.0 || self.moved.slopes[*k].value != 0.0;
+        let mut order: Vec<usize> = (0..relative.len()).filter(acts).collect();
+        order.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        order
+    }
+}
+
+/// `+0.5 %`.
+fn percent(x: f64) -> String {
+    format!("{}{} %", if x > 0.0 { "+" } else { "" }, significant(x, 3))
+}
+
+fn finding(place: &Place, found: &Found) -> Finding {
+    let relative = place.relative(found);
+    let most = |which: usize| (0..relative.len()).max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
+    let told = |which: usize| {
+        most(which).map_or_else(String::new, |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
+    };
+    let m = &place.moved;
+    let (speed, body) = (significant(m.speed, 6), &place.body);
+    let text = match place.kind {
+        Kind::Peak => format!("The peak of \"{body}\", {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0)),
+        Kind::JumpUp | Kind::JumpDown => format!(
+            "The {} at {speed} rad/s moves most by {}; the displacement of \"{body}\" there, {{}}, changes most by {}.",
+            place.word(),
+            told(0),
+            told(1)
+        ),
+    };
+    Finding::info(place.word().replace(' ', "_"), text)
+        .of(body)
+        .value(m.value, "m")
+        .evidence("relative change of the second derivatives at the last narrowing of the step", m.settled, "")
+        .evidence("relative slope left along the branch", m.slope_left, "")
+        .evidence("speed", m.speed, "rad/s")
+}
+
+/// Everything a reader gets.
+pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
+    let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete));
+    for p in &found.places {
+        out = out.finding(finding(p, found));
+        let at = p.moved.speed;
+        out = out.special_point(SpecialPoint::new(p.word(), at, (at, at)).of(&p.body).evidence("displacement", p.moved.value, "m"));
+    }
+    for (speed, why) in &found.without {
+        let text = format!("No derivatives are given at {{}}: {why}.");
+        out = out.finding(Finding::warning("no_derivative", text).value(*speed, "rad/s"));
+    }
+    if found.places.is_empty() {
+        let text = "No peak and no fold of the response was found in the range of speeds.";
+        out = out.finding(Finding::info("nothing_stationary", text));
+        return out.checked().map_err(inconsistent);
+    }
+    let idle: Vec<&str> = (0..found.parameters.len())
+        .filter(|&k| found.places.iter().all(|p| p.moved.slopes[k].speed == 0.0 && p.moved.slopes[k].value == 0.0))
+        .map(|k| found.parameters[k].path.as_str())
+        .collect();
+    if !idle.is_empty() {
+        out = out.finding(Finding::info("without_influence", format!("Without influence: {}.", idle.join(", "))));
+    }
+    out = out.table(places(found)?).table(sensitivities(found)?);
+    let mut drawn: Vec<usize> = (0..found.places.len()).collect();
+    let rank = |&i: &usize| (found.places[i].kind == Kind::Peak, -found.places[i].moved.value);
+    drawn.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
+    drawn.truncate(FIGURES);
+    drawn.sort_unstable();
+    for i in drawn {
+        out = tornado(out, found, i, bars)?;
+    }
+    out.work("places", found.places.len() as u64).work("parameters", found.parameters.len() as u64).checked().map_err(inconsistent)
+}
+
+fn places(found: &Found) -> Result<Table, Diagnostic> {
+    let all = &found.places;
+    let float = |f: &dyn Fn(&Place) -> f64| all.iter().map(f).collect::<Vec<f64>>();
+    Table::new("places", "Peaks and folds of the steady response")
+        .int("place", "", "number of the place", (1..=all.len() as i64).collect())
+        .text("kind", "peak of a displacement, or fold where a slow sweep jumps", all.iter().map(|p| p.word().to_string()).collect())
+        .text("body", "whose displacement it is", all.iter().map(|p| p.body.clone()).collect())
+        .int("branch", "", "number of the branch", all.iter().map(|p| p.branch as i64 + 1).collect())
+        .float("speed", "rad/s", "spin speed", float(&|p| p.moved.speed))
+        .float("displacement", "m", "largest over a period", float(&|p| p.moved.value))
+        .float("settled", "", "relative change of the second derivatives at the last narrowing of the step", float(&|p| p.moved.settled))
+        .float("slope left", "", "relative slope left along the branch", float(&|p| p.moved.slope_left))
+        .int("orders", "", "orders kept", vec![found.harmonics as i64; all.len()])
+        .build()
+        .map_err(inconsistent)
+}
+
+/// Index of a place and of a parameter, and its relative influence on speed and displacement.
+type Row = (usize, usize, [f64; 2]);
+
+fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
+    let rows: Vec<Row> = found
+        .places
+        .iter()
+        .enumerate()
+        .flat_map(|(i, p)| {
+            let relative = p.relative(found);
+            p.order(found).into_iter().map(move |k| (i, k, relative[k]))
+        })
+        .collect();
+    let of = |r: &Row| (&found.places[r.0], &found.parameters[r.1], found.places[r.0].moved.slopes[r.1]);
+    let text = |f: &dyn Fn(&Row) -> String| rows.iter().map(f).collect::<Vec<String>>();
+    let float = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+    Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
+        .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
+        .text("what", "the place", text(&|r| of(r).0.name()))
+        .text("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
+        .float("value", "", "of the parameter, in its unit", float(&|r| of(r).1.value))
+        .text("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
+        .float("speed slope", "", "d speed / d parameter, rad/s per unit of the parameter", float(&|r| of(r).2.speed))
+        .float("displacement slope", "", "d displacement / d parameter, m per unit of the parameter", float(&|r| of(r).2.value))
+        .float("influence on speed", "", "relative change of the speed over that of the parameter", float(&|r| r.2[0]))
+        .float("influence on displacement", "", "relative change of the displacement over that of the parameter", float(&|r| r.2[1]))
+        .build()
+        .map_err(inconsistent)
+}
+
+/// Horizontal bars, the parameter of most influence on top.
+fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Outcome, Diagnostic> {
+    let place = &found.places[i];
+    let relative = place.relative(found);
+    let shown: Vec<usize> = place.order(found).into_iter().filter(|&k| relative[k] != [0.0; 2]).take(bars).collect();
+    if shown.is_empty() {
+        return Ok(out);
+    }
+    let count = shown.len();
+    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, count as f64 + 0.6));
+    for (row, &k) in shown.iter().enumerate() {
+        panel = panel.mark(Rule::y((count - row) as f64, &found.parameters[k].path));
+    }
+    for (side, name) in [(1, "displacement"), (0, "speed")] {
+        let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
+        for (row, &k) in shown.iter().enumerate() {
+            let top = (count - row) as f64 + if side == 1 { 0.4 } else { 0.0 };
+            x.extend([0.0, relative[k][side], f64::NAN]);
+            low.extend([top - 0.4; 3]);
+            high.extend([top; 3]);
+        }
+        let table = format!("bars {} {name}", i + 1);
+        let shape = Table::new(&table, format!("Bars of the figure: influence on the {name}, {}", place.name()))
+            .float("x", "", "foot and end of a bar; NaN between bars", x)
+            .float("low", "", "lower side", low)
+            .float("high", "", "upper side", high)
+            .build()
+            .map_err(inconsistent)?;
+        panel = panel.mark(Band::between(&table, "x", "low", "high").name(name));
+        out = out.table(shape);
+    }
+    let title = format!("What moves the {}", place.name());
+    let alt = format!("{title}: relative influence of the {count} parameters that matter most, one pair of bars each.");
+    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("per cent for one per cent more", ""));
+    Ok(out.figure(figure.panel(panel.mark(Rule::x(0.0, "")))))
+}
