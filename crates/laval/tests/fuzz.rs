@@ -23,7 +23,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 const CHECKED: u64 = 100_000;
-const STUDIED: usize = 1150;
+const STUDIED: usize = 1500;
 /// A case that takes longer than this hangs; usual ones take milliseconds.
 const HANGS_AFTER: Duration = Duration::from_secs(120);
 /// Most kinds of failures printed.
