@@ -79,22 +79,13 @@ struct Found {
     outputs: Vec<(usize, u64, f64, f64)>,
 }
 
-struct Go<'a>(&'a [Member]);
+/// The members, and of how many states it is said that they are positions.
+struct Go<'a>(&'a [Member], usize);
 impl Kernel for Go<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, 1, |crew: &mut Oscillators<S>| run(crew))
-    }
-}
-
-/// Without saying that x is a position.
-struct GoPlain<'a>(&'a [Member]);
-impl Kernel for GoPlain<'_> {
-    type Out = Found;
-    #[inline(always)]
-    fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, 0, |crew: &mut Oscillators<S>| run(crew))
+        found(self.0, self.1, |crew: &mut Oscillators<S>| run(crew))
     }
 }
 
@@ -148,7 +139,7 @@ fn many_members_follow_their_closed_forms() {
     let mut list = members(53);
     list.iter_mut().for_each(|m| m.d = 0.0);
     for level in Level::supported() {
-        let found = dispatch(level, Go(&list));
+        let found = dispatch(level, Go(&list, 1));
         assert_eq!(found.results.len(), 53);
         let exact = |m: &Member, t: f64| {
             let a = 1.0 / (m.w * m.w - m.v * m.v);
@@ -170,7 +161,7 @@ fn many_members_follow_their_closed_forms() {
 fn positions_change_nothing_but_the_work() {
     let mut list = members(40);
     list.iter_mut().filter(|m| m.id % 4 == 3).for_each(|m| m.level = Some(0.2));
-    let (known, plain) = (dispatch(Level::best(), Go(&list)), dispatch(Level::best(), GoPlain(&list)));
+    let (known, plain) = (dispatch(Level::best(), Go(&list, 1)), dispatch(Level::best(), Go(&list, 0)));
     for (a, b) in known.results.iter().zip(&plain.results) {
         assert_eq!((a.0, a.1.end, a.1.steps, a.1.rejected), (b.0, b.1.end, b.1.steps, b.1.rejected));
         assert!((a.1.t - b.1.t).abs() < 1e-12, "{a:?} {b:?}");
@@ -185,7 +176,7 @@ fn positions_change_nothing_but_the_work() {
 #[test]
 fn lanes_agree_with_one_member_at_a_time() {
     let list = members(20);
-    let found = dispatch(Level::best(), Go(&list));
+    let found = dispatch(Level::best(), Go(&list, 1));
     for ((_, _, y), m) in found.results.iter().zip(&list) {
         let mut one = ode(2, |t: f64, y: &[f64], dy: &mut [f64]| {
             (dy[0], dy[1]) = (y[1], (m.v * t).cos() - m.w * m.w * y[0] - m.d * y[1]);
@@ -204,7 +195,7 @@ fn the_order_is_eight() {
         let mut m = members(1)[0];
         (m.d, m.w, m.v, m.t1, m.tolerance) = (0.0, 1.0, 2.5, 40.0, tolerance);
         m.outputs.count = 0;
-        let found = dispatch(Level::best(), Go(&[m]));
+        let found = dispatch(Level::best(), Go(&[m], 1));
         let a = 1.0 / (1.0 - 6.25);
         let exact = a * (100.0f64).cos() + (1.0 - a) * (40.0f64).cos();
         ((found.results[0].2[0] - exact).abs(), found.results[0].1.steps as f64)
@@ -233,13 +224,13 @@ fn with_failures(list: &[Member]) -> Vec<Member> {
 #[test]
 fn neighbours_do_not_matter() {
     let list = members(40);
-    let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, Go(&[m])).results.remove(0)).collect();
+    let alone: Vec<_> = list.iter().map(|&m| dispatch(Level::Base, Go(&[m], 1)).results.remove(0)).collect();
     let mixed = with_failures(&list);
     let mut backwards = mixed.clone();
     backwards.reverse();
     for level in Level::supported() {
         for order in [&mixed, &backwards] {
-            let found = dispatch(level, Go(order));
+            let found = dispatch(level, Go(order, 1));
             assert_eq!(found.results.len(), 40);
             for (id, ended, y) in &found.results {
                 match id % 8 {
@@ -260,7 +251,7 @@ fn events_are_located() {
     (m.w, m.d, m.v, m.level, m.t1) = (1.0, 0.0, 0.0, Some(0.2), 10.0);
     // x'' = 1 - x from x = 2: x = 1 + cos t, crossing 0.2 where cos t = -0.8
     m.start = 2.0;
-    let found = dispatch(Level::best(), Go(&[m]));
+    let found = dispatch(Level::best(), Go(&[m], 1));
     let expected = (-0.8f64).acos();
     assert!((found.results[0].1.t - expected).abs() < 1e-10, "{}", found.results[0].1.t);
     let before = (0..9).take_while(|&i| 0.25 * f64::from(i) <= expected).count();
@@ -317,7 +308,7 @@ fn a_leg_can_be_limited_and_continued() {
     }
     let mut m = members(1)[0];
     m.outputs.count = 0;
-    let whole = dispatch(Level::best(), Go(&[m])).results.remove(0);
+    let whole = dispatch(Level::best(), Go(&[m], 1)).results.remove(0);
     let (ended, y, times) = dispatch(Level::best(), Run2(m));
     assert!(times == 1 && ended.end == LegEnd::Reached);
     assert!((y[0] - whole.2[0]).abs() < 1e-9);
