@@ -94,6 +94,10 @@ const SEPARATING: &str = "[[cup]]\nkind = \"swinging\"\nname = \"cups\"\non = \"
     [[study]]\nkind = \"separation\"\ntime = \"5 min\"\nparticles = 32\n\
     [[study]]\nkind = \"operating_window\"\nspeed = { from = \"500 rpm\", to = \"3000 rpm\", points = 6 }\ntime = \"5 min\"\nparticles = 16\n";
 
+/// A search of few runs.
+const SEARCHING: &str = "[[study]]\nkind = \"optimum\"\nstudy = { kind = \"modes\" }\nvary = [{ parameter = \"losses.damping\", from = 1, to = 100 }]\n\
+    maximise = \"least_damped_mode damping ratio\"\nruns = 20\nstarts = 1\n";
+
 impl Sources {
     pub fn new(catalog: Catalog) -> Self {
         let mut files = vec![
@@ -104,6 +108,7 @@ impl Sources {
         files.extend(catalog.parts.iter().map(|k| format!("{BASE}{}", docs::example("part", k))));
         files.extend(catalog.studies.iter().map(|k| format!("{BASE}{}", docs::example("study", k))));
         files.push(format!("{BASE}{SEPARATING}"));
+        files.push(format!("{BASE}{SEARCHING}"));
         for block in &catalog.blocks {
             files.extend(block.kinds.iter().filter(|_| block.several).map(|k| format!("{BASE}{}", docs::example(block.word, k))));
         }
@@ -359,7 +364,10 @@ impl Sources {
             },
             FieldKind::Flag => r.of(&["true", "false"]).into(),
             FieldKind::Text if f.name == "waterfall" && r.chance(70) => format!("\"{}\"", names.first().map_or("drum", String::as_str)),
-            FieldKind::Text if f.name == "minimise" && r.chance(70) => r.of(&["\"largest_displacement\"", "\"least_damped_mode\""]).into(),
+            FieldKind::Text if ["minimise", "maximise"].contains(&f.name.as_ref()) && r.chance(90) => match r.below(4) {
+                0 => format!("\"largest_displacement {}\"", names.first().map_or("drum", String::as_str)),
+                _ => r.of(&["\"stable\"", "\"least_damped_mode damping ratio\"", "\"critical_speed order 1 forward\""]).into(),
+            },
             FieldKind::Text => r.of(&["\"text\"", "\"\"", "\"\\u0000\\n\"", "\"\u{1f980}\""]).into(),
             FieldKind::Attach { .. } => point(r, hostility, names),
             FieldKind::Between => format!("[{}, {}]", point(r, hostility, names), point(r, hostility, names)),

@@ -59,11 +59,10 @@ pub(super) fn report(study: &Optimum, found: &Found, context: &Context) -> Resul
 fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
     let way = if study.aim.large { "largest" } else { "least" };
     let change = 100.0 * (best.value - found.now) / found.now.abs();
-    let now = if found.now.is_finite() {
-        format!(" The machine as it is has {} ({} % away).", with(found.now, &found.unit), significant(change.abs(), 3))
-    } else {
-        String::new()
-    };
+    // of zero nothing is a share
+    let away = if change.is_finite() { format!(" ({} % away)", significant(change.abs(), 3)) } else { String::new() };
+    let now =
+        if found.now.is_finite() { format!(" The machine as it is has {}{away}.", with(found.now, &found.unit)) } else { String::new() };
     let text = format!("The {way} {} within the bounds is {{}}.{now}", study.aim.name);
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
