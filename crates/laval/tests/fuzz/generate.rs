@@ -364,7 +364,7 @@ impl Sources {
             },
             FieldKind::Flag => r.of(&["true", "false"]).into(),
             FieldKind::Text if f.name == "waterfall" && r.chance(70) => format!("\"{}\"", names.first().map_or("drum", String::as_str)),
-            FieldKind::Text if ["minimise", "maximise"].contains(&f.name.as_ref()) && r.chance(90) => match r.below(4) {
+            FieldKind::Text if ["minimise", "maximise"].contains(&f.name) && r.chance(90) => match r.below(4) {
                 0 => format!("\"largest_displacement {}\"", names.first().map_or("drum", String::as_str)),
                 _ => r.of(&["\"stable\"", "\"least_damped_mode damping ratio\"", "\"critical_speed order 1 forward\""]).into(),
             },
