@@ -157,8 +157,8 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
         .text("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
         .float("value", "", "recommended, in its unit", float(&|k| study.vary[k].value(best.place[k])))
         .text("unit", "of the parameter", study.vary.iter().map(|v| v.unit.to_string()).collect())
-        .float("from", "", "lowest recommended value, the others at theirs", float(&|k| end(k, 0)))
-        .float("to", "", "highest recommended value", float(&|k| end(k, 1)))
+        .float("from", "", "lowest recommended value, the others at theirs; NaN when it was not sought", float(&|k| end(k, 0)))
+        .float("to", "", "highest recommended value; NaN when it was not sought", float(&|k| end(k, 1)))
         .float("machine", "", "value of the machine as it is", float(&|k| study.vary[k].now))
         .float("lower bound", "", "of the search", float(&|k| study.vary[k].from))
         .float("upper bound", "", "of the search", float(&|k| study.vary[k].to))
@@ -166,10 +166,10 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
         .float(
             "slope up",
             "",
-            "one-sided slope towards higher values: relative change of what is minimised per whole range; NaN at the bound",
+            "one-sided slope towards higher values: relative change of what is minimised per whole range; NaN at the bound, and of a number that is zero",
             float(&|k| side(k, 1.0)),
         )
-        .float("slope down", "", "the same towards lower values", float(&|k| side(k, -1.0)))
+        .float("slope down", "", "the same towards lower values; NaN likewise", float(&|k| side(k, -1.0)))
         .build()
         .map_err(inconsistent)
 }
