@@ -3,6 +3,7 @@
 mod common;
 
 use common::base::{Base, request, run};
+use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
@@ -485,46 +486,9 @@ fn work_limit_and_cancelling_keep_what_was_done() {
 }
 
 fn file(parameter: &str, more: &str) -> String {
+    let (rotor, oil) = (planar_file("isotropic", "1 mm", ["42", "6.59"]), oil("46.69 mm", "0"));
     format!(
-        r#"[machine]
-name = "filled"
-
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2.4 kg"
-eccentricity = "1 mm"
-
-[[part]]
-kind = "foundation"
-name = "base"
-mass = "25 kg"
-stiffness = "3.26e5 N/m"
-damping = "6.59 N s/m"
-
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "base"]
-law = "isotropic"
-stiffness = "1.1e7 N/m"
-cubic_stiffness = "8.7e10 N/m^3"
-
-[[part]]
-kind = "damper"
-name = "air"
-between = ["drum", "ground"]
-damping = "42 N s/m"
-
-[[part]]
-kind = "liquid"
-name = "oil"
-in = "drum"
-cavity_radius = "70 mm"
-cavity_height = "60 mm"
-density = "1000 kg/m^3"
-fill = {{ free_surface_radius = "46.69 mm" }}
-
+        r#"{rotor}{oil}
 [[study]]
 kind = "bifurcation_loci"
 speed = {{ from = "1500 rad/s", to = "4000 rad/s" }}

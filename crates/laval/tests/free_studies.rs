@@ -1,5 +1,8 @@
 //! The studies of free and self-excited whirls and of methods, from a machine file: what they say, draw and refuse.
 
+mod common;
+
+use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
 use laval::outcome::{End, Outcome};
 use laval::report::draw;
@@ -7,56 +10,9 @@ use laval::study::{Context, Silent};
 use std::sync::atomic::AtomicBool;
 
 fn machine(law: &str, damping: [&str; 2], liquid: &str, study: &str) -> String {
-    let [rotor, base] = damping;
-    format!(
-        r#"[machine]
-name = "rotor"
-speed = "1820 rad/s"
-
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2.4 kg"
-eccentricity = "1 mm"
-
-[[part]]
-kind = "foundation"
-name = "base"
-mass = "25 kg"
-stiffness = "3.26e5 N/m"
-damping = "{base} N s/m"
-
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "base"]
-law = "{law}"
-stiffness = "1.1e7 N/m"
-cubic_stiffness = "8.7e10 N/m^3"
-
-[[part]]
-kind = "damper"
-name = "air"
-between = ["drum", "ground"]
-damping = "{rotor} N s/m"
-
-{liquid}
-[[study]]
-{study}
-"#
-    )
+    let rotor = planar_file(law, "1 mm", damping).replace("[machine]\n", "[machine]\nspeed = \"1820 rad/s\"\n");
+    format!("{rotor}{liquid}\n[[study]]\n{study}\n")
 }
-
-const LIQUID: &str = r#"[[part]]
-kind = "liquid"
-name = "oil"
-in = "drum"
-cavity_radius = "70 mm"
-cavity_height = "60 mm"
-density = "1000 kg/m^3"
-fill = { free_surface_radius = "65.1 mm" }
-wave_damping = "20 1/s"
-"#;
 
 fn run(text: &str) -> Outcome {
     let loaded = load(text).unwrap_or_else(|d| panic!("{}", render(&d, text, "m.toml", Form::Lines)));
@@ -78,7 +34,7 @@ fn ids(o: &Outcome) -> Vec<&str> {
 
 #[test]
 fn backbone_says_what_keeps_it_going() {
-    let free = run(&machine("isotropic", ["0", "0"], &LIQUID.replace("20 1/s", "0 1/s"), "kind = \"backbone\""));
+    let free = run(&machine("isotropic", ["0", "0"], &oil("65.1 mm", "0"), "kind = \"backbone\""));
     assert_eq!(free.end, End::Reached);
     assert!(ids(&free).contains(&"undamped") && ids(&free).contains(&"asymptotes"), "{:?}", ids(&free));
     // forward and backward whirls of foundation and bearing, and two of the liquid's waves
@@ -97,20 +53,20 @@ fn backbone_says_what_keeps_it_going() {
 fn limit_cycles_tell_soft_from_hard() {
     let speed =
         |from: &str, to: &str| format!("kind = \"limit_cycles\"\nspeed = {{ from = \"{from} rad/s\", to = \"{to} rad/s\", points = 120 }}");
-    let o = run(&machine("isotropic", ["42", "6.59"], LIQUID, &speed("1500", "6000")));
+    let o = run(&machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "20"), &speed("1500", "6000")));
     assert_eq!(o.end, End::Reached);
     for id in ["soft_onset", "hard_onset", "whirl_beside_rest", "largest_whirl", "unstable_family"] {
         assert!(ids(&o).contains(&id), "{id}: {:?}", ids(&o));
     }
     assert_eq!(o.special_points.iter().filter(|p| p.kind == "Hopf").count(), 2);
     // the foundation's whirl deflects the bearing too little to be held by it
-    let low = run(&machine("isotropic", ["42", "6.59"], LIQUID, &speed("60", "400")));
+    let low = run(&machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "20"), &speed("60", "400")));
     assert!(ids(&low).contains(&"unbounded_whirl"), "{:?}", ids(&low));
     assert!(low.find_table("cycles").unwrap().rows() < 400);
     // stable throughout, and unstable throughout
-    let still = run(&machine("isotropic", ["42", "6.59"], LIQUID, &speed("4000", "6000")));
+    let still = run(&machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "20"), &speed("4000", "6000")));
     assert!(ids(&still).contains(&"no_edge") && still.find_table("cycles").is_none());
-    let grows = run(&machine("isotropic", ["42", "6.59"], &LIQUID.replace("20 1/s", "0 1/s"), &speed("4000", "6000")));
+    let grows = run(&machine("isotropic", ["42", "6.59"], &oil("65.1 mm", "0"), &speed("4000", "6000")));
     assert!(ids(&grows).contains(&"no_edge_unstable"));
 }
 
@@ -130,7 +86,7 @@ fn methods_name_what_is_left_out() {
 #[test]
 fn unfit_machines_are_refused_before_the_run() {
     let cycles = "kind = \"limit_cycles\"\nspeed = { from = \"1500 rad/s\", to = \"6000 rad/s\" }";
-    let undamped = refused(&machine("isotropic", ["0", "0"], &LIQUID.replace("20 1/s", "0 1/s"), cycles));
+    let undamped = refused(&machine("isotropic", ["0", "0"], &oil("65.1 mm", "0"), cycles));
     assert!(undamped.contains("nothing damps this machine"), "{undamped}");
     let linear = |study: &str| {
         let text = machine("isotropic", ["42", "6.59"], "", study);
@@ -156,7 +112,7 @@ fn studies_stop_when_asked() {
         "kind = \"limit_cycles\"\nspeed = { from = \"1500 rad/s\", to = \"6000 rad/s\" }",
         "kind = \"methods\"\nspeed = { from = \"1500 rad/s\", to = \"3000 rad/s\" }",
     ] {
-        let text = machine("per_axis", ["42", "6.59"], LIQUID, study);
+        let text = machine("per_axis", ["42", "6.59"], &oil("65.1 mm", "20"), study);
         let loaded = load(&text).unwrap();
         let context = Context { name: "study", cancel: &STOP, progress: &Silent, work_limit: u64::MAX, keep: None };
         if let Ok(o) = loaded.studies[0].study.run(&loaded.system, &context) {

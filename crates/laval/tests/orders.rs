@@ -1,42 +1,16 @@
 //! Sub- and superharmonic orders of a response: onset speeds, sense, largest amplitudes, against the reference tables.
 
+mod common;
+
+use common::planar_file::planar_file;
 use laval::file::load;
 use laval::outcome::{Data, Evidence, Finding, Outcome};
 use laval::report::draw;
 use laval::study::Context;
 
 fn machine(law: &str, eccentricity: &str, study: &str) -> Outcome {
-    let text = format!(
-        r#"[machine]
-name = "rotor"
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2.4 kg"
-eccentricity = "{eccentricity}"
-[[part]]
-kind = "foundation"
-name = "base"
-mass = "25 kg"
-stiffness = "3.26e5 N/m"
-damping = "6.59 N s/m"
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "base"]
-law = "{law}"
-stiffness = "1.1e7 N/m"
-cubic_stiffness = "8.7e10 N/m^3"
-[[part]]
-kind = "damper"
-name = "air"
-between = ["drum", "ground"]
-damping = "42 N s/m"
-[[study]]
-kind = "nonlinear_response"
-{study}
-"#
-    );
+    let rotor = planar_file(law, eccentricity, ["42", "6.59"]);
+    let text = format!("{rotor}\n[[study]]\nkind = \"nonlinear_response\"\n{study}\n");
     let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
     let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("orders")).unwrap();
     for f in &o.figures {

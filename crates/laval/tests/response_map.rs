@@ -1,5 +1,8 @@
 //! Maps of responses over two parameters: every cell against a response of its own, reference folds, threads, resumption, refusals.
 
+mod common;
+
+use common::planar_file::{oil, planar_file};
 use laval::file::{Form, Loaded, canonical, load, render};
 use laval::outcome::{Data, End, Outcome};
 use laval::report::draw;
@@ -7,51 +10,12 @@ use laval::store::Keep;
 use laval::study::{Context, Progress};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-const MACHINE: &str = r#"[machine]
-name = "rotor"
-
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2.4 kg"
-eccentricity = "1 mm"
-
-[[part]]
-kind = "foundation"
-name = "base"
-mass = "25 kg"
-stiffness = "3.26e5 N/m"
-damping = "6.59 N s/m"
-
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "base"]
-law = "per_axis"
-stiffness = "1.1e7 N/m"
-cubic_stiffness = "8.7e10 N/m^3"
-
-[[part]]
-kind = "damper"
-name = "air"
-between = ["drum", "ground"]
-damping = "42 N s/m"
-"#;
-
-const LIQUID: &str = r#"
-[[part]]
-kind = "liquid"
-name = "oil"
-in = "drum"
-cavity_radius = "70 mm"
-cavity_height = "60 mm"
-density = "1000 kg/m^3"
-fill = { free_surface_radius = "46.69 mm" }
-wave_damping = "20 1/s"
-"#;
+fn rotor() -> String {
+    planar_file("per_axis", "1 mm", ["42", "6.59"])
+}
 
 fn loaded(liquid: &str, study: &str) -> Loaded {
-    let text = format!("{MACHINE}{liquid}\n[[study]]\nkind = \"response_map\"\n{study}");
+    let text = format!("{}{liquid}\n[[study]]\nkind = \"response_map\"\n{study}", rotor());
     load(&text).unwrap_or_else(|d| panic!("{}", render(&d, &text, "m.toml", Form::Lines)))
 }
 
@@ -94,7 +58,7 @@ fn same(a: f64, b: f64) -> bool {
 fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], asked: &str) {
     let map = loaded(liquid, &format!("{axes}\n{asked}"));
     let o = run(&map);
-    let text = format!("{MACHINE}{liquid}\n[[study]]\nkind = \"nonlinear_response\"\n{asked}");
+    let text = format!("{}{liquid}\n[[study]]\nkind = \"nonlinear_response\"\n{asked}", rotor());
     let single = load(&text).unwrap();
     let cells = o.find_table("map").unwrap().rows();
     for row in 0..cells {
@@ -135,8 +99,8 @@ fn cells_of_a_machine_with_liquid_tell_where_it_whirls_by_itself() {
     let axes = "x = { parameter = \"oil.free_surface_radius\", from = \"46.69 mm\", to = \"65 mm\", points = 2 }\n\
         y = { parameter = \"air.damping\", from = 42, to = 420, points = 2 }";
     let asked = "speed = { from = 1500, to = 3500 }\nharmonics = 3";
-    agrees_with_single(LIQUID, axes, ["oil.free_surface_radius", "air.damping"], asked);
-    let o = run(&loaded(LIQUID, &format!("{axes}\n{asked}")));
+    agrees_with_single(&oil("46.69 mm", "20"), axes, ["oil.free_surface_radius", "air.damping"], asked);
+    let o = run(&loaded(&oil("46.69 mm", "20"), &format!("{axes}\n{asked}")));
     assert!(finding(&o, "neimark_sacker_machines") >= 1.0, "{:?}", o.findings);
 }
 
@@ -222,7 +186,7 @@ fn the_work_limit_counts_points() {
 #[test]
 fn machines_that_do_not_exist_are_cells_without_numbers() {
     let o = run(&loaded(
-        LIQUID,
+        &oil("46.69 mm", "20"),
         "x = { parameter = \"oil.free_surface_radius\", from = \"60 mm\", to = \"80 mm\", points = 2 }\n\
          y = { parameter = \"air.damping\", from = 42, to = 420, points = 2 }\nspeed = { from = 500, to = 900 }\nharmonics = 3",
     ));
@@ -239,7 +203,7 @@ fn machines_that_do_not_exist_are_cells_without_numbers() {
 #[test]
 fn refusals() {
     let refused = |study: &str| {
-        let text = format!("{MACHINE}\n[[study]]\nkind = \"response_map\"\nspeed = {{ from = 25, to = 8000 }}\n{study}");
+        let text = format!("{}\n[[study]]\nkind = \"response_map\"\nspeed = {{ from = 25, to = 8000 }}\n{study}", rotor());
         let d = load(&text).err().unwrap_or_default();
         assert!(d.has_errors(), "{study} is accepted");
         render(&d, &text, "m.toml", Form::Lines)

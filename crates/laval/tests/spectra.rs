@@ -1,54 +1,16 @@
 //! Waterfalls and order spectra of motions in time: a superharmonic in a run-up, a self-excited whirl, refusals.
 
+mod common;
+
+use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
 use laval::outcome::{End, Evidence, Finding, Outcome};
 use laval::report::draw;
 use laval::study::Context;
 
 fn text(law: &str, eccentricity: &str, liquid: &str, study: &str) -> String {
-    format!(
-        r#"[machine]
-name = "rotor"
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2.4 kg"
-eccentricity = "{eccentricity}"
-[[part]]
-kind = "foundation"
-name = "base"
-mass = "25 kg"
-stiffness = "3.26e5 N/m"
-damping = "6.59 N s/m"
-[[part]]
-kind = "bearing_cubic"
-name = "bearing"
-between = ["drum", "base"]
-law = "{law}"
-stiffness = "1.1e7 N/m"
-cubic_stiffness = "8.7e10 N/m^3"
-[[part]]
-kind = "damper"
-name = "air"
-between = ["drum", "ground"]
-damping = "42 N s/m"
-{liquid}
-[[study]]
-{study}
-"#
-    )
+    format!("{}{liquid}\n[[study]]\n{study}\n", planar_file(law, eccentricity, ["42", "6.59"]))
 }
-
-const LIQUID: &str = r#"[[part]]
-kind = "liquid"
-name = "oil"
-in = "drum"
-cavity_radius = "70 mm"
-cavity_height = "60 mm"
-density = "1000 kg/m^3"
-fill = { free_surface_radius = "65.1 mm" }
-wave_damping = "20 1/s"
-"#;
 
 fn run(text: &str) -> Outcome {
     let loaded = load(text).unwrap_or_else(|d| panic!("{}", render(&d, text, "m.toml", Form::Lines)));
@@ -120,7 +82,7 @@ fn a_self_excited_whirl_is_no_multiple_of_the_spin() {
     let o = run(&text(
         "isotropic",
         "0.1 um",
-        LIQUID,
+        &oil("65.1 mm", "20"),
         "kind = \"transient\"\nspeed = 2500\nduration = 3\ninitial = { \"drum.x\" = \"0.1 mm\" }\nwaterfall = \"drum\"\nspectra = 60\npoints = 50",
     ));
     let f = finding(&o, "asynchronous");

@@ -25,6 +25,9 @@ const SMALL: f64 = 1e-14;
 /// The most orders of the lifted equations.
 const MOST_ORDERS: usize = 96;
 
+/// The most products of entries of H with columns, steps times terms, that an exponential may take: some seconds.
+const MOST_WORK: f64 = 1e8;
+
 /// Exponents have settled when growth rates change by no more than this part of the base frequency.
 const SETTLED: f64 = 1e-9;
 
@@ -49,7 +52,7 @@ pub fn exponents(stability: &mut Stability, balance: &mut Balance, x: &[f64], sp
     let mut orders = 12;
     let mut change = f64::INFINITY;
     while orders <= MOST_ORDERS {
-        let map = lifted.map(orders, period);
+        let map = lifted.map(orders, period)?;
         let mut values: Vec<C64> = stability.eigenvalues(&map)?.into_iter().map(|z| z.ln().scale(1.0 / period)).collect();
         values.sort_by(|a, b| b.re.total_cmp(&a.re));
         if let Some(before) = &before {
@@ -116,7 +119,7 @@ impl Lifted {
     }
 
     /// `C exp(H T) W` with orders up to `orders` times the spacing.
-    fn map(&self, orders: usize, period: f64) -> Mat {
+    fn map(&self, orders: usize, period: f64) -> Result<Mat, Unjudged> {
         let (d, g) = (self.d, self.spacing());
         let size = d * d;
         let row_sum = |e: &Entries| {
@@ -127,6 +130,11 @@ impl Lifted {
         let coupling: f64 = self.coefficients.iter().enumerate().map(|(k, e)| if k == 0 { 1.0 } else { 2.0 } * row_sum(e)).sum();
         let norm = (orders * g) as f64 * self.base + coupling;
         let parts = (norm * period / 4.0).ceil().max(1.0);
+        let entries: usize = self.coefficients.iter().map(Vec::len).sum();
+        let work = parts * ((orders + 1) * entries * d) as f64;
+        if !(work <= MOST_WORK) {
+            return Err(Unjudged::Failed(format!("Hill's method would need {parts:.0} steps per period with {orders} orders: the machine is too stiff for it")));
+        }
         let h = period / parts;
         let mut z = vec![C64::zero(); (orders + 1) * size];
         for k in 0..=orders {
@@ -150,7 +158,7 @@ impl Lifted {
                 }
             }
         }
-        Mat::from_fn(d, d, |i, j| z[i * d + j].re)
+        Ok(Mat::from_fn(d, d, |i, j| z[i * d + j].re))
     }
 
     /// `out = H z`, orders from 0 up; `z_(-k)` is the conjugate.
