@@ -50,6 +50,11 @@ pub const TEMPLATES: &[Template] = &[
         about: "a centrifuge with swinging cups: its operating window and the separation of sand from oil",
         text: include_str!("../../../examples/05-oil-desludging/machine.toml"),
     },
+    Template {
+        name: "viscoelastic-shaft",
+        about: "a disc on a plastic shaft whose material remembers, and whirls above the critical speed",
+        text: include_str!("../../../examples/07-viscoelastic-shaft/machine.toml"),
+    },
 ];
 
 /// What may be said to `new`.

@@ -8,6 +8,7 @@ pub mod disc;
 pub mod foundation;
 pub mod liquid;
 pub mod shaft_lumped;
+pub mod shaft_viscoelastic;
 pub mod stop;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -39,6 +40,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
         kind::<shaft_lumped::ShaftLumped>(),
+        kind::<shaft_viscoelastic::ShaftViscoelastic>(),
         kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),
     ]

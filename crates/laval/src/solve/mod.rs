@@ -3,6 +3,7 @@
 pub mod centring;
 pub mod characteristic;
 pub mod ensemble;
+pub mod exact;
 pub mod extrema;
 mod extremum;
 pub mod harmonic;
