@@ -18,3 +18,4 @@ pub mod stability;
 pub mod sweep;
 pub mod symmetry;
 pub mod turning;
+pub mod unbalance;
