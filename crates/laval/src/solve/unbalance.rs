@@ -61,6 +61,10 @@ pub fn unbalance(system: &System, at: &At<f64>, ws: &mut Workspace<f64>) -> Unba
             accelerated[x] = 1.0;
         }
     }
+    if moment == C64::zero() {
+        // nothing is out of balance: all bodies count
+        (0..n).filter(|&i| kinds[i] == DofKind::VectorX).for_each(|x| accelerated[x] = 1.0);
+    }
     let carried = rows(0.0, &accelerated);
     for x in (0..n).filter(|&i| accelerated[i] == 1.0) {
         mass += carried[x] - still[x];

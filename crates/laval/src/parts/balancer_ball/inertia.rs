@@ -89,16 +89,21 @@ fn vector<S: Scalar>(turn: Complex<S>, x: (Complex<S>, S)) -> [S; 3] {
     [flat.re, flat.im, x.1]
 }
 
+/// Share of a force in a direction.
+#[inline(always)]
+fn along<S: Scalar>(d: (Complex<S>, S), flat: Complex<S>, up: S) -> S {
+    (d.0.conj() * flat).re + d.1 * up
+}
+
 impl<S: Scalar> Carrier<S> {
     #[inline(always)]
     fn new(at: &At<S>, body_tilt: bool) -> Self {
-        let pair = |x: &[S]| [x[2], x[3]];
         let o = S::zero();
         Carrier {
             turn: Complex::cis(at.phase),
             speed: at.speed,
             accel: at.spin_accel,
-            tilt: body_tilt.then(|| Tilt::new(pair(at.q), pair(at.v), pair(at.a))),
+            tilt: if body_tilt { Some(Tilt::new(&at.q[2..4], &at.v[2..4], &at.a[2..4])) } else { None },
             force: [o, o],
             moment: [o, o],
             spin: o,
@@ -138,8 +143,7 @@ impl<S: Scalar> Carrier<S> {
         }
         let (flat, up) = (self.turn.conj() * c(back[0], back[1]), back[2]);
         self.spin += (b.at.0.conj() * flat).im;
-        let along = |d: &(Complex<S>, S)| (d.0.conj() * flat).re + d.1 * up;
-        [along(&b.tilt), along(&b.angle)]
+        [along(b.tilt, flat, up), along(b.angle, flat, up)]
     }
     /// Velocity of a mass, and its height.
     #[inline(always)]

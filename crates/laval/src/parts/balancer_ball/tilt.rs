@@ -4,16 +4,9 @@ use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
 
 /// The rotation without the unit matrix, `sin(t)/t K + (1 - cos t)/t^2 K^2`, or a derivative of it; K the cross product with the vector, t its length.
+/// Entries: x, y of K, then x x, x y, y y of K^2, each with its weight.
 #[derive(Clone, Copy)]
-pub(super) struct Turn<S> {
-    /// Entries of K, weighted.
-    x: S,
-    y: S,
-    /// Entries of K^2, weighted: x x, x y, y y.
-    xx: S,
-    xy: S,
-    yy: S,
-}
+pub(super) struct Turn<S>([S; 5]);
 
 impl<T: Scalar> Turn<T> {
     /// The two weights by their series: to rounding for tilts below 0.1 rad.
@@ -22,23 +15,17 @@ impl<T: Scalar> Turn<T> {
         let s = x * x + y * y;
         let sine = T::one() - s * (T::cst(1.0 / 6.0) - s * (T::cst(1.0 / 120.0) - s.scale(1.0 / 5040.0)));
         let cosine = T::cst(0.5) - s * (T::cst(1.0 / 24.0) - s * (T::cst(1.0 / 720.0) - s.scale(1.0 / 40320.0)));
-        Turn { x: sine * x, y: sine * y, xx: cosine * x * x, xy: cosine * x * y, yy: cosine * y * y }
+        Turn([sine * x, sine * y, cosine * x * x, cosine * x * y, cosine * y * y])
     }
     #[inline(always)]
     pub fn apply(&self, b: [T; 3]) -> [T; 3] {
-        [
-            self.xy * b[1] - self.yy * b[0] + self.y * b[2],
-            self.xy * b[0] - self.xx * b[1] - self.x * b[2],
-            self.x * b[1] - self.y * b[0] - (self.xx + self.yy) * b[2],
-        ]
+        let [x, y, xx, xy, yy] = self.0;
+        [xy * b[1] - yy * b[0] + y * b[2], xy * b[0] - xx * b[1] - x * b[2], x * b[1] - y * b[0] - (xx + yy) * b[2]]
     }
     #[inline(always)]
     pub fn transposed(&self, b: [T; 3]) -> [T; 3] {
-        [
-            self.xy * b[1] - self.yy * b[0] - self.y * b[2],
-            self.xy * b[0] - self.xx * b[1] + self.x * b[2],
-            self.y * b[0] - self.x * b[1] - (self.xx + self.yy) * b[2],
-        ]
+        let [x, y, xx, xy, yy] = self.0;
+        [xy * b[1] - yy * b[0] - y * b[2], xy * b[0] - xx * b[1] + x * b[2], y * b[0] - x * b[1] - (xx + yy) * b[2]]
     }
 }
 
@@ -50,28 +37,28 @@ pub(super) struct Tilt<S> {
     pub accel: Turn<S>,
 }
 
-impl<S: Scalar> Tilt<S> {
-    #[inline(always)]
-    pub fn new(q: [S; 2], v: [S; 2], a: [S; 2]) -> Self {
-        let first = Turn::new(Dual::<S, 2>::seed(q[0], 0), Dual::seed(q[1], 1));
-        // along the path q + v t + a t^2/2
-        let path = |i: usize| Dual { re: Dual { re: q[i], eps: [v[i]] }, eps: [Dual { re: v[i], eps: [a[i]] }] };
-        let second: Turn<Dual<Dual<S, 1>, 1>> = Turn::new(path(0), path(1));
-        let value = |x: Dual<S, 2>| x.re;
-        let over = |i: usize| first.each(|x| x.eps[i]);
-        Tilt {
-            turn: first.each(value),
-            over: [over(0), over(1)],
-            rate: second.each(|x| x.re.eps[0]),
-            accel: second.each(|x| x.eps[0].eps[0]),
-        }
-    }
+/// A number along the path q + v t + a t^2/2.
+#[inline(always)]
+fn path<S: Scalar>(q: S, v: S, a: S) -> Dual<Dual<S, 1>, 1> {
+    Dual { re: Dual { re: q, eps: [v] }, eps: [Dual { re: v, eps: [a] }] }
 }
 
-impl<T: Copy> Turn<T> {
+impl<S: Scalar> Tilt<S> {
+    /// From the tilts, their rates and accelerations.
     #[inline(always)]
-    fn each<S>(&self, f: impl Fn(T) -> S) -> Turn<S> {
-        Turn { x: f(self.x), y: f(self.y), xx: f(self.xx), xy: f(self.xy), yy: f(self.yy) }
+    pub fn new(q: &[S], v: &[S], a: &[S]) -> Self {
+        let first = Turn::new(Dual::<S, 2>::seed(q[0], 0), Dual::<S, 2>::seed(q[1], 1));
+        let second = Turn::new(path(q[0], v[0], a[0]), path(q[1], v[1], a[1]));
+        let none = Turn([S::zero(); 5]);
+        let mut out = Tilt { turn: none, over: [none, none], rate: none, accel: none };
+        for k in 0..5 {
+            out.turn.0[k] = first.0[k].re;
+            out.over[0].0[k] = first.0[k].eps[0];
+            out.over[1].0[k] = first.0[k].eps[1];
+            out.rate.0[k] = second.0[k].re.eps[0];
+            out.accel.0[k] = second.0[k].eps[0].eps[0];
+        }
+        out
     }
 }
 
