@@ -19,3 +19,4 @@ pub mod stability;
 pub mod sweep;
 pub mod symmetry;
 pub mod turning;
+pub mod unbalance;

@@ -133,7 +133,9 @@ impl Lifted {
         let entries: usize = self.coefficients.iter().map(Vec::len).sum();
         let work = parts * ((orders + 1) * entries * d) as f64;
         if !(work <= MOST_WORK) {
-            return Err(Unjudged::Failed(format!("Hill's method would need {parts:.0} steps per period with {orders} orders: the machine is too stiff for it")));
+            return Err(Unjudged::Failed(format!(
+                "Hill's method would need {parts:.0} steps per period with {orders} orders: the machine is too stiff for it"
+            )));
         }
         let h = period / parts;
         let mut z = vec![C64::zero(); (orders + 1) * size];
