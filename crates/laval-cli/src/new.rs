@@ -46,9 +46,19 @@ pub const TEMPLATES: &[Template] = &[
         text: include_str!("../../../examples/03-overhung-disc/machine.toml"),
     },
     Template {
+        name: "ball-balancer",
+        about: "a disc on a flexible shaft with an automatic ball balancer",
+        text: include_str!("../../../examples/04-ball-balancer/machine.toml"),
+    },
+    Template {
         name: "cup-separator",
         about: "a centrifuge with swinging cups: its operating window and the separation of sand from oil",
         text: include_str!("../../../examples/05-oil-desludging/machine.toml"),
+    },
+    Template {
+        name: "viscoelastic-shaft",
+        about: "a disc on a plastic shaft whose material remembers, and whirls above the critical speed",
+        text: include_str!("../../../examples/07-viscoelastic-shaft/machine.toml"),
     },
 ];
 

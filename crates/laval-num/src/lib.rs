@@ -10,6 +10,7 @@ pub mod eig;
 pub mod elliptic;
 pub mod ensemble;
 pub mod fourier;
+pub mod gamma;
 pub mod interpolate;
 pub mod lanes;
 pub mod newton;

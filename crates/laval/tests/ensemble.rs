@@ -10,7 +10,7 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::parts::{bearing_linear::*, disc::*, liquid::*, shaft_lumped::*, stop::*};
+use laval::parts::{balancer_ball::*, bearing_linear::*, disc::*, liquid::*, motor::*, shaft_lumped::*, stop::*};
 use laval::solve::ensemble::{self, Ended, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
 use laval::solve::motion::flight::{Choice, Plan, fly};
 use laval::solve::motion::{Motion, SpinLaw};
@@ -234,6 +234,53 @@ fn free_spin_and_varying_mass_follow_single_motions() {
         let form = Form::of(&base, true);
         assert_eq!(form, if free { Form::Free } else { Form::Prescribed });
         let rows = sail(&members, form, 0, Settings::default());
+        for (m, (end, y, _)) in members.iter().zip(&rows) {
+            assert_eq!(*end, LegEnd::Reached);
+            let d = apart(&m.system, &alone(m, &[]).0, y);
+            assert!(d < 1e-7, "{d:e}");
+        }
+    }
+}
+
+/// Balls that touch and rings that tilt, on a body that tilts or does not, with a programme and with a motor.
+#[test]
+fn balancers_follow_single_motions() {
+    let ring = BalancerBallParams {
+        ball_mass: 0.02,
+        track_radius: 0.1,
+        eccentricity: 1e-3,
+        eccentricity_phase: 0.4,
+        node_line: 1.0,
+        housing_mass: 0.3,
+        diametral_inertia: 2e-3,
+        polar_inertia: 3e-3,
+        tilt_stiffness: 20.0,
+        drag: 1e-3,
+        dry_torque: 1e-3,
+        friction_rate: 1.0,
+        ball_radius: 0.01,
+        contact_stiffness: 5.0,
+        ..BalancerBallFamily::defaults()
+    };
+    let balancer = || BallBalancer::new(Attach::on("wheel"), 2).track(1, 0.8, 0.02, 0.3).masses(&[1.0, 1.2, 0.7]).free().touching();
+    for (balancer, free) in [(balancer(), false), (balancer().planar(), false), (balancer(), true)] {
+        let motor = MotorParams { torque: 0.5, drag: 1e-3, ..MotorFamily::defaults() };
+        let builder = tilting(false).part("balancer", balancer, ring).part("motor", Motor::new(Curve::Constant), motor);
+        let base = if free { builder.free_spin() } else { builder }.build().unwrap();
+        let member = |k: usize| {
+            let mut m = constant(base.with(&[("balancer.drag", 1e-3 * (1 + k) as f64)]).unwrap(), 200.0, 0.05);
+            let n = m.system.n();
+            for (y, x) in m.y[n - 3..n].iter_mut().zip([0.5, 0.8 + 0.1 * k as f64, 2.0]) {
+                *y = x;
+            }
+            if free {
+                m.y.extend([0.2, 180.0 + 10.0 * k as f64]);
+                m.law = SpinLaw::Free;
+            }
+            m
+        };
+        let members: Vec<Member> = (0..10).map(member).collect();
+        let rows = sail(&members, Form::of(&base, true), 0, Settings::default());
         for (m, (end, y, _)) in members.iter().zip(&rows) {
             assert_eq!(*end, LegEnd::Reached);
             let d = apart(&m.system, &alone(m, &[]).0, y);

@@ -5,7 +5,7 @@ use super::{Axis, Block, Catalog, MachineBlock, Spec, examine, held, joints, rea
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Extra;
 use crate::model::part::{At, Rows};
-use crate::model::system::{self, Drive, Machine, System, Workspace};
+use crate::model::system::{self, Machine, System, Workspace};
 use crate::parts;
 use crate::study::{self, ErasedStudy};
 
@@ -204,7 +204,7 @@ pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
             Axis::Vertical => system::Axis::Vertical,
             Axis::Horizontal => system::Axis::Horizontal,
         },
-        drive: Drive::Prescribed,
+        drive: block.drive,
         extras,
     }
 }

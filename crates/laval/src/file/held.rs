@@ -2,19 +2,24 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, Physics, PortKind};
+use crate::model::part::{At, DofKind, Physics, PortKind};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::dense::Mat;
 
-/// Warns of coordinates without any stiffness and of tilt stiffness on bodies that do not tilt.
+/// Warns of parts that cannot do what they are there for, of displacements without any stiffness and of tilt stiffness on bodies that do not tilt.
 pub(super) fn check(system: &System, out: &mut Diagnostics) {
     for slot in system.slots() {
         tilt_without_effect(system, slot, out);
     }
+    for (k, text) in system.warnings() {
+        let slot = &system.slots()[k];
+        out.push(Diagnostic::warning("part.purpose", format!("\"{}\": {text}", slot.name)).at(slot.span.clone()));
+    }
     let free = free(system);
     for (k, slot) in system.slots().iter().enumerate() {
-        let own = |i: &&usize| system.coordinates()[**i].slot == k;
+        // what moves inside the rotor, such as a ball in its track, may be free
+        let own = |i: &&usize| system.coordinates()[**i].slot == k && system.coordinates()[**i].dof.kind != DofKind::Scalar;
         let names: Vec<&str> = free.iter().filter(own).map(|&i| system.coordinates()[i].name.rsplit('.').next().unwrap_or("")).collect();
         if names.is_empty() {
             continue;
@@ -39,7 +44,8 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
         }
         first += port.kind.size();
     }
-    if tilts.is_empty() || tilts.iter().any(|&i| !slot.map[i].is_empty()) {
+    // a stiffness of coordinates of its own is no stiffness against the tilt of bodies
+    if tilts.is_empty() || !slot.layout.own.is_empty() || tilts.iter().any(|&i| !slot.map[i].is_empty()) {
         return;
     }
     let params = system.param_slots()[slot.params.clone()].iter().zip(&system.params()[slot.params.clone()]);

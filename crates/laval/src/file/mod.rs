@@ -38,6 +38,7 @@ pub use writer::{canonical, write, write_json};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{BlockInfo, Bounds, Field, FieldKind, KindInfo, Values};
+use crate::model::system::Drive;
 
 /// All kinds a file may name.
 #[derive(Clone, Debug, Default)]
@@ -104,6 +105,8 @@ pub struct MachineBlock {
     pub speed: Option<f64>,
     /// Direction of the rotor axis.
     pub axis: Axis,
+    /// How the spin angle moves.
+    pub drive: Drive,
     /// The block's header in the file.
     pub span: Option<Span>,
     /// Place of the speed.
@@ -179,6 +182,15 @@ pub const MACHINE_FIELDS: &[Field] = &[
         FieldKind::Choice(&[("vertical", "gravity acts along the axis"), ("horizontal", "gravity points to -y")]),
         "vertical",
         "direction of the rotor axis",
+    ),
+    Field::optional(
+        "drive",
+        FieldKind::Choice(&[
+            ("prescribed", "studies say how the spin speed goes; its torque is a result"),
+            ("free", "the spin follows from the torques of the parts, such as a motor"),
+        ]),
+        "prescribed",
+        "what moves the rotor",
     ),
 ];
 

@@ -1,7 +1,7 @@
 //! From [`Spec`] back to a file: complete (defaults written out), in the order of the declarations, with readable units, and
 //! exact: reading it gives the same spec.
 
-use super::{Axis, Block, Catalog, Spec, parameter_in};
+use super::{Axis, Block, Catalog, Drive, Spec, parameter_in};
 use crate::diagnostic::Span;
 use crate::model::field::{Amount, Attach, Field, FieldKind, KindInfo, RangeValue, Tolerance, Value, Values};
 use crate::units::{write_number, write_si};
@@ -166,6 +166,9 @@ pub fn write(spec: &Spec, catalog: &Catalog) -> String {
         let _ = writeln!(out, "speed = {}", quantity(s, "rad/s"));
     }
     let _ = writeln!(out, "axis = {}", quoted(axis_word(m.axis)));
+    if m.drive == Drive::Free {
+        let _ = writeln!(out, "drive = \"free\"");
+    }
     for b in &spec.parts {
         w.block(&mut out, "part", b, catalog.part(b.kind));
     }
@@ -206,6 +209,9 @@ fn to_json(spec: &Spec, whole: bool) -> Json {
         machine.insert("speed".into(), json!(s));
     }
     machine.insert("axis".into(), json!(axis_word(m.axis)));
+    if m.drive == Drive::Free {
+        machine.insert("drive".into(), json!("free"));
+    }
     let blocks = |list: &[Block]| -> Vec<Json> {
         let one = |b: &Block| {
             let mut o = Map::new();

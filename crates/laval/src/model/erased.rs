@@ -3,7 +3,8 @@
 use super::blocks::Blocks;
 use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
-use super::part::{At, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
+use super::part::{At, Correction, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
+use super::system::Axis;
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
@@ -31,6 +32,9 @@ macro_rules! erased {
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
+            fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
+            fn warnings(&self, p: &[f64]) -> Vec<String>;
+            fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
@@ -78,6 +82,15 @@ macro_rules! erased {
             }
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
                 Part::check(self, &T::Family::from_slice(p))
+            }
+            fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String> {
+                Part::refuses_axis(self, &T::Family::from_slice(p), axis)
+            }
+            fn warnings(&self, p: &[f64]) -> Vec<String> {
+                Part::warnings(self, &T::Family::from_slice(p))
+            }
+            fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
+                Part::correction(self, &T::Family::from_slice(p), at)
             }
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>) {

@@ -3,6 +3,7 @@
 use super::blocks::Blocks;
 use super::field::{Attach, Field, ParamValues, Values};
 use super::params::Family;
+use super::system::Axis;
 use crate::diagnostic::Diagnostics;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
@@ -247,6 +248,15 @@ pub struct Validity {
     pub ratio: f64,
 }
 
+/// What a part that balances by itself does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Correction {
+    /// Moment of its movable masses, in axes that turn with the rotor, kg m.
+    pub moment: [f64; 2],
+    /// The largest moment they can have, kg m.
+    pub capacity: f64,
+}
+
 /// The physics of one kind of piece.
 ///
 /// A part adds its share to the residual of the machine, written once over [`Scalar`]; see [`Physics`] for the three forms. It is affine in
@@ -310,6 +320,18 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn observe(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Observed>) {}
     /// Use of the model's validity.
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
+    /// Why it does not fit a machine with this axis, and what to change.
+    fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<String> {
+        None
+    }
+    /// What keeps the part from doing what it is there for, although its model is right: sentences that begin with a small letter and end without a point.
+    fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
+        Vec::new()
+    }
+    /// Of a part that balances by itself.
+    fn correction(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Option<Correction> {
+        None
+    }
     /// Relations between parameters that bounds cannot say (a free surface inside its cavity). Says what is wrong and which parameter.
     fn check(&self, _p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         Vec::new()

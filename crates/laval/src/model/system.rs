@@ -4,7 +4,7 @@ use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate};
 use super::field::{Attach, Extra};
 use super::params::ParamSlot;
-use super::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Physics, PortKind, Rows, Uses, Validity};
+use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Physics, PortKind, Rows, Uses, Validity};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use laval_num::scalar::Scalar;
 use std::ops::Range;
@@ -221,6 +221,9 @@ impl System {
         if !diagnostics.has_errors() {
             for (_, message) in part.check(&input.params) {
                 diagnostics.push(Diagnostic::error("part.check", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
+            }
+            if let Some(message) = part.refuses_axis(&input.params, self.machine.axis) {
+                diagnostics.push(Diagnostic::error("part.axis", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
             }
         }
         let (p0, s0) = (self.params.len(), self.states.len());
@@ -472,6 +475,15 @@ impl System {
     /// Use of validity at a point, as (part, statement).
     pub fn validity(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Validity)> {
         self.each(at, ws, |slot, l, out| slot.part.validity(&self.params[slot.params.clone()], l, out))
+    }
+    /// What keeps parts from doing what they are there for, as (part, sentence).
+    pub fn warnings(&self) -> Vec<(usize, String)> {
+        let all = self.slots.iter().enumerate();
+        all.flat_map(|(k, s)| s.part.warnings(&self.params[s.params.clone()]).into_iter().map(move |w| (k, w))).collect()
+    }
+    /// What the parts that balance by themselves do at a point, as (part, correction).
+    pub fn corrections(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Correction)> {
+        self.each(at, ws, |slot, l, out| out.extend(slot.part.correction(&self.params[slot.params.clone()], l)))
     }
     fn each<T>(&self, at: &At<f64>, ws: &mut Workspace<f64>, f: impl Fn(&Slot, &At<f64>, &mut Vec<T>)) -> Vec<(usize, T)> {
         let mut out = Vec::new();

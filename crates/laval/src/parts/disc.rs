@@ -178,8 +178,11 @@ impl Part for Disc {
         columns
     }
 
-    fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
+        let centre = self.centre(p.centre_of_mass, at.q)
+            + Complex::cis(at.phase + p.eccentricity_phase).scale(p.eccentricity + p.unbalance / p.mass);
+        out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
     }
 
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {

@@ -1,5 +1,6 @@
 //! The kinds of parts. This file is the registry: the only place that names them all.
 
+pub mod balancer_ball;
 pub mod bearing_cubic;
 pub mod bearing_hertz;
 pub mod bearing_linear;
@@ -7,7 +8,9 @@ pub mod damper;
 pub mod disc;
 pub mod foundation;
 pub mod liquid;
+pub mod motor;
 pub mod shaft_lumped;
+pub mod shaft_viscoelastic;
 pub mod stop;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -39,8 +42,11 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
         kind::<shaft_lumped::ShaftLumped>(),
+        kind::<shaft_viscoelastic::ShaftViscoelastic>(),
         kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),
+        kind::<balancer_ball::BallBalancer>(),
+        kind::<motor::Motor>(),
     ]
 }
 

@@ -229,7 +229,9 @@ impl<'a> Characteristic<'a> {
             }
             s -= step;
             let size = s.abs();
-            if length <= 1e-15 * size || (length >= 0.5 * last && length <= 1e-9 * size) || (length == 0.0) {
+            // in turning axes T is evaluated at s + i W, and its rounding is that of the sum
+            let resolved = 1e-14 * (size + self.shift(Sector::Forward).abs());
+            if length <= 1e-15 * size || (length >= 0.5 * last && (length <= 1e-9 * size || length <= resolved)) || (length == 0.0) {
                 let end = self.test(s, &border)?;
                 let (right, left) =
                     (border.spread(&end.right, &border.cols, self.size()), border.spread(&end.left, &border.rows, self.size()));

@@ -3,6 +3,7 @@
 pub mod centring;
 pub mod characteristic;
 pub mod ensemble;
+pub mod exact;
 pub mod extrema;
 mod extremum;
 pub mod harmonic;
@@ -18,3 +19,4 @@ pub mod stability;
 pub mod sweep;
 pub mod symmetry;
 pub mod turning;
+pub mod unbalance;

@@ -137,6 +137,8 @@ pub struct Spectrum {
     pub infinite: usize,
     /// Number of modes polished on the exact characteristic function.
     pub polished: usize,
+    /// Eigenvalues of the pencil that are no roots of the machine: they stand for the branch cut of a part given in the frequency domain.
+    pub left_out: usize,
 }
 
 impl Spectrum {
@@ -169,6 +171,11 @@ pub fn time_forms(system: &System) -> Result<Vec<(String, f64)>, Diagnostic> {
 /// Eigenvalues want polishing: the pencil holds a fit, or memory states whose rates spoil its scale.
 pub fn wants_polish(system: &System) -> bool {
     system.slots().iter().any(|s| s.memory > 0 || matches!(s.physics, Physics::Frequency(_)))
+}
+
+/// A part given in the frequency domain enters the pencil by a fit.
+pub fn holds_fit(system: &System) -> bool {
+    system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(_)))
 }
 
 /// Largest coupling of sectors, relative, that counts as rounding.
@@ -228,7 +235,7 @@ impl Linearised {
     /// # Errors
     /// When the matrices hold numbers that are not finite or leave some coordinate undetermined.
     pub fn spectrum(&self) -> Result<Spectrum, EigError> {
-        let mut out = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0 };
+        let mut out = Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 };
         if self.isotropic {
             for sector in [Sector::Forward, Sector::Axial] {
                 let (q, z) = (self.coordinates.members(sector), self.states.members(sector));
@@ -278,6 +285,36 @@ impl Linearised {
         Ok(out)
     }
 
+    /// Gives a mode the value and the null vector (over the unknowns of the characteristic matrix, in sector coordinates) of an exact root; memory states
+    /// keep those of the pencil.
+    pub(super) fn reshape(&self, mode: &mut MachineMode, value: C64, right: &[C64]) {
+        let mut q = right[..self.coordinates.len()].to_vec();
+        self.coordinates.restore(&mut q);
+        mode.value = value;
+        if value.im < 0.0 {
+            mode.value = value.conj();
+            q.iter_mut().for_each(|x| *x = x.conj());
+            mode.sector = match mode.sector {
+                Some(Sector::Forward) => Some(Sector::Backward),
+                Some(Sector::Backward) => Some(Sector::Forward),
+                other => other,
+            };
+        }
+        if let Some(lead) = self.lead(&q) {
+            q.iter_mut().for_each(|x| *x = *x / lead);
+        }
+        (mode.whirl, mode.forward_share) = self.whirl(mode.value, &q);
+        mode.q = q;
+    }
+
+    /// What the largest coordinate over its typical size is divided by to become one and real.
+    fn lead(&self, q: &[C64]) -> Option<C64> {
+        let size = |(x, t): (&C64, &f64)| x.abs() / t;
+        let lead = q.iter().zip(&self.typical).map(size).fold(0.0, f64::max);
+        let lead = q.iter().zip(&self.typical).find(|&p| size(p) >= lead * (1.0 - 1e-8)).map(|(x, t)| x.scale(1.0 / t));
+        lead.filter(|l| l.abs() > 0.0)
+    }
+
     /// A mode in x and y with Im s >= 0 from the vector (q, v, z) of a block.
     fn mode(&self, m: &eig::Mode, sector: Option<Sector>, q: &[usize], z: &[usize]) -> MachineMode {
         let (mut qs, mut zs) = (vec![C64::zero(); self.coordinates.len()], vec![C64::zero(); self.states.len()]);
@@ -295,10 +332,7 @@ impl Linearised {
                 sector = Some(Sector::Backward);
             }
         }
-        let size = |(x, t): (&C64, &f64)| x.abs() / t;
-        let lead = qs.iter().zip(&self.typical).map(size).fold(0.0, f64::max);
-        let lead = qs.iter().zip(&self.typical).find(|&p| size(p) >= lead * (1.0 - 1e-8)).map(|(x, t)| x.scale(1.0 / t));
-        if let Some(lead) = lead.filter(|l| l.abs() > 0.0) {
+        if let Some(lead) = self.lead(&qs) {
             qs.iter_mut().chain(&mut zs).for_each(|x| *x = *x / lead);
         }
         let (whirl, forward_share) = self.whirl(value, &qs);
@@ -458,7 +492,7 @@ pub fn polish(t: &mut Characteristic, spectrum: &mut Spectrum) {
     }
 }
 
-/// Modes about an equilibrium, polished where the pencil holds memory states or fits, or everywhere on demand.
+/// Modes about an equilibrium: polished where the pencil holds memory states, or everywhere on demand; roots of the exact function where it holds a fit.
 ///
 /// # Errors
 /// As [`Linearised::new`]; a spectrum that cannot be computed.
@@ -468,9 +502,10 @@ pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result
         Diagnostic::error("modes.eigenvalues", format!("the modes at {} rad/s could not be computed: {e}", about.speed))
             .help("a coordinate with neither mass, damping nor stiffness leaves the modes undetermined")
     })?;
-    if always || wants_polish(system) {
-        let mut t = Characteristic::new(system, about);
-        polish(&mut t, &mut spectrum);
+    if holds_fit(system) {
+        super::exact::settle(&mut Characteristic::new(system, about), &linear, &mut spectrum);
+    } else if always || wants_polish(system) {
+        polish(&mut Characteristic::new(system, about), &mut spectrum);
     }
     Ok(spectrum)
 }

@@ -26,10 +26,15 @@ pub enum Shape {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unusable(pub String);
 
+/// Highest degree of a polynomial of the speed.
+pub const DEGREE: usize = 7;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Law {
     /// Speed as a cubic of the time since `origin`.
     Cubic([f64; 4]),
+    /// The same of higher degree, not monotone.
+    Polynomial([f64; DEGREE + 1]),
     /// `speed exp(rate (t - origin))`.
     Exponential { speed: f64, rate: f64 },
 }
@@ -53,6 +58,17 @@ impl Piece {
                 speed: a + x * (b + x * (c + x * d)),
                 accel: b + x * (2.0 * c + x * (3.0 * d)),
             },
+            Law::Polynomial(c) => {
+                let mut spin = Spin { phase: 0.0, speed: 0.0, accel: 0.0 };
+                for (k, c) in c.iter().enumerate().rev() {
+                    spin.phase = spin.phase * x + c / (k + 1) as f64;
+                    spin.speed = spin.speed * x + c;
+                    if k > 0 {
+                        spin.accel = spin.accel * x + c * k as f64;
+                    }
+                }
+                Spin { phase: self.phase + spin.phase * x, ..spin }
+            }
             Law::Exponential { speed, rate } => {
                 // expm1 keeps the phase exact for slow changes
                 let grown = (rate * x).exp_m1();
@@ -105,6 +121,27 @@ impl Programme {
         programme.finite()
     }
 
+    /// Speed as a polynomial of the time, `c[0] + c[1] t + c[2] t^2 ...` (rad/s, rad/s^2, ...), for `duration` (s) from t = 0 with `phase`.
+    ///
+    /// # Errors
+    /// No coefficient or more than [`DEGREE`] + 1, a duration that is not positive, values that are not finite.
+    pub fn polynomial(coefficients: &[f64], duration: f64, phase: f64) -> Result<Self, Unusable> {
+        if coefficients.is_empty() || coefficients.len() > DEGREE + 1 {
+            return Err(Unusable(format!("a polynomial of the speed has 1 to {} coefficients, not {}", DEGREE + 1, coefficients.len())));
+        }
+        let finite = coefficients.iter().chain([&phase]).all(|x| x.is_finite());
+        if !(finite && duration > 0.0 && duration.is_finite()) {
+            return Err(Unusable("the coefficients must be finite and the duration of the change positive".into()));
+        }
+        let mut all = [0.0; DEGREE + 1];
+        all[..coefficients.len()].copy_from_slice(coefficients);
+        let mut programme = Self::constant(all[0], phase);
+        programme.push(0.0, Law::Polynomial(all));
+        let last = programme.at(duration).speed;
+        programme.hold(duration, last);
+        programme.finite()
+    }
+
     /// Through (time, speed) points by monotone cubics (Fritsch, Butland 1984): the acceleration is continuous and the speed never
     /// overshoots. `phase` is the angle at the first time.
     ///
@@ -146,6 +183,7 @@ impl Programme {
             p.phase.is_finite()
                 && match p.law {
                     Law::Cubic(c) => c.iter().all(|x| x.is_finite()),
+                    Law::Polynomial(c) => c.iter().all(|x| x.is_finite()),
                     Law::Exponential { speed, rate } => speed.is_finite() && rate.is_finite(),
                 }
         });
@@ -182,9 +220,13 @@ impl Programme {
 
     /// Largest speed up to the last knot.
     pub fn largest_speed(&self) -> f64 {
-        // every piece is monotone between its ends
         let first = self.pieces[0].at(self.pieces[0].origin).speed.abs();
-        self.knots().fold(first, |m, t| m.max(self.at(t).speed.abs()))
+        let ends = self.knots().fold(first, |m, t| m.max(self.at(t).speed.abs()));
+        // every other piece is monotone between its ends
+        let curved = self.pieces.windows(2).filter(|w| matches!(w[0].law, Law::Polynomial(_)));
+        curved
+            .flat_map(|w| (0..1000).map(|k| w[0].at(w[0].from + (w[1].from - w[0].from) * 1e-3 * f64::from(k)).speed.abs()))
+            .fold(ends, f64::max)
     }
 }
 
@@ -199,6 +241,7 @@ mod tests {
             Programme::ramp(400.0, 100.0, 2.0, Shape::Smooth, 0.3).unwrap(),
             Programme::ramp(400.0, 20.0, 1.5, Shape::Exponential, -1.0).unwrap(),
             Programme::table(&[0.0, 0.5, 1.0, 1.7, 2.0], &[0.0, 50.0, 60.0, 60.0, 10.0], 0.0).unwrap(),
+            Programme::polynomial(&[10.0, 40.0, -30.0, 5.0, 7.0, -1.0], 1.5, 0.2).unwrap(),
         ]
     }
 
@@ -242,6 +285,17 @@ mod tests {
     }
 
     #[test]
+    fn polynomial_has_its_coefficients() {
+        let p = Programme::polynomial(&[10.0, 0.0, -30.0, 40.0], 2.0, 0.5).unwrap();
+        let s = p.at(0.5);
+        assert!((s.speed - 7.5).abs() < 1e-14 && s.accel.abs() < 1e-13 && (s.phase - (0.5 + 5.0 - 1.25 + 0.625)).abs() < 1e-14);
+        assert_eq!((p.at(-1.0).speed, p.at(9.0).speed, p.largest_speed()), (10.0, 210.0, 210.0));
+        // largest between its ends
+        let hump = Programme::polynomial(&[0.0, 100.0, -50.0], 2.0, 0.0).unwrap();
+        assert!((hump.largest_speed() - 50.0).abs() < 1e-9);
+    }
+
+    #[test]
     fn table_passes_through_its_points_without_overshoot() {
         let (t, w) = ([0.0, 1.0, 2.0, 4.0], [0.0, 10.0, 10.0, 300.0]);
         let p = Programme::table(&t, &w, 0.0).unwrap();
@@ -263,6 +317,9 @@ mod tests {
         assert!(Programme::ramp(f64::NAN, 2.0, 1.0, Shape::Linear, 0.0).is_err());
         for (a, b) in [(1.0, 0.0), (0.0, 1.0), (0.0, 0.0), (-1.0, 1.0)] {
             assert!(Programme::ramp(a, b, 1.0, Shape::Exponential, 0.0).is_err());
+        }
+        for (c, t) in [(&[][..], 1.0), (&[1.0; 9][..], 1.0), (&[1.0][..], 0.0), (&[f64::NAN][..], 1.0)] {
+            assert!(Programme::polynomial(c, t, 0.0).is_err());
         }
         assert!(Programme::table(&[0.0, 0.0], &[1.0, 2.0], 0.0).is_err());
         assert!(Programme::table(&[0.0], &[1.0], 0.0).is_err());

@@ -1,10 +1,12 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
 pub mod backbone;
+mod balance;
 pub mod basins;
 pub mod bifurcation_loci;
 pub mod campbell;
 pub mod critical_speeds;
+mod drive;
 pub mod duty;
 pub mod forced_response;
 mod free_motion;

@@ -16,7 +16,9 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::DofKind;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
-use crate::solve::pencil::{Linearised, MachineMode, Whirl, modes_about, wants_polish};
+use crate::solve::characteristic::Characteristic;
+use crate::solve::exact::growing;
+use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
 use laval_num::complex::C64;
 use laval_num::dense::Mat;
 
@@ -158,7 +160,9 @@ impl Study for Modes {
                 "1/s",
             ));
         }
-        if wants_polish(system) {
+        if holds_fit(system) {
+            outcome = outcome.finding(counted(growing(&mut Characteristic::new(system, &about), &spectrum), &spectrum, any_unstable));
+        } else if wants_polish(system) {
             let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());
             let finding =
                 if spectrum.polished == modes.len() { Finding::info("polished", text) } else { Finding::warning("polished", text) };
@@ -180,6 +184,43 @@ impl Study for Modes {
         let figure = Figure::new("spectrum", "Natural modes", alt).x(Axis::new("frequency", "rad/s")).panel(panel);
         outcome.figure(figure).checked().map_err(inconsistent)
     }
+}
+
+/// Whether the growing roots found are all there are.
+fn counted(count: Option<usize>, spectrum: &Spectrum, unstable: bool) -> Finding {
+    let found = spectrum.modes.iter().filter(|m| m.value.re > 0.0).count();
+    let roots = |n: usize| match n {
+        0 => "no growing root".to_string(),
+        1 => "one growing root".to_string(),
+        n => format!("{n} growing roots"),
+    };
+    let finding = match count {
+        Some(n) if n == found => {
+            let (all, text) = (spectrum.modes.len(), roots(n));
+            Finding::info(
+                "all_roots",
+                format!(
+                    "The {all} modes are roots of the exact characteristic function, which has {text} by the argument principle: none is missed."
+                ),
+            )
+        }
+        Some(n) => Finding::warning(
+            "roots_missed",
+            format!(
+                "The exact characteristic function has {} by the argument principle, but {} was found: the machine is unstable.",
+                roots(n),
+                roots(found)
+            ),
+        ),
+        None => Finding::warning(
+            "roots_not_counted",
+            format!(
+                "The modes are roots of the exact characteristic function; whether others grow{} could not be counted.",
+                if unstable { " too" } else { "" }
+            ),
+        ),
+    };
+    finding.evidence("eigenvalues of the fit that are no roots", spectrum.left_out as f64, "")
 }
 
 /// Kinetic energy of the tilts over that of all coordinates; what couples a tilt to a displacement counts half for each.

@@ -9,6 +9,7 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapter 2; envelope against speed as in every text on passage through resonance.
 
+use super::balance;
 use super::history::{self, ABSOLUTE, Columns, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::passages::{envelope, passages};
 use super::spectra::{self, Spectra};
@@ -78,6 +79,12 @@ impl Study for RunUp {
             FieldKind::Columns(TABLE),
             "",
             "speeds at given times, joined smoothly, instead of from, to and duration",
+        ),
+        Field::optional(
+            "polynomial",
+            FieldKind::List { unit: "", bounds: Bounds::within(1e12) },
+            "",
+            "speed as a polynomial of the time during duration, instead of from and to: coefficients of 1, t, t^2 ... in rad/s, rad/s^2, rad/s^3 ...",
         ),
         Field::optional("hold", FieldKind::Quantity { unit: "s", bounds: Bounds::up_to(1e9) }, "0 s", "time at the last speed"),
         Field::optional("windows", FieldKind::Integer { min: 10, max: 100_000 }, "400", "pieces of equal time the envelope is taken over"),
@@ -184,7 +191,8 @@ impl Study for RunUp {
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;
         }
-        history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)
+        let outcome = history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)?;
+        balance::report(&mut motion, &flight, outcome)
     }
 }
 
@@ -196,8 +204,8 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
         if times.first() != Some(&0.0) {
             diagnostics.push(Diagnostic::error("run_up.programme", "the times must begin at 0").at(values.span_of("programme")));
         }
-        for given in ["from", "to", "duration"] {
-            if given != "from" && values.number(given).is_some() {
+        for given in ["to", "duration", "polynomial"] {
+            if values.get(given).is_some() {
                 diagnostics.push(
                     Diagnostic::error("run_up.programme", format!("both a programme and {given} are given"))
                         .at(values.span_of(given))
@@ -221,6 +229,22 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
         );
         return None;
     };
+    if let Some(coefficients) = values.list("polynomial") {
+        if values.number("to").is_some() {
+            diagnostics.push(
+                Diagnostic::error("run_up.programme", "both a polynomial and to are given")
+                    .at(values.span_of("to"))
+                    .help("say one or the other"),
+            );
+        }
+        return match Programme::polynomial(coefficients, duration, phase) {
+            Ok(p) => Some((p, duration)),
+            Err(e) => {
+                diagnostics.push(unusable("polynomial", e));
+                None
+            }
+        };
+    }
     let Some(to) = values.number("to").or(system.machine.speed) else {
         diagnostics.push(
             Diagnostic::error("study.speed", "neither the study nor the machine says which speed to reach")

@@ -8,6 +8,8 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapter 2 (transients by direct integration).
 
+use super::balance;
+use super::drive;
 use super::history::{self, ABSOLUTE, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
@@ -181,14 +183,20 @@ impl Study for Transient {
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;
         }
-        history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)
+        let (captured, point) = drive::findings(&motion, &flight);
+        outcome = captured.into_iter().fold(outcome, Outcome::finding);
+        outcome = point.into_iter().fold(outcome, Outcome::special_point);
+        let outcome = history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)?;
+        balance::report(&mut motion, &flight, outcome)
     }
 }
 
 impl Transient {
     fn findings(&self, motion: &Motion, flight: &Flight, start: &Start) -> Vec<Finding> {
         let system = motion.system();
-        let turn = std::f64::consts::TAU / self.speed.abs();
+        // a drive of its own starts slowly
+        let fastest = motion.spin(flight.run.t, &flight.state).speed.abs().max(self.speed.abs());
+        let turn = std::f64::consts::TAU / fastest;
         if let Some(finding) = history::unbounded(system, flight, turn) {
             return vec![finding];
         }

@@ -104,6 +104,7 @@ impl Sources {
             include_str!("../../../../examples/01-oil-separator/machine.toml").to_string(),
             include_str!("../../../../examples/02-rigid-rotor/machine.toml").to_string(),
             include_str!("../../../../examples/03-overhung-disc/machine.toml").to_string(),
+            include_str!("../../../../examples/04-ball-balancer/machine.toml").to_string(),
         ];
         files.extend(catalog.parts.iter().map(|k| format!("{BASE}{}", docs::example("part", k))));
         files.extend(catalog.studies.iter().map(|k| format!("{BASE}{}", docs::example("study", k))));

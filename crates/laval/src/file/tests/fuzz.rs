@@ -145,12 +145,13 @@ fn spec() -> impl Strategy<Value = Spec> {
     let parts: Vec<_> =
         c.parts.into_iter().enumerate().map(|(i, k)| block(k, if i == 0 { "drum".into() } else { format!("part {i}") })).collect();
     let studies: Vec<_> = c.studies.into_iter().enumerate().map(|(i, k)| block(k, format!("study-{i}"))).collect();
-    (any::<String>(), prop::option::of(number(Bounds::up_to(1e6))), any::<bool>(), parts, studies).prop_map(
-        |(name, speed, horizontal, parts, studies)| Spec {
+    (any::<String>(), prop::option::of(number(Bounds::up_to(1e6))), any::<bool>(), any::<bool>(), parts, studies).prop_map(
+        |(name, speed, horizontal, free, parts, studies)| Spec {
             machine: MachineBlock {
                 name,
                 speed,
                 axis: if horizontal { Axis::Horizontal } else { Axis::Vertical },
+                drive: if free { Drive::Free } else { Drive::Prescribed },
                 span: None,
                 speed_span: None,
             },

@@ -75,7 +75,9 @@ impl<P: Part> Bench<'_, P> {
         let mut random = Pseudo(23);
         let mut broken = Vec::new();
         for _ in 0..self.options.states {
-            let s = c(0.1 * random.next(), random.next()).scale(2.0 * self.options.speed);
+            // motions with a frequency, that grow or decay with up to a tenth of it: a fit of a branch cut is none close to the cut
+            let frequency = random.next();
+            let s = c(0.1 * frequency * random.next(), frequency).scale(2.0 * self.options.speed);
             let speed = self.options.speed * (0.6 + 0.4 * random.next());
             let here = z(s, speed);
             let size = largest(&here);

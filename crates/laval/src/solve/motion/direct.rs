@@ -113,7 +113,14 @@ impl Direct {
         let (n, rows) = (system.n(), self.accel.len());
         self.evaluate_at_rest(system, t, spin, y);
         if self.varying || !self.factored {
-            self.lu.factor(&self.mass).map_err(|s| singular(system, s.column, self.mass.data()))?;
+            if let Err(s) = self.lu.factor(&self.mass) {
+                if self.mass.data().iter().all(|x| x.is_finite()) {
+                    return Err(singular(system, s.column, self.mass.data()));
+                }
+                // a trial step that went too far: it is tried again smaller
+                self.accel.fill(f64::NAN);
+                return Ok(());
+            }
             self.factored = true;
         }
         for (a, f) in self.accel.iter_mut().zip(&self.force) {

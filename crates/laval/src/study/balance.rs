@@ -1,0 +1,127 @@
+//! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
+
+use super::history::{Columns, sound};
+use crate::diagnostic::Diagnostic;
+use crate::model::part::DofKind;
+use crate::model::system::{System, Workspace};
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity};
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::Flight;
+use crate::solve::unbalance::{Unbalance, unbalance};
+
+/// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
+const SETTLED: f64 = 0.05;
+
+/// Unbalance at the outputs of a flight.
+struct Series {
+    at: Vec<Unbalance>,
+    speed: Vec<f64>,
+}
+
+fn series(motion: &mut Motion, flight: &Flight) -> Option<Series> {
+    let system = motion.system();
+    let dim = flight.state.len().max(1);
+    let mut ws = Workspace::default();
+    let mut out = Series { at: Vec::new(), speed: Vec::new() };
+    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+        let seen = motion.with_point(t, y, |s, at| (!s.corrections(at, &mut ws).is_empty()).then(|| unbalance(system, at, &mut ws)));
+        out.at.push(seen.ok()??);
+        out.speed.push(motion.spin(t, y).speed);
+    }
+    (!out.at.is_empty()).then_some(out)
+}
+
+/// Appends the warnings of parts; for a machine with parts that balance by themselves the findings, a table and figures.
+///
+/// # Errors
+/// An outcome that does not hold together.
+pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let system = motion.system();
+    for (slot, text) in system.warnings() {
+        let name = &system.slots()[slot].name;
+        outcome = outcome.finding(Finding::warning("purpose", format!("\"{name}\": {text}.")).of(name));
+    }
+    if flight.left.is_some() {
+        return Ok(outcome);
+    }
+    let Some(series) = series(motion, flight) else { return Ok(outcome) };
+    for finding in findings(&series, flight) {
+        outcome = outcome.finding(finding);
+    }
+    let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
+    let mut c = Columns::default();
+    c.add("t", "s", "time", flight.times.clone());
+    c.add("unbalance", "kg m", "unbalance with the balls where they are", column(&|i| series.at[i].moment.abs()));
+    c.add("without", "kg m", "unbalance without the balls", column(&|i| series.at[i].without()));
+    c.add("capacity", "kg m", "the most the balls can cancel", column(&|i| series.at[i].capacity));
+    c.add(
+        "grade",
+        "m/s",
+        "spin speed times unbalance over mass (ISO 21940-11)",
+        column(&|i| series.at[i].grade(series.at[i].moment.abs(), series.speed[i])),
+    );
+    let line = |column: &str| Line::new("balance", "t", column).name(column);
+    let figure = Figure::new(
+        "balance",
+        "Unbalance",
+        "Unbalance with and without the balls, what they can cancel, and the balancing grade against time.",
+    )
+    .x(Axis::new("time", "s"))
+    .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
+    .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
+    outcome = outcome.table(c.table("balance", "Unbalance against time")?).figure(figure);
+    outcome = match angles(system) {
+        Some(figure) => outcome.figure(figure),
+        None => outcome,
+    };
+    sound(outcome.checked())
+}
+
+/// Unwrapped angles of what moves in the rotor, against time.
+fn angles(system: &System) -> Option<Figure> {
+    let inside: Vec<&str> =
+        system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad").map(|c| c.name.as_str()).collect();
+    let mut panel = Panel::new(Axis::new("angle", "rad"));
+    for name in &inside {
+        panel = panel.mark(Line::new("motion", "t", *name).name(*name));
+    }
+    let text = "Angles inside the rotor against time, turns counted: balls from the node line, tilts of free rings.";
+    (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
+}
+
+fn findings(series: &Series, flight: &Flight) -> Vec<Finding> {
+    let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
+    let (left, without) = (last.moment.abs(), last.without());
+    let mut out = Vec::new();
+    let harm = left > without;
+    let text =
+        if harm { "At the end the balls make the unbalance larger: it is {}." } else { "At the end the balls leave an unbalance of {}." };
+    let make = if harm { Finding::warning } else { Finding::info };
+    out.push(
+        make("residual_unbalance", text)
+            .value(left, "kg m")
+            .evidence("without the balls", without, "kg m")
+            .evidence("grade number (ISO 21940-11)", last.grade(left, speed), "m/s")
+            .evidence("grade number without the balls", last.grade(without, speed), "m/s"),
+    );
+    if !(last.capacity >= without) {
+        let text = format!("The balls can cancel {{}} at most, less than the unbalance of {}.", quantity(without, "kg m"));
+        out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
+    }
+    let away = |u: &Unbalance| !((u.moment.abs() - left).abs() <= SETTLED * without);
+    let count = series.at.len();
+    match series.at.iter().rposition(away) {
+        // settled for a fifth of the time at least
+        Some(i) if i + count / 5 < count => {
+            let text = "The unbalance settles at its last value after {}.";
+            out.push(Finding::info("time_to_balance", text).value(flight.times[i + 1], "s").evidence(
+                "within this share of the unbalance without balls",
+                SETTLED,
+                "",
+            ));
+        }
+        None => {}
+        Some(_) => out.push(Finding::info("balance_unsettled", "The balls are still moving at the end: the unbalance has not settled.")),
+    }
+    out
+}
