@@ -293,8 +293,7 @@ fn tilting(balancer: BallBalancer, ring: BalancerBallParams, tilt_stiffness: f64
 #[test]
 fn a_stiff_tilt_is_the_plane() {
     let ring = BalancerBallParams { drag: 1e-3, eccentricity_phase: 0.3, ..source().ring };
-    let planar =
-        Case { disc: DiscParams { eccentricity: 5e-4, ..source().disc }, stiffness: 2e6, damping: 40.0, ring, ..source() }.build();
+    let planar = Case { disc: DiscParams { eccentricity: 5e-4, ..source().disc }, stiffness: 2e6, damping: 40.0, ring, ..source() }.build();
     let times: Vec<f64> = (0..=20).map(|i| 1e-3 * f64::from(i)).collect();
     let still = Programme::constant(250.0, 0.0);
     let flat = follow(&planar, still.clone(), &[0.0, 0.0, 0.4, -1.1, 0.0, 0.0, 0.0, 0.0], &times, 1e-9);
@@ -304,7 +303,8 @@ fn a_stiff_tilt_is_the_plane() {
         let space = follow(&spatial, still.clone(), &start, &times, 1e-9);
         let pairs = flat.iter().zip(&space);
         // lengths over a millimetre
-        let one = |(a, b): (&Vec<f64>, &Vec<f64>)| [(0, 0, 1e3), (1, 1, 1e3), (2, 4, 1.0), (3, 5, 1.0)].map(|(i, j, s)| s * (a[i] - b[j]).abs());
+        let one =
+            |(a, b): (&Vec<f64>, &Vec<f64>)| [(0, 0, 1e3), (1, 1, 1e3), (2, 4, 1.0), (3, 5, 1.0)].map(|(i, j, s)| s * (a[i] - b[j]).abs());
         pairs.flat_map(one).fold(0.0, |m: f64, x| if x <= m { m } else { x })
     };
     let (stiff, softer) = (apart(1e9), apart(1e8));
