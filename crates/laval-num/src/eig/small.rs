@@ -31,7 +31,8 @@ fn hessenberg(h: &mut [f64], n: usize) {
         let tau = (beta - alpha) / beta;
         let inv = 1.0 / (alpha - beta);
         for i in k + 2..n {
-            h[i * n + k] *= inv;
+            // the inverse of a subnormal number is not finite
+            h[i * n + k] = if inv.is_finite() { h[i * n + k] * inv } else { h[i * n + k] / (alpha - beta) };
         }
         h[(k + 1) * n + k] = 1.0;
         for i in 0..n {

@@ -25,18 +25,26 @@ impl Spectrum {
         self.work.copy_from(a);
         balance(&mut self.work);
         let n = a.rows();
-        let done = n <= SMALL && small::eigenvalues(self.work.data_mut(), n, &mut self.values).is_ok();
+        let done = n <= SMALL && small::eigenvalues(self.work.data_mut(), n, &mut self.values).is_ok() && all_finite(&self.values);
         if !done {
             self.work.copy_from(a);
             balance(&mut self.work);
             self.values = f64::values(&self.work)?;
+        }
+        if !all_finite(&self.values) {
+            return Err(EigError::NoConvergence);
         }
         sort_pairs(&mut self.values);
         Ok(&self.values)
     }
 }
 
-/// Sorts eigenvalues of a real matrix and keeps each conjugate pair together when several share frequency and growth.
+/// Entries of extreme size can overflow on the way.
+fn all_finite(values: &[C64]) -> bool {
+    values.iter().all(|z| z.re.is_finite() && z.im.is_finite())
+}
+
+/// Sorts eigenvalues of a real matrix, all finite, and keeps each conjugate pair together when several share frequency and growth.
 fn sort_pairs(values: &mut [C64]) {
     values.sort_unstable_by(order);
     let mut i = 0;
@@ -65,6 +73,9 @@ pub fn eigenvalues<T: Number>(a: &Mat<T>) -> Result<Vec<C64>, EigError> {
     let mut b = a.clone();
     balance(&mut b);
     let mut values = T::values(&b)?;
+    if !all_finite(&values) {
+        return Err(EigError::NoConvergence);
+    }
     values.sort_by(order);
     Ok(values)
 }
@@ -79,6 +90,9 @@ pub fn modes<T: Number>(a: &Mat<T>) -> Result<Vec<Mode>, EigError> {
     let mut b = a.clone();
     let d = balance(&mut b);
     let raw = T::evd(&b)?;
+    if !all_finite(&raw.alpha) {
+        return Err(EigError::NoConvergence);
+    }
     let size = frobenius(&b);
     let mut out = Vec::with_capacity(raw.alpha.len());
     for ((value, mut right), mut left) in raw.alpha.into_iter().zip(raw.right).zip(raw.left) {

@@ -474,3 +474,38 @@ fn derivative_of_a_standard_eigenvalue() {
         assert!((numeric - derivative(m, &da)).abs() < 1e-8);
     }
 }
+
+/// Entries next to the smallest number, as of a body that hardly anything holds beside very stiff ones: the iteration ends, and gives no value that is not a number.
+#[test]
+fn entries_of_extreme_size_come_to_an_end() {
+    let (m, base) = (5.798_678_748_387_765, 1.985_589_735_334_183);
+    let mut a = Mat::zeros(8, 8);
+    for i in 0..4 {
+        a[(i, 4 + i)] = 1.0;
+    }
+    for (i, j, x) in [(4, 0, -1e15), (5, 0, -1e15), (5, 1, -1e-100), (4, 5, -1e6), (5, 4, -1e12), (5, 5, -16.8)] {
+        a[(i, j)] = x / m;
+    }
+    (a[(6, 2)], a[(7, 3)]) = (-1e-308 / base, -1e-308 / base);
+    let mut r = Rng(11);
+    let mut s = Spectrum::default();
+    let mut found = 0;
+    for k in 0..2000 {
+        // the same in any order of its states, and random matrices as wide
+        let mut order: Vec<usize> = (0..8).collect();
+        (1..8).rev().for_each(|i| order.swap(i, ((r.next() + 0.5) * (i + 1) as f64) as usize));
+        let a = if k % 2 == 0 {
+            Mat::from_fn(8, 8, |i, j| a[(order[i], order[j])])
+        } else {
+            Mat::from_fn(8, 8, |_, _| if r.next() < 0.2 { 0.0 } else { r.next() * 10f64.powf(616.0 * r.next()) })
+        };
+        if let Ok(values) = s.of(&a) {
+            assert!(values.iter().all(|z| z.re.is_finite() && z.im.is_finite()), "{a:?}");
+            found += 1;
+        }
+        if let Ok(modes) = modes(&a) {
+            assert!(modes.iter().all(|m| m.value.re.is_finite() && m.value.im.is_finite()), "{a:?}");
+        }
+    }
+    assert!(found > 1000, "{found}");
+}
