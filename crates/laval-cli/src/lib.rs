@@ -29,7 +29,7 @@ pub const STOPPED: u8 = 130;
 
 /// Dynamics of rotating machines, from a text file to a report.
 #[derive(Parser)]
-#[command(name = "laval", version, disable_help_subcommand = true, arg_required_else_help = true, after_help = AFTER)]
+#[command(name = "laval", version, arg_required_else_help = true, after_help = AFTER)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

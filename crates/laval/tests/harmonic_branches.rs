@@ -4,7 +4,12 @@ mod common;
 
 use common::base::{Base, defect, request, run};
 use common::{number, rows};
+use laval::model::builder::Builder;
+use laval::model::field::Attach;
+use laval::model::params::Family as _;
+use laval::model::part::Link;
 use laval::model::system::System;
+use laval::parts::{bearing_cubic::*, damper::*, disc::*};
 use laval::solve::harmonic::bifurcation::Event;
 use laval::solve::harmonic::branch::{Origin, Traced};
 use laval::solve::harmonic::floquet::Stability;
@@ -12,6 +17,7 @@ use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response::{Request, Response, States};
 use laval::solve::harmonic::seeds::Motion;
+use laval::solve::harmonic::unclosed::{Beyond, Unclosed};
 use laval::solve::symmetry::Symmetry;
 use laval_num::complex::C64;
 use laval_num::continuation::End;
@@ -152,15 +158,45 @@ fn whether_a_branch_closes() {
             let (t, kap) = (25.0 / (25.0 + m), if isotropic { 1.0 } else { 0.75 });
             let mu = m * 25.0 / (m + 25.0);
             let want = (chi * t * t + 6.59 * (m / (25.0 + m)).powi(2)) / (t * 2.4 * 1e-3 * (kap * 8.7e10f64 / mu).sqrt());
-            assert!((u.limit - want).abs() < 3e-5 * want && u.limit < 1.0, "{base:?}: {u:?} {want}");
+            let Beyond::Tends(limit) = u.beyond else { panic!("{base:?}: {u:?}") };
+            assert!((limit - want).abs() < 1e-7 * want && limit < 1.0, "{base:?}: {u:?} {want}");
             assert!((u.rise - 1.0).abs() < 0.01 && u.amplitude > 10.0 * u.low_amplitude);
         }
         // above the critical damping, where the fold lies beyond the range
         let base = Base { isotropic, fill, chi: 1.01 * critical, ..Base::default() };
         let r = run(base.builder(), Request { harmonics: Some(1), stability: false, ..request(500.0, 12_000.0) });
-        assert!(r.unclosed.is_some_and(|u| u.limit > 1.0 && u.share < 1.0), "{base:?}");
+        let Some(Unclosed { beyond: Beyond::Closes(at), share, .. }) = r.unclosed else { panic!("{base:?}: {:?}", r.unclosed) };
+        let whole = run(base.builder(), Request { harmonics: Some(1), stability: false, ..request(500.0, 1.2 * at) });
+        let last = whole.branches[0].folds.iter().find(|f| f.upper).unwrap_or_else(|| panic!("{base:?}"));
+        assert!(share < 1.0 && at > 12_000.0 && (at / last.speed - 1.0).abs() < 1e-9, "{base:?} {at} {last:?}");
         let closed = Base { chi: 600.0, ..base };
         assert!(run(closed.builder(), Request { harmonics: Some(1), stability: false, ..request(500.0, 60_000.0) }).unclosed.is_none());
+    }
+}
+
+/// A rotor on an isotropic spring whose range ends not far above its resonance: the share of the power tends to `c sqrt(m/k3)/(m e)` with 1/speed.
+#[test]
+fn a_short_range_does_not_mislead_about_closing() {
+    let (m, e, k, k3) = (10.0f64, 2e-5, 1e6, 2e13f64);
+    for c in [200.0, 240.0, 280.0, 290.0] {
+        let link = || Link::Between(Attach::on("rotor"), Attach::ground());
+        let disc = DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() };
+        let law = BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 };
+        let built = Builder::new("jeffcott")
+            .part("rotor", Disc::planar(), disc)
+            .part("bearing", BearingCubic::isotropic(link()), law)
+            .part("loss", Damper::fixed(link()), DamperParams { damping: [c; 2] });
+        let r = run(built, request(100.0, 900.0));
+        let want = c * (m / k3).sqrt() / (m * e);
+        match r.unclosed.unwrap_or_else(|| panic!("{c}")).beyond {
+            Beyond::Tends(limit) => assert!(want < 1.0 && (limit - want).abs() < 1e-6, "{c} {limit} {want}"),
+            Beyond::Closes(at) => {
+                // on the ridge of the resonance: c w a = m e w^2 with k + k3 a^2 = m w^2
+                let ridge = (k / m / (1.0 - 1.0 / (want * want))).sqrt();
+                assert!(want > 1.0 && (at / ridge - 1.0).abs() < 0.01, "{c} {at} {ridge}");
+            }
+            Beyond::Lost(at) => panic!("{c} {at}"),
+        }
     }
 }
 

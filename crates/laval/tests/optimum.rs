@@ -32,7 +32,7 @@ fn vary(system: &System, path: &str, from: f64, to: f64) -> Vary {
 }
 
 fn least(name: &str) -> Aim {
-    Aim { name: name.into(), large: false }
+    Aim { name: name.into(), large: false, span: None }
 }
 
 #[track_caller]
@@ -184,12 +184,15 @@ fn bounds_and_limits_bind() {
         let m = 0.5 * (a + b);
         if force(m) < 120.0 { a = m } else { b = m }
     }
-    let o = run(&study(vec![Limit { name: "largest_force air".into(), value: 120.0, unit: Some("N".into()), upper: true }]), &system);
+    let o = run(
+        &study(vec![Limit { name: "largest_force air".into(), value: 120.0, unit: Some("N".into()), upper: true, span: None }]),
+        &system,
+    );
     near(said(&o, "recommended", "air.damping").value.unwrap(), a, 1e-5);
     let l = said(&o, "limit_reached", "largest_force air");
     assert!(l.value.unwrap() <= 120.0 * (1.0 + 1e-9), "{l:?}");
     // a limit that no machine keeps
-    let o = run(&study(vec![Limit { name: "largest_force air".into(), value: 1e-3, unit: None, upper: true }]), &system);
+    let o = run(&study(vec![Limit { name: "largest_force air".into(), value: 1e-3, unit: None, upper: true, span: None }]), &system);
     assert!(o.findings.iter().any(|f| f.id == "no_optimum") && o.findings.iter().all(|f| f.id != "recommended"), "{:?}", o.findings);
 }
 
@@ -229,7 +232,7 @@ fn refusals_say_what_to_do() {
     };
     let d = study("largest_displacment", vec![]).run(&system, &Context::quiet("o")).err().unwrap();
     assert!(d.code == "optimum.number" && d.help.as_deref().is_some_and(|h| h.contains("did you mean \"largest_displacement\"?")), "{d:?}");
-    let limit = Limit { name: "largest_force air".into(), value: 1.0, unit: Some("m".into()), upper: true };
+    let limit = Limit { name: "largest_force air".into(), value: 1.0, unit: Some("m".into()), upper: true, span: None };
     let d = study("largest_displacement", vec![limit]).run(&system, &Context::quiet("o")).err().unwrap();
     assert!(d.code == "optimum.unit", "{d:?}");
 }

@@ -51,6 +51,7 @@ impl<'a> Node<'a> {
             Data::Integer(_) | Data::Float(_) => "a number",
             Data::Flag(_) => "true or false",
             Data::Other(what) => what,
+            Data::List(list) if list.is_empty() => "an empty list",
             Data::List(_) => "a list",
             Data::Table(_) => "a table",
         }

@@ -277,6 +277,10 @@ impl Values {
     pub fn span_of(&self, name: &str) -> Option<Span> {
         self.map.get(name).and_then(|(_, s)| s.clone()).or_else(|| self.span.clone())
     }
+    /// The file says this field: it does not stand by default.
+    pub fn written(&self, name: &str) -> bool {
+        self.map.get(name).is_some_and(|(_, span)| span.is_some())
+    }
     /// Sets the units in which the entries of a [`FieldKind::StateMap`] were given.
     pub fn set_units(&mut self, name: &str, units: Vec<Option<String>>) {
         self.units.insert(name.to_string(), units);

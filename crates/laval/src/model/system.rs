@@ -399,7 +399,8 @@ impl System {
         let help = if near.is_empty() {
             format!("parts of this machine: {}", self.slots.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", "))
         } else {
-            format!("parameters of \"{part}\": {}", near.join(", "))
+            let other = "what a file says in another form, as a fill by its volume, is varied by the parameter it stands for";
+            format!("parameters of \"{part}\": {} ({other})", near.join(", "))
         };
         Diagnostic::error("parameter.unknown", format!("there is no parameter \"{path}\"")).about(path).help(help)
     }

@@ -51,12 +51,14 @@ pub struct Axis {
     pub factor: f64,
     /// Range to show, in the unit of the axis; from the data when absent.
     pub range: Option<(f64, f64)>,
+    /// Without numbers: places along it only have names.
+    pub bare: bool,
 }
 
 impl Axis {
     /// A linear axis.
     pub fn new(label: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, factor: 1.0, range: None }
+        Axis { label: label.into(), unit: unit.into(), scale: Scale::Linear, factor: 1.0, range: None, bare: false }
     }
 
     /// A logarithmic axis.
@@ -74,6 +76,12 @@ impl Axis {
     pub fn metres(self, most: f64) -> Self {
         let (unit, factor) = if most >= 1e-3 { ("mm", 1e3) } else { ("µm", 1e6) };
         Axis { unit: unit.into(), factor, ..self }
+    }
+
+    /// Without numbers.
+    pub fn bare(mut self) -> Self {
+        self.bare = true;
+        self
     }
 
     /// Shows this range (in the unit of the axis) whatever the data.

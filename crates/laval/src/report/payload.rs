@@ -57,7 +57,7 @@ pub(super) fn payload(scene: &Scene, column: f64) -> String {
 }
 
 fn axis(a: &AxisView) -> Value {
-    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": a.label, "u": unit_text(&a.unit) })
+    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": a.label, "u": unit_text(&a.unit), "bare": a.bare })
 }
 
 fn heat(h: &HeatView) -> Value {

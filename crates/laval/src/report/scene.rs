@@ -506,7 +506,7 @@ fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
         let d = if lo == 0.0 { 1.0 } else { 0.1 * lo.abs() };
         (lo, hi) = (lo - d, hi + d);
     }
-    AxisView::new(&axis.label, &axis.unit, log, lo, hi)
+    AxisView { bare: axis.bare, ..AxisView::new(&axis.label, &axis.unit, log, lo, hi) }
 }
 
 #[cfg(test)]

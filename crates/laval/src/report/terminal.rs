@@ -1,7 +1,7 @@
 //! Findings as a few calm lines for the terminal.
 
 use super::Report;
-use crate::outcome::{Level, Outcome, quantity};
+use crate::outcome::{Level, Outcome, quantity, significant};
 
 /// How to write for the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,10 @@ fn study(o: &Outcome, how: Terminal) -> String {
         let mut text = plain(&f.sentence());
         let first = f.evidence.first().map(|e| format!(" ({} {})", plain(&e.what), quantity(e.value, &e.unit)));
         // evidence only where it is not said already and does not push the finding beyond two lines
-        let said = f.evidence.first().is_some_and(|e| text.contains(&quantity(e.value, &e.unit)));
+        let said = f.evidence.first().is_some_and(|e| {
+            let rounded = |digits| format!("{} {}", significant(e.value, digits), e.unit);
+            text.contains(&quantity(e.value, &e.unit)) || (5..=8).any(|digits| text.contains(&rounded(digits)))
+        });
         if let Some(e) = first.filter(|e| !said && text.chars().count() + e.chars().count() < 2 * how.width.saturating_sub(8)) {
             match text.strip_suffix('.') {
                 Some(open) => text = format!("{open}{e}."),
@@ -143,8 +146,8 @@ mod tests {
     #[test]
     fn evidence_that_the_sentence_says_is_not_said_twice() {
         let o = Outcome::new("k", "n")
-            .finding(Finding::info("p", "The peak is {}, at 512 rad/s.").value(8.8e-4, "m").evidence("speed", 512.0, "rad/s"));
-        assert_eq!(print(o, Terminal::default()), "n\n  The peak is 880 µm, at 512 rad/s.\n");
+            .finding(Finding::info("p", "The peak is {}, at 512.473 rad/s.").value(8.8e-4, "m").evidence("speed", 512.4731, "rad/s"));
+        assert_eq!(print(o, Terminal::default()), "n\n  The peak is 880 µm, at 512.473 rad/s.\n");
     }
 
     #[test]

@@ -22,6 +22,8 @@ pub(super) struct AxisView {
     pub hi: f64,
     /// Power of ten taken out of the tick labels and written once in the title.
     pub exponent: i32,
+    /// Without numbers.
+    pub bare: bool,
 }
 
 impl AxisView {
@@ -35,7 +37,7 @@ impl AxisView {
         };
         let size = lo.abs().max(hi.abs());
         let exponent = if !log && size > 0.0 && !(1e-3..1e5).contains(&size) { (size.log10() / 3.0).floor() as i32 * 3 } else { 0 };
-        AxisView { label: label.into(), unit: unit.into(), log, lo, hi, exponent }
+        AxisView { label: label.into(), unit: unit.into(), log, lo, hi, exponent, bare: false }
     }
 
     /// Place of a value between the ends: 0 at `lo`, 1 at `hi`; NaN for a value that the axis cannot show.
@@ -65,6 +67,9 @@ impl AxisView {
 
     /// At most about `most` labelled ticks.
     pub fn ticks(&self, most: usize) -> Ticks {
+        if self.bare {
+            return Ticks { major: Vec::new(), minor: Vec::new() };
+        }
         if self.log { log(self.lo, self.hi, most) } else { linear(self.lo, self.hi, most, self.exponent) }
     }
 }

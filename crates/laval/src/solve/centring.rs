@@ -46,6 +46,7 @@ pub fn limit(system: &System, top: f64) -> Option<Limit> {
             orders: vec![1],
             coordinates: vec![far.x[..n].to_vec()],
             states: vec![vec![laval_num::complex::C64::zero(); system.m()]],
+            ..Orbit::default()
         },
         change,
     })

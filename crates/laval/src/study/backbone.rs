@@ -22,6 +22,7 @@ use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
 use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
+use laval_num::continuation::End;
 
 /// See the [module](self).
 pub struct Backbone {
@@ -33,6 +34,20 @@ impl Backbone {
     pub fn new(request: Request) -> Self {
         Backbone { request }
     }
+}
+
+/// A whirl whose frequency falls below this share of its first one has no restoring force left.
+const VANISHED: f64 = 0.05;
+
+/// Where a frequency turns back before its last value, by more than this share, that is said.
+const TURNS: f64 = 1e-3;
+
+/// The motion at which the frequency is farthest from that at both ends of a family, where it is not monotonic.
+fn turning(motions: &[Motion]) -> Option<&Motion> {
+    let (first, last) = (motions.first()?.frequency.abs(), motions.last()?.frequency.abs());
+    let (low, high) = (first.min(last), first.max(last));
+    let outside = |m: &Motion| (low - m.frequency.abs()).max(m.frequency.abs() - high) / high;
+    motions.iter().max_by(|a, b| outside(a).total_cmp(&outside(b))).filter(|m| outside(m) > TURNS)
 }
 
 /// Drive over frequency that is rounding: the machine is undamped.
@@ -193,9 +208,13 @@ impl Shown<'_> {
         let turns = if self.directed() { if first.frequency < 0.0 { " backward" } else { " forward" } } else { "" };
         let six = |w: f64| format!("{} rad/s", significant(w, 6));
         let word = if last.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
+        let turning = turning(&f.motions).map_or_else(String::new, |m| {
+            let before = if m.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
+            format!(" It first {before}, to {} at {}.", six(m.frequency), quantity(m.amplitude, "m"))
+        });
         let text = match f.origin {
             Origin::Mode(_) => format!(
-                "The{turns} whirl of {{}} {word} with its amplitude: {} at {}, {} at {}.",
+                "The{turns} whirl of {{}} {word} with its amplitude: {} at {}, {} at {}.{turning}",
                 six(first.frequency),
                 quantity(first.amplitude, "m"),
                 six(last.frequency),
@@ -233,7 +252,17 @@ impl Shown<'_> {
                 .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
             );
         }
-        if let Some(why) = unfinished(&f.end) {
+        if last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
+            let text = format!(
+                "Beyond an amplitude of {{}} the whirl of {} has no restoring force left: its frequency falls to zero.",
+                quantity(first.frequency, "rad/s")
+            );
+            out.push(Finding::warning("whirl_ends", text).of(&name).value(last.amplitude, "m").evidence(
+                "frequency",
+                last.frequency,
+                "rad/s",
+            ));
+        } else if let Some(why) = unfinished(&f.end) {
             let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(first.frequency, "rad/s"));
             out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
         }

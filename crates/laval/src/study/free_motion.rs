@@ -198,7 +198,7 @@ pub(super) fn unfinished(end: &End) -> Option<&'static str> {
         End::Reached | End::Closed => None,
         End::StepTooSmall { why: Refusal::Parameter, .. } => Some("it grows without limit there"),
         End::StepTooSmall { .. } => Some("the equations could not be solved beyond it: keep more harmonics"),
-        End::NewtonFailed { .. } => Some("its start did not converge"),
+        End::NewtonFailed { .. } => Some("no motion of this size was found near the first estimate"),
         End::MaxPoints => Some("the largest number of points was used up"),
         End::Cancelled => Some("stopped on request"),
     }

@@ -35,6 +35,9 @@ struct FoldBy {
     deviation: f64,
 }
 
+/// Relative deviation that is rounding.
+const EXACT: f64 = 1e-12;
+
 impl Study for Methods {
     const KIND: &'static str = "methods";
     const DOC: &'static str = "Approximate methods beside the converged motion under unbalance, at some speeds and for every state there: harmonic balance \
@@ -205,11 +208,12 @@ impl Methods {
             let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
             let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
             if let Some(v) = worst {
-                let text = format!(
-                    "By {method}, peaks are off by {{}} at most, at {} rad/s (state {}).{absent}",
-                    significant(v.speed, 5),
-                    v.state + 1
-                );
+                let text = if v.deviation <= EXACT {
+                    format!("By {method}, peaks are exact: off by {{}} at most.{absent}")
+                } else {
+                    let (speed, state) = (significant(v.speed, 5), v.state + 1);
+                    format!("By {method}, peaks are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
+                };
                 out.push(
                     Finding::info("deviation", text)
                         .of(method.to_string())

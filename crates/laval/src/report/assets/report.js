@@ -40,6 +40,7 @@ function step(span, most) {
 
 // Labelled ticks of an axis between two values.
 function ticks(ax, lo, hi, most) {
+  if (ax.bare) return [];
   if (ax.log && hi / lo > 8) {
     const all = [];
     for (let d = Math.floor(Math.log10(lo)); d <= Math.ceil(Math.log10(hi)); d++)

@@ -262,6 +262,7 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
     let period = TAU * divisor as f64 / orbit.speed.abs();
     let start = period * (PERIODS - 1) as f64;
     let bodies: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
+    let places: Vec<f64> = bodies.iter().map(|&x| orbit.rest_of(x)[0]).collect();
     let mut seen = vec![0.0f64; bodies.len()];
     let absolute = 1e-12 * y[..n].iter().fold(1e-12, |m: f64, x| m.max(x.abs()));
     let outputs: Vec<f64> = (0..=16 * INSTANTS).map(|j| start + period * j as f64 / (16 * INSTANTS) as f64).collect();
@@ -271,15 +272,15 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
         max_steps: STEPS * PERIODS as u64,
         ..Control::new(Tolerance::All(1e-11), Tolerance::All(absolute))
     };
-    struct Seen<'s>(&'s [usize], &'s mut Vec<f64>);
+    struct Seen<'s>(&'s [usize], &'s [f64], &'s mut Vec<f64>);
     impl laval_num::ode::Observer for Seen<'_> {
         fn output(&mut self, _: usize, _: f64, y: &[f64]) {
-            for (s, &x) in self.1.iter_mut().zip(self.0) {
-                *s = s.max(y[x].abs());
+            for ((s, &x), rest) in self.2.iter_mut().zip(self.0).zip(self.1) {
+                *s = s.max((y[x] - rest).abs());
             }
         }
     }
-    let run = integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, end, &control, &mut Seen(&bodies, &mut seen));
+    let run = integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, end, &control, &mut Seen(&bodies, &places, &mut seen));
     match run.end {
         End::Reached => Ok(seen),
         End::WorkLimit { .. } => {

@@ -23,6 +23,7 @@ pub mod pace;
 pub mod path;
 pub mod peak;
 pub mod problem;
+mod raise;
 pub mod response;
 pub mod seeds;
 pub mod sensitivity;

@@ -18,6 +18,8 @@ pub struct Orbit {
     pub coordinates: Vec<Vec<C64>>,
     /// Amplitudes of internal states.
     pub states: Vec<Vec<C64>>,
+    /// Coordinates of the machine at rest, where they are not all zero: displacements count from there.
+    pub rest: Vec<f64>,
 }
 
 impl Orbit {
@@ -47,6 +49,7 @@ impl Orbit {
             orbit.coordinates.push(motion.clone());
             orbit.states.push(states);
         }
+        orbit.rest = balance.rest(speed).to_vec();
         Ok(orbit)
     }
 
@@ -70,9 +73,15 @@ impl Orbit {
         }
     }
 
-    /// The pair that starts at coordinate `x`, with its first and second derivative in the base phase, at base phase `tau`.
+    /// Place of rest of the pair that starts at coordinate `x`.
+    pub fn rest_of(&self, x: usize) -> [f64; 2] {
+        [x, x + 1].map(|i| self.rest.get(i).copied().unwrap_or(0.0))
+    }
+
+    /// The pair that starts at coordinate `x`, from its place of rest, with its first and second derivative in the base phase, at base phase `tau`.
     pub fn pair_at(&self, x: usize, tau: f64) -> [[f64; 2]; 3] {
         let mut out = [[0.0; 2]; 3];
+        out[0] = self.rest_of(x).map(|r| -r);
         for (&k, amplitudes) in self.orders.iter().zip(&self.coordinates) {
             let turn = C64::cis(k as f64 * tau);
             for (j, &amplitude) in amplitudes[x..].iter().take(2).enumerate() {
@@ -97,14 +106,15 @@ impl Orbit {
         }
     }
 
-    /// Largest distance from the axis of the pair that starts at coordinate `x`, over `samples` instants of the period.
+    /// Largest distance from rest of the pair that starts at coordinate `x`, over `samples` instants of the period.
     pub fn largest_radius(&self, system: &System, x: usize, samples: usize) -> f64 {
         let (n, m) = (system.n(), system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let mut largest = 0.0f64;
         for j in 0..samples {
             self.at(std::f64::consts::TAU * j as f64 / samples as f64, &mut q, &mut v, &mut a, &mut z);
-            let r = q[x].hypot(q[x + 1]);
+            let [x0, y0] = self.rest_of(x);
+            let r = (q[x] - x0).hypot(q[x + 1] - y0);
             if !(r <= largest) {
                 largest = r;
             }

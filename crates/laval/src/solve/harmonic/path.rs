@@ -95,7 +95,7 @@ fn leg<P: Zero>(
         End::NewtonFailed { cause: Cause::Undefined(why), .. } => PathEnd::Stuck(why),
         End::NewtonFailed { .. } => PathEnd::Stuck("its start did not converge"),
         End::StepTooSmall { why: Refusal::Corrector(Cause::Undefined(why)), .. } => PathEnd::Stuck(why),
-        End::StepTooSmall { .. } => PathEnd::Stuck("no further point was found"),
+        End::StepTooSmall { .. } => PathEnd::Stuck("no further point was found, as where it meets another locus"),
     };
     branch.specials.retain(|s| s.kind == Kind::Fold);
     Ok(Leg { points: branch.points, specials: branch.specials, end })

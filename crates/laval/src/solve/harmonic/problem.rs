@@ -15,8 +15,9 @@ use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, DofKind};
-use crate::model::system::{Slot, System};
+use crate::model::system::{Axis, Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::solve::rest::rest;
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero, resonance_cap};
@@ -149,7 +150,7 @@ pub struct Balance<'a> {
     by: Option<Parameter>,
     pub(super) linear: Mat,
     pub(super) linear_speed: Mat,
-    load: Vec<f64>,
+    pub(super) load: Vec<f64>,
     pub(super) load_speed: Vec<f64>,
     scale: Vec<f64>,
     speed_scale: f64,
@@ -160,6 +161,8 @@ pub struct Balance<'a> {
     pub(super) amplitudes: Vec<C64>,
     pub(super) forces: Vec<C64>,
     coefficients: Vec<f64>,
+    /// Coordinates of the machine at rest, and the speed they are for.
+    rest: (f64, Vec<f64>),
     /// Evaluations of the residual so far.
     pub evaluations: u64,
 }
@@ -229,6 +232,7 @@ impl<'a> Balance<'a> {
             amplitudes: vec![C64::zero(); m],
             forces: vec![C64::zero(); m],
             coefficients: vec![0.0; unknowns],
+            rest: (f64::NAN, Vec::new()),
             evaluations: 0,
             system,
             nonlinear,
@@ -336,6 +340,14 @@ impl<'a> Balance<'a> {
         let slope = self.linear_speed.clone();
         (self.free, self.pace) = (free, None);
         done.then_some(slope)
+    }
+
+    /// Coordinates at rest at a speed, from which displacements count; none for a machine whose weight acts along its axis, where all are zero, or that has no rest.
+    pub fn rest(&mut self, speed: f64) -> &[f64] {
+        if self.system.machine.axis == Axis::Horizontal && self.rest.0 != speed {
+            self.rest = (speed, rest(self.system, speed).map_or_else(|_| Vec::new(), |e| e.q));
+        }
+        &self.rest.1
     }
 
     /// Unknowns of the linear machine in which `part` of the reference stiffness stands for the nonlinear parts, at a speed.

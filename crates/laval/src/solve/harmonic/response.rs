@@ -6,6 +6,7 @@ use super::families;
 use super::floquet::Unjudged;
 use super::orbit::Orbit;
 use super::problem::{Balance, Discretisation, Nonlinear};
+use super::raise::raised;
 use super::terms::{Terms, admitted};
 use super::unclosed::{Unclosed, unclosed};
 use crate::diagnostic::Diagnostic;
@@ -94,6 +95,8 @@ pub struct Response {
     pub discretisation: Discretisation,
     /// Families of states were left unfollowed: there are more than the search follows.
     pub more_families: bool,
+    /// Ends of the range at which no motion was found, rad/s: no branch begins there.
+    pub unstarted: Vec<f64>,
     /// A branch that does not close in the range.
     pub unclosed: Option<Unclosed>,
     /// Stability of some states by two other methods.
@@ -191,7 +194,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             if request.states == States::All && complete {
                 families::extend(system, request, &mut response, cancel, tick)?;
             }
-            response.unclosed = unclosed(system, &response, request);
+            response.unclosed = unclosed(system, &response, request, cancel);
             if request.check_stability && request.stability && response.unjudged.is_none() {
                 response.agreement = Some(agreement::check(system, &response, cancel));
             }
@@ -220,11 +223,14 @@ fn attempt<'a>(
     let invalid =
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
-    if let Some(start) = start(&mut balance, lo) {
+    let mut unstarted = Vec::new();
+    let (from_lo, from_hi) = (start(&mut balance, lo), start(&mut balance, hi));
+    unstarted.extend([(&from_lo, lo), (&from_hi, hi)].into_iter().filter(|(found, _)| found.is_none()).map(|f| f.1));
+    if let Some(start) = from_lo {
         branches.push((trace(&mut balance, &start, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
         tick(branches[0].0.points.len() as u64);
     }
-    if let Some(start) = start(&mut balance, hi) {
+    if let Some(start) = from_hi {
         let scale = balance.scales().to_vec();
         let met = branches
             .iter()
@@ -259,6 +265,7 @@ fn attempt<'a>(
         branches: traced,
         discretisation: d,
         more_families: false,
+        unstarted,
         unclosed: None,
         agreement: None,
         broken: Vec::new(),
@@ -296,7 +303,7 @@ fn start(balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
             return Some(x);
         }
     }
-    None
+    raised(balance, speed)
 }
 
 /// The same folds with four more orders, as evidence.

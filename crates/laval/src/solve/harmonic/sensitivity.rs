@@ -12,7 +12,8 @@
 //!
 //! At a fold l is the left null vector of dR/dx scaled to `l^T dR/dW = 1`, and `dW/dp = -l^T dR/dp`. First derivatives are exact: dual numbers through the parts and
 //! the condensation. Of second ones only those along t are needed, `d/de` of dL/dy and dL/dp at `y + e t` with l held; they are taken by differences of
-//! fourth order of the exact first ones, with a step that is narrowed until they settle. What is left is stated.
+//! fourth order of the exact first ones, with a step that is narrowed until they settle. What is left is stated. Where the weight bends the machine, displacements count from rest, and how
+//! that place moves is taken by differences as well.
 //!
 //! Symbols: R residual of the balance; t in unknowns over their scales.
 //!
@@ -26,6 +27,7 @@ use super::pace::Parameter;
 use super::problem::Balance;
 use crate::model::erased::D1;
 use crate::model::system::System;
+use crate::solve::rest::rest;
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::Zero;
@@ -150,6 +152,8 @@ const STEPS: usize = 12;
 /// Change at which the differences have settled, and at which they are given up.
 const SETTLED: f64 = 1e-10;
 const LOST: f64 = 1e-4;
+/// Relative step of the differences of the place of rest.
+const REST_STEP: f64 = 1e-3;
 /// Newton steps along the branch to the peak.
 const POLISH: usize = 6;
 
@@ -352,8 +356,47 @@ impl Point<'_, '_> {
         let speed = D1 { re: seen.orbit.speed, eps: [by_speed] };
         let now = Instant { q: &q, v: &v, z: &z, phase: seen.turns as f64 * seen.tau, speed };
         let [a, b] = self.measure.at(system, &params, &now);
+        let [a, b] = match self.measure {
+            Measure::Displacement(i) if !seen.orbit.rest.is_empty() => {
+                let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, i);
+                let place = seen.orbit.rest_of(i);
+                [a - D1 { re: place[0], eps: [x] }, b - D1 { re: place[1], eps: [y] }]
+            }
+            _ => [a, b],
+        };
         let size = c(a.re, b.re).abs();
         (size, (a.re * a.eps[0] + b.re * b.eps[0]) / size)
+    }
+
+    /// How the place of rest of the pair that starts at coordinate `x` moves with the speed (at this rate) or a parameter, by differences of fourth order; NaN where
+    /// there is no rest beside it. It moves with neither where only unknowns do.
+    fn rest_slope(&self, speed: f64, by_speed: f64, parameter: Option<Parameter>, x: usize) -> [f64; 2] {
+        let system = self.balance.system;
+        let at = |e: f64| -> Option<[f64; 2]> {
+            let q = match parameter {
+                None => rest(system, speed + e).ok()?.q,
+                Some(p) => {
+                    let slots = &system.param_slots()[p.first..p.first + p.count];
+                    let values: Vec<(&str, f64)> =
+                        slots.iter().zip(&system.params()[p.first..]).map(|(s, v)| (s.name.as_str(), v + e)).collect();
+                    rest(&system.with(&values).ok()?, speed).ok()?.q
+                }
+            };
+            Some([q[x], q[x + 1]])
+        };
+        let size = match parameter {
+            None if by_speed == 0.0 => return [0.0; 2],
+            None => speed.abs(),
+            Some(p) => system.params()[p.first].abs(),
+        };
+        let h = REST_STEP * if size > 0.0 { size } else { 1.0 };
+        let slope = || {
+            let [a, b, c, d] = [at(-2.0 * h)?, at(-h)?, at(h)?, at(2.0 * h)?];
+            Some([0, 1].map(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * h)))
+        };
+        // a parameter that nothing at rest depends on may stand at the end of its range
+        let rate = if parameter.is_some() { 1.0 } else { by_speed };
+        slope().or_else(|| at(h).zip(at(0.0)).filter(|(a, b)| a == b).map(|_| [0.0; 2])).map_or([f64::NAN; 2], |s| s.map(|s| s * rate))
     }
 }
 

@@ -10,16 +10,19 @@
 //! with F the unbalance force and Q the motion at the spin frequency. The branch turns back (closes) where the share reaches 1. With a cubic law amplitudes
 //! grow like the speed and the share tends to a limit, `share = limit + A/W + B/W^2 + ..`: below 1 the branch never closes. For the rotor on a movable foundation
 //! the limit with one harmonic is `(chi T^2 + chi0 (m'/(M + m'))^2) / (T m e sqrt(kap c1/mu))`, 1 at the critical damping chi*.
+//!
+//! The terms in 1/W are no small matter at the end of a range of interest, so the branch is followed on to many times that speed, where they are.
 
-use super::branch::Traced;
+use super::branch::{State, Traced};
 use super::orbit::Orbit;
 use super::problem::Balance;
 use super::response::{Request, Response};
 use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
 use laval_num::complex::{C64, c};
-use laval_num::continuation::End;
+use laval_num::continuation::{Direction, End, Kind, Settings, trace};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::atomic::AtomicBool;
 
 /// A branch that goes on rising at the end of the range.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,12 +39,29 @@ pub struct Unclosed {
     pub rise: f64,
     /// Share of the power the unbalance could give that damping uses up there.
     pub share: f64,
-    /// The share at ever higher speed, from three speeds of the branch whose shares differ by less than a fifth; else NaN.
-    pub limit: f64,
+    /// What becomes of the branch beyond the range.
+    pub beyond: Beyond,
 }
 
+/// What becomes of a branch beyond the range; speeds rad/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Beyond {
+    /// It turns back at this speed.
+    Closes(f64),
+    /// It still rises at [`REACH`] times the last speed, and its share of the power tends to this limit.
+    Tends(f64),
+    /// It could be followed to this speed only.
+    Lost(f64),
+}
+
+/// How far beyond the range a branch is followed, in multiples of the last speed.
+pub const REACH: f64 = 64.0;
+
+/// Points that may be spent on it.
+const MOST_POINTS: usize = 2000;
+
 /// The branch from the slow end of the range that reaches the other end with larger, still rising motions than the branch that starts there.
-pub fn unclosed(system: &System, response: &Response, request: &Request) -> Option<Unclosed> {
+pub fn unclosed(system: &System, response: &Response, request: &Request, cancel: &AtomicBool) -> Option<Unclosed> {
     let index = response.branches.iter().position(|b| b.from_low() && b.end == End::Reached)?;
     let high = response.branches.iter().find(|b| b.origin == super::branch::Origin::High)?;
     let branch = &response.branches[index];
@@ -55,29 +75,41 @@ pub fn unclosed(system: &System, response: &Response, request: &Request) -> Opti
     let orbit = Orbit::of(&mut balance, &last.x, last.speed).ok()?;
     let low = Orbit::of(&mut balance, &high.points.first()?.x, end).ok()?;
     let (amplitude, low_amplitude) = (largest(system, &orbit, request.divisor), largest(system, &low, request.divisor));
-    let mut rise = f64::NAN;
     let share_here = share(system, &force, &orbit, request.divisor)?;
-    // u = 1/W over that at the end, and the share
-    let mut shares = vec![(1.0, share_here)];
-    for part in [0.75, 0.5] {
-        let point = &branch.points[earlier(branch, part)?];
-        let other = Orbit::of(&mut balance, &point.x, point.speed).ok()?;
-        if rise.is_nan() {
-            rise = (amplitude / largest(system, &other, request.divisor)).ln() / (end / other.speed).abs().ln();
-        }
-        shares.push((end / other.speed, share(system, &force, &other, request.divisor)?));
+    let other = &branch.points[earlier(branch, 0.75)?];
+    let other = Orbit::of(&mut balance, &other.x, other.speed).ok()?;
+    let rise = (amplitude / largest(system, &other, request.divisor)).ln() / (end / other.speed).abs().ln();
+    if !(amplitude > low_amplitude && rise > 0.0) {
+        return None;
     }
-    let settled = shares.iter().all(|s| (s.1 - share_here).abs() <= 0.2 * share_here);
-    let limit = if settled { extrapolated(&shares) } else { f64::NAN };
-    (amplitude > low_amplitude && rise > 0.0).then_some(Unclosed {
-        branch: index,
-        speed: end,
-        amplitude,
-        low_amplitude,
-        rise,
-        share: share_here,
-        limit,
-    })
+    let beyond = beyond(system, response, last, request, cancel).unwrap_or(Beyond::Lost(end));
+    Some(Unclosed { branch: index, speed: end, amplitude, low_amplitude, rise, share: share_here, beyond })
+}
+
+/// Follows the branch on from its last state.
+fn beyond(system: &System, response: &Response, last: &State, request: &Request, cancel: &AtomicBool) -> Option<Beyond> {
+    let (end, far) = (last.speed, REACH * last.speed);
+    let range = (end.min(far), end.max(far));
+    let way = if far > end { Direction::Up } else { Direction::Down };
+    let mut balance = Balance::new(system, response.discretisation, range, Some(cancel)).ok()?;
+    let settings = Settings { max_points: MOST_POINTS, ..Settings::new(range.0, range.1) };
+    let branch = trace(&mut balance, &last.x, end, way, &settings, &mut []).ok()?;
+    if let Some(f) = branch.specials.iter().find(|s| s.kind == Kind::Fold) {
+        return Some(Beyond::Closes(f.point.p));
+    }
+    let reached = branch.points.last()?.p;
+    if branch.end != End::Reached {
+        return Some(Beyond::Lost(reached));
+    }
+    let force = unbalance(system);
+    let mut shares = Vec::new();
+    for part in [1.0, 0.5, 0.25] {
+        let wanted = part * far;
+        let point = branch.points.iter().min_by(|a, b| (a.p - wanted).abs().total_cmp(&(b.p - wanted).abs()))?;
+        let orbit = Orbit::of(&mut balance, &point.x, point.p).ok()?;
+        shares.push((far / point.p, share(system, &force, &orbit, request.divisor)?));
+    }
+    Some(Beyond::Tends(extrapolated(&shares)))
 }
 
 /// The point of the last run of a branch nearest to this part of its last speed.

@@ -166,8 +166,15 @@ impl Shown<'_> {
             }
         }
         let (value, lo, hi) = widest?;
+        let (from, to) = self.request.speeds;
+        let at_edge = |speed: f64, edge: f64| (speed - edge).abs() <= SAME * (to - from);
+        let cut = if at_edge(lo, from) || at_edge(hi, to) {
+            " One of them leaves the range of speeds there: beyond it they lie farther apart."
+        } else {
+            ""
+        };
         let text = format!(
-            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, the state depends on how it was reached.",
+            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, the state depends on how it was reached.{cut}",
             self.path(),
             self.of(value),
             significant(lo, 6),
@@ -198,7 +205,7 @@ impl Shown<'_> {
             )
         };
         let common =
-            |f: Finding| f.of(name).evidence("points", locus.points.len() as f64, "").evidence("largest scaled residual", residual, "");
+            |f: Finding| f.of(name).evidence("largest scaled residual", residual, "").evidence("points", locus.points.len() as f64, "");
         Some(match locus.kind {
             LocusKind::Fold => common(Finding::info("fold_locus", format!("{}: folds {ends}.", capital(name)))),
             LocusKind::Change(event) => {

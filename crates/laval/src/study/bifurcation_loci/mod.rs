@@ -82,7 +82,7 @@ impl Study for BifurcationLoci {
         let speeds = values.range("speed").and_then(|r| range("speed", r, 0, values, diagnostics)).map(|s| (s.from, s.to));
         if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
             diagnostics.push(
-                Diagnostic::error("loci.standstill", "the range of speeds contains standstill, where no unbalance acts")
+                Diagnostic::error("loci.standstill", "the range of speeds comes too near to standstill, where no unbalance acts")
                     .at(values.span_of("speed"))
                     .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
             );

@@ -4,28 +4,29 @@ use super::tables::label;
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
-use crate::solve::harmonic::unclosed::Unclosed;
+use crate::solve::harmonic::unclosed::{Beyond, REACH, Unclosed};
 use crate::study::support::largest;
 
 /// That the branch of large motions goes on beyond the range, and whether it would ever turn back.
 pub(super) fn unclosed(u: &Unclosed) -> Finding {
     let speed = significant(u.speed.abs(), 5);
-    let verdict = match u.limit {
-        l if l < 1.0 => format!(
-            "Damping takes {} % of the power the unbalance can give there and tends to {} % at ever higher speed: below 100 % these states never end in a \
-             jump.",
-            significant(100.0 * u.share, 4),
-            significant(100.0 * l, 4)
+    let share = significant(100.0 * u.share, 4);
+    let verdict = match u.beyond {
+        Beyond::Closes(at) => {
+            format!("Followed on, it turns back at {} rad/s: there these states end in a jump.", significant(at.abs(), 5))
+        }
+        Beyond::Tends(limit) if limit < 1.0 => format!(
+            "Damping takes {share} % of the power the unbalance can give there, and {} % at ever higher speed: below 100 % these states never end in a jump.",
+            significant(100.0 * limit, 4)
         ),
-        l if l >= 1.0 => format!(
-            "Damping takes {} % of the power the unbalance can give there and tends to {} % at ever higher speed: the states end in a jump at a higher \
-             speed, where it takes all.",
-            significant(100.0 * u.share, 4),
-            significant(100.0 * l, 4)
+        Beyond::Tends(_) => format!(
+            "Damping takes {share} % of the power the unbalance can give there and more at ever higher speed: the states end in a jump where it takes all, \
+             beyond {REACH} times this speed.",
         ),
-        _ => format!(
-            "Damping takes {} % of the power the unbalance can give there; the states end in a jump where it takes all.",
-            significant(100.0 * u.share, 4)
+        Beyond::Lost(at) => format!(
+            "Damping takes {share} % of the power the unbalance can give there; where it takes all the states end in a jump. Beyond the range the branch \
+             could be followed to {} rad/s only.",
+            significant(at.abs(), 5)
         ),
     };
     let text = format!(
@@ -34,10 +35,16 @@ pub(super) fn unclosed(u: &Unclosed) -> Finding {
         quantity(u.low_amplitude, "m"),
     );
     let finding = Finding::warning("branch_not_closed", text).value(u.amplitude, "m");
-    finding
-        .evidence("share of the power of the unbalance at the end of the range", u.share, "")
-        .evidence("share at ever higher speed (1 and more: the branch closes)", u.limit, "")
-        .evidence("d ln amplitude / d ln speed", u.rise, "")
+    let finding = finding.evidence("share of the power of the unbalance at the end of the range", u.share, "").evidence(
+        "d ln amplitude / d ln speed",
+        u.rise,
+        "",
+    );
+    match u.beyond {
+        Beyond::Closes(at) => finding.evidence("speed where it turns back", at, "rad/s"),
+        Beyond::Tends(limit) => finding.evidence("share at ever higher speed (1 and more: the branch closes)", limit, ""),
+        Beyond::Lost(_) => finding,
+    }
 }
 
 /// What the search for all states found.

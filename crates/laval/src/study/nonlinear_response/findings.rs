@@ -20,7 +20,10 @@ impl Shown<'_> {
         let mut out = Vec::new();
         for up in [true, false] {
             let unclosed = up && response.unclosed.is_some();
-            out.extend(swept(response, up).map(|branch| sweep(branch, up, request.speeds, unclosed)));
+            match swept(response, up, request.speeds) {
+                Some(branch) => out.extend(sweep(branch, up, request.speeds, unclosed)),
+                None => out.push(unstarted(up, request.speeds)),
+            }
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
@@ -62,7 +65,14 @@ impl Shown<'_> {
         for l in self.largest.iter().filter(|_| self.largest.len() > 1 && self.rising.is_none()) {
             let (a, speed) = l.best();
             let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.body, significant(speed, 6));
-            out.push(Finding::info("largest_displacement_of", text).of(&l.body).value(a, "m").evidence("speed", speed, "rad/s"));
+            let slope = l.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
+            out.push(
+                Finding::info("largest_displacement_of", text)
+                    .of(&l.body)
+                    .value(a, "m")
+                    .evidence("relative slope along the branch", slope, "")
+                    .evidence("speed", speed, "rad/s"),
+            );
         }
         out.extend(self.force_findings());
         out.extend(self.centring_findings());
@@ -187,22 +197,18 @@ impl Shown<'_> {
     }
 }
 
-/// Consecutive unstable points of a branch, but not the middle of a curve that turns back: that is said by the jumps.
-fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
-    let turned_back = |(first, last): (usize, usize)| branch.folds.windows(2).any(|f| f[0].after < first && last <= f[1].after);
-    let unstable = runs(branch.points.iter().map(State::unstable));
-    unstable.into_iter().filter(|&run| !turned_back(run)).map(|(first, last)| first..last + 1).collect()
-}
-
-/// Those of them that no fold bounds: the middle of a curve whose other fold lies beyond the range is left out as well.
-pub(super) fn unstable_without_fold(branch: &Traced) -> Vec<Range<usize>> {
+/// Consecutive unstable points of a branch, but not the middle of a curve that turns back, though its other fold may lie beyond the range: that is said by
+/// the jumps, and no machine is there.
+pub(super) fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
+    let turned_back = |r: &Range<usize>| branch.folds.windows(2).any(|f| f[0].after < r.start && r.end <= f[1].after + 1);
     let at_fold = |i: usize| branch.folds.iter().any(|f| f.after.abs_diff(i) <= 1);
     let last = branch.points.len().saturating_sub(1);
     let bounded = |run: &Range<usize>| {
         let (a, b) = (at_fold(run.start.saturating_sub(1)), at_fold(run.end - 1));
         (a || run.start == 0) && (b || run.end > last) && (a || b)
     };
-    unstable_runs(branch).into_iter().filter(|r| !bounded(r)).collect()
+    let unstable = runs(branch.points.iter().map(State::unstable));
+    unstable.into_iter().map(|(first, last)| first..last + 1).filter(|r| !turned_back(r) && !bounded(r)).collect()
 }
 
 /// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
@@ -236,32 +242,52 @@ fn unstable_words(branch: &Traced) -> String {
 
 /// The branch that a slow sweep follows: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
 /// end of the other.
-pub(super) fn swept(response: &Response, up: bool) -> Option<&Traced> {
+pub(super) fn swept(response: &Response, up: bool, speeds: (f64, f64)) -> Option<&Traced> {
+    if response.unstarted.contains(&begins(up, speeds)) {
+        return None;
+    }
     let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
     let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
     from(near).or(from(far))
 }
 
-/// Where a slow sweep along a branch jumps: at the first fold that turns against it.
-pub(super) fn jump(branch: &Traced, up: bool) -> Option<&Fold> {
-    let against = |f: &&Fold| f.upper == up;
-    if up == branch.from_low() { branch.folds.iter().find(against) } else { branch.folds.iter().rev().find(against) }
+/// Where a slow sweep along a branch jumps: at the first fold that turns against it; from there to the next states of the branch at that speed, and on to the
+/// next such fold beyond.
+pub(super) fn jumps(branch: &Traced, up: bool) -> Vec<&Fold> {
+    let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up).collect();
+    if up != branch.from_low() {
+        met.reverse();
+    }
+    let mut out: Vec<&Fold> = Vec::new();
+    for f in met {
+        if out.last().is_none_or(|last| (f.speed.abs() > last.speed.abs()) == up && f.speed != last.speed) {
+            out.push(f);
+        }
+    }
+    out
 }
 
 /// Where a slow sweep jumps, or that it does not.
-fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Finding {
+fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Vec<Finding> {
     let way = if up { "up" } else { "down" };
-    // up is faster, whichever way round the rotor turns
-    let (begin, end) = if up == (lo >= 0.0) { (lo, hi) } else { (hi, lo) };
+    let begin = begins(up, (lo, hi));
+    let end = if begin == lo { hi } else { lo };
     let reaches = branch.end == End::Reached;
-    match jump(branch, up) {
-        Some(f) => Finding::info(format!("jump_{way}"), format!("A slow sweep {way} jumps at {{}}."))
+    let jumps = jumps(branch, up);
+    let one = |(k, f): (usize, &&Fold)| {
+        let again = if k == 0 { "jumps" } else { "jumps again" };
+        Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}."))
             .value(f.speed, "rad/s")
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
             .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
             .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
-            .evidence("scaled residual", f.residual, ""),
-        None if reaches => Finding::info(
+            .evidence("scaled residual", f.residual, "")
+    };
+    if !jumps.is_empty() {
+        return jumps.iter().enumerate().map(one).collect();
+    }
+    let none = match () {
+        () if reaches => Finding::info(
             format!("no_jump_{way}"),
             format!(
                 "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
@@ -270,7 +296,7 @@ fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Fin
                 if unclosed { ", still growing," } else { "" }
             ),
         ),
-        None => match branch.points.last() {
+        () => match branch.points.last() {
             Some(p) => Finding::warning(
                 format!("sweep_{way}_unfinished"),
                 format!("The states of a slow sweep {way} could be followed to {{}} only ({}).", reason(&branch.end)),
@@ -281,7 +307,23 @@ fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Fin
                 format!("The states of a slow sweep {way} were not followed ({}).", reason(&branch.end)),
             ),
         },
-    }
+    };
+    vec![none]
+}
+
+/// Where a slow sweep begins: up is faster, whichever way round the rotor turns.
+fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
+    if up == (lo >= 0.0) { lo } else { hi }
+}
+
+/// That the states of a sweep are not known.
+fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
+    let way = if up { "up" } else { "down" };
+    Finding::warning(
+        format!("sweep_{way}_unknown"),
+        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or ask for all states."),
+    )
+    .value(begins(up, speeds), "rad/s")
 }
 
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.

@@ -16,6 +16,8 @@ pub(super) struct Extremes {
     vanishing: Vec<(Peak, f64)>,
 }
 
+/// A force is rounding at this share of the largest of all, as of a rotating damper in synchronous whirl.
+const ROUNDING: f64 = 1e-12;
 /// A force vanishes nearly where it is this share of what it is on both sides.
 const VANISHING: f64 = 0.05;
 /// Places told for one part at most.
@@ -24,7 +26,11 @@ const MOST: usize = 2;
 impl Shown<'_> {
     /// Of every part that shows a force.
     pub(super) fn extreme_forces(&mut self, response: &Response, request: &Request) -> Vec<Extremes> {
-        Measure::forces(self.system).into_iter().filter_map(|slot| self.extremes(response, request, slot)).collect()
+        let mut all: Vec<Extremes> =
+            Measure::forces(self.system).into_iter().filter_map(|slot| self.extremes(response, request, slot)).collect();
+        let largest = all.iter().map(|e| e.largest.0).fold(0.0, f64::max);
+        all.retain(|e| !(e.largest.0 <= ROUNDING * largest));
+        all
     }
 
     fn extremes(&mut self, response: &Response, request: &Request, slot: usize) -> Option<Extremes> {

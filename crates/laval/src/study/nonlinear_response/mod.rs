@@ -171,7 +171,7 @@ pub(super) fn request(values: &Values, diagnostics: &mut Diagnostics) -> Option<
     let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));
     if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
         diagnostics.push(
-            Diagnostic::error("response.standstill", "the range of speeds contains standstill, where no unbalance acts")
+            Diagnostic::error("response.standstill", "the range of speeds comes too near to standstill, where no unbalance acts")
                 .at(values.span_of("speed"))
                 .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
         );

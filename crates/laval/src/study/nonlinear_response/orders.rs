@@ -12,9 +12,11 @@ use crate::solve::harmonic::response::{Response, State, Traced};
 use laval_num::newton::{Options, newton};
 
 /// Parts of the response told one by one at most.
-const MOST: usize = 12;
+const MOST: usize = 6;
 /// Forward and backward amplitudes this near to each other are a motion along a line.
 const LINE: f64 = 1e-3;
+/// Lowest amplitude drawn, over the threshold.
+const DRAWN: f64 = 1e-2;
 /// Bodies with a panel of their own at most.
 const MOST_PANELS: usize = 4;
 
@@ -224,7 +226,7 @@ impl Shown<'_> {
         }
         let table = self.order_table(response, &all, &stretches)?;
         out = out.table(table);
-        Ok(out.figure(self.order_figure(threshold)))
+        Ok(out.figure(self.order_figure(&stretches, threshold)))
     }
 
     fn order_findings(&self, response: &Response, stretches: &[Stretch], threshold: f64) -> Vec<Finding> {
@@ -242,17 +244,17 @@ impl Shown<'_> {
             let branch = &response.branches[s.branch];
             let (name, order) = (&self.bodies[s.body].0, number(s.order, branch.turns()));
             let [first, last] = s.ends;
-            let from = if first.cut { "where they begin, at " } else { "" };
-            let to = if last.cut { ", where they end" } else { "" };
-            let text = format!(
-                "The {} of order {order} of \"{name}\", {}, exceeds {limit} from {from}{{}} to {} rad/s{to} on states {}; it reaches {} at {} rad/s.",
-                kind(s.order, branch.turns()),
-                sense(s.largest),
-                significant(last.speed, 6),
-                words(branch.origin),
-                quantity(axis(s.largest), "m"),
-                significant(s.at, 6),
-            );
+            let part = kind(s.order, branch.turns());
+            let what = format!("The {part} of order {order} of \"{name}\", {}, exceeds {limit}", sense(s.largest));
+            let states = words(branch.origin);
+            let reached = format!("it reaches {} at {} rad/s", quantity(axis(s.largest), "m"), significant(s.at, 6));
+            let end = significant(last.speed, 6);
+            let text = match (first.cut, last.cut) {
+                (true, true) => format!("{what} on all states {states}, from {{}} to {end} rad/s; {reached}."),
+                (false, false) => format!("{what} from {{}} to {end} rad/s on states {states}; {reached}."),
+                (true, false) => format!("{what} up to {end} rad/s on states {states}, which begin at {{}}; {reached}."),
+                (false, true) => format!("{what} from {{}} on on states {states}, which end at {end} rad/s; {reached}."),
+            };
             let f = Finding::info(format!("{}_range", kind(s.order, branch.turns())), text).of(format!("{name} order {order}"));
             let f = f.value(first.speed, "rad/s").evidence("end", last.speed, "rad/s");
             let f = f.evidence("largest amplitude", axis(s.largest), "m").evidence("its speed", s.at, "rad/s");
@@ -303,14 +305,19 @@ impl Shown<'_> {
         t.build()
     }
 
-    fn order_figure(&self, threshold: f64) -> Figure {
+    fn order_figure(&self, stretches: &[Stretch], threshold: f64) -> Figure {
         let names = self.bodies.iter().take(MOST_PANELS).map(|b| b.0.as_str()).collect::<Vec<_>>().join(", ");
         let alt = format!("Semi-major axes of the orders beside the synchronous one over spin speed ({names}), with the threshold.");
         let mut figure = Figure::new("orders", "Sub- and superharmonics", alt).x(Axis::new("spin speed", "rad/s"));
+        // what lies far below the threshold is no matter
+        let largest = stretches.iter().map(|s| axis(s.largest)).fold(threshold, f64::max);
+        let top = 2e6 * largest;
         for (name, _) in self.bodies.iter().take(MOST_PANELS) {
             let line =
                 Line::new("orders", "speed", format!("{name} amplitude")).group("order").begins_where("begins").solid_where("not unstable");
-            let panel = Panel::new(Axis::log(name, "µm").factor(1e6)).mark(line).mark(Rule::y(threshold, "threshold"));
+            let panel = Panel::new(Axis::log(name, "µm").factor(1e6).range(1e6 * DRAWN * threshold, top))
+                .mark(line)
+                .mark(Rule::y(threshold, "threshold"));
             figure = figure.panel(panel);
         }
         figure

@@ -20,6 +20,7 @@ impl Shown<'_> {
             Panel::new(axis.metres(most))
         };
         let judged = judged(response);
+        let whole = response.branches.iter().flat_map(|b| &b.points).all(|p| p.exponents.is_some());
         // one family of states needs no number in the legend
         let grouped = |line: Line| match (all, response.branches.len()) {
             (true, _) => line.group("states").begins_where("begins"),
@@ -30,7 +31,8 @@ impl Shown<'_> {
         let measure = if all { "rms" } else { "largest" };
         let line = |name: &str, shown: &str| {
             let line = grouped(Line::new("response", "speed", format!("{name} {measure} displacement")).name(shown));
-            line.solid_where("not unstable")
+            let line = line.solid_where("not unstable");
+            if whole { line } else { line.meaning("stable or not judged", "unstable") }
         };
         let mut panels: Vec<Panel> = if all {
             self.bodies.iter().map(|(name, _)| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()

@@ -94,8 +94,8 @@ impl Shown<'_> {
                 if deviation <= CLOSE { String::new() } else { format!(", and is within 1 % of it near {} rad/s", significant(close, 3)) };
             let held = if a.stable { "" } else { " (that state does not last)" };
             let text = format!(
-                "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}, {} % from there; the difference \
-                 falls like speed^{}{when}.",
+                "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}; in size and direction together that is {} % from \
+                 there, which falls like speed^{}{when}.",
                 significant(a.speed, 5),
                 quantity(a.displacement.abs(), "m"),
                 significant(100.0 * deviation, 3),

@@ -132,15 +132,27 @@ impl<'a> Shown<'a> {
         };
         let mut out: Vec<[f64; 5]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0]).collect();
         let samples = SAMPLES * divisor;
-        for j in 0..samples {
-            orbit.at(TAU * j as f64 / samples as f64, &mut q, &mut v, &mut a, &mut z);
-            for (o, &(_, x)) in out.iter_mut().zip(&self.bodies) {
-                o[1] = larger(o[1], q[x].hypot(q[x + 1]));
-                o[2] = larger(o[2], q[x].abs());
-                o[4] += (q[x] * q[x] + q[x + 1] * q[x + 1]) / samples as f64;
+        let h = TAU / samples as f64;
+        // by instant, body after body: squares of the distance from the axis and of x, smooth where the sizes themselves have kinks
+        let mut squares = |tau: f64| -> Vec<f64> {
+            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+            let of = |&(_, i): &(String, usize)| {
+                let [x0, y0] = orbit.rest_of(i);
+                let (x, y) = (q[i] - x0, q[i + 1] - y0);
+                [x * x + y * y, x * x]
+            };
+            self.bodies.iter().flat_map(of).collect()
+        };
+        let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(h * j as f64)).collect();
+        for (b, o) in out.iter_mut().enumerate() {
+            for (which, k) in [(1, 2 * b), (2, 2 * b + 1)] {
+                o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
+                    let mut near = |shift: f64| squares(h * (top as f64 + beside + shift * CLOSER))[k];
+                    larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
+                });
             }
+            o[4] = (series.iter().map(|s| s[2 * b]).sum::<f64>() / samples as f64).sqrt();
         }
-        out.iter_mut().for_each(|o| o[4] = o[4].sqrt());
         out
     }
 

@@ -1,6 +1,6 @@
 //! A response in a few numbers: what a study of many machines keeps of each.
 
-use super::findings::{jump, ranges_of, swept, unstable_without_fold};
+use super::findings::{jumps, ranges_of, swept, unstable_runs};
 use super::shown::{Shown, end, worst};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -92,17 +92,17 @@ impl Summary {
             Top { displacement, speed, at_end: l.at_end, body: l.body }
         });
         let (hysteresis, open) = several(&response, request.speeds);
-        let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_without_fold(b))).collect();
+        let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_runs(b))).collect();
         unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
         let judged = request.stability && response.unjudged.is_none();
-        let points = |b: &'_ Traced| unstable_without_fold(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
+        let points = |b: &'_ Traced| unstable_runs(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
         let growing = response.branches.iter().flat_map(points);
         let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
         let uses = shown.validity.iter().flatten().filter(|v| !v.0.is_nan());
         let validity = uses.max_by(|a, b| a.0.total_cmp(&b.0)).cloned().unwrap_or_default();
         Ok(Summary {
             folds: response.branches.iter().map(|b| b.folds.len()).sum(),
-            sweeps: [true, false].map(|up| sweep(&response, up)),
+            sweeps: [true, false].map(|up| sweep(&response, up, request.speeds)),
             hysteresis,
             open,
             top,
@@ -127,9 +127,9 @@ impl Summary {
     }
 }
 
-fn sweep(response: &Response, up: bool) -> Sweep {
-    let Some(branch) = swept(response, up) else { return Sweep::Unfinished };
-    match jump(branch, up) {
+fn sweep(response: &Response, up: bool, speeds: (f64, f64)) -> Sweep {
+    let Some(branch) = swept(response, up, speeds) else { return Sweep::Unfinished };
+    match jumps(branch, up).first() {
         Some(fold) => Sweep::Jumps(fold.speed),
         None if branch.end == End::Reached => Sweep::Passes,
         None => Sweep::Unfinished,

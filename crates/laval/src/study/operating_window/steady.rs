@@ -66,7 +66,6 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
         q.iter_mut().zip(offset).for_each(|(q, o)| *q += o);
         for (k, b) in bodies.iter().enumerate() {
-            raise(&mut out.displacement[k], q[b.x].hypot(q[b.x + 1]));
             raise(&mut out.velocity[k], v[b.x].hypot(v[b.x + 1]));
         }
         let at =
@@ -81,11 +80,11 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         system.residual(system.params(), &at, &mut rows, &mut ws, |_| true);
         out.torque += spin / SAMPLES as f64;
     }
-    // about the axis the largest values lie between the instants
+    // the largest values lie between the instants; displacements count from rest
+    for (d, b) in out.displacement.iter_mut().zip(&bodies) {
+        raise(d, Measure::Displacement(b.x).largest(system, orbit, order).0);
+    }
     if offset.iter().all(|o| *o == 0.0) {
-        for (d, b) in out.displacement.iter_mut().zip(&bodies) {
-            raise(d, Measure::Displacement(b.x).largest(system, orbit, order).0);
-        }
         for slot in Measure::forces(system) {
             raise(out.force.entry(system.slots()[slot].name.clone()).or_insert(0.0), Measure::Force(slot).largest(system, orbit, order).0);
         }
@@ -108,7 +107,14 @@ pub(super) fn linear(system: &System, speed: f64, growth: f64) -> Result<Option<
     for (&k, x) in t.states().iter().zip(&r.x[system.n()..]) {
         states[k] = *x;
     }
-    let orbit = Orbit { speed, frequency: speed, orders: vec![1], coordinates: vec![r.x[..system.n()].to_vec()], states: vec![states] };
+    let orbit = Orbit {
+        speed,
+        frequency: speed,
+        orders: vec![1],
+        coordinates: vec![r.x[..system.n()].to_vec()],
+        states: vec![states],
+        ..Orbit::default()
+    };
     Ok(Some(shown(system, &orbit, &about.q, 1, growth, growth <= 0.0)))
 }
 

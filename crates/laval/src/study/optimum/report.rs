@@ -124,9 +124,15 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     let worst = found.slopes.iter().map(|s| s.slope).fold(f64::INFINITY, |m, s| if s < m || s.is_nan() { s } else { m });
     let count = found.slopes.len();
     // what a smooth optimum shows at that distance is curvature
-    let finding = if worst >= -1e-2 {
+    let finding = if worst >= 0.0 {
         let text =
             format!("No machine at a distance of {TEST:.0e} of the bounds is better, in {count} directions: the least slope is {{}}.");
+        Finding::info("optimality", text)
+    } else if worst >= -1e-2 {
+        let better = significant(100.0 * TEST * -worst, 2);
+        let text = format!(
+            "Of {count} machines at a distance of {TEST:.0e} of the bounds the best is better by {better} % only: the search has arrived (least slope {{}})."
+        );
         Finding::info("optimality", text)
     } else {
         let text = format!(
@@ -136,7 +142,11 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     };
     out = out.finding(finding.value(worst, "").evidence("distance of the machines tested, as a share of the bounds", TEST, ""));
     let short = found.trails.iter().filter(|t| t.ended == Ended::Evaluations).count();
-    if short > 0 {
+    // what every search found alike needs no such caution
+    let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
+    let (least, most) = arrived.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
+    let agreed = arrived.len() == found.trails.len() && arrived.len() > 1 && most - least <= SAME * most.abs().max(least.abs());
+    if short > 0 && !agreed {
         let text = format!("{short} of {} searches used up their {} runs before they had narrowed down.", found.trails.len(), study.runs);
         out = out.finding(Finding::info("searches_cut", text));
     }

@@ -1,7 +1,7 @@
 //! What is made small or large, and what has limits.
 
 use super::{MOST_PARAMETERS, Optimum};
-use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span, nearest};
 use crate::model::field::{Value, Values};
 use crate::study::uncertainty::collect::Quantity;
 use crate::units::check_dimension;
@@ -13,6 +13,8 @@ pub struct Aim {
     pub name: String,
     /// Made large.
     pub large: bool,
+    /// Where the file names it.
+    pub span: Option<Span>,
 }
 
 /// A limit on a number.
@@ -26,6 +28,8 @@ pub struct Limit {
     pub unit: Option<String>,
     /// An upper limit, else a lower one.
     pub upper: bool,
+    /// Where the file names it.
+    pub span: Option<Span>,
 }
 
 /// The number of a name: of several the largest or the least.
@@ -37,9 +41,17 @@ pub(super) fn number(list: &[Quantity], name: &str, largest: bool) -> Option<f64
 pub(super) fn aim(values: &Values, out: &mut Diagnostics) -> Option<Aim> {
     let word = |field: &str| values.text(field).map(str::trim).filter(|t| !t.is_empty());
     // a name that only stands by default gives way
-    match (word("minimise"), word("maximise")) {
-        (_, Some(name)) => Some(Aim { name: name.into(), large: true }),
-        (Some(name), None) => Some(Aim { name: name.into(), large: false }),
+    match (word("minimise").filter(|_| values.written("minimise") || word("maximise").is_none()), word("maximise")) {
+        (Some(_), Some(_)) => {
+            let d = Diagnostic::error("optimum.aim", "one number can be made small or large, not two at once");
+            out.push(
+                d.at(values.span_of("maximise"))
+                    .help("leave out minimise or maximise, and give the other number a limit by at_most or at_least"),
+            );
+            None
+        }
+        (_, Some(name)) => Some(Aim { name: name.into(), large: true, span: values.span_of("maximise") }),
+        (Some(name), None) => Some(Aim { name: name.into(), large: false, span: values.span_of("minimise") }),
         (None, None) => {
             let d = Diagnostic::error("optimum.aim", "nothing is named that should become small or large");
             out.push(d.at(values.span_of("minimise")).help("write minimise = \"largest_displacement\", or maximise = \"widest_window\""));
@@ -61,7 +73,7 @@ pub(super) fn limits(values: &Values, out: &mut Diagnostics) -> Option<Vec<Limit
                 fine = false;
                 continue;
             }
-            found.push(Limit { name: name.clone(), value: *value, unit: units.get(k).cloned().flatten(), upper });
+            found.push(Limit { name: name.clone(), value: *value, unit: units.get(k).cloned().flatten(), upper, span: Some(span.clone()) });
         }
     }
     fine.then_some(found)
@@ -71,8 +83,8 @@ impl Optimum {
     /// The inner study finds all numbers that are asked for, in units that fit.
     pub(super) fn known(&self, now: &[Quantity]) -> Result<(), Diagnostic> {
         let names = || now.iter().map(|q| q.label.as_str());
-        let wanted = std::iter::once((&self.aim.name, None)).chain(self.limits.iter().map(|l| (&l.name, l.unit.as_ref())));
-        for (name, unit) in wanted {
+        let limits = self.limits.iter().map(|l| (&l.name, l.unit.as_ref(), &l.span));
+        for (name, unit, span) in std::iter::once((&self.aim.name, None, &self.aim.span)).chain(limits) {
             let Some(q) = now.iter().find(|q| q.label == *name) else {
                 let all = names().filter(|n| !n.contains(" #")).collect::<Vec<_>>().join(", ");
                 let help = match nearest(name, names()) {
@@ -80,12 +92,12 @@ impl Optimum {
                     None => format!("it finds: {all}"),
                 };
                 let message = format!("the study {} finds no number \"{name}\" of this machine", self.study.kind());
-                return Err(Diagnostic::error("optimum.number", message).help(help));
+                return Err(Diagnostic::error("optimum.number", message).at(span.clone()).help(help));
             };
             if let Some(given) = unit
                 && let Err(e) = check_dimension(given, &q.unit)
             {
-                let d = Diagnostic::error("optimum.unit", format!("the limit on \"{name}\": {}", e.message));
+                let d = Diagnostic::error("optimum.unit", format!("the limit on \"{name}\": {}", e.message)).at(span.clone());
                 return Err(Diagnostic { help: e.help.map(Into::into), ..d });
             }
         }

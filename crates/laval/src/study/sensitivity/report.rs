@@ -7,6 +7,8 @@ use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialP
 use crate::study::support::inconsistent;
 use crate::study::{Context, Study};
 
+/// A relative change per unit of a parameter of zero that is rounding.
+const NOTHING: f64 = 1e-9;
 /// Figures at most: jumps and the highest peaks.
 const FIGURES: usize = 6;
 
@@ -34,11 +36,20 @@ impl Place {
         found.parameters.iter().zip(&m.slopes).map(|(p, s)| [s.speed * p.value / m.speed, s.value * p.value / m.value]).collect()
     }
 
+    /// The parameter moves the place by more than rounding does.
+    fn acts(&self, found: &Found, k: usize) -> bool {
+        let (p, m) = (&found.parameters[k], &self.moved);
+        // of what is zero, as an angle, one unit counts
+        let least = if p.value == 0.0 { NOTHING } else { 0.0 };
+        let share = |slope: f64, of: f64| (slope / of).abs();
+        !(share(m.slopes[k].speed, m.speed) <= least && share(m.slopes[k].value, m.value) <= least)
+    }
+
     /// Parameters by falling influence; those without any are left out.
     fn order(&self, found: &Found) -> Vec<usize> {
         let relative = self.relative(found);
         let size = |&k: &usize| relative[k][0].abs().max(relative[k][1].abs());
-        let acts = |k: &usize| self.moved.slopes[*k].speed != 0.0 || self.moved.slopes[*k].value != 0.0;
+        let acts = |&k: &usize| self.acts(found, k);
         let mut order: Vec<usize> = (0..relative.len()).filter(acts).collect();
         order.sort_by(|a, b| size(b).total_cmp(&size(a)));
         order
@@ -83,9 +94,20 @@ pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Ou
         let at = p.moved.speed;
         out = out.special_point(SpecialPoint::new(p.word(), at, (at, at)).of(&p.body).evidence("displacement", p.moved.value, "m"));
     }
+    let mut reasons: Vec<(&str, Vec<f64>)> = Vec::new();
     for (speed, why) in &found.without {
-        let text = format!("No derivatives are given at {{}}: {why}.");
-        out = out.finding(Finding::warning("no_derivative", text).value(*speed, "rad/s"));
+        match reasons.iter_mut().find(|r| r.0 == why.as_str()) {
+            Some(r) => r.1.push(*speed),
+            None => reasons.push((why, vec![*speed])),
+        }
+    }
+    for (why, speeds) in reasons {
+        let more = match speeds.len() - 1 {
+            0 => String::new(),
+            n => format!(" and at {n} more places up to {} rad/s", significant(speeds.iter().fold(0.0, |m: f64, s| m.max(s.abs())), 5)),
+        };
+        let text = format!("No derivatives are given at {{}}{more}: {why}.");
+        out = out.finding(Finding::warning("no_derivative", text).value(speeds[0], "rad/s"));
     }
     if found.places.is_empty() {
         let text = "No peak and no fold of the response was found in the range of speeds.";
@@ -93,7 +115,7 @@ pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Ou
         return out.checked().map_err(inconsistent);
     }
     let idle: Vec<&str> = (0..found.parameters.len())
-        .filter(|&k| found.places.iter().all(|p| p.moved.slopes[k].speed == 0.0 && p.moved.slopes[k].value == 0.0))
+        .filter(|&k| !found.places.iter().any(|p| p.acts(found, k)))
         .map(|k| found.parameters[k].path.as_str())
         .collect();
     if !idle.is_empty() {
@@ -167,7 +189,7 @@ fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Out
         return Ok(out);
     }
     let count = shown.len();
-    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, count as f64 + 0.6));
+    let mut panel = Panel::new(Axis::new("", "").range(0.4, count as f64 + 0.6).bare());
     for (row, &k) in shown.iter().enumerate() {
         panel = panel.mark(Rule::y((count - row) as f64, &found.parameters[k].path));
     }

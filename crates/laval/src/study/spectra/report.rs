@@ -55,6 +55,8 @@ fn words(class: Class) -> String {
 struct Seen {
     first: usize,
     last: usize,
+    /// Number of windows.
+    count: usize,
     largest: Part,
     at: usize,
 }
@@ -133,17 +135,36 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
     let mut classes: BTreeMap<Class, Seen> = BTreeMap::new();
     for &k in &judged {
         for &p in windows[k].parts.iter().filter(|p| p.amplitude >= threshold) {
-            let seen = classes.entry(class(p, windows[k].turns)).or_insert(Seen { first: k, last: k, largest: p, at: k });
+            let seen = classes.entry(class(p, windows[k].turns)).or_insert(Seen { first: k, last: k, count: 0, largest: p, at: k });
+            seen.count += usize::from(seen.count == 0 || seen.last != k);
             seen.last = k;
             if p.amplitude > seen.largest.amplitude {
                 (seen.largest, seen.at) = (p, k);
             }
         }
     }
+    // seen once, a free vibration that dies out may pass for any fraction
+    let mut once: Option<Seen> = None;
+    classes.retain(|class, seen| {
+        let fleeting = judged.len() > 2 && seen.count == 1 && !matches!(class, Class::Fraction(_, 1));
+        if fleeting && once.as_ref().is_none_or(|o| seen.largest.amplitude > o.largest.amplitude) {
+            once = Some(Seen { ..*seen });
+        }
+        !fleeting
+    });
     let limit = quantity(threshold, "m");
+    let fleeting = once.map(|o| {
+        let text = format!(
+            "\"{name}\" has parts above {limit} in single windows only, as of a free vibration that dies out: up to {{}} at {} rad/s ({}).",
+            significant(windows[o.at].speed, 5),
+            quantity(windows[o.at].t, "s")
+        );
+        Finding::info("fleeting_components", text).of(name).value(o.largest.amplitude, "m").evidence("order", o.largest.order, "")
+    });
     if classes.is_empty() {
         let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}.");
-        return vec![Finding::info("no_components", text).of(name).evidence("highest line", top, "m")];
+        let none = Finding::info("no_components", if fleeting.is_some() { text.replace("no part", "no lasting part") } else { text });
+        return std::iter::once(none.of(name).evidence("highest line", top, "m")).chain(fleeting).collect();
     }
     let mut sorted: Vec<(Class, Seen)> = classes.into_iter().collect();
     sorted.sort_by(|a, b| b.1.largest.amplitude.total_cmp(&a.1.largest.amplitude));
@@ -153,15 +174,17 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         // the part exceeds the threshold somewhere between the window before and this one
         let before = seen.first.checked_sub(1).map_or(f64::NAN, |k| (speed(seen.first) - speed(k)).abs());
         let what = words(*class);
-        let text = format!(
-            "\"{name}\" has a {what}: above {limit} from {{}} ({}) to {} rad/s ({}), up to {} at {} rad/s, where its order is {}.",
-            quantity(windows[seen.first].t, "s"),
-            significant(speed(seen.last), 5),
-            quantity(windows[seen.last].t, "s"),
-            quantity(seen.largest.amplitude, "m"),
-            significant(at.speed, 5),
-            significant(seen.largest.order, 4),
-        );
+        let times = format!("{} to {}", quantity(windows[seen.first].t, "s"), quantity(windows[seen.last].t, "s"));
+        let (largest, order) = (quantity(seen.largest.amplitude, "m"), significant(seen.largest.order, 4));
+        let text = if speed(seen.first) == speed(seen.last) {
+            format!("\"{name}\" has a {what}: above {limit} at {{}} (from {times}), up to {largest}, where its order is {order}.")
+        } else {
+            format!(
+                "\"{name}\" has a {what}: above {limit} from {{}} to {} rad/s ({times}), up to {largest} at {} rad/s, where its order is {order}.",
+                significant(speed(seen.last), 5),
+                significant(at.speed, 5),
+            )
+        };
         let id = match class {
             Class::Fraction(p, 1) if p.abs() > 1 => "superharmonic",
             Class::Fraction(1 | -1, q) if *q > 1 => "subharmonic",
@@ -183,6 +206,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         let text = format!("{} more parts of \"{name}\" exceed {limit}.", sorted.len() - MOST);
         out.push(Finding::info("more_components", text));
     }
+    out.extend(fleeting);
     out
 }
 
