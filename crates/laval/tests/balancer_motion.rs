@@ -293,8 +293,7 @@ fn tilting(balancer: BallBalancer, ring: BalancerBallParams, tilt_stiffness: f64
 #[test]
 fn a_stiff_tilt_is_the_plane() {
     let ring = BalancerBallParams { drag: 1e-3, eccentricity_phase: 0.3, ..source().ring };
-    let planar =
-        Case { disc: DiscParams { eccentricity: 5e-4, ..source().disc }, stiffness: 2e6, damping: 40.0, ring, ..source() }.build();
+    let planar = Case { disc: DiscParams { eccentricity: 5e-4, ..source().disc }, stiffness: 2e6, damping: 40.0, ring, ..source() }.build();
     let times: Vec<f64> = (0..=20).map(|i| 1e-3 * f64::from(i)).collect();
     let still = Programme::constant(250.0, 0.0);
     let flat = follow(&planar, still.clone(), &[0.0, 0.0, 0.4, -1.1, 0.0, 0.0, 0.0, 0.0], &times, 1e-9);
@@ -304,7 +303,8 @@ fn a_stiff_tilt_is_the_plane() {
         let space = follow(&spatial, still.clone(), &start, &times, 1e-9);
         let pairs = flat.iter().zip(&space);
         // lengths over a millimetre
-        let one = |(a, b): (&Vec<f64>, &Vec<f64>)| [(0, 0, 1e3), (1, 1, 1e3), (2, 4, 1.0), (3, 5, 1.0)].map(|(i, j, s)| s * (a[i] - b[j]).abs());
+        let one =
+            |(a, b): (&Vec<f64>, &Vec<f64>)| [(0, 0, 1e3), (1, 1, 1e3), (2, 4, 1.0), (3, 5, 1.0)].map(|(i, j, s)| s * (a[i] - b[j]).abs());
         pairs.flat_map(one).fold(0.0, |m: f64, x| if x <= m { m } else { x })
     };
     let (stiff, softer) = (apart(1e9), apart(1e8));
@@ -406,12 +406,8 @@ fn two_planes_balance_a_couple() {
     let n = system.n();
     let mut start = vec![0.0; 2 * n];
     start[4..8].copy_from_slice(&[0.3, 2.0, -1.0, 1.2]);
-    let states = follow(&system, Programme::constant(1000.0, 0.0), &start, &[0.0, 0.5, 1.0, 2.0, 4.0], 1e-9);
-    for y in &states {
-        eprintln!("{:e} {:e} {:?}", y[0].hypot(y[1]), y[2].hypot(y[3]), &y[4..n]);
-    }
+    let states = follow(&system, Programme::constant(1000.0, 0.0), &start, &[0.0, 0.5, 4.0], 1e-9);
     let size = |y: &[f64]| (y[0].hypot(y[1]), y[2].hypot(y[3]));
-    let (moved, tilted) = size(&states[1]);
-    let (left, leans) = size(&states[2]);
-    assert!(left < 1e-9 && leans < 1e-9, "{moved:e} {tilted:e} then {left:e} {leans:e}: {:?}", &states[2][4..n]);
+    let ((moved, tilted), (left, leans)) = (size(&states[1]), size(&states[2]));
+    assert!(moved > 1e-7 && tilted > 1e-7 && left < 1e-12 && leans < 1e-11, "{moved:e} {tilted:e} then {left:e} {leans:e}");
 }
