@@ -151,8 +151,8 @@ pub fn error(terms: &[Term], ladders: &[Ladder], band: f64) -> f64 {
         for s in [c(0.0, w), c(-0.3 * w, w)] {
             let (mut exact, mut fitted) = (c(1.0, 0.0), c(1.0, 0.0));
             for (term, ladder) in terms.iter().zip(ladders) {
-                exact = exact - term.transform(s);
-                fitted = fitted - ladder.transform(term, s);
+                exact -= term.transform(s);
+                fitted -= ladder.transform(term, s);
             }
             let e = (fitted - exact).abs() / exact.abs();
             if e > worst || e.is_nan() {
@@ -172,7 +172,7 @@ pub fn choose(terms: &[Term], accuracy: f64, band: f64) -> Option<(Vec<Ladder>, 
     let mut quality = 1.0;
     loop {
         let ladders: Vec<Ladder> = terms.iter().map(|t| Ladder::new(t, band, quality)).collect();
-        if !(ladders.iter().map(Ladder::count).sum::<usize>() <= MOST) {
+        if ladders.iter().map(Ladder::count).sum::<usize>() > MOST {
             return None;
         }
         let error = error(terms, &ladders, band);
