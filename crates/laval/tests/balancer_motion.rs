@@ -406,12 +406,8 @@ fn two_planes_balance_a_couple() {
     let n = system.n();
     let mut start = vec![0.0; 2 * n];
     start[4..8].copy_from_slice(&[0.3, 2.0, -1.0, 1.2]);
-    let states = follow(&system, Programme::constant(1000.0, 0.0), &start, &[0.0, 0.5, 1.0, 2.0, 4.0], 1e-9);
-    for y in &states {
-        eprintln!("{:e} {:e} {:?}", y[0].hypot(y[1]), y[2].hypot(y[3]), &y[4..n]);
-    }
+    let states = follow(&system, Programme::constant(1000.0, 0.0), &start, &[0.0, 0.5, 4.0], 1e-9);
     let size = |y: &[f64]| (y[0].hypot(y[1]), y[2].hypot(y[3]));
-    let (moved, tilted) = size(&states[1]);
-    let (left, leans) = size(&states[2]);
-    assert!(left < 1e-9 && leans < 1e-9, "{moved:e} {tilted:e} then {left:e} {leans:e}: {:?}", &states[2][4..n]);
+    let ((moved, tilted), (left, leans)) = (size(&states[1]), size(&states[2]));
+    assert!(moved > 1e-7 && tilted > 1e-7 && left < 1e-12 && leans < 1e-11, "{moved:e} {tilted:e} then {left:e} {leans:e}");
 }

@@ -194,6 +194,25 @@ fn limited_power_is_caught_at_the_resonance() {
     }
 }
 
+/// A programme that asks the motor for more than it has at the resonance, and one slow enough for it.
+#[test]
+fn a_motor_that_cannot_follow_is_told() {
+    let programme = |torque: f64, polynomial: &str| {
+        let file = driven(torque, 1.0).replace("drive = \"free\"\n", "");
+        let (machine, _) = file.split_once("[[study]]").unwrap();
+        run(&format!("{machine}[[study]]\nkind = \"run_up\"\nduration = 10\n{polynomial}\n"), 0)
+    };
+    // J W' = 0.05 * 60 = 3 N m and drag beside it
+    let o = programme(3.2, "polynomial = [0, 60]");
+    let (lack, first) = (value(&o, "drive_short"), evidence(&o, "drive_short", "first at speed"));
+    // 3 + 1e-3 w = 3.2 (1 - w/800) at 40 rad/s
+    assert!((first - 40.0).abs() < 8.0 && lack > 2.0, "{lack} {first}");
+    let o = programme(40.0, "polynomial = [0, 20, 4]");
+    assert!(value(&o, "drive_suffices") > 0.0 && !has(&o, "drive_short"));
+    let last = |name: &str| *column(&o, "drive", name).last().unwrap();
+    assert!((last("speed") - 600.0).abs() < 1e-9);
+}
+
 /// A heavy disc that stands still and a ring on it.
 fn bench(balancer: BallBalancer, ring: BalancerBallParams) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());

@@ -81,7 +81,7 @@ impl Motor {
             Curve::LimitedPower => {
                 let w = speed.abs();
                 let over = w * p.torque - p.power;
-                over.select_pos(p.power / over.select_pos(w, S::one()), p.torque) + speed.scale(0.0)
+                over.select_pos(p.power / over.select_pos(w, S::one()), p.torque) + over.scale(0.0)
             }
             Curve::Table(f) => p.torque * f.value_and_slope(speed).0,
         }

@@ -16,6 +16,7 @@ pub mod rest;
 pub mod scalar;
 pub mod sectors;
 pub mod stability;
+pub mod stationary;
 pub mod sweep;
 pub mod symmetry;
 pub mod turning;

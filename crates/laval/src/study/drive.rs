@@ -1,4 +1,4 @@
-//! What a free spin does: whether the drive is caught by a vibration (Sommerfeld effect) before the speed it could reach.
+//! What motors do: whether a free spin is caught by a vibration (Sommerfeld effect) before the speed it could reach, and whether they could follow a programme.
 
 use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
@@ -91,4 +91,32 @@ pub(super) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Finding>, Optio
     let bracket = (flight.times[first.saturating_sub(1)], flight.times[first]);
     let point = SpecialPoint::new("capture", flight.times[first], bracket).status(Status::Bracketed).evidence("speed", speed, "rad/s");
     (vec![finding.evidence("caught since", flight.times[first], "s")], Some(point))
+}
+
+/// Share of a flight over which torques are averaged: the unbalance makes them swing.
+const WINDOW: f64 = 0.02;
+
+/// That the motors of a machine, which bring the power `supplied` (W), cannot follow a programme: where `torque` (N m) is missing beside theirs on average.
+pub(super) fn short(speeds: &[f64], torque: &[f64], supplied: &[f64]) -> Option<Finding> {
+    let count = torque.len();
+    let half = (0.5 * WINDOW * count as f64) as usize;
+    if !supplied.iter().any(|p| *p > 0.0) {
+        return None;
+    }
+    let mean = |i: usize| {
+        let range = i.saturating_sub(half)..(i + half + 1).min(count);
+        torque[range.clone()].iter().sum::<f64>() / range.len() as f64
+    };
+    let lacks: Vec<f64> = (0..count).map(mean).collect();
+    let (at, most) = lacks.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    if !(most > 0.0) {
+        return Some(
+            Finding::info("drive_suffices", "The motor can follow this programme: at least {} is left to spare.").value(-most, "N m"),
+        );
+    }
+    let first = lacks.iter().position(|x| *x > 0.0).unwrap_or(at);
+    let text =
+        format!("The motor cannot follow this programme: from {} on torque is missing, up to {{}}.", quantity(speeds[first], "rad/s"));
+    let finding = Finding::warning("drive_short", text).value(most, "N m").evidence("first at speed", speeds[first], "rad/s");
+    Some(finding.evidence("most at speed", speeds[at], "rad/s"))
 }

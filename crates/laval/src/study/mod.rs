@@ -27,6 +27,7 @@ mod settled;
 mod spectra;
 pub mod stability_map;
 mod start;
+pub mod stationary;
 pub mod support;
 pub mod sweep;
 pub mod transient;

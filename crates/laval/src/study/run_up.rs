@@ -10,6 +10,7 @@
 //! Sources: `000_a291f7ede1484e56` chapter 2; envelope against speed as in every text on passage through resonance.
 
 use super::balance;
+use super::drive;
 use super::history::{self, ABSOLUTE, Columns, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::passages::{envelope, passages};
 use super::spectra::{self, Spectra};
@@ -304,6 +305,12 @@ impl RunUp {
             torque.push(motion.torque(t, y).unwrap_or(f64::NAN));
         }
         let power: Vec<f64> = torque.iter().zip(&spins).map(|(m, s)| m * s.speed).collect();
+        let mut supplied = Vec::with_capacity(flight.times.len());
+        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+            supplied.push(motion.powers(t, y).map_or(0.0, |p| p.supplied));
+        }
+        let speeds: Vec<f64> = spins.iter().map(|s| s.speed).collect();
+        let short = drive::short(&speeds, &torque, &supplied);
         let largest =
             |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
         let ((most, at), (strongest, when)) = (largest(&torque), largest(&power));
@@ -324,6 +331,7 @@ impl RunUp {
         if flight.left.is_some() {
             return Ok(outcome);
         }
+        let outcome = short.into_iter().fold(outcome, Outcome::finding);
         Ok(outcome
             .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence(
                 "at speed",

@@ -157,7 +157,7 @@ fn weight_along_a_horizontal_axis_is_refused() {
 fn locking_to_the_node_line_is_told() {
     let p = BalancerBallParams { track_radius: 0.2, tilt: std::f64::consts::PI / 20.0, eccentricity: 50e-6, ..ring() };
     assert!(
-        balancer().warnings(&p)[0].contains("= 4.894 mm should stay below a tenth of the eccentricity of the ring, 5 um"),
+        balancer().warnings(&p)[0].contains("= 4.894 mm should stay below a tenth of the eccentricity of the ring, 5 µm"),
         "{:?}",
         balancer().warnings(&p)
     );

@@ -1,0 +1,495 @@
+//! All states of a machine that are at rest in axes that turn with the rotor, over a range of speeds: many starts, continuation along the speed from
+//! every new state, stability along the branches, and the places where it changes.
+//!
+//! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is told instead.
+
+pub mod images;
+pub mod problem;
+
+use super::exact::multiplicity;
+use super::pencil::{Spectrum, modes_about};
+use super::scalar::root;
+use crate::diagnostic::Diagnostic;
+use crate::model::part::DofKind;
+use crate::model::system::System;
+use images::{Images, wrapped};
+use laval_num::complex::C64;
+use laval_num::continuation::{Branch, Direction, End, Kind, Point, Settings, Zero, cross, trace_both};
+use laval_num::dense::{Lu, Mat};
+use laval_num::newton::{Cause, Options, newton};
+use laval_num::sampling::Points;
+use problem::Stationary;
+use std::f64::consts::PI;
+use std::sync::atomic::AtomicBool;
+
+/// What is sought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// Speeds, rad/s.
+    pub range: (f64, f64),
+    /// Starts at every one of the seed speeds.
+    pub starts: usize,
+    /// Speeds at which states are sought from scratch.
+    pub seeds: Vec<f64>,
+    /// Most points of one branch.
+    pub max_points: usize,
+    /// Most Newton runs and points of branches together.
+    pub work: u64,
+}
+
+/// A state at a speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Branch it lies on.
+    pub branch: usize,
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// Coordinates at spin angle 0, then states that are not eliminated.
+    pub x: Vec<f64>,
+    /// Estimated error over the typical sizes.
+    pub error: f64,
+}
+
+/// What small disturbances of a state do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stability {
+    /// Eigenvalues in turning axes with Im >= 0 and how many roots each stands for, in falling order of growth.
+    pub values: Vec<(C64, usize)>,
+    /// Number of growing roots.
+    pub growing: usize,
+    /// Growth that is rounding, 1/s.
+    pub noise: f64,
+}
+
+impl Stability {
+    fn of(spectrum: &Spectrum) -> Self {
+        let mut values: Vec<(C64, usize)> = spectrum.modes.iter().map(|m| (m.value, multiplicity(m))).collect();
+        values.sort_by(|a, b| b.0.re.total_cmp(&a.0.re));
+        let noise = 1e-11 * values.iter().map(|v| v.0.abs()).fold(0.0, f64::max);
+        // a growth that is not a number grows
+        let growing = values.iter().filter(|v| !(v.0.re <= noise)).map(|v| v.1).sum();
+        Stability { values, growing, noise }
+    }
+    /// Largest growth rate, 1/s.
+    pub fn growth(&self) -> f64 {
+        self.values.first().map_or(f64::NAN, |v| v.0.re)
+    }
+    /// The root of this rank, counted from the one that grows most.
+    fn ranked(&self, rank: usize) -> Option<C64> {
+        let mut seen = 0;
+        self.values
+            .iter()
+            .find(|v| {
+                seen += v.1;
+                seen > rank
+            })
+            .map(|v| v.0)
+    }
+}
+
+/// What happens at a special point of a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// The branch turns back: two states meet and vanish.
+    Fold,
+    /// Another branch crosses.
+    BranchPoint,
+    /// A pair of complex roots crosses the imaginary axis: the state begins or ceases to oscillate by itself.
+    Hopf,
+    /// A real root crosses zero.
+    Real,
+}
+
+impl Change {
+    /// The word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Change::Fold => "fold",
+            Change::BranchPoint => "branch_point",
+            Change::Hopf => "hopf",
+            Change::Real => "real_root",
+        }
+    }
+}
+
+/// A located special point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Located {
+    /// What it is.
+    pub change: Change,
+    /// The state there.
+    pub state: State,
+    /// Frequency of the root that crosses, rad/s, in turning axes.
+    pub frequency: f64,
+    /// Speeds around it.
+    pub bracket: (f64, f64),
+    /// Growing roots before and behind it along the branch.
+    pub growing: (usize, usize),
+    /// Both sides were told apart to rounding.
+    pub located: bool,
+}
+
+/// A point of a branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Arclength, in typical sizes.
+    pub s: f64,
+    /// The state.
+    pub state: State,
+    /// What small disturbances do.
+    pub stability: Stability,
+}
+
+/// A branch of states.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// As followed.
+    pub branch: Branch,
+    /// Its points, and others between them where the growth rate bends.
+    pub points: Vec<Sample>,
+    /// Special points in order along the branch.
+    pub special: Vec<Located>,
+}
+
+/// All that was found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Branches.
+    pub paths: Vec<Path>,
+    /// What counts as the same state.
+    pub images: Images,
+    /// Newton runs from scratch, those that led to a state, and those that led to a state known before.
+    pub starts: [u64; 3],
+    /// Runs that ended where the equations are singular: states that are not isolated.
+    pub singular: u64,
+    /// Stopped before the end.
+    pub stopped: bool,
+    /// Work: Newton runs and points.
+    pub work: u64,
+}
+
+/// Two states are one within this many typical sizes.
+const SAME: f64 = 1e-6;
+/// Most branches followed.
+const MOST_BRANCHES: usize = 200;
+
+/// The search in a machine without preferred direction.
+pub struct Search<'a> {
+    problem: Stationary<'a>,
+    scale: Vec<f64>,
+    images: Images,
+    request: &'a Request,
+    /// Points that may still be judged.
+    left: u64,
+}
+
+impl<'a> Search<'a> {
+    /// For a machine that [`turning::isotropic`](super::turning::isotropic) admits.
+    pub fn new(system: &'a System, request: &'a Request, cancel: &'a AtomicBool) -> Self {
+        let (lo, hi) = request.range;
+        let problem = Stationary::new(system, 0.1 * (hi - lo).max(1e-6 * hi.abs()), cancel);
+        let mut scale = vec![1.0; problem.dim()];
+        problem.scale(&mut scale);
+        Search { problem, scale, images: Images::of(system, 0.5 * (lo + hi)), request, left: request.work }
+    }
+
+    /// What counts as the same state.
+    pub fn images(&self) -> &Images {
+        &self.images
+    }
+
+    /// Newton's method on all unknowns.
+    ///
+    /// # Errors
+    /// Why it ended.
+    pub fn settle(&mut self, x: &mut [f64], speed: f64) -> Result<f64, Cause> {
+        let options = Options { max_iterations: 60, to_rounding: true, noise: 1e-12, loose_step: 1e-7, ..Options::default() };
+        newton(&mut self.problem, x, speed, &options).map(|c| c.step).map_err(|e| e.cause)
+    }
+
+    /// A start: angles spread over the turn, everything else where it then balances.
+    fn start(&mut self, index: usize, speed: f64) -> Option<Vec<f64>> {
+        let n = self.problem.system.n();
+        let free: Vec<usize> = (0..self.problem.dim()).filter(|i| !self.images.angles.contains(i)).collect();
+        let mut x = vec![0.0; self.problem.dim()];
+        for (d, &i) in self.images.angles.iter().enumerate() {
+            x[i] = PI * (2.0 * Points::Sobol.at(7, index as u32, d as u32) - 1.0);
+        }
+        for (d, &i) in free.iter().enumerate().filter(|(_, i)| **i < n) {
+            if self.problem.system.coordinates()[i].dof.kind == DofKind::Scalar {
+                x[i] = self.scale[i] * (2.0 * Points::Random.at(8, index as u32, d as u32) - 1.0);
+            }
+        }
+        let size = x.len();
+        let (mut r, mut jac) = (vec![0.0; size], Mat::zeros(size, size));
+        // nearly linear in what is left
+        for _ in 0..3 {
+            r.fill(0.0);
+            jac.reset(size, size);
+            self.problem.eval(&x, speed, &mut r, Some(&mut jac), None).ok()?;
+            let mut step: Vec<f64> = free.iter().map(|&i| r[i]).collect();
+            Lu::new(&Mat::from_fn(free.len(), free.len(), |i, j| jac[(free[i], free[j])])).ok()?.solve(&mut step);
+            free.iter().zip(&step).for_each(|(&i, s)| x[i] -= s);
+        }
+        x.iter().all(|x| x.is_finite()).then_some(x)
+    }
+
+    /// The states of a branch at a speed.
+    pub fn at(&mut self, branch: usize, path: &Branch, speed: f64) -> Vec<State> {
+        let mut out: Vec<State> = Vec::new();
+        for w in path.points.windows(2) {
+            let (a, b) = (w[0].p - speed, w[1].p - speed);
+            if !(a * b <= 0.0) || a == b {
+                continue;
+            }
+            let share = a / (a - b);
+            let mut x: Vec<f64> = w[0].x.iter().zip(&w[1].x).map(|(p, q)| p + share * (q - p)).collect();
+            let chord = w[0].x.iter().zip(&w[1].x).zip(&self.scale).map(|((p, q), s)| ((q - p) / s).abs()).fold(0.0, f64::max);
+            let from = x.clone();
+            let Ok(error) = self.settle(&mut x, speed) else { continue };
+            let moved = x.iter().zip(&from).zip(&self.scale).map(|((p, q), s)| ((q - p) / s).abs()).fold(0.0, f64::max);
+            if moved > 2.0 * chord + SAME || out.iter().any(|s| self.images.distance(&s.x, &x, &self.scale) < SAME) {
+                continue;
+            }
+            out.push(State { branch, speed, x, error });
+        }
+        out
+    }
+
+    /// Whether a state is one of these or an image.
+    pub fn among(&self, x: &[f64], known: &[State]) -> bool {
+        known.iter().any(|s| self.images.distance(&s.x, x, &self.scale) < SAME)
+    }
+
+    /// Eigenvalues about a state.
+    ///
+    /// # Errors
+    /// As [`modes_about`].
+    pub fn stability(&self, x: &[f64], speed: f64) -> Result<Stability, Diagnostic> {
+        Ok(Stability::of(&modes_about(self.problem.system, &self.problem.equilibrium(x, speed), false)?))
+    }
+
+    /// The machine's state as an equilibrium.
+    pub fn problem(&self) -> &Stationary<'a> {
+        &self.problem
+    }
+
+    fn settings(&self) -> Settings {
+        let (lo, hi) = self.request.range;
+        Settings { max_points: self.request.max_points, max_parameter_step: (hi - lo) / 100.0, min_step: 1e-9, ..Settings::new(lo, hi) }
+    }
+
+    /// The whole search; `each` is told the work done so far and says whether to go on.
+    ///
+    /// # Errors
+    /// A spectrum that cannot be computed.
+    pub fn run(&mut self, mut each: impl FnMut(u64) -> bool) -> Result<Found, Diagnostic> {
+        let mut found = Found { paths: Vec::new(), images: self.images.clone(), starts: [0; 3], singular: 0, stopped: false, work: 0 };
+        let mut branches: Vec<Branch> = Vec::new();
+        'all: for &speed in &self.request.seeds {
+            let mut known: Vec<State> = Vec::new();
+            for (k, b) in branches.iter().enumerate() {
+                known.extend(self.at(k, b, speed));
+            }
+            for index in 0..self.request.starts {
+                if !each(found.work) || found.work >= self.request.work {
+                    found.stopped = true;
+                    break 'all;
+                }
+                found.work += 1;
+                found.starts[0] += 1;
+                let Some(mut x) = self.start(index, speed) else { continue };
+                match self.settle(&mut x, speed) {
+                    Ok(_) => {}
+                    Err(Cause::Singular) => {
+                        found.singular += 1;
+                        continue;
+                    }
+                    Err(Cause::Cancelled) => {
+                        found.stopped = true;
+                        break 'all;
+                    }
+                    Err(_) => continue,
+                }
+                found.starts[1] += 1;
+                if self.among(&x, &known) {
+                    found.starts[2] += 1;
+                    continue;
+                }
+                if branches.len() >= MOST_BRANCHES {
+                    break 'all;
+                }
+                self.images.angles.iter().for_each(|&i| x[i] = wrapped(x[i]));
+                self.follow(&x, speed, &mut branches, &mut found);
+                known.clear();
+                for (k, b) in branches.iter().enumerate() {
+                    known.extend(self.at(k, b, speed));
+                }
+            }
+        }
+        for (k, branch) in branches.into_iter().enumerate() {
+            if !each(found.work) {
+                found.stopped = true;
+                break;
+            }
+            let before = found.work;
+            self.left = self.request.work.saturating_sub(before);
+            let (path, judged) = self.judge(k, branch, &mut |done| each(before + done))?;
+            found.work += path.points.len() as u64;
+            found.paths.push(path);
+            if !judged {
+                found.stopped = true;
+                break;
+            }
+        }
+        Ok(found)
+    }
+
+    /// Follows the branch through a state, and those that cross it.
+    fn follow(&mut self, x: &[f64], speed: f64, branches: &mut Vec<Branch>, found: &mut Found) {
+        let settings = self.settings();
+        let mut waiting = vec![(x.to_vec(), speed)];
+        while let Some((x, speed)) = waiting.pop() {
+            if branches.len() >= MOST_BRANCHES {
+                return;
+            }
+            let mut known: Vec<State> = Vec::new();
+            for (k, b) in branches.iter().enumerate() {
+                known.extend(self.at(k, b, speed));
+            }
+            if self.among(&x, &known) {
+                continue;
+            }
+            let Ok(branch) = trace_both(&mut self.problem, &x, speed, &settings, &mut []) else { continue };
+            found.work += branch.points.len() as u64;
+            if branch.points.len() < 2 {
+                continue;
+            }
+            for special in branch.of(Kind::BranchPoint) {
+                for c in cross(&mut self.problem, &special.point, &settings).unwrap_or_default() {
+                    // beside the branch point, away from it
+                    debug_assert!(matches!(c.direction, Direction::Up | Direction::Down));
+                    waiting.push((c.x, c.p));
+                }
+            }
+            found.stopped |= branch.end == End::Cancelled;
+            branches.push(branch);
+        }
+    }
+
+    /// Stability along a branch and where it changes, as far as `each` lets it go on.
+    fn judge(&mut self, k: usize, branch: Branch, each: &mut dyn FnMut(u64) -> bool) -> Result<(Path, bool), Diagnostic> {
+        let mut complete = true;
+        let mut points: Vec<Sample> = Vec::new();
+        let mut special: Vec<(f64, Located)> = Vec::new();
+        let sample = |search: &Self, p: &Point| -> Result<Sample, Diagnostic> {
+            let state = State { branch: k, speed: p.p, x: p.x.clone(), error: p.error };
+            Ok(Sample { s: p.s, stability: search.stability(&p.x, p.p)?, state })
+        };
+        for (i, p) in branch.points.iter().enumerate() {
+            if !each(points.len() as u64) {
+                complete = false;
+                break;
+            }
+            let next = sample(self, p)?;
+            let Some(last) = points.last().cloned() else {
+                points.push(next);
+                continue;
+            };
+            let turns: Vec<_> = branch.specials.iter().filter(|s| s.after + 1 == i && s.kind != Kind::Corner).collect();
+            let growing = (last.stability.growing, next.stability.growing);
+            for s in &turns {
+                let change = if s.kind == Kind::Fold { Change::Fold } else { Change::BranchPoint };
+                let bracket = (s.bracket[0].p.min(s.bracket[1].p), s.bracket[0].p.max(s.bracket[1].p));
+                let located = s.status != laval_num::continuation::Status::Bracketed;
+                let state = State { branch: k, speed: s.point.p, x: s.point.x.clone(), error: s.point.error };
+                special.push((s.point.s, Located { change, state, frequency: 0.0, bracket, growing, located }));
+            }
+            if turns.is_empty() {
+                self.refine(&last, &next, 0, &mut points);
+            }
+            points.push(next);
+            // a real root is zero at a fold and at a branch point
+            if !turns.is_empty() && growing.0.abs_diff(growing.1) <= turns.len() {
+                continue;
+            }
+            let first = points.iter().rposition(|p| p.s <= last.s).unwrap_or(0);
+            for j in first..points.len() - 1 {
+                if points[j].stability.growing != points[j + 1].stability.growing {
+                    let (a, b) = (points[j].clone(), points[j + 1].clone());
+                    special.push((0.5 * (a.s + b.s), self.crossing(&a, &b)));
+                }
+            }
+        }
+        special.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok((Path { branch, points, special: special.into_iter().map(|s| s.1).collect() }, complete))
+    }
+
+    /// The state of a branch at a speed between two of its points that do not turn back.
+    fn between(&mut self, a: &Sample, b: &Sample, speed: f64) -> Option<Sample> {
+        let share = (speed - a.state.speed) / (b.state.speed - a.state.speed);
+        let mut x: Vec<f64> = a.state.x.iter().zip(&b.state.x).map(|(p, q)| p + share * (q - p)).collect();
+        let from = x.clone();
+        let error = self.settle(&mut x, speed).ok()?;
+        let length = |p: &[f64], q: &[f64]| p.iter().zip(q).zip(&self.scale).map(|((p, q), s)| ((q - p) / s).abs()).fold(0.0, f64::max);
+        // another branch is nearer than half the way along this one
+        if length(&from, &x) > 0.5 * length(&a.state.x, &b.state.x) + SAME {
+            return None;
+        }
+        let stability = self.stability(&x, speed).ok()?;
+        Some(Sample { s: a.s + share * (b.s - a.s), state: State { branch: a.state.branch, speed, x, error }, stability })
+    }
+
+    /// Points between two others until the largest growth rate is nearly straight beside its own size: two changes of stability close together are then seen.
+    fn refine(&mut self, a: &Sample, b: &Sample, depth: usize, out: &mut Vec<Sample>) {
+        if depth >= 8 || out.len() as u64 >= self.left {
+            return;
+        }
+        let Some(middle) = self.between(a, b, 0.5 * (a.state.speed + b.state.speed)) else { return };
+        let g = [a, &middle, b].map(|p| p.stability.growth());
+        let bend = (g[1] - 0.5 * (g[0] + g[2])).abs();
+        if bend > 0.2 * g.iter().map(|g| g.abs()).fold(f64::INFINITY, f64::min) {
+            self.refine(a, &middle, depth + 1, out);
+            out.push(middle.clone());
+            self.refine(&middle, b, depth + 1, out);
+        }
+    }
+
+    /// Where a root crosses the imaginary axis between two points of a branch.
+    fn crossing(&mut self, a: &Sample, b: &Sample) -> Located {
+        let rank = a.stability.growing.max(b.stability.growing) - 1;
+        let (lo, hi) = (a.state.speed, b.state.speed);
+        let value = |s: &Stability| s.ranked(rank).map_or(f64::NAN, |z| z.re);
+        let ends = (value(&a.stability), value(&b.stability));
+        let place =
+            root(|p| self.between(a, b, p).map(|s| value(&s.stability)), (lo, ends.0), (hi, ends.1), 1e-13 * lo.abs().max(hi.abs()));
+        let found = place.and_then(|p| self.between(a, b, p));
+        let located = found.is_some();
+        let at = found.unwrap_or_else(|| a.clone());
+        let z = at.stability.ranked(rank).unwrap_or(C64::zero());
+        let size = at.stability.values.iter().map(|v| v.0.abs()).fold(0.0, f64::max);
+        Located {
+            change: if z.im > 1e-7 * size { Change::Hopf } else { Change::Real },
+            frequency: if located { z.im } else { f64::NAN },
+            bracket: (lo.min(hi), lo.max(hi)),
+            growing: (a.stability.growing, b.stability.growing),
+            state: at.state,
+            located,
+        }
+    }
+}
+
+impl Found {
+    /// The states of all branches at a speed, images once.
+    pub fn states(&self, search: &mut Search, speed: f64) -> Vec<State> {
+        let mut out: Vec<State> = Vec::new();
+        for (k, path) in self.paths.iter().enumerate() {
+            for s in search.at(k, &path.branch, speed) {
+                if !search.among(&s.x, &out) {
+                    out.push(s);
+                }
+            }
+        }
+        out
+    }
+}
