@@ -489,3 +489,16 @@ impl Part for BallBalancer {
         wrong
     }
 }
+
+crate::conformance! {
+    BallBalancer {
+        planar: tests::balancer().planar(), tests::ring(), Options::default();
+        planar_free: tests::two_tracks().planar().free(), tests::sprung(), Options::default();
+        planar_rough: tests::balancer().planar(), tests::rough(), Options::default();
+        planar_touching: tests::balancer().planar().touching(), tests::touching(), Options { states: 40, ..Options::default() };
+        spatial: tests::balancer(), tests::ring(), Options::default();
+        spatial_free: tests::two_tracks().free(), tests::sprung(), Options::default();
+        spatial_rough_touching: tests::balancer().touching(), BalancerBallParams { dry_torque: 0.01, friction_rate: 80.0, ..tests::touching() },
+            Options { states: 40, ..Options::default() };
+    }
+}

@@ -1,10 +1,10 @@
-//! Promises of the balancer, and what can be seen without a machine.
+//! What can be seen of the balancer without a machine.
 
 use super::*;
 use crate::model::field::Value;
 use crate::model::params::Family;
 
-fn ring() -> BalancerBallParams {
+pub(super) fn ring() -> BalancerBallParams {
     BalancerBallParams {
         ball_mass: 0.02,
         track_radius: 0.15,
@@ -20,37 +20,24 @@ fn ring() -> BalancerBallParams {
     }
 }
 
-fn sprung() -> BalancerBallParams {
+pub(super) fn sprung() -> BalancerBallParams {
     BalancerBallParams { tilt_stiffness: 40.0, tilt_damping: 0.02, ..ring() }
 }
 
-fn rough() -> BalancerBallParams {
+pub(super) fn rough() -> BalancerBallParams {
     BalancerBallParams { dry_torque: 0.01, rolling_resistance: 0.002, friction_rate: 80.0, rolling_inertia: 0.4, ..ring() }
 }
 
-fn touching() -> BalancerBallParams {
+pub(super) fn touching() -> BalancerBallParams {
     BalancerBallParams { ball_radius: 0.04, contact_stiffness: 30.0, contact_damping: 1e-3, ..ring() }
 }
 
-fn balancer() -> BallBalancer {
+pub(super) fn balancer() -> BallBalancer {
     BallBalancer::new(Attach::on("disc"), 2).masses(&[1.0, 1.5])
 }
 
-fn two_tracks() -> BallBalancer {
+pub(super) fn two_tracks() -> BallBalancer {
     balancer().track(1, 0.11 / 0.15, -0.35, 0.1).masses(&[1.0, 1.5, 0.75])
-}
-
-crate::conformance! {
-    BallBalancer {
-        planar: balancer().planar(), ring(), Options::default();
-        planar_free: two_tracks().planar().free(), sprung(), Options::default();
-        planar_rough: balancer().planar(), rough(), Options::default();
-        planar_touching: balancer().planar().touching(), touching(), Options { states: 40, ..Options::default() };
-        spatial: balancer(), ring(), Options::default();
-        spatial_free: two_tracks().free(), sprung(), Options::default();
-        spatial_rough_touching: balancer().touching(), BalancerBallParams { dry_torque: 0.01, friction_rate: 80.0, ..touching() },
-            Options { states: 40, ..Options::default() };
-    }
 }
 
 /// On a body that stands still, position and derivatives in three dimensions are the closed forms of the plane.
