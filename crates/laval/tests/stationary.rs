@@ -192,7 +192,7 @@ fn wrapped(x: f64) -> f64 {
 }
 
 /// The states hold one with this place and these two angles, whichever ball is called first.
-fn find<'a>(all: &'a [Listed], place: [f64; 2], angles: [f64; 2], size: f64, tolerance: f64) -> Option<&'a Listed> {
+fn find(all: &[Listed], place: [f64; 2], angles: [f64; 2], size: f64, tolerance: f64) -> Option<&Listed> {
     all.iter().find(|s| {
         let near = (s.place[0] - place[0]).hypot(s.place[1] - place[1]) <= tolerance * size;
         let same =
@@ -510,8 +510,6 @@ impl Tilted {
             .unwrap()
     }
 }
-
-const TILT_BALLS: [&str; 2] = ["ring.ball_1", "ring.ball_2"];
 
 /// All states at one speed, from this many starts.
 fn at_speed(system: &System, w: f64, starts: i64) -> Outcome {

@@ -397,7 +397,7 @@ fn frozen_modulus() {
     assert_eq!(table.len(), 4);
     for r in &table {
         let modulus = number(r[0]);
-        let beam = Beam { accuracy: 1e-9, ..Beam::new(modulus, if modulus > 2.05e10 { 314.0 / 100.0 } else { PI }, number(r[1])) };
+        let beam = Beam { accuracy: 1e-9, ..Beam::new(modulus, if modulus > 2.05e10 { number("3.14") } else { PI }, number(r[1])) };
         let (w, drive) = (20.0, c(0.0, 20.0));
         let exact = Exact::new(&beam, w);
         let omega = whirl(&Beam { mu: 0.0, ..beam.elastic() }.system()).im;

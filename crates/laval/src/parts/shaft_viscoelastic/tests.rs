@@ -131,7 +131,7 @@ fn mistakes_are_told() {
     assert!(build(&[], &[("terms", terms(0.5))]).0.is_some());
     said(&[], &[("terms", terms(1.0))], "row 2 of the terms is no kernel");
     said(
-        &[("amplitude", 1e-6), ("exponent", 0.5), ("decay", 1e-9)],
+        &[("amplitude", 1e-17), ("exponent", 0.5), ("decay", 1e-30)],
         &[("accuracy", Value::Number(1e-10)), ("band", Value::Number(1e7))],
         "exponentials would be needed",
     );
@@ -150,7 +150,7 @@ fn parameters_are_held_together() {
         assert_eq!(part.check(&p), []);
     }
     refused(&part, &ShaftViscoelasticParams { decay: 1e-9, ..params() }, "amplitude", "creeps without bound");
-    refused(&part, &ShaftViscoelasticParams { decay: 0.005, ..params() }, "amplitude", "chosen for another kernel");
+    refused(&part, &ShaftViscoelasticParams { amplitude: 1e-5, decay: 1e-20, ..params() }, "amplitude", "chosen for another kernel");
     refused(&part, &ShaftViscoelasticParams { amplitude: 0.11, ..params() }, "amplitude", "creeps without bound");
     refused(&part, &ShaftViscoelasticParams { stiffness: 0.0, ..params() }, "stiffness", "has no stiffness");
     refused(&part, &ShaftViscoelasticParams { diameter: 0.01, ..params() }, "diameter", "no effect with supports = \"given\"");
