@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-const TEMPLATES: [&str; 5] = ["rigid-rotor", "oil-separator", "overhung-disc", "ball-balancer", "cup-separator"];
+const TEMPLATES: [&str; 6] = ["rigid-rotor", "oil-separator", "overhung-disc", "ball-balancer", "cup-separator", "viscoelastic-shaft"];
 
 /// A machine with one mode pair, and a quick study.
 const SMALL: &str = r#"
