@@ -394,7 +394,8 @@ fn largest_amplitudes() {
                 before[k] = before[k].max(want);
             }
             if sound {
-                assert!((100.0 * (1.0 - b / a) - number(r[8])).abs() < 0.1, "{r:?}");
+                // a thousandth of each
+                assert!((100.0 * (1.0 - b / a) - number(r[8])).abs() < 0.2 * b / a, "{r:?}");
                 compared += 1;
             }
         }
