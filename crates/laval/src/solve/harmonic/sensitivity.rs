@@ -81,20 +81,30 @@ pub struct Moved {
     pub settled: f64,
 }
 
-/// The parameters of a machine whose motions have this symmetry.
+/// The parameters that may vary of a machine whose motions have this symmetry. The halves of a lateral pair move together where the symmetry or their part
+/// has them equal.
 pub fn parameters(system: &System, symmetry: Symmetry) -> Vec<Named> {
-    let together = matches!(symmetry, Symmetry::Circular | Symmetry::Quarter);
+    let symmetric = matches!(symmetry, Symmetry::Circular | Symmetry::Quarter);
     let (slots, values) = (system.param_slots(), system.params());
+    let varies = |first: usize, count: usize| {
+        [1e-3, -1e-3].iter().any(|h| {
+            let moved = |v: f64| if v == 0.0 { *h } else { v * (1.0 + h) };
+            let changed: Vec<(&str, f64)> = (first..first + count).map(|i| (slots[i].name.as_str(), moved(values[i]))).collect();
+            system.with(&changed).is_ok()
+        })
+    };
     let mut out: Vec<Named> = Vec::new();
     let mut first = 0;
     while first < slots.len() {
         let slot = &slots[first];
         let pair = slot.name.strip_suffix(".x").filter(|p| slots.get(first + 1).is_some_and(|s| s.name.strip_suffix(".y") == Some(p)));
         let (path, count) = match pair {
-            Some(path) if together && values[first] == values[first + 1] => (path.to_string(), 2),
+            Some(path) if values[first] == values[first + 1] && (symmetric || !varies(first, 1)) => (path.to_string(), 2),
             _ => (slot.name.clone(), 1),
         };
-        out.push(Named { path, unit: slot.unit, value: values[first], parameter: Parameter { first, count } });
+        if varies(first, count) {
+            out.push(Named { path, unit: slot.unit, value: values[first], parameter: Parameter { first, count } });
+        }
         first += count;
     }
     out

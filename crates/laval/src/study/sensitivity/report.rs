@@ -48,7 +48,8 @@ impl Place {
     /// Parameters by falling influence; those without any are left out.
     fn order(&self, found: &Found) -> Vec<usize> {
         let relative = self.relative(found);
-        let size = |&k: &usize| relative[k][0].abs().max(relative[k][1].abs());
+        // what is unknown comes last
+        let size = |&k: &usize| if relative[k].iter().any(|r| r.is_nan()) { -1.0 } else { relative[k][0].abs().max(relative[k][1].abs()) };
         let acts = |&k: &usize| self.acts(found, k);
         let mut order: Vec<usize> = (0..relative.len()).filter(acts).collect();
         order.sort_by(|a, b| size(b).total_cmp(&size(a)));
@@ -63,9 +64,10 @@ fn percent(x: f64) -> String {
 
 fn finding(place: &Place, found: &Found) -> Finding {
     let relative = place.relative(found);
-    let most = |which: usize| (0..relative.len()).max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
     let told = |which: usize| {
-        most(which).map_or_else(String::new, |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
+        let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
+        let most = known.max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
+        most.map_or("an unknown share".into(), |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
     };
     let m = &place.moved;
     let (speed, body) = (significant(m.speed, 6), &place.body);
@@ -108,6 +110,12 @@ pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Ou
         };
         let text = format!("No derivatives are given at {{}}{more}: {why}.");
         out = out.finding(Finding::warning("no_derivative", text).value(speeds[0], "rad/s"));
+    }
+    let unknown = |k: &usize| found.places.iter().any(|p| p.relative(found)[*k].iter().any(|r| !r.is_finite()));
+    let unknown: Vec<&str> = (0..found.parameters.len()).filter(unknown).map(|k| found.parameters[k].path.as_str()).collect();
+    if !unknown.is_empty() {
+        let text = format!("The influence of {} could not be computed at every place.", unknown.join(", "));
+        out = out.finding(Finding::warning("no_influence", text));
     }
     if found.places.is_empty() {
         let text = "No peak and no fold of the response was found in the range of speeds.";
@@ -184,7 +192,12 @@ fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
 fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Outcome, Diagnostic> {
     let place = &found.places[i];
     let relative = place.relative(found);
-    let shown: Vec<usize> = place.order(found).into_iter().filter(|&k| relative[k] != [0.0; 2]).take(bars).collect();
+    let shown: Vec<usize> = place
+        .order(found)
+        .into_iter()
+        .filter(|&k| relative[k] != [0.0; 2] && relative[k].iter().all(|r| r.is_finite()))
+        .take(bars)
+        .collect();
     if shown.is_empty() {
         return Ok(out);
     }
