@@ -84,13 +84,20 @@ fn a_sweep_tells_every_jump_it_meets() {
     assert!(up.len() == 2 && down.len() == 2, "{up:?} {down:?}");
     assert!(up[0] < up[1] && down[0] > down[1] && down[0] < up[1] && down[1] < up[0] && down[0] > up[0], "{up:?} {down:?}");
     // where circular motions merge: the amplitudes on both sides of a fold have no motion between them
-    for w in [up, down].concat() {
+    for w in [up.clone(), down.clone()].concat() {
         let count = |w: f64| {
             let at = |k: i32| unbalanced(3000.0, w, 1e-8 * f64::from(k)) > 0.0;
             (1..20_000).filter(|&k| at(k) != at(k - 1)).count()
         };
         assert_eq!(count(w * (1.0 - 1e-4)).abs_diff(count(w * (1.0 + 1e-4))), 2, "{w}");
     }
+    // a range that ends within the upper loop: the states from high speed end at its lower fold, and the sweep goes on with those from low speed
+    let o = NonlinearResponse::new(Request::over(100.0, 0.5 * (down[0] + up[1]))).run(&system, &Context::quiet("response")).unwrap();
+    let cut = speeds(&o, "jump_down");
+    assert!(cut.len() == 2 && cut.iter().zip(&down).all(|(a, b)| (a - b).abs() < 1e-7 * b), "{cut:?} {down:?}");
+    let told: Vec<bool> = o.findings.iter().filter(|f| f.id == "jump_down").map(|f| f.text.contains("onto the states from low speed")).collect();
+    assert_eq!(told, [true, false]);
+    assert_eq!(speeds(&o, "jump_up").len(), 1);
 }
 
 /// A rotor on a spring with a cubic part.

@@ -113,7 +113,9 @@ fn summary(s: &mut String, report: &Report) {
     }
     let urgent = once.iter().filter(|k| k.0.level > Level::Info).count();
     let more = (once.len() - urgent).saturating_sub(MOST_RESULTS);
-    for (f, places) in &once[..once.len() - more] {
+    let shown = fair(once[urgent..].iter().map(|(_, places)| places[0].0));
+    let results = once[urgent..].iter().zip(shown).filter(|r| r.1).map(|r| r.0);
+    for (f, places) in once[..urgent].iter().chain(results) {
         let mut places = places.clone();
         places.dedup_by_key(|p| p.0);
         let links: Vec<String> = places.iter().map(|(i, o)| link(*i, o)).collect();
@@ -134,6 +136,23 @@ fn summary(s: &mut String, report: &Report) {
         s.push_str("</ul></nav>\n");
     }
     s.push_str("</section>\n");
+}
+
+/// Which results the summary shows, of the studies they come from: the first of each study before the second of any, [`MOST_RESULTS`] in all.
+fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
+    let mut seen: Vec<usize> = Vec::new();
+    let ranks: Vec<usize> = studies
+        .map(|i| {
+            let rank = seen.iter().filter(|s| **s == i).count();
+            seen.push(i);
+            rank
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..ranks.len()).collect();
+    order.sort_by_key(|&k| ranks[k]);
+    let mut shown = vec![false; ranks.len()];
+    order.iter().take(MOST_RESULTS).for_each(|&k| shown[k] = true);
+    shown
 }
 
 /// Start of a list item; the caller closes it.
@@ -305,4 +324,17 @@ fn table(s: &mut String, t: &Table, open: bool, file: Option<&str>) {
         _ => {}
     }
     s.push_str("</details>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_study_has_its_say_before_any_has_two() {
+        let only = |list: &[usize]| fair(list.iter().copied()).iter().enumerate().filter(|s| *s.1).map(|s| s.0).collect::<Vec<usize>>();
+        assert_eq!(only(&[0; 12]), (0..10).collect::<Vec<_>>());
+        assert_eq!(only(&[&[0; 12][..], &[1; 3], &[2]].concat()), [0, 1, 2, 3, 4, 5, 12, 13, 14, 15]);
+        assert_eq!(only(&[3, 4]), [0, 1]);
+    }
 }

@@ -1,15 +1,17 @@
 //! What the studies in time share: their common fields, tables and figures of the motion, energy, and the sentences about them.
 
 use super::Context;
+use super::passages::envelope;
 use super::start::Start;
+use super::turns;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
-use crate::solve::motion::Motion;
-use crate::solve::motion::envelope::growth_of;
+use crate::solve::motion::envelope::{Window, growth_of};
 use crate::solve::motion::flight::{Choice, Flight, Plan, fly};
+use crate::solve::motion::{Motion, SpinLaw};
 use laval_num::ode;
 use std::f64::consts::TAU;
 
@@ -375,26 +377,79 @@ pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Out
         .work(if flight.stiff { "stiff" } else { "explicit" }, 1)
 }
 
-/// Figures of the bodies against time and as orbits.
-pub(super) fn motion_figures(system: &System, mut outcome: Outcome) -> Outcome {
+/// What a study lists and draws of a motion.
+pub(super) struct Listed {
+    /// The rates too.
+    pub velocities: bool,
+    /// What the parts show.
+    pub observables: bool,
+    /// The last turns, where the outputs do not resolve the motion.
+    pub path: Option<Table>,
+    /// The envelope is drawn in place of a motion that is not resolved; not where the study draws its own.
+    pub envelope: bool,
+}
+
+/// Appends figures of the bodies against time and as orbits. Where the outputs do not resolve the motion the envelope stands for it, and the orbits are those of
+/// the last turns.
+fn motion_figures(motion: &Motion, flight: &Flight, listed: &Listed, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let system = motion.system();
     let bodies = system.bodies();
     if bodies.is_empty() {
-        return outcome;
+        return Ok(outcome);
     }
     let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
-    let mut lateral =
-        Figure::new("lateral", "Lateral motion of the bodies", "x and y of each body against time.").x(Axis::new("time", "s"));
+    let coarse = turns::coarse(motion, flight);
+    let (title, alt) = match coarse {
+        true => ("Envelope against time", "Largest displacement of each body from rest within a turn, against time."),
+        false => ("Lateral motion of the bodies", "x and y of each body against time."),
+    };
+    let mut lateral = Figure::new("lateral", title, alt).x(Axis::new("time", "s"));
     let mut orbit = Figure::new("orbit", "Orbits of the bodies", "Path of each body in the plane, to scale.").x(mm("x")).equal();
+    let path = if coarse { "last turns" } else { "motion" };
     let mut plane = Panel::new(mm("y"));
     for b in &bodies {
         let (x, y) = (&system.coordinates()[b.x].name, &system.coordinates()[b.x + 1].name);
         let line = |column: &String| Line::new("motion", "t", column).name(column);
-        lateral = lateral.panel(Panel::new(mm(&b.name)).mark(line(x)).mark(line(y)));
-        plane = plane.mark(Line::new("motion", x, y).name(&b.name));
+        lateral = lateral.panel(match coarse {
+            true => Panel::new(mm(&b.name)).mark(Line::new("envelope", "t", format!("{} amplitude", b.name)).name("envelope")),
+            false => Panel::new(mm(&b.name)).mark(line(x)).mark(line(y)),
+        });
+        plane = plane.mark(Line::new(path, x, y).name(&b.name));
     }
     orbit = orbit.panel(plane);
-    outcome = outcome.figure(lateral).figure(orbit);
-    outcome
+    if coarse && listed.envelope {
+        outcome = outcome.table(envelope_table(motion, flight)?);
+    }
+    if !coarse || listed.envelope {
+        outcome = outcome.figure(lateral);
+    }
+    Ok(match (&listed.path, coarse) {
+        (Some(table), true) => {
+            orbit.title = "Orbits of the bodies over the last turns".into();
+            outcome.table(table.clone()).figure(orbit)
+        }
+        (None, true) => outcome,
+        (_, false) => outcome.figure(orbit),
+    })
+}
+
+/// The largest displacements in successive windows.
+fn envelope_table(motion: &Motion, flight: &Flight) -> Result<Table, Diagnostic> {
+    let sizes = |windows: &Vec<Window>| -> Vec<f64> {
+        let seen = match motion.law() {
+            SpinLaw::Programme(p) => envelope(windows, &|t| p.at(t)),
+            SpinLaw::Free => windows.iter().map(|w| w.peak).take_while(|p| p.amplitude.is_finite()).collect(),
+        };
+        seen.iter().map(|p| p.amplitude).collect()
+    };
+    let sizes: Vec<Vec<f64>> = flight.windows.iter().map(sizes).collect();
+    let count = sizes.iter().map(Vec::len).min().unwrap_or(0);
+    let mut c = Columns::default();
+    c.add("t", "s", "end of the window", flight.windows.first().map_or(vec![], |w| w[..count].iter().map(|w| w.last).collect()));
+    for (b, sizes) in motion.system().bodies().iter().zip(sizes) {
+        c.add(format!("{} amplitude", b.name), "m", "largest distance from rest in the window", sizes[..count].to_vec());
+    }
+    c.table("envelope", "Envelope of the motion against time")
 }
 
 /// Figure of the energy balance.
@@ -428,19 +483,22 @@ pub(super) fn accounted(
     Ok((common_findings(motion, flight, outcome), balance))
 }
 
-/// Appends the tables and figures of a motion, with velocities and observed quantities where asked for.
+/// Appends the tables and figures of a motion.
 ///
 /// # Errors
 /// As [`motion_table`] and [`observed_table`]; an outcome that does not hold together.
 pub(super) fn shown(
     motion: &mut Motion,
     flight: &Flight,
-    (velocities, observables): (bool, bool),
+    listed: Listed,
     balance: Option<Balance>,
     outcome: Outcome,
 ) -> Result<Outcome, Diagnostic> {
-    let mut outcome = motion_figures(motion.system(), outcome.table(motion_table(motion, flight, velocities)?));
-    if observables && let Some(table) = observed_table(motion, flight)? {
+    let outcome = outcome.table(motion_table(motion, flight, listed.velocities)?);
+    let mut outcome = motion_figures(motion, flight, &listed, outcome)?;
+    if listed.observables
+        && let Some(table) = observed_table(motion, flight)?
+    {
         outcome = outcome.table(table);
     }
     if let Some(b) = balance {

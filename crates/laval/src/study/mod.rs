@@ -31,6 +31,7 @@ pub mod stationary;
 pub mod support;
 pub mod sweep;
 pub mod transient;
+mod turns;
 pub mod uncertainty;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -11,10 +11,11 @@
 
 use super::balance;
 use super::drive;
-use super::history::{self, ABSOLUTE, Columns, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::history::{self, ABSOLUTE, Columns, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::passages::{envelope, passages};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
+use super::turns::Turns;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Grid;
@@ -149,7 +150,9 @@ impl Study for RunUp {
         let last = self.programme.at(self.t_end);
         history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
         let asked = history::spaced(self.t_end, s.points);
-        let outputs = self.spectra.as_ref().map_or_else(|| asked.clone(), |s| s.with_outputs(&asked));
+        let turns = Turns::beside(&asked, last, self.programme.largest_speed());
+        let drawn = turns.as_ref().map_or_else(|| asked.clone(), |t| t.with_outputs(&asked));
+        let outputs = self.spectra.as_ref().map_or_else(|| drawn.clone(), |s| s.with_outputs(&drawn));
         let plan = Plan {
             t_end: self.t_end,
             choice: s.method,
@@ -165,7 +168,8 @@ impl Study for RunUp {
             progress: &history::progress(context, self.t_end),
         };
         let mut flight = fly(&mut motion, &y, &plan)?;
-        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &asked)));
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &drawn)));
+        let path = turns.map(|t| t.taken(&motion, &mut flight, &asked)).transpose()?.flatten();
         let (end, stopped) = history::ended(&flight);
         let end = match end {
             End::StepTooSmall { at } => End::StepTooSmall { at: self.programme.at(at).speed },
@@ -192,7 +196,8 @@ impl Study for RunUp {
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;
         }
-        let outcome = history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)?;
+        let listed = Listed { velocities: self.velocities, observables: self.observables, path, envelope: false };
+        let outcome = history::shown(&mut motion, &flight, listed, balance, outcome)?;
         balance::report(&mut motion, &flight, outcome)
     }
 }

@@ -10,17 +10,18 @@
 
 use super::balance;
 use super::drive;
-use super::history::{self, ABSOLUTE, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::history::{self, ABSOLUTE, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
+use super::turns::Turns;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Finding, Outcome};
-use crate::solve::motion::Motion;
 use crate::solve::motion::envelope::{Growth, Window, growth};
 use crate::solve::motion::flight::{Flight, Plan, fly};
+use crate::solve::motion::{Motion, SpinLaw};
 
 /// Windows of the envelope.
 const WINDOWS: usize = 200;
@@ -156,7 +157,12 @@ impl Study for Transient {
             }
             None => history::spaced(self.duration, s.points),
         };
-        let outputs = self.spectra.as_ref().map_or_else(|| asked.clone(), |s| s.with_outputs(&asked));
+        let turns = match motion.law() {
+            SpinLaw::Programme(p) => Turns::beside(&asked, p.at(self.duration), p.largest_speed()),
+            SpinLaw::Free => None,
+        };
+        let drawn = turns.as_ref().map_or_else(|| asked.clone(), |t| t.with_outputs(&asked));
+        let outputs = self.spectra.as_ref().map_or_else(|| drawn.clone(), |s| s.with_outputs(&drawn));
         let plan = Plan {
             t_end: self.duration,
             choice: s.method,
@@ -172,7 +178,8 @@ impl Study for Transient {
             progress: &history::progress(context, self.duration),
         };
         let mut flight = fly(&mut motion, &y, &plan)?;
-        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &asked)));
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &drawn)));
+        let path = turns.map(|t| t.taken(&motion, &mut flight, &asked)).transpose()?.flatten();
         let flight = history::magnified(&mut motion, &y, &plan, flight, s.points)?;
         let (end, stopped) = history::ended(&flight);
         let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
@@ -186,7 +193,8 @@ impl Study for Transient {
         let (captured, point) = drive::findings(&motion, &flight);
         outcome = captured.into_iter().fold(outcome, Outcome::finding);
         outcome = point.into_iter().fold(outcome, Outcome::special_point);
-        let outcome = history::shown(&mut motion, &flight, (self.velocities, self.observables), balance, outcome)?;
+        let listed = Listed { velocities: self.velocities, observables: self.observables, path, envelope: true };
+        let outcome = history::shown(&mut motion, &flight, listed, balance, outcome)?;
         balance::report(&mut motion, &flight, outcome)
     }
 }

@@ -437,7 +437,12 @@ impl<'s> Search<'s> {
         let path = follow(problem, y, value, speed, self.request.speeds, settings).map_err(invalid)?;
         self.done += path.work;
         (self.tick)(self.done);
-        Ok((path.points.len() > 1).then_some(path))
+        // a start that is left at once leads nowhere
+        let extends = |of: &dyn Fn(&Point) -> f64| {
+            let (lo, hi) = path.points.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+            hi - lo > SPOT * hi.abs().max(lo.abs())
+        };
+        Ok((extends(&|p| p.p) || extends(&|p| p.x[speed])).then_some(path))
     }
 
     fn fold(
@@ -570,6 +575,9 @@ impl<'s> Search<'s> {
         Some((point, all, own))
     }
 }
+
+/// Relative size of what is one place and no locus.
+const SPOT: f64 = 1e-6;
 
 /// The same point at its parameter to rounding, unless the locus turns back so near that it would leave.
 fn polish<P: Zero>(problem: &mut P, p: &mut Point) {

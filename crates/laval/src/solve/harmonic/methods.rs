@@ -286,7 +286,9 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
         End::WorkLimit { .. } => {
             Err(format!("the explicit method needs more than {STEPS} steps a period: some motions die out too fast for it"))
         }
-        other => Err(format!("the integration ended early: {other:?}")),
+        End::Failed { what, .. } => Err(format!("the integration could not go on: {what}")),
+        End::StepTooSmall { .. } => Err("no step of the integration, however short, met its tolerance".into()),
+        End::Cancelled { .. } | End::Event { .. } => Err("the integration was stopped".into()),
     }
 }
 

@@ -2,14 +2,14 @@
 
 use super::largest::Rising;
 use super::shown::{Shown, words, worst};
-use super::{families, stability};
+use super::{families, stability, sweeps};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::floquet::Exponents;
 use crate::solve::harmonic::peak::Peak;
-use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
+use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
 use crate::study::support::runs;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
@@ -19,11 +19,7 @@ impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
         for up in [true, false] {
-            let unclosed = up && response.unclosed.is_some();
-            match swept(response, up, request.speeds) {
-                Some(branch) => out.extend(sweep(branch, up, request.speeds, unclosed)),
-                None => out.push(unstarted(up, request.speeds)),
-            }
+            out.extend(sweeps::findings(response, up, request.speeds));
         }
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
@@ -240,92 +236,6 @@ fn unstable_words(branch: &Traced) -> String {
     if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
 }
 
-/// The branch that a slow sweep follows: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
-/// end of the other.
-pub(super) fn swept(response: &Response, up: bool, speeds: (f64, f64)) -> Option<&Traced> {
-    if response.unstarted.contains(&begins(up, speeds)) {
-        return None;
-    }
-    let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
-    let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
-    from(near).or(from(far))
-}
-
-/// Where a slow sweep along a branch jumps: at the first fold that turns against it; from there to the next states of the branch at that speed, and on to the
-/// next such fold beyond.
-pub(super) fn jumps(branch: &Traced, up: bool) -> Vec<&Fold> {
-    let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up).collect();
-    if up != branch.from_low() {
-        met.reverse();
-    }
-    let mut out: Vec<&Fold> = Vec::new();
-    for f in met {
-        if out.last().is_none_or(|last| (f.speed.abs() > last.speed.abs()) == up && f.speed != last.speed) {
-            out.push(f);
-        }
-    }
-    out
-}
-
-/// Where a slow sweep jumps, or that it does not.
-fn sweep(branch: &Traced, up: bool, (lo, hi): (f64, f64), unclosed: bool) -> Vec<Finding> {
-    let way = if up { "up" } else { "down" };
-    let begin = begins(up, (lo, hi));
-    let end = if begin == lo { hi } else { lo };
-    let reaches = branch.end == End::Reached;
-    let jumps = jumps(branch, up);
-    let one = |(k, f): (usize, &&Fold)| {
-        let again = if k == 0 { "jumps" } else { "jumps again" };
-        Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}."))
-            .value(f.speed, "rad/s")
-            .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
-            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
-            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
-            .evidence("scaled residual", f.residual, "")
-    };
-    if !jumps.is_empty() {
-        return jumps.iter().enumerate().map(one).collect();
-    }
-    let none = match () {
-        () if reaches => Finding::info(
-            format!("no_jump_{way}"),
-            format!(
-                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
-                significant(begin, 5),
-                significant(end, 5),
-                if unclosed { ", still growing," } else { "" }
-            ),
-        ),
-        () => match branch.points.last() {
-            Some(p) => Finding::warning(
-                format!("sweep_{way}_unfinished"),
-                format!("The states of a slow sweep {way} could be followed to {{}} only ({}).", reason(&branch.end)),
-            )
-            .value(p.speed, "rad/s"),
-            None => Finding::warning(
-                format!("sweep_{way}_unfinished"),
-                format!("The states of a slow sweep {way} were not followed ({}).", reason(&branch.end)),
-            ),
-        },
-    };
-    vec![none]
-}
-
-/// Where a slow sweep begins: up is faster, whichever way round the rotor turns.
-fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
-    if up == (lo >= 0.0) { lo } else { hi }
-}
-
-/// That the states of a sweep are not known.
-fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
-    let way = if up { "up" } else { "down" };
-    Finding::warning(
-        format!("sweep_{way}_unknown"),
-        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or ask for all states."),
-    )
-    .value(begins(up, speeds), "rad/s")
-}
-
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.
 fn unfinished(branch: &Traced) -> Option<Finding> {
     let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
@@ -333,7 +243,7 @@ fn unfinished(branch: &Traced) -> Option<Finding> {
     Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
 }
 
-fn reason(end: &End) -> String {
+pub(super) fn reason(end: &End) -> String {
     match end {
         End::Reached => "the end of the range".into(),
         End::StepTooSmall { why, .. } => refusal(why).into(),

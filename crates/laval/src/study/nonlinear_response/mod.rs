@@ -33,6 +33,7 @@ mod self_centring;
 mod shown;
 mod stability;
 pub(super) mod summary;
+mod sweeps;
 mod tables;
 mod tuning;
 

@@ -1,7 +1,8 @@
 //! A response in a few numbers: what a study of many machines keeps of each.
 
-use super::findings::{jumps, ranges_of, swept, unstable_runs};
+use super::findings::{ranges_of, unstable_runs};
 use super::shown::{Shown, end, worst};
+use super::sweeps::{jumps, swept};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome;
@@ -129,8 +130,8 @@ impl Summary {
 
 fn sweep(response: &Response, up: bool, speeds: (f64, f64)) -> Sweep {
     let Some(branch) = swept(response, up, speeds) else { return Sweep::Unfinished };
-    match jumps(branch, up).first() {
-        Some(fold) => Sweep::Jumps(fold.speed),
+    match jumps(response, branch, up).first() {
+        Some(jump) => Sweep::Jumps(jump.fold.speed),
         None if branch.end == End::Reached => Sweep::Passes,
         None => Sweep::Unfinished,
     }

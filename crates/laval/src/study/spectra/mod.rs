@@ -16,6 +16,7 @@ mod analyse;
 mod report;
 
 use super::start::Start;
+use super::turns::{merged, separated};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Body, System};
@@ -119,29 +120,16 @@ impl Spectra {
 
     /// The times of these outputs and of the samples, each once, rising.
     pub fn with_outputs(&self, outputs: &[f64]) -> Vec<f64> {
-        let mut all: Vec<f64> = self.times().chain(outputs.iter().copied()).collect();
-        all.sort_by(f64::total_cmp);
-        all.dedup();
-        all
+        merged(self.times(), outputs)
     }
 
     /// Takes the samples out of a flight, which keeps the outputs asked for besides.
     pub fn taken(&self, motion: &Motion, start: &Start, flight: &mut Flight, outputs: &[f64]) -> Record {
-        let dim = flight.state.len().max(1);
         let mut record = Record::default();
-        let (mut times, mut states) = (Vec::with_capacity(outputs.len()), Vec::with_capacity(outputs.len() * dim));
-        let (mut sample, mut output) = (self.times().peekable(), outputs.iter().peekable());
         let (ix, iy) = (self.body.x, self.body.x + 1);
-        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
-            if sample.next_if(|s| *s == t).is_some() {
-                record.push(t, motion.spin(t, y), (y[ix] - start.rest[ix], y[iy] - start.rest[iy]));
-            }
-            if output.next_if(|o| **o == t).is_some() {
-                times.push(t);
-                states.extend_from_slice(y);
-            }
-        }
-        (flight.times, flight.states) = (times, states);
+        separated(flight, self.times(), outputs, |t, y| {
+            record.push(t, motion.spin(t, y), (y[ix] - start.rest[ix], y[iy] - start.rest[iy]))
+        });
         record
     }
 

@@ -1,0 +1,145 @@
+//! What a slow sweep of the speed meets: the branches it follows, and where it jumps from one state to another.
+
+use super::findings::reason;
+use super::shown::words;
+use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::branch::Origin;
+use crate::solve::harmonic::response::{Fold, Response, Traced};
+use laval_num::continuation::End;
+
+/// Relative distance beyond a fold at which the states left are looked for.
+const BEYOND: f64 = 1e-6;
+
+/// A jump of a slow sweep.
+pub(super) struct Jump<'r> {
+    /// Where the states it followed end.
+    pub fold: &'r Fold,
+    /// The other branch whose states it goes on with; `None` when it stays on the same.
+    pub onto: Option<&'r Traced>,
+    /// Stable states of the branches from both ends just beyond it; `None` where stability is not known.
+    pub stable: Option<usize>,
+}
+
+/// The branches from both ends of the range.
+fn main_branches(response: &Response) -> impl Iterator<Item = &Traced> {
+    response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High))
+}
+
+/// The branch that a slow sweep starts on: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
+/// end of the other.
+pub(super) fn swept(response: &Response, up: bool, speeds: (f64, f64)) -> Option<&Traced> {
+    if response.unstarted.contains(&begins(up, speeds)) {
+        return None;
+    }
+    let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
+    let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
+    from(near).or(from(far))
+}
+
+/// Where a slow sweep that starts on a branch jumps: at the first fold that turns against it, from there to the next states of the branch at that speed, else to
+/// those of the other branch, and on to the next such fold beyond.
+pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> Vec<Jump<'r>> {
+    let further = |speed: f64, than: f64| (speed.abs() > than.abs()) == up && speed != than;
+    let mut out: Vec<Jump> = Vec::new();
+    let mut branch = start;
+    loop {
+        let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up).collect();
+        if up != branch.from_low() {
+            met.reverse();
+        }
+        for fold in met {
+            if out.last().is_none_or(|last| further(fold.speed, last.fold.speed)) {
+                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up) });
+            }
+        }
+        let Some(last) = out.last_mut() else { break };
+        let at = last.fold.speed;
+        if branch.points.iter().any(|p| further(p.speed, at)) {
+            break;
+        }
+        let Some(other) = main_branches(response).find(|b| segments(b, beyond(at, up)).any(|stable| stable != Some(false))) else { break };
+        last.onto = Some(other);
+        branch = other;
+    }
+    out
+}
+
+fn beyond(speed: f64, up: bool) -> f64 {
+    speed * if up { 1.0 + BEYOND } else { 1.0 - BEYOND }
+}
+
+/// Pieces of a branch from point to point that pass a speed: whether they are stable.
+fn segments(branch: &Traced, speed: f64) -> impl Iterator<Item = Option<bool>> + '_ {
+    let pairs = branch.points.windows(2).filter(move |w| (w[0].speed - speed) * (w[1].speed - speed) < 0.0);
+    pairs.map(|w| w.iter().all(|p| p.exponents.is_some()).then(|| !w[0].unstable() && !w[1].unstable()))
+}
+
+/// Stable states just beyond a speed.
+fn landings(response: &Response, speed: f64, up: bool) -> Option<usize> {
+    let known: Option<Vec<bool>> = main_branches(response).flat_map(|b| segments(b, beyond(speed, up))).collect();
+    known.map(|k| k.into_iter().filter(|stable| *stable).count())
+}
+
+/// Where a slow sweep jumps, that it does not, or that its states are not known.
+pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> Vec<Finding> {
+    let Some(branch) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
+    let way = if up { "up" } else { "down" };
+    let begin = begins(up, (lo, hi));
+    let end = if begin == lo { hi } else { lo };
+    let jumps = jumps(response, branch, up);
+    if !jumps.is_empty() {
+        return jumps.iter().enumerate().map(|(k, jump)| jump.told(way, k == 0)).collect();
+    }
+    let none = if branch.end == End::Reached {
+        Finding::info(
+            format!("no_jump_{way}"),
+            format!(
+                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
+                significant(begin, 5),
+                significant(end, 5),
+                if up && response.unclosed.is_some() { ", still growing," } else { "" }
+            ),
+        )
+    } else {
+        let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end));
+        let id = format!("sweep_{way}_unfinished");
+        match branch.points.last() {
+            Some(p) => Finding::warning(id, text("could be followed to {} only")).value(p.speed, "rad/s"),
+            None => Finding::warning(id, text("were not followed")),
+        }
+    };
+    vec![none]
+}
+
+impl Jump<'_> {
+    fn told(&self, way: &str, first: bool) -> Finding {
+        let again = if first { "jumps" } else { "jumps again" };
+        let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
+        let which = match self.stable {
+            Some(n @ 2..) => format!(" {n} states are stable there: which of them it comes to is not told by the branches."),
+            _ => String::new(),
+        };
+        let f = self.fold;
+        Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}"))
+            .value(f.speed, "rad/s")
+            .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
+            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
+            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
+            .evidence("scaled residual", f.residual, "")
+    }
+}
+
+/// Where a slow sweep begins: up is faster, whichever way round the rotor turns.
+fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
+    if up == (lo >= 0.0) { lo } else { hi }
+}
+
+/// That the states of a sweep are not known.
+fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
+    let way = if up { "up" } else { "down" };
+    Finding::warning(
+        format!("sweep_{way}_unknown"),
+        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or ask for all states."),
+    )
+    .value(begins(up, speeds), "rad/s")
+}
