@@ -115,6 +115,37 @@ fn spectra_leave_the_motion_as_it_is() {
     assert_eq!(plain.find_table("energy"), with.find_table("energy"));
 }
 
+/// Outputs too far apart to be joined: the envelope and the last turns are drawn, with the values that outputs close together give.
+#[test]
+fn a_motion_that_outputs_do_not_resolve() {
+    let (speed, turns) = (2500.0, 120);
+    let duration = f64::from(turns) * std::f64::consts::TAU / speed;
+    let study = |points: i32| {
+        run(&text("per_axis", "1 mm", "", &format!("kind = \"transient\"\nspeed = {speed}\nduration = {duration:?}\npoints = {points}")))
+    };
+    let (coarse, fine) = (study(200), study(48 * turns + 1));
+    let column = |o: &Outcome, table: &str, name: &str| -> Vec<f64> {
+        let t = o.find_table(table).unwrap_or_else(|| panic!("no {table}"));
+        (0..t.rows()).map(|r| t.column(name).unwrap().number(r).unwrap()).collect()
+    };
+    assert_eq!(coarse.find_table("motion").unwrap().rows(), 200);
+    assert!(fine.find_table("last turns").is_none() && fine.find_table("envelope").is_none());
+    let size = |xs: &[f64]| xs.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    for name in ["drum.x", "drum.y", "base.x", "base.y"] {
+        let (own, all) = (column(&coarse, "last turns", name), column(&fine, "motion", name));
+        assert_eq!(own.len(), 12 * 48 + 1);
+        let off: Vec<f64> = own.iter().zip(&all[all.len() - own.len()..]).map(|(a, b)| a - b).collect();
+        assert!(size(&off) < 1e-6 * size(&all), "{name} {:e}", size(&off) / size(&all));
+    }
+    let (x, y) = (column(&fine, "motion", "drum.x"), column(&fine, "motion", "drum.y"));
+    let radius: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
+    let envelope = column(&coarse, "envelope", "drum amplitude");
+    assert!((size(&envelope) / size(&radius) - 1.0).abs() < 1e-3);
+    let last = size(&radius[radius.len() - 24..]);
+    let told = envelope[envelope.len() - 1];
+    assert!(told >= last * (1.0 - 1e-3), "{told} {last}");
+}
+
 #[test]
 fn refusals() {
     let refused = |study: &str| {
