@@ -11,6 +11,7 @@ use laval::model::part::{At, Link};
 use laval::model::system::{System, Workspace};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
 use laval::solve::harmonic::backbone::{Backbone, Origin, Request, at_amplitude, backbone};
+use laval::solve::harmonic::measure::Measure;
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::pace::Pace;
 use laval::solve::harmonic::problem::Balance;
@@ -235,7 +236,7 @@ fn unequal_planes_whirl_apart() {
             let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
             balance.set_free(Pace { speed: 100.0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
             let orbit = Orbit::of(&mut balance, &m.x, 100.0).unwrap();
-            let peak = orbit.largest_radius(&system, 0, 256);
+            let (peak, _) = Measure::Displacement(0).largest(&system, &orbit, 1);
             let a2 = peak * peak * c1 / c0;
             let k = laval_num::elliptic::complete_first(a2 / (2.0 * (1.0 + a2)));
             let w = std::f64::consts::PI * (c0 / 3.0 * (1.0 + a2)).sqrt() / (2.0 * k);

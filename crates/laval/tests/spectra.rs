@@ -141,6 +141,8 @@ fn a_motion_that_outputs_do_not_resolve() {
     let radius: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).collect();
     let envelope = column(&coarse, "envelope", "drum amplitude");
     assert!((size(&envelope) / size(&radius) - 1.0).abs() < 1e-3);
+    let until = column(&coarse, "envelope", "t");
+    assert!((until[until.len() - 1] - duration).abs() < 0.01 * duration && until.len() == envelope.len());
     let last = size(&radius[radius.len() - 24..]);
     let told = envelope[envelope.len() - 1];
     assert!(told >= last * (1.0 - 1e-3), "{told} {last}");

@@ -1,7 +1,6 @@
 //! A periodic motion of the whole machine, from the terms of its nonlinear coordinates.
 
 use super::problem::Balance;
-use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
 
@@ -104,21 +103,5 @@ impl Orbit {
                 ((a + b.mul_i()).scale(0.5), (a.conj() + b.conj().mul_i()).scale(0.5))
             }
         }
-    }
-
-    /// Largest distance from rest of the pair that starts at coordinate `x`, over `samples` instants of the period.
-    pub fn largest_radius(&self, system: &System, x: usize, samples: usize) -> f64 {
-        let (n, m) = (system.n(), system.m());
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let mut largest = 0.0f64;
-        for j in 0..samples {
-            self.at(std::f64::consts::TAU * j as f64 / samples as f64, &mut q, &mut v, &mut a, &mut z);
-            let [x0, y0] = self.rest_of(x);
-            let r = (q[x] - x0).hypot(q[x + 1] - y0);
-            if !(r <= largest) {
-                largest = r;
-            }
-        }
-        largest
     }
 }

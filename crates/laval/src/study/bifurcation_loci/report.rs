@@ -6,14 +6,15 @@ use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
+use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::path::PathEnd;
 use crate::solve::harmonic::problem::Balance;
 use crate::study::{Context, Study};
 use std::f64::consts::TAU;
 
-/// Instants of a period at which displacement and validity are looked at.
-const SAMPLES: usize = 64;
+/// Instants of a period at which validity is looked at.
+const SAMPLES: usize = 16;
 
 /// Displacements and validity of one motion.
 pub(super) struct Seen {
@@ -62,12 +63,13 @@ impl<'a> Shown<'a> {
         let Ok(machine) = system.with(&[(&self.request.parameter, value)]) else { return unknown() };
         let Some(mut balance) = template.of_other(&machine) else { return unknown() };
         let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
-        let displacement = self.bodies.iter().map(|b| orbit.largest_radius(&machine, b.1, SAMPLES)).collect();
+        let turns = template.terms.divisor;
+        let displacement = self.bodies.iter().map(|b| Measure::Displacement(b.1).largest(&machine, &orbit, turns).0).collect();
         let (n, m) = (machine.n(), machine.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let (mut worst, mut ws) = ((0.0, String::new()), Workspace::default());
-        for j in 0..SAMPLES / 4 {
-            let tau = TAU * j as f64 / (SAMPLES / 4) as f64;
+        for j in 0..SAMPLES {
+            let tau = TAU * j as f64 / SAMPLES as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: tau, speed, spin_accel: 0.0, t: tau / orbit.frequency };
             for (slot, use_) in machine.validity(&at, &mut ws) {
