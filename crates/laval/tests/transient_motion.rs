@@ -264,6 +264,23 @@ impl Part for Relaxing {
     }
 }
 
+/// Times announced ahead change no bit, whichever of them are then asked for.
+#[test]
+fn announced_times_change_nothing() {
+    for (system, law) in all_machines() {
+        let (mut a, mut b) = (motion(&system, law.clone()), motion(&system, law));
+        let y = random_state(&a, 5);
+        let times: Vec<f64> = (0..20).map(|k| 1e-4 * f64::from(k * k)).collect();
+        a.ahead(&times);
+        for t in [times[0], times[1], 0.7e-4, times[2], times[5], times[3], times[19], -1e-3] {
+            let (mut da, mut db) = (vec![0.0; y.len()], vec![0.0; y.len()]);
+            a.rhs(t, &y, &mut da).unwrap();
+            b.rhs(t, &y, &mut db).unwrap();
+            assert!(da.iter().zip(&db).all(|(a, b)| a.to_bits() == b.to_bits()), "{t} {da:?} {db:?}");
+        }
+    }
+}
+
 fn with_memory(states: usize, fastest: f64) -> System {
     let link = Link::Between(Attach::on("drum"), Attach::on("base"));
     Builder::new("memory")

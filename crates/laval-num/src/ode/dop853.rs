@@ -11,6 +11,8 @@ const STAGES: usize = 16;
 const ROWS: usize = 7;
 /// Exponent of the previous error in the step control (PI control); the present error has 1/8 - BETA/5.
 const BETA: f64 = 0.04;
+/// Logarithm of the least previous error that counts, 1e-4.
+const LEAST_ERROR: f64 = -9.210_340_371_976_182;
 const SAFETY: f64 = 0.9;
 const MIN_FACTOR: f64 = 1.0 / 3.0;
 const MAX_FACTOR: f64 = 6.0;
@@ -31,6 +33,7 @@ pub struct Dop853 {
     k: Vec<f64>,
     rows: Vec<f64>,
     used_rows: usize,
+    /// Logarithm of the previous error, not below [`LEAST_ERROR`].
     last_error: f64,
     after_rejection: bool,
     t0: f64,
@@ -64,15 +67,20 @@ impl<const N: usize> Kernel for Combine<'_, N> {
     }
 }
 
-/// `sum_m a_m k_m` of the block of states that begins at `at`.
+/// `sum_m a_m k_m` of the block of states that begins at `at`: every other term in a sum of its own, which a processor adds up side by side, the last
+/// stage last.
 #[inline(always)]
 fn block_sum<const N: usize>(k: &[f64], len: usize, row: &Row<N>, at: usize) -> [f64; BLOCK] {
-    let mut s = [0.0; BLOCK];
+    let mut sums = [[0.0; BLOCK]; 2];
     for m in 0..N {
         let stage = &k[row[m].0 * len + at..][..BLOCK];
         for l in 0..BLOCK {
-            s[l] += row[m].1 * stage[l];
+            sums[(N - m) % 2][l] += row[m].1 * stage[l];
         }
+    }
+    let [mut s, last] = sums;
+    for l in 0..BLOCK {
+        s[l] += last[l];
     }
     s
 }
@@ -119,7 +127,7 @@ impl Dop853 {
             k: none(),
             rows: none(),
             used_rows: 0,
-            last_error: 1e-4,
+            last_error: LEAST_ERROR,
             after_rejection: false,
             t0: 0.0,
             t1: 0.0,
@@ -200,7 +208,7 @@ impl<S: Ode + ?Sized> Method<S> for Dop853 {
             v.resize(len, 0.0);
         }
         self.y0[..n].copy_from_slice(y);
-        (self.last_error, self.after_rejection) = (1e-4, false);
+        (self.last_error, self.after_rejection) = (LEAST_ERROR, false);
         if !evaluate(system, t0, y, &mut self.k[..n], work)? {
             return Ok(None);
         }
@@ -214,6 +222,11 @@ impl<S: Ode + ?Sized> Method<S> for Dop853 {
     fn attempt(&mut self, system: &mut S, (t, t1): (f64, f64), dense: bool, work: &mut Work) -> Result<Attempt, Failure> {
         let (n, len, h) = (self.n, self.y0.len(), t1 - t);
         (self.t0, self.t1) = (t, t1);
+        let mut times = [t1; 12];
+        for (time, c) in times.iter_mut().zip(&t8::C[1..12]) {
+            *time = t + c * h;
+        }
+        system.ahead(&times);
         let fine = self.stage(system, 1, &t8::A1, h, work)?
             && self.stage(system, 2, &t8::A2, h, work)?
             && self.stage(system, 3, &t8::A3, h, work)?
@@ -233,11 +246,12 @@ impl<S: Ode + ?Sized> Method<S> for Dop853 {
             return Ok(Attempt::not_finite());
         }
         let error = self.error(h);
-        let needed = error.powf(1.0 / 8.0 - 0.2 * BETA) / SAFETY;
+        let log = error.ln();
+        let needed = (1.0 / 8.0 - 0.2 * BETA) * log;
         // a NaN must reject
         if error.is_nan() || error >= 1.0 {
             self.after_rejection = true;
-            let factor = if needed.is_finite() { (1.0 / needed).max(MIN_FACTOR) } else { MIN_FACTOR };
+            let factor = if needed.is_finite() { (SAFETY * (-needed).exp()).max(MIN_FACTOR) } else { MIN_FACTOR };
             return Ok(Attempt::Rejected { factor, cause: Cause::Error });
         }
         let fine = evaluate(system, t1, &self.y1[..n], &mut self.k[12 * len..][..n], work)? && self.extend(system, h, dense, work)?;
@@ -246,8 +260,8 @@ impl<S: Ode + ?Sized> Method<S> for Dop853 {
             return Ok(Attempt::not_finite());
         }
         let most = if self.after_rejection { 1.0 } else { MAX_FACTOR };
-        let factor = (self.last_error.powf(BETA) / needed).clamp(MIN_FACTOR, most);
-        self.last_error = error.max(1e-4);
+        let factor = (SAFETY * (BETA * self.last_error - needed).exp()).clamp(MIN_FACTOR, most);
+        self.last_error = log.max(LEAST_ERROR);
         self.after_rejection = false;
         Ok(Attempt::Accepted { factor })
     }

@@ -158,7 +158,7 @@ fn main() {
         });
         let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
         report(&format!("ensemble, {threads} threads"), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
-        let (time, ends) = least(clock, 1, || one_by_one(&system, &speeds));
+        let (time, ends) = least(clock, 3, || one_by_one(&system, &speeds));
         report("one member at a time", time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
         let fine = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-12 };
         let ends = ensemble::run(&fine, &system, Form::of(&system, true), 0..speeds.len(), Settings::default()).unwrap_or_default();

@@ -15,6 +15,7 @@ pub mod limit_cycles;
 pub mod limits;
 pub mod methods;
 pub mod modes;
+pub mod motion_map;
 pub mod nonlinear_response;
 pub mod operating_window;
 pub mod optimum;
@@ -216,6 +217,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<separation::Separation>(),
         kind::<operating_window::OperatingWindow>(),
         kind::<sweep::Sweep>(),
+        kind::<motion_map::MotionMap>(),
         kind::<basins::Basins>(),
         kind::<uncertainty::Uncertainty>(),
         kind::<optimum::Optimum>(),

@@ -27,7 +27,7 @@ use crate::model::erased::D1;
 use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
 use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
 use compiled::Compiled;
-use constant::Constant;
+use constant::{Ahead, Constant};
 use direct::Direct;
 use laval_num::ode::{Failure, Ode};
 use stiff::Elimination;
@@ -57,8 +57,8 @@ pub struct Motion<'a> {
 
 /// The compiled forms.
 enum Steady<'a> {
-    /// Without memory: the equations, the state with their room behind it, and the rates of all but the coordinates.
-    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>),
+    /// Without memory: the equations, the state with their room behind it, the rates of all but the coordinates, and what times to come ask for.
+    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>, Ahead),
     Dense(Box<Compiled>),
 }
 
@@ -71,14 +71,14 @@ impl<'a> Steady<'a> {
         equations.load(0, system, speed, phase)?;
         let dim = 2 * system.n() + system.m();
         let room = equations.room(dim);
-        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()]))
+        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()], Ahead::default()))
     }
 
     /// Fills `accel` and `rate` of `out`.
     fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
         match self {
             Steady::Dense(c) => c.evaluate(system, t, spin, y, out),
-            Steady::Sparse(equations, state, rates) => {
+            Steady::Sparse(equations, state, rates, _) => {
                 let n = system.n();
                 // the account of energy may stand behind the states
                 let dim = n + rates.len();
@@ -377,8 +377,15 @@ impl Ode for Motion<'_> {
         self.core() + if self.account { ACCOUNT } else { 0 }
     }
 
+    fn ahead(&mut self, times: &[f64]) {
+        if let (Some(Steady::Sparse(equations, _, _, ahead)), false) = (&mut self.steady, self.account) {
+            equations.ahead(times, ahead);
+        }
+    }
+
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
-        if let (Some(Steady::Sparse(equations, state, _)), false) = (&mut self.steady, self.account) {
+        if let (Some(Steady::Sparse(equations, state, _, ahead)), false) = (&mut self.steady, self.account) {
+            equations.time_from(ahead, t);
             equations.all_rates(t, y, state, dy);
             return Ok(());
         }

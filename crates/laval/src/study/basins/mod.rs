@@ -170,10 +170,15 @@ impl Fleet<'_> {
     }
 
     fn rows(&self, range: Range<usize>, counter: &Rows) -> Option<Vec<rows::Row>> {
-        let member = |row: usize| Member { speed: self.study.speed, y: self.start_of(row), rest: self.start.rest.clone(), rate: self.rate };
+        let member = |row: usize| Member {
+            system: self.system.clone(),
+            speed: self.study.speed,
+            y: self.start_of(row),
+            rest: self.start.rest.clone(),
+            rate: self.rate,
+        };
         let members: Vec<Member> = range.clone().map(member).collect();
         let voyage = Settling {
-            system: self.system.clone(),
             members: &members,
             rules: &self.study.rules,
             counter,

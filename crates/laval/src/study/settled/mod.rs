@@ -62,8 +62,10 @@ pub(super) struct Rules {
 }
 
 /// A motion to be settled.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Member {
+    /// The machine: that of the ensemble, or one with other parameters.
+    pub system: Arc<System>,
     /// Spin speed, rad/s.
     pub speed: f64,
     /// State at phase zero.
@@ -95,6 +97,23 @@ pub(super) struct Settled {
     pub orbit: Vec<Vec<f64>>,
     /// Amplitudes; none when it failed.
     pub measure: Option<Measure>,
+}
+
+impl Settled {
+    /// No motion.
+    pub fn none(why: &'static str) -> Settled {
+        Settled {
+            verdict: Verdict::Failed(why),
+            remaining: f64::NAN,
+            periods: 0,
+            bounded: false,
+            shot: None,
+            steps: 0,
+            y: vec![],
+            orbit: vec![],
+            measure: None,
+        }
+    }
 }
 
 /// Modes of the machine linearised at rest, without their shapes; none where it does not rest.
@@ -168,7 +187,6 @@ impl Budget {
 /// Members under way.
 pub(super) struct Settling<'a> {
     pub budget: &'a Budget,
-    pub system: Arc<System>,
     pub members: &'a [Member],
     pub rules: &'a Rules,
     pub counter: &'a Rows<'a>,
@@ -178,6 +196,7 @@ pub(super) struct Settling<'a> {
 
 /// What is remembered of a member.
 pub(super) struct Log {
+    system: Arc<System>,
     stage: Stage,
     period: f64,
     size: Vec<f64>,
@@ -246,17 +265,7 @@ impl Settling<'_> {
     }
 
     fn failed(log: &Log, why: &'static str) -> Settled {
-        Settled {
-            verdict: Verdict::Failed(why),
-            remaining: f64::NAN,
-            periods: log.done,
-            bounded: log.bounded,
-            shot: None,
-            steps: log.steps,
-            y: vec![],
-            orbit: vec![],
-            measure: None,
-        }
+        Settled { periods: log.done, bounded: log.bounded, steps: log.steps, ..Settled::none(why) }
     }
 
     /// A record is complete: judged, shot at, followed further, or measured.
@@ -272,7 +281,7 @@ impl Settling<'_> {
         if !settled && log.shot.is_none() && Self::stretch(log, log.stretch) {
             return Next::Leg(self.go_on(log, Some(ended.next_step)));
         }
-        let outside = log.limits.worst.map(|(slot, what, ratio)| (format!("{}: {what}", self.system.slots()[slot].name), ratio));
+        let outside = log.limits.worst.map(|(slot, what, ratio)| (format!("{}: {what}", member.system.slots()[slot].name), ratio));
         let orbit = if let Verdict::Period(k) = judged.verdict { log.sections.last(k) } else { vec![] };
         let measure = Measure::of(self, log.sections.period_of(&judged.verdict), &log.samples, outside);
         Next::Done(Settled {
@@ -305,8 +314,9 @@ impl Voyage for Settling<'_> {
         let stretch = count(-rules.tolerance.ln()).max(1);
         let bounded = stretch == rules.most_periods;
         let left = stretch.saturating_mul(PATIENCE).min(rules.most_periods);
-        let size = sizes(&self.system, member.speed);
+        let size = sizes(&member.system, member.speed);
         let mut log = Log {
+            system: member.system.clone(),
             stage: Stage::Record,
             period,
             stretch,
@@ -329,11 +339,11 @@ impl Voyage for Settling<'_> {
         let relative = if rules.shooting { rules.relative.min(shooting::RELATIVE) } else { rules.relative };
         let absolute = if rules.shooting { rules.absolute.min(shooting::RELATIVE) } else { rules.absolute };
         Ok(Start {
-            system: self.system.clone(),
+            system: member.system.clone(),
             law: SpinLaw::Programme(Programme::constant(member.speed, 0.0)),
             y: member.y.clone(),
             relative,
-            absolute: ensemble::tolerances(&self.system, member.speed, absolute),
+            absolute: ensemble::tolerances(&member.system, member.speed, absolute),
             leg,
             log,
         })
@@ -341,7 +351,7 @@ impl Voyage for Settling<'_> {
 
     fn output(&self, log: &mut Log, i: u64, t: f64, y: &[f64]) {
         if i >= (self.rules.periods.saturating_sub(LONGEST) * SAMPLES) as u64 {
-            log.limits.watch(&self.system, TAU / log.period, t, log.period / SAMPLES as f64, y);
+            log.limits.watch(&log.system, TAU / log.period, t, log.period / SAMPLES as f64, y);
         }
         if i.is_multiple_of(SAMPLES as u64) {
             log.sections.push(y);
@@ -392,7 +402,7 @@ impl Settling<'_> {
         if ended.end != LegEnd::Reached {
             return Next::Done(Self::failed(log, words(ended.end)));
         }
-        let n = self.system.n();
+        let n = log.system.n();
         if !y[..n].iter().zip(&log.size).all(|(x, s)| x.abs() <= RUNAWAY * s) {
             return Next::Done(Self::failed(log, "grows without bound"));
         }

@@ -255,14 +255,14 @@ impl Fleet<'_> {
             start.write(&self.study.initial, &mut y);
             y
         });
-        Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed) }
+        Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed), system: self.system.clone() }
     }
 
     /// Settled motions of members, with their exponents; none when stopped.
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<(Settled, Option<Exponent>)>> {
         let form = Form::of(&self.system, true);
         let bodies = self.bodies.iter().map(|b| b.x).collect();
-        let voyage = Settling { system: self.system.clone(), members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
+        let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
