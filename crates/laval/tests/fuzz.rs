@@ -116,7 +116,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
         let cancel = AtomicBool::new(false);
         let unit = match named.study.kind() {
             // steps in time, of which one settled motion takes hundreds
-            "sweep" | "basins" => 100,
+            "sweep" | "basins" | "motion_map" => 100,
             // runs of another study, of which one search takes at least twenty
             "optimum" => 10,
             _ => 1,

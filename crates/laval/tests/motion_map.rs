@@ -48,7 +48,7 @@ fn said<'a>(o: &'a Outcome, id: &str) -> &'a Finding {
         .unwrap_or_else(|| panic!("no {id} in {:?}", o.findings.iter().map(Finding::sentence).collect::<Vec<_>>()))
 }
 
-const Y: &str = "y = { parameter = \"drum.eccentricity\", from = \"10 um\", to = \"40 um\", points = 3 }";
+const Y: &str = "y = { parameter = \"drum.eccentricity\", from = \"10 um\", to = \"40 um\", points = 2 }";
 
 /// A row of the map has the bits of a sweep over the machine with its parameter: the same start, the same integration.
 #[test]
@@ -57,8 +57,8 @@ fn rows_are_sweeps() {
     let map = run(&text("per_axis", &format!("kind = \"motion_map\"\n{speeds}\n{Y}")));
     assert_eq!(map.end, End::Reached);
     let t = map.find_table("map").unwrap();
-    assert_eq!(t.rows(), 21);
-    for (j, e) in ["10 um", "25 um", "40 um"].into_iter().enumerate() {
+    assert_eq!(t.rows(), 14);
+    for (j, e) in ["10 um", "40 um"].into_iter().enumerate() {
         let file = planar_file("per_axis", e, ["420", "300"]);
         let sweep = run(&format!("{file}\n[[study]]\nkind = \"sweep\"\nstart = \"rest\"\n{speeds}\nmost_periods = 10000\n"));
         let own = sweep.tables.iter().find(|t| t.column("amplitude.drum").is_some() && t.rows() == 7).unwrap();
@@ -78,15 +78,16 @@ fn a_linear_machine_moves_as_the_closed_form() {
     let speed = 300.0;
     let file = |study: &str| {
         format!(
-            "[machine]\nname = \"one\"\nspeed = {speed}\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 10\neccentricity = 1e-4\n[[part]]\nkind = \"bearing_linear\"\n\
-             name = \"brg\"\nbetween = [\"rotor\", \"ground\"]\nstiffness = 1e6\ndamping = 300\n[[study]]\nkind = \"motion_map\"\n{study}\n"
+            "[machine]\nname = \"one\"\nspeed = {speed}\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 10\neccentricity = 1e-4\n[[part]]\nkind = \"shaft_lumped\"\n\
+             name = \"side\"\nbetween = [\"rotor\", \"ground\"]\nstiffness = 1e6\n[[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"rotor\", \"ground\"]\n\
+             damping = 300\n[[study]]\nkind = \"motion_map\"\n{study}\n"
         )
     };
     let o = run(&file(
-        "x = { parameter = \"brg.stiffness\", from = 5e5, to = 2e6, points = 4 }\ny = { parameter = \"brg.damping\", from = 200, to = 800, points = 3 }\ntolerance = 1e-8",
+        "x = { parameter = \"side.stiffness\", from = 5e5, to = 2e6, points = 4 }\ny = { parameter = \"air.damping\", from = 200, to = 800, points = 3 }\ntolerance = 1e-8",
     ));
     let t = o.find_table("map").unwrap();
-    let (k, c, a) = (numbers(t, "brg.stiffness"), numbers(t, "brg.damping"), numbers(t, "amplitude.rotor"));
+    let (k, c, a) = (numbers(t, "side.stiffness"), numbers(t, "air.damping"), numbers(t, "amplitude.rotor"));
     for i in 0..12 {
         let want = 10.0 * 1e-4 * speed * speed / (k[i] - 10.0 * speed * speed).hypot(c[i] * speed);
         assert!((a[i] - want).abs() < 1e-7 * want, "{} {} {:e}", k[i], c[i], (a[i] - want) / want);
@@ -94,7 +95,7 @@ fn a_linear_machine_moves_as_the_closed_form() {
     assert!(words(t, "class").iter().all(|c| c == "every turn"));
     assert_eq!(said(&o, "every_turn").value, Some(12.0));
     // the speeds are those about the machine's when nothing is said
-    let o = run(&file("y = { parameter = \"brg.damping\", from = 200, to = 800, points = 2 }"));
+    let o = run(&file("y = { parameter = \"air.damping\", from = 200, to = 800, points = 2 }"));
     let w = numbers(o.find_table("map").unwrap(), "speed");
     assert_eq!((w[0], w[49], w.len()), (0.5 * speed, 1.5 * speed, 100));
 }
@@ -115,25 +116,26 @@ fn machines_that_do_not_exist() {
     assert_eq!(numbers(a, "amplitude.drum"), numbers(b, "amplitude.drum")[..4].to_vec());
     let classes = words(b, "class");
     assert!(classes[..4].iter().all(|c| c != "failed") && classes[6..].iter().all(|c| c == "failed"), "{classes:?}");
-    let f = said(&part, "failed_machines");
-    assert!(f.value.unwrap() >= 4.0 && f.text.contains("oil.free_surface_radius"), "{f:?}");
+    let told = part.findings.iter().filter(|f| f.id == "failed_machines");
+    let (count, named) = told.fold((0.0, true), |(n, all), f| (n + f.value.unwrap(), all && f.text.contains("oil.free_surface_radius")));
+    assert!(named && count == classes.iter().filter(|c| *c == "failed").count() as f64);
 }
 
-/// A parametric start: motions from a large displacement land on the upper branch where there are two.
+/// Where two motions are stable, that of large displacements is reached from one.
 #[test]
 fn the_start_decides() {
-    let study = |x: &str| {
+    let study = |x: &str, v: &str| {
         let m = run(&text(
             "isotropic",
             &format!(
-                "kind = \"motion_map\"\nspeed = {{ from = 2500, to = 2600, points = 2 }}\ny = {{ parameter = \"air.damping\", from = 40, to = 60, points = 2 }}\ninitial = {{ \"drum.x\" = \"{x}\" }}"
+                "kind = \"motion_map\"\nspeed = {{ from = 2262, to = 2282, points = 3 }}\ny = {{ parameter = \"air.damping\", from = 40, to = 60, points = 2 }}\ninitial = {{ \"drum.x\" = \"{x}\", \"drum.y'\" = \"{v}\" }}"
             ),
         ));
         numbers(m.find_table("map").unwrap(), "amplitude.drum")
     };
-    let (low, again) = (study("0 mm"), study("0 mm"));
+    let (low, again) = (study("0 mm", "0 m/s"), study("0 mm", "0 m/s"));
     assert_eq!(low, again);
-    let high = study("3 mm");
+    let high = study("2 mm", "4.5 m/s");
     assert!(low.iter().chain(&high).all(|a| a.is_finite()));
     assert!(low.iter().zip(&high).any(|(a, b)| (a - b).abs() > 0.5 * a), "{low:?} {high:?}");
 }
@@ -147,7 +149,8 @@ fn mistakes_are_told() {
     assert!(map(&format!("{Y}\nx = {{ parameter = \"drum.mass\", from = 1, to = 2 }}")).contains("the machine's speed"));
     assert!(map(&format!("{speed}\ny = {{ parameter = \"drum.mas\", from = 1, to = 2 }}")).contains("drum.mas"));
     assert!(map(&format!("{Y}\nspeed = {{ from = 0, to = 200, points = 3 }}")).contains("no period at rest"));
-    assert!(map(&format!("{Y}\nspeed = {{ from = 1, to = 200, points = 100000 }}")).contains("too large"));
+    let long = Y.replace("points = 2", "points = 600");
+    assert!(map(&format!("{long}\nspeed = {{ from = 1, to = 200, points = 600 }}")).contains("too large"));
 }
 
 /// A period of one turn is told as such; the words of the legend are those of the table.

@@ -145,7 +145,7 @@ pub fn range(r: &mut Random, hostility: usize, unit: &str, bounds: &Bounds, head
     let points = match r.below(10) {
         0 if hostility > 0 => ", points = 1000000",
         1 if hostility > 1 => ", points = 1000000000",
-        2 => ", points = 2",
+        2 | 6 | 7 | 8 => ", points = 2",
         3 | 4 => ", points = 17",
         5 => ", points = 300",
         _ => "",
