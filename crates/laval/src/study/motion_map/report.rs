@@ -182,7 +182,10 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
             outcome = outcome.figure(figure(format!("amplitude-{body}"), format!("Largest displacement of {body}"), heat));
         }
     }
-    let classes = all_classes().into_iter().filter(|c| map.classes.contains(c)).collect();
+    let classes: Vec<String> = all_classes().into_iter().filter(|c| map.classes.contains(c)).collect();
+    if classes.len() < 2 {
+        return outcome;
+    }
     let heat = Heat::new("map", x, y, "class", Axis::new("the motion repeats", "")).of_classes(classes);
     outcome.figure(figure("motions".into(), "How motions repeat".into(), heat))
 }
