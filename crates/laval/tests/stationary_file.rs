@@ -126,8 +126,11 @@ fn states_of_a_fixed_ring_flat_and_tilted() {
             more.push((key, found.len(), wanted.len()));
         }
     }
-    println!("place {:.1e}, growth {:.1e}; other numbers of states: {more:?}", worst[0], worst[1]);
-    assert!(more.iter().all(|m| m.1 > m.2), "{more:?}");
+    println!("place {:.1e}, growth {:.1e}", worst[0], worst[1]);
+    // where the table lacks a state, unstable and with both balls together, that its own equations have (residual 1e-13)
+    let steep = "0.15707963267948966";
+    let lacking = [[steep, "0.001", "560.0"], [steep, "100.0", "560.0"], [steep, "100.0", "572.83"]];
+    assert_eq!(more, lacking.map(|key| (key, 10, 9)));
 }
 
 fn free_ring(stiffness: f64, polar: &str, node_line: &str, study: String) -> File {
@@ -196,6 +199,14 @@ fn states_of_a_free_ring_over_the_node_line() {
         let node_line = (number(key[3]) * 12.0 / PI).round() * PI / 12.0;
         assert!((node_line - number(key[3])).abs() < 1e-8);
         let o = free_ring(number(key[0]), key[2], &format!("{node_line}"), at_speed(w, 200)).run();
+        // a ring turned over with its balls is the same ring
+        let all = here(&o, w);
+        for (n, &k) in all.iter().enumerate() {
+            let balls = ["ring.ball_1", "ring.ball_2"].map(|b| -column(&o, "states", b)[k]);
+            let tilt = wrapped(column(&o, "states", "ring.tilt")[k] + PI);
+            let over = |&j: &usize| wrapped(column(&o, "states", "ring.tilt")[j] - tilt).abs() < 1e-6 && same_angles(&o, j, balls, 1e-6);
+            assert!(!all[n + 1..].iter().any(over), "{key:?}: state {k} twice");
+        }
         for r in wanted {
             let n: Vec<f64> = r.iter().map(|x| number(x)).collect();
             match free_state(&o, w, n[5], [n[6], n[6]], 1e-6) {
@@ -291,18 +302,30 @@ fn charts_of_the_planar_balancer() {
         let balances = words(&o, "chart", "verdict")[k].starts_with("balanced");
         assert_eq!(balances, number(r[4]) < 0.0, "{r:?}");
     }
-    // the boundary at drag 0.0005 is what the table of the balanced state has, between the rows of the chart next to it
+    // on its boundary the growth rate changes sign
     let boundary = (column(&o, "boundary", "speed"), column(&o, "boundary", "ring.drag"));
     assert!(boundary.0.len() > 20, "{boundary:?}");
-    for (w, drag) in boundary.0.iter().zip(boundary.1) {
-        let study = format!("speed = {{ from = {}, to = {}, points = 3 }}\nstarts = 40\nseeds = 1", w - 1e-6, w + 1e-6);
-        let o = run(&planar(0.05, *drag, &study));
-        let own: Vec<f64> = (0..column(&o, "states", "speed").len())
-            .filter(|&k| words(&o, "states", "kind")[k] == "balanced")
-            .map(|k| column(&o, "states", "growth")[k])
-            .collect();
-        assert!(own.len() == 3 && own[0] * own[2] < 0.0, "{w} {drag}: {own:?}");
+    let frequency = column(&o, "boundary", "frequency");
+    assert!(frequency.iter().any(|f| f.is_nan()) && frequency.iter().any(|f| *f > 0.0));
+    for ((w, drag), frequency) in boundary.0.iter().zip(boundary.1).zip(frequency) {
+        // located along the speed, or between two values
+        let along = frequency.is_finite();
+        let growth = [-1e-6, 1e-6].map(|off| {
+            let (w, drag) = if along { (w + off, *drag) } else { (*w, drag * (1.0 + off)) };
+            let o = run(&planar(0.05, drag, &at_speed(w, 40)));
+            let k = here(&o, w).into_iter().find(|&k| words(&o, "states", "kind")[k] == "balanced").unwrap();
+            column(&o, "states", "growth")[k]
+        });
+        assert!(growth[0] * growth[1] < 0.0, "{w} {drag}: {growth:?}");
     }
+    // two balls suffice from 2 m r = 0.01 on, at every speed
+    let chart = "speed = { from = 1.5, to = 3.0, points = 4 }\nstarts = 40\nchart = { parameter = \"ring.ball_mass\", from = 0.004, to = 0.0065, points = 3 }";
+    let o = run(&planar(0.05, 0.0005, chart));
+    let limits: Vec<f64> = (0..column(&o, "boundary", "speed").len())
+        .filter(|&k| words(&o, "boundary", "edge")[k] == "limit of existence")
+        .map(|k| column(&o, "boundary", "ring.ball_mass")[k])
+        .collect();
+    assert!(limits.len() == 4 && limits.iter().all(|m| (m - 0.005).abs() < 1e-8), "{limits:?}");
     let masses: Vec<f64> = table.iter().filter(|r| r[0] == "Omega-mu" && r[1] == "0.7").map(|r| number(r[2])).collect();
     assert_eq!(masses.len(), 20);
     for mass in masses {

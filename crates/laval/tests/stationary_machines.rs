@@ -2,10 +2,14 @@
 //! memory, what is refused, and what a balancing engineer is told.
 
 use laval::file::load;
+use laval::model::part::{At, Rows};
+use laval::model::system::{System, Workspace};
 use laval::outcome::{Data, End, Finding, Level, Outcome};
+use laval::solve::stationary::{Request, Search};
 use laval::study::Context;
 use laval_num::complex::{C64, c};
 use std::f64::consts::PI;
+use std::sync::atomic::AtomicBool;
 
 const EXAMPLE: &str = include_str!("../../../examples/04-ball-balancer/machine.toml");
 
@@ -100,19 +104,17 @@ fn three_and_more_balls_balance_in_a_continuum() {
         let stable = all(&o, "balanced_stable");
         assert!(stable.iter().any(|f| f.value == Some(1200.0)), "{stable:?}");
         assert!(all(&o, "unfinished").is_empty(), "{:?}", one(&o, "unfinished"));
-        // together they stand where the closed form has them
+        // together they leave the shaft where the closed form has it
         let (speeds, radius) = (column(&o, "states", "speed"), column(&o, "states", "disc radius"));
-        let moment = balls as f64 * 0.0036 * 0.1;
         let mut together = 0;
         for k in (0..speeds.len()).filter(|&k| words(&o, "states", "kind")[k] == "together") {
-            let fits = [1.0, -1.0]
-                .map(|sign| distance(c(sign * moment, 0.0), balls as f64, 0.0, speeds[k]))
-                .iter()
-                .any(|d| (d - radius[k]).abs() < 1e-9 * d);
-            assert!(fits, "{}: {}", speeds[k], radius[k]);
+            let moment = C64::cis(column(&o, "states", "balancer.ball_1")[k]).scale(f64::from(balls) * 0.0036 * 0.1);
+            let want = distance(moment, f64::from(balls), 0.0, speeds[k]);
+            assert!((radius[k] - want).abs() < 1e-9 * want, "{}: {} {want}", speeds[k], radius[k]);
             together += 1;
         }
-        assert_eq!(together, 20);
+        // on the heavy and on the light side, but near the critical speed
+        assert!((16..=20).contains(&together), "{together}");
     }
 }
 
@@ -162,7 +164,10 @@ fn unequal_balls_balance_within_the_triangle() {
 #[test]
 fn one_ball_has_two_states() {
     let o = run(&machine(&[("balls = 2", "balls = 1"), ROUND], "", SPEEDS));
-    assert!(words(&o, "states", "kind").iter().all(|k| k == "single"));
+    let share = |k: usize| column(&o, "states", "unbalance")[k] / column(&o, "states", "without")[k];
+    for (k, kind) in words(&o, "states", "kind").iter().enumerate() {
+        assert_eq!(kind, if share(k) < 0.5 { "reduced" } else { "single" });
+    }
     assert_eq!(column(&o, "states", "speed").len(), 20);
     assert!(!all(&o, "not_balanced").is_empty() && !all(&o, "insufficient_capacity").is_empty());
 }
@@ -198,6 +203,59 @@ fn a_body_that_may_tilt_stiffly_held_is_planar() {
     let changes = |o: &Outcome| o.special_points.iter().map(|p| p.at).collect::<Vec<f64>>();
     let (a, b) = (changes(&flat), changes(&spatial));
     assert!(a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-6 * a), "{a:?} {b:?}");
+}
+
+/// Forces on all coordinates in fixed axes at a spin angle, of the parts that `which` takes.
+fn forces(system: &System, x: &[f64], w: f64, phase: f64, which: &dyn Fn(&str) -> bool) -> Vec<f64> {
+    let n = system.n();
+    let mut q = x[..n].to_vec();
+    system.turn(&mut q, phase);
+    let (mut v, mut a) = (vec![0.0; n], vec![0.0; n]);
+    for i in (0..n).filter(|&i| system.coordinates()[i].dof.kind.leads_pair()) {
+        (v[i], v[i + 1]) = (-w * q[i + 1], w * q[i]);
+        (a[i], a[i + 1]) = (-w * w * q[i], -w * w * q[i + 1]);
+    }
+    let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; system.m()], 0.0);
+    let at = At { q: &q, v: &v, a: &a, z: &[], phase, speed: w, spin_accel: 0.0, t: 0.0 };
+    let mut out = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+    system.residual(system.params(), &at, &mut out, &mut Workspace::default(), |s| which(&s.name));
+    force
+}
+
+/// States of a balancer beside the plane of a disc that tilts, inserted in the full equations of motion in fixed axes at several spin angles.
+#[test]
+fn states_satisfy_the_equations_of_motion() {
+    let inertia = "polar_inertia = \"0.05 kg m^2\"\ndiametral_inertia = \"0.03 kg m^2\"\nskew = \"2 mrad\"";
+    let text = machine(
+        &[
+            ("body_tilt = false", "tilt = \"1 deg\"\nnode_line = \"40 deg\""),
+            ("polar_inertia = \"0.05 kg m^2\"", inertia),
+            ("stiffness = \"2.92e6 N/m\"", "tilt_stiffness = \"4e4 N m/rad\"\nstiffness = \"2.92e6 N/m\""),
+            ("on = \"disc\"", "on = { body = \"disc\", at = \"60 mm\" }"),
+        ],
+        "",
+        SPEEDS,
+    );
+    let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+    let system = &loaded.system;
+    let (w, cancel) = (900.0, AtomicBool::new(false));
+    let request = Request { range: (890.0, 910.0), starts: 60, seeds: vec![w], max_points: 2000, work: u64::MAX };
+    let mut search = Search::new(system, &request, &cancel);
+    let found = search.run(|_| true).unwrap();
+    let states = found.states(&mut search, w);
+    assert!(states.len() >= 4, "{}", states.len());
+    let tilt = system.coordinates().iter().position(|c| c.name.ends_with("tilt_x")).unwrap();
+    for s in &states {
+        assert!(s.x[tilt].hypot(s.x[tilt + 1]) > 1e-4);
+        for phase in [0.0, 0.9, 4.0] {
+            let total = forces(system, &s.x, w, phase, &|_| true);
+            let parts: Vec<Vec<f64>> = system.slots().iter().map(|p| forces(system, &s.x, w, phase, &|name| name == p.name)).collect();
+            for (i, total) in total.iter().enumerate() {
+                let size = parts.iter().map(|f| f[i].abs()).fold(1e-4, f64::max);
+                assert!(total.abs() < 1e-8 * size, "{}: {total} beside {size}", system.coordinates()[i].name);
+            }
+        }
+    }
 }
 
 /// A bow that turns with the shaft has relaxed: states of a shaft with memory are those of its long-term stiffness.

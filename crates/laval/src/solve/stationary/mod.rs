@@ -574,11 +574,16 @@ impl<'a> Search<'a> {
     fn crossing(&mut self, a: &Sample, b: &Sample, locate: bool) -> Located {
         let rank = a.stability.growing.max(b.stability.growing).saturating_sub(1);
         let (lo, hi) = (a.state.speed, b.state.speed);
-        let value = |s: &Stability| s.ranked(rank).map_or(f64::NAN, |z| z.re);
-        let ends = (value(&a.stability), value(&b.stability));
         let tolerance = 1e-13 * lo.abs().max(hi.abs());
-        let place =
-            if locate { root(|p| self.between(a, b, p).map(|s| value(&s.stability)), (lo, ends.0), (hi, ends.1), tolerance) } else { None };
+        // undamped roots beside the one that crosses stand at zero on both sides: there the crossing is sought just above them
+        let mut place = None;
+        for above in [0.0, 1.0] {
+            let value = |s: &Stability| s.ranked(rank).map_or(f64::NAN, |z| z.re - above * s.noise);
+            let ends = ((lo, value(&a.stability)), (hi, value(&b.stability)));
+            if locate && place.is_none() {
+                place = root(|p| self.between(a, b, p).map(|s| value(&s.stability)), ends.0, ends.1, tolerance);
+            }
+        }
         let found = place.and_then(|p| self.between(a, b, p));
         let located = found.is_some();
         let at = found.unwrap_or_else(|| a.clone());

@@ -2,7 +2,8 @@
 
 use super::classify::{Class, Scale, Seen};
 use super::continua::{Continua, continua};
-use super::{Context, changed, listed, spread, wide};
+use super::least::judge;
+use super::{Context, alone, changed, listed, spread, wide};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
@@ -14,11 +15,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Seed speeds of a row: neighbouring rows see what one would miss.
 const SEEDS: usize = 3;
 
+/// Halvings of the step between two rows in which the boundary lies.
+const HALVINGS: usize = 30;
+
 /// What may be the case at a cell.
 pub const WORDS: &[&str] = &["balanced only", "balanced or not", "not balanced", "none stable"];
 
 /// A speed and a value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Cell {
     pub speed: f64,
     pub value: f64,
@@ -26,6 +30,10 @@ pub struct Cell {
     pub growth: f64,
     /// Kind of that state.
     pub class: Option<Class>,
+    /// It does not grow.
+    calm: bool,
+    /// The state where it is isolated.
+    x: Option<Vec<f64>>,
     /// Stable states; a continuum counts once.
     pub stable: usize,
     /// One of them balances.
@@ -87,12 +95,13 @@ fn row(
     let mut cells = Vec::new();
     for &speed in speeds {
         let rows = listed(system, &mut search, &found, speed)?;
-        let mut cell = Cell { speed, value, growth: f64::NAN, class: None, stable: 0, balances: false, share: f64::NAN };
-        let own = rows.iter().map(|r| (r.class, r.stability.growth(), r.stable(), r.seen.share().unwrap_or(f64::NAN)));
-        let sheets = loose.sheets.iter().filter(|s| s.speed == speed).map(|s| (s.class, s.growth.0, s.stable > 0, s.share));
-        for (class, growth, stable, share) in own.chain(sheets) {
+        let mut cell =
+            Cell { speed, value, growth: f64::NAN, class: None, calm: false, x: None, stable: 0, balances: false, share: f64::NAN };
+        let own = rows.iter().map(|r| (r.class, r.stability.growth(), r.stable(), r.seen.share().unwrap_or(f64::NAN), Some(&r.state.x)));
+        let sheets = loose.sheets.iter().filter(|s| s.speed == speed).map(|s| (s.class, s.growth.0, s.stable > 0, s.share, None));
+        for (class, growth, stable, share, x) in own.chain(sheets) {
             if class.balances() && cell.class.is_none_or(|c| (class, growth) < (c, cell.growth)) {
-                (cell.class, cell.growth) = (Some(class), growth);
+                (cell.class, cell.growth, cell.calm, cell.x) = (Some(class), growth, stable, x.cloned());
             }
             if stable {
                 cell.stable += 1;
@@ -138,6 +147,41 @@ fn edges(system: &System, value: f64, search: &mut Search, found: &Found, loose:
     out
 }
 
+/// The boundary between neighbouring rows, where the balanced state exists on one side only or is stable on one side only, at each speed.
+fn across(system: &System, path: &str, rows: &[(Vec<Cell>, Vec<Edge>, bool)], request: &Request, context: &Context) -> Vec<Edge> {
+    let count = rows.iter().map(|r| r.0.len()).min().unwrap_or(0);
+    let place = |j: usize| {
+        let mut out = Vec::new();
+        for pair in rows.windows(2) {
+            let (a, b) = (&pair[0].0[j], &pair[1].0[j]);
+            let status = |c: &Cell| (c.class.is_some(), c.calm);
+            // from a side on which there is an isolated state
+            let (from, to) = if a.x.is_some() { (a, b) } else { (b, a) };
+            let Some(x) = from.x.as_ref().filter(|_| status(a) != status(b)) else { continue };
+            let exists = to.class.is_none();
+            if !exists && to.x.is_none() {
+                continue;
+            }
+            let own = alone(request, from.speed);
+            let (mut yes, mut no) = (from.value, to.value);
+            for _ in 0..HALVINGS {
+                if context.cancelled() {
+                    return out;
+                }
+                let middle = 0.5 * (yes + no);
+                let Ok(machine) = changed(system, path, middle) else { break };
+                let mut search = Search::new(&machine, &own, context.cancel);
+                let found = judge(&machine, &mut search, x, from.speed).filter(|f| f.class.balances());
+                let same = if exists { found.is_some() } else { found.is_some_and(|f| f.stable == from.calm) };
+                if same { yes = middle } else { no = middle }
+            }
+            out.push(Edge { speed: from.speed, value: yes, exists, frequency: f64::NAN });
+        }
+        out
+    };
+    (0..count).into_par_iter().map(place).collect::<Vec<_>>().concat()
+}
+
 /// Over these values and speeds, each row from its own machine, on all processors.
 ///
 /// # Errors
@@ -171,10 +215,12 @@ pub fn chart(
         })
         .collect::<Result<_, Diagnostic>>()?;
     let stopped = rows.iter().any(|r| r.2);
+    let between = if stopped { Vec::new() } else { across(system, path, &rows, &own, context) };
     let (mut cells, mut edges) = (Vec::new(), Vec::new());
     for (own, limits, _) in rows {
         cells.extend(own);
         edges.extend(limits);
     }
+    edges.extend(between);
     Ok(Chart { path: path.to_string(), wide: wide(range), cells, edges, stopped })
 }

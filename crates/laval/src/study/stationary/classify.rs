@@ -16,6 +16,8 @@ pub enum Class {
     Balanced,
     /// A distance that the part with the movable masses shows is zero: its own centre lies on the axis.
     PartlyBalanced,
+    /// The masses lie apart and leave less than half of the unbalance, as on a track that is slightly tilted.
+    Reduced,
     /// All masses of each part lie at one angle.
     Together,
     /// They lie on one line, some of them opposite the others.
@@ -27,7 +29,7 @@ pub enum Class {
 }
 
 /// Words of the classes, in order.
-pub const WORDS: &[&str] = &["balanced", "partly_balanced", "together", "opposed", "spread", "single"];
+pub const WORDS: &[&str] = &["balanced", "partly_balanced", "reduced", "together", "opposed", "spread", "single"];
 
 impl Class {
     /// The word in tables.
@@ -39,20 +41,23 @@ impl Class {
         match self {
             Class::Balanced => "balanced",
             Class::PartlyBalanced => "partly balanced",
+            Class::Reduced => "unbalance reduced",
             Class::Together => "masses together",
             Class::Opposed => "masses opposed",
             Class::Spread => "masses apart",
-            Class::Single => "one state",
+            Class::Single => "single state",
         }
     }
     /// The masses do what they are there for.
     pub fn balances(self) -> bool {
-        self <= Class::PartlyBalanced
+        self <= Class::Reduced
     }
 }
 
 /// Displacements over those with the masses held anywhere that count as none.
 const NONE: f64 = 1e-6;
+/// Share of the unbalance below which masses that lie apart balance in part.
+pub const HALF: f64 = 0.5;
 /// Angles that are equal, rad.
 const EQUAL: f64 = 1e-5;
 /// Distance from the node line within which a mass is locked to it, rad.
@@ -163,13 +168,19 @@ impl Seen {
         }
         let several = || self.parts.iter().filter(|g| g.len() > 1);
         if several().next().is_none() {
-            return if self.parts.len() > 1 { Class::Spread } else { Class::Single };
+            return match self.share() {
+                Some(share) if share < HALF => Class::Reduced,
+                _ if self.parts.len() > 1 => Class::Spread,
+                _ => Class::Single,
+            };
         }
         let off = |g: &Vec<f64>, x: &f64| wrapped(x - g[0]).abs();
         if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL)) {
             Class::Together
         } else if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL || PI - off(g, x) < EQUAL)) {
             Class::Opposed
+        } else if self.share().is_some_and(|share| share < HALF) {
+            Class::Reduced
         } else {
             Class::Spread
         }

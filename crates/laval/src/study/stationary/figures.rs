@@ -36,6 +36,10 @@ impl Report<'_> {
             let panel = Panel::new(Axis::new("growth rate", "1/s"))
                 .mark(Line::new("stabilised", "value", "growth").name("largest growth rate"))
                 .mark(Rule::y(0.0, ""));
+            let panel = least
+                .edges
+                .iter()
+                .fold(panel, |p, e| p.mark(Rule::x(e.value, if e.gains { "stable from here" } else { "unstable from here" })));
             let unit = unit_of(self.system, &asked.path);
             let x = Axis { scale: scale(wide(&asked.range)), ..axis(&asked.path, unit) };
             out.push(Figure::new("stabilised", title, alt).x(x).panel(panel));
@@ -108,8 +112,9 @@ fn errors(system: &System, e: &Errors, k: usize) -> Option<Figure> {
     let alt = format!("Unbalance left at {at} by the best and the worst stable state over {path}, and without the masses.");
     let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6))
         .mark(line("unbalance_least", "best stable state"))
-        .mark(line("unbalance_largest", "worst stable state"))
         .mark(line("without", "without the masses"));
+    let differ = e.costs.iter().any(|c| c.unbalance.1 > c.unbalance.0 * (1.0 + 1e-6));
+    let panel = if differ { panel.mark(line("unbalance_largest", "worst stable state")) } else { panel };
     let x = axis(path, unit_of(system, path));
     Some(Figure::new(table.clone(), format!("Unbalance left at {at}"), alt).x(x).panel(panel))
 }

@@ -33,17 +33,17 @@ pub struct Least {
 }
 
 /// A state at a value of the parameter.
-struct Judged {
-    growth: f64,
-    stable: bool,
+pub(super) struct Judged {
+    pub growth: f64,
+    pub stable: bool,
     frequency: f64,
-    class: Class,
+    pub class: Class,
     free: usize,
     x: Vec<f64>,
 }
 
 /// The state near `x`, isolated or not, and how it grows.
-fn judge(system: &System, search: &mut Search, x: &[f64], speed: f64) -> Option<Judged> {
+pub(super) fn judge(system: &System, search: &mut Search, x: &[f64], speed: f64) -> Option<Judged> {
     let mut x = x.to_vec();
     let free = search.reach(&mut x, speed).ok()?;
     let stability = search.stability(&x, speed).ok()?.without(free);
@@ -100,14 +100,13 @@ pub fn least(
     }
     let Some((first, start)) = start else { return Ok(out) };
     (out.class, out.loose) = (Some(start.class), start.free > 0);
-    let class = start.class;
     let mut at = |value: f64, x: &[f64]| -> Option<Judged> {
         if !goes_on(1) {
             return None;
         }
         let system = changed(system, &asked.path, value).ok()?;
         let mut search = Search::new(&system, &own, context.cancel);
-        judge(&system, &mut search, x, asked.speed).filter(|j| j.class == class)
+        judge(&system, &mut search, x, asked.speed).filter(|j| j.class.balances())
     };
     let mut states: Vec<Option<Judged>> = (0..n).map(|_| None).collect();
     for order in [(first..n).collect::<Vec<_>>(), (0..first).rev().collect()] {

@@ -63,8 +63,8 @@ const MOST_CELLS: usize = 100_000;
 impl Study for Stationary {
     const KIND: &'static str = "stationary";
     const DOC: &'static str = "Where a machine with movable masses, such as the balls of a balancer, balances itself: its states at rest in axes that turn with \
-        the rotor, all that are found from many starts, followed over the speed and classified (balanced, partly balanced, masses together, opposed, locked by \
-        a tilt), with eigenvalues, limits of existence and the speeds where stability changes. It says where states balance, where they make the unbalance \
+        the rotor, all that are found from many starts, followed over the speed and classified (balanced, partly balanced, unbalance reduced, masses together, opposed, \
+        locked by a tilt), with eigenvalues, limits of existence and the speeds where stability changes. It says where states balance, where they make the unbalance \
         larger, and where none is stable; on request the least value of a parameter, such as external damping, that makes the balanced state stable, a chart of \
         its stability over speed and one parameter, and what errors of tilt or eccentricity cost.";
     const FIELDS: &'static [Field] = &[

@@ -1,6 +1,6 @@
 //! Over which speeds something holds: along one branch, of all branches together, of none.
 
-use super::classify::{Class, Scale, Seen};
+use super::classify::{Class, HALF, Scale, Seen};
 use crate::model::system::System;
 use crate::solve::stationary::{Found, Located, Search, State};
 
@@ -72,7 +72,10 @@ pub fn stable(found: &Found, points: &[Shown], width: f64) -> Vec<Range> {
         let edge = |a: usize, b: usize| {
             let inside = |l: &&Located| (points[a].s..=points[b].s).contains(&l.s) && l.growing.0.min(l.growing.1) == 0;
             let change = found.paths.get(path).and_then(|p| p.special.iter().find(inside));
-            change.map_or(0.5 * (points[a].speed + points[b].speed), |l| l.state.speed)
+            // or where the unbalance left is half of that without masses
+            let share = |k: usize| points[k].seen.share().map_or(f64::NAN, |s| s - HALF);
+            let t = Some(share(a) / (share(a) - share(b))).filter(|t| (0.0..=1.0).contains(t)).unwrap_or(0.5);
+            change.map_or(points[a].speed + t * (points[b].speed - points[a].speed), |l| l.state.speed)
         };
         let own = |k: usize| points.get(k).is_some_and(|p| p.path == path);
         let from = if begin > 0 && own(begin - 1) { edge(begin - 1, begin) } else { points[begin].speed };

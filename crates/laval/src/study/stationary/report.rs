@@ -268,17 +268,20 @@ impl Report<'_> {
     fn boundary(&self, chart: &Chart) -> Result<Table, OutcomeError> {
         let all = &chart.edges;
         let edge = |e: &super::chart::Edge| if e.exists { "limit of existence" } else { "stability changes" }.to_string();
-        Table::new("boundary", "Where the balanced state begins, ends, or changes its stability, located along the speed")
-            .float("speed", "rad/s", "spin speed", all.iter().map(|e| e.speed).collect())
-            .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|e| e.value).collect())
-            .text("edge", "what happens there", all.iter().map(edge).collect())
-            .float(
-                "frequency",
-                "rad/s",
-                "frequency of the root that crosses, in turning axes; NaN at limits of existence and for continua",
-                all.iter().map(|e| e.frequency).collect(),
-            )
-            .build()
+        Table::new(
+            "boundary",
+            "Where the balanced state begins, ends, or changes its stability, located along the speed and between the values",
+        )
+        .float("speed", "rad/s", "spin speed", all.iter().map(|e| e.speed).collect())
+        .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|e| e.value).collect())
+        .text("edge", "what happens there", all.iter().map(edge).collect())
+        .float(
+            "frequency",
+            "rad/s",
+            "frequency of the root that crosses, in turning axes; NaN at limits of existence, for continua and between the values",
+            all.iter().map(|e| e.frequency).collect(),
+        )
+        .build()
     }
 
     fn costs(&self, e: &Errors, k: usize) -> Result<Table, OutcomeError> {
