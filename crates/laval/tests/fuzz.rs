@@ -117,6 +117,9 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
         let unit = match named.study.kind() {
             // steps in time, of which one settled motion takes hundreds
             "sweep" | "basins" | "motion_map" => 100,
+            // starts and points, of which one search takes hundreds, and branches, of which one map takes many
+            "stationary" => 100,
+            "response_map" => 20,
             // runs of another study, of which one search takes at least twenty
             "optimum" => 10,
             _ => 1,

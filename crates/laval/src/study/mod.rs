@@ -208,6 +208,7 @@ pub fn registry() -> Vec<StudyKind> {
         kind::<nonlinear_response::NonlinearResponse>(),
         kind::<bifurcation_loci::BifurcationLoci>(),
         kind::<response_map::ResponseMap>(),
+        kind::<stationary::Stationary>(),
         kind::<sensitivity::Sensitivity>(),
         kind::<backbone::Backbone>(),
         kind::<limit_cycles::LimitCycles>(),

@@ -3,18 +3,19 @@
 //!
 //! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is told instead.
 
+mod continuum;
 pub mod images;
 pub mod problem;
 
 use super::exact::multiplicity;
-use super::pencil::{Spectrum, modes_about};
+use super::pencil::{MachineMode, Spectrum, modes_about};
 use super::scalar::root;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::System;
-use images::{Images, wrapped};
+use images::Images;
 use laval_num::complex::C64;
-use laval_num::continuation::{Branch, Direction, End, Kind, Point, Settings, Zero, cross, trace_both};
+use laval_num::continuation::{Branch, End, Kind, Point, Settings, Zero, cross, trace_both};
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Cause, Options, newton};
 use laval_num::sampling::Points;
@@ -66,9 +67,25 @@ impl Stability {
         let mut values: Vec<(C64, usize)> = spectrum.modes.iter().map(|m| (m.value, multiplicity(m))).collect();
         values.sort_by(|a, b| b.0.re.total_cmp(&a.0.re));
         let noise = 1e-11 * values.iter().map(|v| v.0.abs()).fold(0.0, f64::max);
-        // a growth that is not a number grows
-        let growing = values.iter().filter(|v| !(v.0.re <= noise)).map(|v| v.1).sum();
+        // a growth that is not a number grows; one that its own condition drowns does not
+        let grows = |m: &&MachineMode| !(m.value.re <= noise.max(ERRORS * m.error));
+        let growing = spectrum.modes.iter().filter(grows).map(multiplicity).sum();
         Stability { values, growing, noise }
+    }
+    /// Without the roots at zero of a state that is free in so many directions.
+    pub fn without(mut self, free: usize) -> Self {
+        for _ in 0..free {
+            let size = |v: &(C64, usize)| v.0.abs();
+            let Some(k) = (0..self.values.len()).min_by(|&a, &b| size(&self.values[a]).total_cmp(&size(&self.values[b]))) else { break };
+            let (root, count) = self.values[k];
+            self.growing -= usize::from(!(root.re <= self.noise));
+            if count > 1 {
+                self.values[k].1 -= 1;
+            } else {
+                self.values.remove(k);
+            }
+        }
+        self
     }
     /// Largest growth rate, 1/s.
     pub fn growth(&self) -> f64 {
@@ -115,6 +132,8 @@ impl Change {
 /// A located special point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Located {
+    /// Arclength along the branch.
+    pub s: f64,
     /// What it is.
     pub change: Change,
     /// The state there.
@@ -151,6 +170,28 @@ pub struct Path {
     pub special: Vec<Located>,
 }
 
+/// A state that is not isolated: one of a continuum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loose {
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// Coordinates at spin angle 0, then states that are not eliminated.
+    pub x: Vec<f64>,
+    /// In how many directions it is free.
+    pub free: usize,
+}
+
+/// How far a search is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Progress {
+    /// Newton runs and points of branches together.
+    pub work: u64,
+    /// Of the whole.
+    pub done: u64,
+    /// The whole.
+    pub total: u64,
+}
+
 /// All that was found.
 #[derive(Clone, Debug)]
 pub struct Found {
@@ -160,16 +201,26 @@ pub struct Found {
     pub images: Images,
     /// Newton runs from scratch, those that led to a state, and those that led to a state known before.
     pub starts: [u64; 3],
-    /// Runs that ended where the equations are singular: states that are not isolated.
-    pub singular: u64,
+    /// States that are not isolated, as they were come upon.
+    pub loose: Vec<Loose>,
+    /// More branches were there than are followed.
+    pub crowded: bool,
     /// Stopped before the end.
     pub stopped: bool,
     /// Work: Newton runs and points.
     pub work: u64,
 }
 
+/// Share of the turn within which a ring is nearly flat.
+const NEARLY_FLAT: f64 = 0.1;
+/// Roots this many times as large as the speed drown slow growth in their rounding: the others are then solved for by themselves.
+const STIFF: f64 = 50.0;
+/// Estimated errors of a root by which its growth must stand out.
+const ERRORS: f64 = 4.0;
 /// Two states are one within this many typical sizes.
 const SAME: f64 = 1e-6;
+/// Most changes of stability located along one branch; where roots are zero to rounding there would be no end of them.
+const MOST_LOCATED: usize = 100;
 /// Most branches followed.
 const MOST_BRANCHES: usize = 200;
 
@@ -193,6 +244,11 @@ impl<'a> Search<'a> {
         Search { problem, scale, images: Images::of(system, 0.5 * (lo + hi)), request, left: request.work }
     }
 
+    /// Speeds searched, rad/s.
+    pub fn range(&self) -> (f64, f64) {
+        self.request.range
+    }
+
     /// What counts as the same state.
     pub fn images(&self) -> &Images {
         &self.images
@@ -207,13 +263,30 @@ impl<'a> Search<'a> {
         newton(&mut self.problem, x, speed, &options).map(|c| c.step).map_err(|e| e.cause)
     }
 
-    /// A start: angles spread over the turn, everything else where it then balances.
-    fn start(&mut self, index: usize, speed: f64) -> Option<Vec<f64>> {
+    /// A start: everything where it comes to rest with the angles held. Of four starts two have the angles spread over the turn, one has the masses of each part
+    /// together, one has them opposite each other in turn; every other one has rings that may turn over nearly flat. States with few masses apart attract few
+    /// starts of the first kind.
+    pub fn start(&mut self, index: usize, speed: f64) -> Option<Vec<f64>> {
         let n = self.problem.system.n();
         let free: Vec<usize> = (0..self.problem.dim()).filter(|i| !self.images.angles.contains(i)).collect();
         let mut x = vec![0.0; self.problem.dim()];
+        let mut first: Vec<(usize, f64, bool)> = Vec::new();
         for (d, &i) in self.images.angles.iter().enumerate() {
-            x[i] = PI * (2.0 * Points::Sobol.at(7, index as u32, d as u32) - 1.0);
+            let own = PI * (2.0 * Points::Sobol.at(7, index as u32, d as u32) - 1.0);
+            if self.images.flips.iter().any(|f| f.0 == i) {
+                x[i] = if index % 2 == 1 { NEARLY_FLAT * own } else { own };
+                continue;
+            }
+            x[i] = own;
+            let slot = self.problem.system.coordinates()[i].slot;
+            match first.iter_mut().find(|f| f.0 == slot) {
+                Some(f) if index % 4 >= 2 => {
+                    f.2 = !f.2 && index % 4 == 3;
+                    x[i] = f.1 + if f.2 { PI } else { 0.0 };
+                }
+                Some(_) => {}
+                None => first.push((slot, own, false)),
+            }
         }
         for (d, &i) in free.iter().enumerate().filter(|(_, i)| **i < n) {
             if self.problem.system.coordinates()[i].dof.kind == DofKind::Scalar {
@@ -266,7 +339,13 @@ impl<'a> Search<'a> {
     /// # Errors
     /// As [`modes_about`].
     pub fn stability(&self, x: &[f64], speed: f64) -> Result<Stability, Diagnostic> {
-        Ok(Stability::of(&modes_about(self.problem.system, &self.problem.equilibrium(x, speed), false)?))
+        let about = self.problem.equilibrium(x, speed);
+        let spectrum = modes_about(self.problem.system, &about, false)?;
+        let fastest = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+        if fastest <= STIFF * speed.abs() {
+            return Ok(Stability::of(&spectrum));
+        }
+        Ok(Stability::of(&modes_about(self.problem.system, &about, true)?))
     }
 
     /// The machine's state as an equilibrium.
@@ -274,67 +353,69 @@ impl<'a> Search<'a> {
         &self.problem
     }
 
-    fn settings(&self) -> Settings {
+    fn settings(&self, work: u64) -> Settings {
         let (lo, hi) = self.request.range;
-        Settings { max_points: self.request.max_points, max_parameter_step: (hi - lo) / 100.0, min_step: 1e-9, ..Settings::new(lo, hi) }
+        let left = usize::try_from(self.request.work.saturating_sub(work)).unwrap_or(usize::MAX);
+        Settings {
+            max_points: self.request.max_points.min(left).max(2),
+            max_parameter_step: (hi - lo) / 100.0,
+            min_step: 1e-9,
+            ..Settings::new(lo, hi)
+        }
     }
 
-    /// The whole search; `each` is told the work done so far and says whether to go on.
+    /// The whole search; `each` is told how far it is and says whether to go on.
     ///
     /// # Errors
     /// A spectrum that cannot be computed.
-    pub fn run(&mut self, mut each: impl FnMut(u64) -> bool) -> Result<Found, Diagnostic> {
-        let mut found = Found { paths: Vec::new(), images: self.images.clone(), starts: [0; 3], singular: 0, stopped: false, work: 0 };
+    pub fn run(&mut self, mut each: impl FnMut(Progress) -> bool) -> Result<Found, Diagnostic> {
+        let images = self.images.clone();
+        let mut found = Found { paths: Vec::new(), images, starts: [0; 3], loose: Vec::new(), crowded: false, stopped: false, work: 0 };
         let mut branches: Vec<Branch> = Vec::new();
+        let total = (self.request.seeds.len() * self.request.starts) as u64;
         'all: for &speed in &self.request.seeds {
-            let mut known: Vec<State> = Vec::new();
-            for (k, b) in branches.iter().enumerate() {
-                known.extend(self.at(k, b, speed));
-            }
+            let mut known = self.known(&branches, speed);
             for index in 0..self.request.starts {
-                if !each(found.work) || found.work >= self.request.work {
+                if found.stopped || !each(Progress { work: found.work, done: found.starts[0], total: 2 * total }) || self.spent(&found) {
                     found.stopped = true;
                     break 'all;
                 }
                 found.work += 1;
                 found.starts[0] += 1;
                 let Some(mut x) = self.start(index, speed) else { continue };
-                match self.settle(&mut x, speed) {
-                    Ok(_) => {}
-                    Err(Cause::Singular) => {
-                        found.singular += 1;
+                let free = match self.reach(&mut x, speed) {
+                    Ok(free) => free,
+                    Err(cancelled) => {
+                        found.stopped |= cancelled;
                         continue;
                     }
-                    Err(Cause::Cancelled) => {
-                        found.stopped = true;
-                        break 'all;
-                    }
-                    Err(_) => continue,
-                }
+                };
                 found.starts[1] += 1;
-                if self.among(&x, &known) {
+                if free > 0 {
+                    self.images.normalise(&mut x);
+                    found.loose.push(Loose { speed, x, free });
+                } else if self.among(&x, &known) {
                     found.starts[2] += 1;
-                    continue;
-                }
-                if branches.len() >= MOST_BRANCHES {
-                    break 'all;
-                }
-                self.images.angles.iter().for_each(|&i| x[i] = wrapped(x[i]));
-                self.follow(&x, speed, &mut branches, &mut found);
-                known.clear();
-                for (k, b) in branches.iter().enumerate() {
-                    known.extend(self.at(k, b, speed));
+                } else {
+                    self.images.normalise(&mut x);
+                    self.follow(&x, speed, &mut branches, &mut found);
+                    known = self.known(&branches, speed);
                 }
             }
         }
+        let all = branches.len() as u64;
         for (k, branch) in branches.into_iter().enumerate() {
-            if !each(found.work) {
+            let before = found.work;
+            let mut goes_on = |judged: u64| {
+                let done = total + (total * k as u64) / all.max(1);
+                each(Progress { work: before + judged, done, total: 2 * total }) && before + judged < self.request.work
+            };
+            if !goes_on(0) {
                 found.stopped = true;
                 break;
             }
-            let before = found.work;
             self.left = self.request.work.saturating_sub(before);
-            let (path, judged) = self.judge(k, branch, &mut |done| each(before + done))?;
+            let (path, judged) = self.judge(k, branch, &mut goes_on)?;
             found.work += path.points.len() as u64;
             found.paths.push(path);
             if !judged {
@@ -345,34 +426,66 @@ impl<'a> Search<'a> {
         Ok(found)
     }
 
+    fn spent(&self, found: &Found) -> bool {
+        found.work >= self.request.work
+    }
+
+    /// The states of some branches at a speed.
+    fn known(&mut self, branches: &[Branch], speed: f64) -> Vec<State> {
+        branches.iter().enumerate().flat_map(|(k, b)| self.at(k, b, speed)).collect()
+    }
+
+    /// From a start to a state, and in how many directions that is free.
+    ///
+    /// # Errors
+    /// No state near; true when it was cancelled.
+    pub fn reach(&mut self, x: &mut [f64], speed: f64) -> Result<usize, bool> {
+        let start = x.to_vec();
+        match self.settle(x, speed) {
+            Ok(_) if self.freedom(x, speed) == Some(0) => return Ok(0),
+            Ok(_) => {}
+            Err(Cause::Cancelled) => return Err(true),
+            Err(_) => x.copy_from_slice(&start),
+        }
+        self.settle_freely(x, speed).ok_or(false)
+    }
+
     /// Follows the branch through a state, and those that cross it.
     fn follow(&mut self, x: &[f64], speed: f64, branches: &mut Vec<Branch>, found: &mut Found) {
-        let settings = self.settings();
         let mut waiting = vec![(x.to_vec(), speed)];
         while let Some((x, speed)) = waiting.pop() {
-            if branches.len() >= MOST_BRANCHES {
+            if self.spent(found) {
+                found.stopped = true;
                 return;
             }
-            let mut known: Vec<State> = Vec::new();
-            for (k, b) in branches.iter().enumerate() {
-                known.extend(self.at(k, b, speed));
+            if branches.len() >= MOST_BRANCHES {
+                found.crowded = true;
+                return;
             }
+            let known = self.known(branches, speed);
             if self.among(&x, &known) {
                 continue;
             }
+            match self.freedom(&x, speed) {
+                Some(0) => {}
+                Some(free) => {
+                    found.loose.push(Loose { speed, x, free });
+                    continue;
+                }
+                None => continue,
+            }
+            let settings = self.settings(found.work);
             let Ok(branch) = trace_both(&mut self.problem, &x, speed, &settings, &mut []) else { continue };
             found.work += branch.points.len() as u64;
+            found.stopped |= [branch.first_end.as_ref(), Some(&branch.end)].contains(&Some(&End::Cancelled));
             if branch.points.len() < 2 {
                 continue;
             }
             for special in branch.of(Kind::BranchPoint) {
-                for c in cross(&mut self.problem, &special.point, &settings).unwrap_or_default() {
-                    // beside the branch point, away from it
-                    debug_assert!(matches!(c.direction, Direction::Up | Direction::Down));
-                    waiting.push((c.x, c.p));
-                }
+                // beside the branch point, away from it
+                let crossing = cross(&mut self.problem, &special.point, &settings).unwrap_or_default();
+                waiting.extend(crossing.into_iter().map(|c| (c.x, c.p)));
             }
-            found.stopped |= branch.end == End::Cancelled;
             branches.push(branch);
         }
     }
@@ -381,7 +494,7 @@ impl<'a> Search<'a> {
     fn judge(&mut self, k: usize, branch: Branch, each: &mut dyn FnMut(u64) -> bool) -> Result<(Path, bool), Diagnostic> {
         let mut complete = true;
         let mut points: Vec<Sample> = Vec::new();
-        let mut special: Vec<(f64, Located)> = Vec::new();
+        let mut special: Vec<Located> = Vec::new();
         let sample = |search: &Self, p: &Point| -> Result<Sample, Diagnostic> {
             let state = State { branch: k, speed: p.p, x: p.x.clone(), error: p.error };
             Ok(Sample { s: p.s, stability: search.stability(&p.x, p.p)?, state })
@@ -403,7 +516,8 @@ impl<'a> Search<'a> {
                 let bracket = (s.bracket[0].p.min(s.bracket[1].p), s.bracket[0].p.max(s.bracket[1].p));
                 let located = s.status != laval_num::continuation::Status::Bracketed;
                 let state = State { branch: k, speed: s.point.p, x: s.point.x.clone(), error: s.point.error };
-                special.push((s.point.s, Located { change, state, frequency: 0.0, bracket, growing, located }));
+                let place = s.point.s.clamp(last.s, next.s);
+                special.push(Located { s: place, change, state, frequency: 0.0, bracket, growing, located });
             }
             if turns.is_empty() {
                 self.refine(&last, &next, 0, &mut points);
@@ -417,12 +531,12 @@ impl<'a> Search<'a> {
             for j in first..points.len() - 1 {
                 if points[j].stability.growing != points[j + 1].stability.growing {
                     let (a, b) = (points[j].clone(), points[j + 1].clone());
-                    special.push((0.5 * (a.s + b.s), self.crossing(&a, &b)));
+                    special.push(self.crossing(&a, &b, special.len() < MOST_LOCATED));
                 }
             }
         }
-        special.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok((Path { branch, points, special: special.into_iter().map(|s| s.1).collect() }, complete))
+        special.sort_by(|a, b| a.s.total_cmp(&b.s));
+        Ok((Path { branch, points, special }, complete))
     }
 
     /// The state of a branch at a speed between two of its points that do not turn back.
@@ -448,7 +562,8 @@ impl<'a> Search<'a> {
         let Some(middle) = self.between(a, b, 0.5 * (a.state.speed + b.state.speed)) else { return };
         let g = [a, &middle, b].map(|p| p.stability.growth());
         let bend = (g[1] - 0.5 * (g[0] + g[2])).abs();
-        if bend > 0.2 * g.iter().map(|g| g.abs()).fold(f64::INFINITY, f64::min) {
+        let least = g.iter().map(|g| g.abs()).fold(f64::INFINITY, f64::min);
+        if bend > (0.2 * least).max(10.0 * middle.stability.noise) {
             self.refine(a, &middle, depth + 1, out);
             out.push(middle.clone());
             self.refine(&middle, b, depth + 1, out);
@@ -456,19 +571,26 @@ impl<'a> Search<'a> {
     }
 
     /// Where a root crosses the imaginary axis between two points of a branch.
-    fn crossing(&mut self, a: &Sample, b: &Sample) -> Located {
-        let rank = a.stability.growing.max(b.stability.growing) - 1;
+    fn crossing(&mut self, a: &Sample, b: &Sample, locate: bool) -> Located {
+        let rank = a.stability.growing.max(b.stability.growing).saturating_sub(1);
         let (lo, hi) = (a.state.speed, b.state.speed);
-        let value = |s: &Stability| s.ranked(rank).map_or(f64::NAN, |z| z.re);
-        let ends = (value(&a.stability), value(&b.stability));
-        let place =
-            root(|p| self.between(a, b, p).map(|s| value(&s.stability)), (lo, ends.0), (hi, ends.1), 1e-13 * lo.abs().max(hi.abs()));
+        let tolerance = 1e-13 * lo.abs().max(hi.abs());
+        // undamped roots beside the one that crosses stand at zero on both sides: there the crossing is sought just above them
+        let mut place = None;
+        for above in [0.0, 1.0] {
+            let value = |s: &Stability| s.ranked(rank).map_or(f64::NAN, |z| z.re - above * s.noise);
+            let ends = ((lo, value(&a.stability)), (hi, value(&b.stability)));
+            if locate && place.is_none() {
+                place = root(|p| self.between(a, b, p).map(|s| value(&s.stability)), ends.0, ends.1, tolerance);
+            }
+        }
         let found = place.and_then(|p| self.between(a, b, p));
         let located = found.is_some();
         let at = found.unwrap_or_else(|| a.clone());
         let z = at.stability.ranked(rank).unwrap_or(C64::zero());
         let size = at.stability.values.iter().map(|v| v.0.abs()).fold(0.0, f64::max);
         Located {
+            s: if located { at.s } else { 0.5 * (a.s + b.s) },
             change: if z.im > 1e-7 * size { Change::Hopf } else { Change::Real },
             frequency: if located { z.im } else { f64::NAN },
             bracket: (lo.min(hi), lo.max(hi)),

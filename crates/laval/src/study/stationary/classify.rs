@@ -1,31 +1,35 @@
 //! What kind of state it is, by what the bodies and the parts show of it.
 
-use crate::model::part::{At, Observed};
+use crate::model::part::{At, DofKind, Observed};
 use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::coordinate_sectors;
 use crate::solve::stationary::images::wrapped;
 use crate::solve::stationary::{Search, State};
+use crate::solve::unbalance::{Unbalance, unbalance};
+use crate::study::support::{larger, largest};
 use std::f64::consts::PI;
 
 /// Kinds of states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
-    /// No body is displaced.
+    /// No body is displaced or tilted.
     Balanced,
     /// A distance that the part with the movable masses shows is zero: its own centre lies on the axis.
     PartlyBalanced,
-    /// All masses that may be exchanged lie at one angle.
+    /// The masses lie apart and leave less than half of the unbalance, as on a track that is slightly tilted.
+    Reduced,
+    /// All masses of each part lie at one angle.
     Together,
-    /// Two of them lie opposite each other.
+    /// They lie on one line, some of them opposite the others.
     Opposed,
     /// They lie apart.
     Spread,
-    /// No part has masses that move.
+    /// No part has masses that move, or only one.
     Single,
 }
 
 /// Words of the classes, in order.
-pub const WORDS: &[&str] = &["balanced", "partly_balanced", "together", "opposed", "spread", "single"];
+pub const WORDS: &[&str] = &["balanced", "partly_balanced", "reduced", "together", "opposed", "spread", "single"];
 
 impl Class {
     /// The word in tables.
@@ -37,32 +41,70 @@ impl Class {
         match self {
             Class::Balanced => "balanced",
             Class::PartlyBalanced => "partly balanced",
+            Class::Reduced => "unbalance reduced",
             Class::Together => "masses together",
             Class::Opposed => "masses opposed",
             Class::Spread => "masses apart",
-            Class::Single => "state",
+            Class::Single => "single state",
         }
+    }
+    /// The masses do what they are there for.
+    pub fn balances(self) -> bool {
+        self <= Class::Reduced
     }
 }
 
-/// Displacements over those of other states at the same speed that count as none.
+/// Displacements over those with the masses held anywhere that count as none.
 const NONE: f64 = 1e-6;
+/// Share of the unbalance below which masses that lie apart balance in part.
+pub const HALF: f64 = 0.5;
 /// Angles that are equal, rad.
 const EQUAL: f64 = 1e-5;
 /// Distance from the node line within which a mass is locked to it, rad.
 const LOCKED: f64 = 0.3;
+/// Places at which the masses are held for comparison.
+const HELD: usize = 3;
 
 /// What a state shows.
 #[derive(Clone, Debug)]
 pub struct Seen {
     /// Displacements of the bodies in turning axes, m.
     pub bodies: Vec<[f64; 2]>,
+    /// Largest tilt of a body, rad.
+    pub tilt: f64,
     /// What the parts with movable masses show: part, quantity.
     pub quantities: Vec<(String, Observed)>,
     /// Angles of the exchangeable groups, wrapped, rad.
     pub groups: Vec<Vec<f64>>,
+    /// The same, part by part.
+    parts: Vec<Vec<f64>>,
     /// All masses of the parts that warn of themselves lie near the line their angles are counted from: the tilt of their tracks holds them there.
     pub locked: bool,
+    /// The unbalance with the masses where they are; `None` where no part balances by itself.
+    pub unbalance: Option<Unbalance>,
+}
+
+/// The largest of what is seen with the masses held at some places at this speed.
+#[derive(Clone, Debug, Default)]
+pub struct Scale {
+    radius: f64,
+    tilt: f64,
+    quantities: Vec<f64>,
+}
+
+impl Scale {
+    /// At a speed.
+    pub fn at(system: &System, search: &mut Search, speed: f64) -> Self {
+        let held: Vec<Vec<f64>> = (0..HELD).filter_map(|k| search.start(k, speed)).collect();
+        let all: Vec<Seen> = held.into_iter().map(|x| Seen::of(system, search, &State { branch: 0, speed, x, error: 0.0 })).collect();
+        let count = all.first().map_or(0, |s| s.quantities.len());
+        let quantity = |k: usize| largest(all.iter().filter_map(|s| s.quantities.get(k)).map(|q| q.1.value.abs()));
+        Scale {
+            radius: largest(all.iter().map(Seen::radius)),
+            tilt: largest(all.iter().map(|s| s.tilt)),
+            quantities: (0..count).map(quantity).collect(),
+        }
+    }
 }
 
 impl Seen {
@@ -72,57 +114,73 @@ impl Seen {
         let sectors = coordinate_sectors(system);
         let (v, a) = (about.velocity(&sectors), about.acceleration(&sectors));
         let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: state.speed, spin_accel: 0.0, t: 0.0 };
-        let movable = |slot: usize| search.images().angles.iter().any(|&i| system.coordinates()[i].slot == slot);
-        let shown = system.observe(&at, &mut Workspace::default());
+        let (images, coordinates) = (search.images(), system.coordinates());
+        let movable = |slot: usize| images.angles.iter().any(|&i| coordinates[i].slot == slot);
+        let mut ws = Workspace::default();
+        let shown = system.observe(&at, &mut ws);
         let quantities: Vec<(String, Observed)> =
             shown.into_iter().filter(|(k, _)| movable(*k)).map(|(k, o)| (system.slots()[k].name.clone(), o)).collect();
-        let groups: Vec<Vec<f64>> = search.images().groups.iter().map(|g| g.iter().map(|&i| wrapped(about.q[i])).collect()).collect();
+        let groups: Vec<Vec<f64>> = images.groups.iter().map(|g| g.iter().map(|&i| wrapped(about.q[i])).collect()).collect();
+        // a ring that turns over is no mass
+        let masses = images.angles.iter().filter(|&i| images.flips.iter().all(|f| f.0 != *i));
+        let mut parts: Vec<(usize, Vec<f64>)> = Vec::new();
+        for &i in masses {
+            let slot = coordinates[i].slot;
+            match parts.iter_mut().find(|p| p.0 == slot) {
+                Some(p) => p.1.push(wrapped(about.q[i])),
+                None => parts.push((slot, vec![wrapped(about.q[i])])),
+            }
+        }
         let near = |x: &f64| x.abs().min(PI - x.abs()) < LOCKED;
         let hindered: Vec<usize> = system.warnings().into_iter().map(|w| w.0).collect();
-        let slot = |group: &Vec<usize>| system.coordinates()[group[0]].slot;
-        let held: Vec<bool> = search
-            .images()
-            .groups
-            .iter()
-            .zip(&groups)
-            .filter(|(g, _)| hindered.contains(&slot(g)))
-            .map(|(_, angles)| angles.iter().all(near))
-            .collect();
-        let locked = !held.is_empty() && held.into_iter().all(|x| x);
+        let mut held = parts.iter().filter(|p| hindered.contains(&p.0)).peekable();
+        let locked = held.peek().is_some() && held.all(|p| p.1.iter().all(near));
         let bodies = system.bodies().iter().map(|b| [about.q[b.x], about.q[b.x + 1]]).collect();
-        Seen { bodies, quantities, groups, locked }
+        let tilts = coordinates.iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::TiltX);
+        let tilt = largest(tilts.map(|(i, _)| about.q[i].hypot(about.q[i + 1])));
+        let balancing = !system.corrections(&at, &mut ws).is_empty();
+        let unbalance = balancing.then(|| unbalance(system, &at, &mut ws));
+        Seen { bodies, tilt, quantities, groups, parts: parts.into_iter().map(|p| p.1).collect(), locked, unbalance }
     }
 
-    /// The largest displacement and the largest of every quantity over some states.
-    pub fn largest(all: &[Seen]) -> (f64, Vec<f64>) {
-        let radius = all.iter().flat_map(|s| &s.bodies).map(|b| b[0].hypot(b[1])).fold(0.0, f64::max);
-        let count = all.first().map_or(0, |s| s.quantities.len());
-        let of = |k: usize| all.iter().filter_map(|s| s.quantities.get(k)).map(|q| q.1.value.abs()).fold(0.0, f64::max);
-        (radius, (0..count).map(of).collect())
+    /// Largest distance of a body from the axis, m.
+    pub fn radius(&self) -> f64 {
+        largest(self.bodies.iter().map(|b| b[0].hypot(b[1])))
     }
 
-    /// Its kind, beside the largest displacements of all states at the speed.
-    pub fn class(&self, (radius, quantities): &(f64, Vec<f64>)) -> Class {
-        if self.groups.is_empty() {
+    /// Unbalance over that without the movable masses; `None` where nothing is out of balance without them.
+    pub fn share(&self) -> Option<f64> {
+        let u = self.unbalance?;
+        Some(u.moment.abs() / u.without()).filter(|share| u.without() > 0.0 && share.is_finite())
+    }
+
+    /// Its kind, beside what is seen at its speed with the masses held.
+    pub fn class(&self, scale: &Scale) -> Class {
+        if self.parts.is_empty() {
             return Class::Single;
         }
-        if self.bodies.iter().all(|b| b[0].hypot(b[1]) <= NONE * radius) {
+        if self.radius() <= NONE * scale.radius && self.tilt <= NONE * scale.tilt {
             return Class::Balanced;
         }
-        let none = |(q, most): (&(String, Observed), &f64)| q.1.unit == "m" && q.1.value.abs() <= NONE * most.max(*radius);
-        if self.quantities.iter().zip(quantities).any(none) {
+        let none = |(q, most): (&(String, Observed), &f64)| q.1.unit == "m" && q.1.value.abs() <= NONE * larger(*most, scale.radius);
+        if self.quantities.iter().zip(&scale.quantities).any(none) {
             return Class::PartlyBalanced;
         }
-        let several = || self.groups.iter().filter(|g| g.len() > 1);
+        let several = || self.parts.iter().filter(|g| g.len() > 1);
         if several().next().is_none() {
-            return Class::Spread;
+            return match self.share() {
+                Some(share) if share < HALF => Class::Reduced,
+                _ if self.parts.len() > 1 => Class::Spread,
+                _ => Class::Single,
+            };
         }
-        let together = |g: &Vec<f64>| g.iter().all(|x| wrapped(x - g[0]).abs() < EQUAL);
-        let opposed = |g: &Vec<f64>| g.len() == 2 && PI - wrapped(g[1] - g[0]).abs() < EQUAL;
-        if several().all(together) {
+        let off = |g: &Vec<f64>, x: &f64| wrapped(x - g[0]).abs();
+        if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL)) {
             Class::Together
-        } else if several().all(opposed) {
+        } else if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL || PI - off(g, x) < EQUAL)) {
             Class::Opposed
+        } else if self.share().is_some_and(|share| share < HALF) {
+            Class::Reduced
         } else {
             Class::Spread
         }

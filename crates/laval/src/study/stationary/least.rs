@@ -1,11 +1,11 @@
 //! The values of a parameter at which the balanced state becomes stable or unstable.
 
-use super::classify::Class;
-use super::{Context, Row, Stabilise, listed};
+use super::classify::{Class, Scale, Seen};
+use super::{Context, Varied, alone, changed, listed, spread};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::scalar::root;
-use crate::solve::stationary::{Request, Search};
+use crate::solve::stationary::{Request, Search, State};
 
 /// Values computed over the range before changes are located.
 const POINTS: usize = 61;
@@ -24,80 +24,109 @@ pub struct Edge {
 pub struct Least {
     /// Class of the state that was followed; `None` where there is no state that balances.
     pub class: Option<Class>,
+    /// It is one of a continuum.
+    pub loose: bool,
     /// Value, largest growth rate; NaN where the state does not exist.
     pub growth: Vec<(f64, f64)>,
     /// Edges in order.
     pub edges: Vec<Edge>,
 }
 
-/// The state that balances best at a speed: no displacement at all, else the own centre on the axis.
-fn best(rows: Vec<Row>) -> Option<Row> {
-    rows.into_iter().filter(|r| r.class <= Class::PartlyBalanced).min_by(|a, b| a.class.cmp(&b.class))
+/// A state at a value of the parameter.
+pub(super) struct Judged {
+    pub growth: f64,
+    pub stable: bool,
+    frequency: f64,
+    pub class: Class,
+    free: usize,
+    x: Vec<f64>,
+}
+
+/// The state near `x`, isolated or not, and how it grows.
+pub(super) fn judge(system: &System, search: &mut Search, x: &[f64], speed: f64) -> Option<Judged> {
+    let mut x = x.to_vec();
+    let free = search.reach(&mut x, speed).ok()?;
+    let stability = search.stability(&x, speed).ok()?.without(free);
+    let scale = Scale::at(system, search, speed);
+    let class = Seen::of(system, search, &State { branch: 0, speed, x: x.clone(), error: 0.0 }).class(&scale);
+    let frequency = stability.values.first()?.0.im;
+    Some(Judged { growth: stability.growth(), stable: stability.growing == 0, frequency, class, free, x })
+}
+
+/// The state that balances best at a speed: no displacement at all, else the own centre on the axis; of several the one that grows least.
+fn best(
+    system: &System,
+    own: &Request,
+    speed: f64,
+    context: &Context,
+    goes_on: &mut dyn FnMut(u64) -> bool,
+) -> Result<Option<Judged>, Diagnostic> {
+    let mut search = Search::new(system, own, context.cancel);
+    let found = search.run(|p| !context.cancelled() && p.work < own.work)?;
+    goes_on(found.work);
+    let rows = listed(system, &mut search, &found, speed)?;
+    let mut all: Vec<Judged> = Vec::new();
+    for x in rows.into_iter().map(|r| r.state.x).chain(found.loose.into_iter().map(|l| l.x)) {
+        all.extend(judge(system, &mut search, &x, speed).filter(|j| j.class.balances()));
+    }
+    Ok(all.into_iter().min_by(|a, b| a.class.cmp(&b.class).then(a.growth.total_cmp(&b.growth))))
 }
 
 /// Follows the balanced state over the parameter.
 ///
 /// # Errors
 /// Eigenvalues that cannot be computed; a machine that does not exist at a value.
-pub fn least(system: &System, asked: &Stabilise, request: &Request, context: &Context) -> Result<Least, Diagnostic> {
-    let (lo, hi) = (asked.range.from, asked.range.to);
-    let n = asked.range.points.unwrap_or(POINTS).max(3);
-    // wide ranges by ratios
-    let spread = |k: usize| {
-        let t = k as f64 / (n - 1) as f64;
-        if lo > 0.0 && hi / lo > 30.0 { lo * (hi / lo).powf(t) } else { lo + t * (hi - lo) }
-    };
-    let mut values: Vec<f64> = (0..n).map(spread).collect();
-    values[n - 1] = hi;
-    // the state is sought in the middle of the range and followed both ways
-    let width = 1e-3 * asked.speed.abs().max(1e-3);
-    let own = Request { range: (asked.speed - width, asked.speed + width), seeds: vec![asked.speed], ..request.clone() };
-    let machine = |value: f64| -> Result<System, Diagnostic> {
-        system
-            .with(&[(&asked.path, value)])
-            .map_err(|d| d.0.into_iter().next().unwrap_or_else(|| Diagnostic::error("stationary.parameter", "no machine")))
-    };
-    let mut out = Least { class: None, growth: values.iter().map(|&v| (v, f64::NAN)).collect(), edges: Vec::new() };
-    let mut start: Option<(usize, Vec<f64>)> = None;
+pub fn least(
+    system: &System,
+    asked: &Varied,
+    request: &Request,
+    context: &Context,
+    goes_on: &mut dyn FnMut(u64) -> bool,
+) -> Result<Least, Diagnostic> {
+    let values = spread(&asked.range, POINTS);
+    let n = values.len();
+    let own = alone(request, asked.speed);
+    let mut out = Least { class: None, loose: false, growth: values.iter().map(|&v| (v, f64::NAN)).collect(), edges: Vec::new() };
+    // the state is sought in the middle of the range and at its ends, and followed both ways
+    let mut start: Option<(usize, Judged)> = None;
     for k in [n / 2, 0, n - 1] {
-        let system = machine(values[k])?;
-        let mut search = Search::new(&system, &own, context.cancel);
-        let found = search.run(|done| context.goes_on(done))?;
-        if let Some(row) = best(listed(&system, &mut search, &found, asked.speed)?) {
-            out.class = Some(row.class);
-            start = Some((k, row.state.x));
+        if !goes_on(0) {
+            return Ok(out);
+        }
+        if let Some(found) = best(&changed(system, &asked.path, values[k])?, &own, asked.speed, context, goes_on)? {
+            start = Some((k, found));
             break;
         }
     }
-    let Some((first, x0)) = start else { return Ok(out) };
-    // largest growth, its frequency and the state, from a nearby state
-    let judge = |value: f64, x: &[f64]| -> Option<(f64, f64, Vec<f64>)> {
-        let system = machine(value).ok()?;
+    let Some((first, start)) = start else { return Ok(out) };
+    (out.class, out.loose) = (Some(start.class), start.free > 0);
+    let mut at = |value: f64, x: &[f64]| -> Option<Judged> {
+        if !goes_on(1) {
+            return None;
+        }
+        let system = changed(system, &asked.path, value).ok()?;
         let mut search = Search::new(&system, &own, context.cancel);
-        let mut x = x.to_vec();
-        search.settle(&mut x, asked.speed).ok()?;
-        let s = search.stability(&x, asked.speed).ok()?;
-        Some((s.growth(), s.values.first()?.0.im, x))
+        judge(&system, &mut search, x, asked.speed).filter(|j| j.class.balances())
     };
-    let mut states: Vec<Option<Vec<f64>>> = vec![None; n];
+    let mut states: Vec<Option<Judged>> = (0..n).map(|_| None).collect();
     for order in [(first..n).collect::<Vec<_>>(), (0..first).rev().collect()] {
-        let mut x = x0.clone();
+        let mut x = start.x.clone();
         for k in order {
-            if context.cancelled() {
-                return Ok(out);
-            }
-            let Some((growth, _, found)) = judge(values[k], &x) else { break };
-            out.growth[k].1 = growth;
-            x = found.clone();
+            let Some(found) = at(values[k], &x) else { break };
+            out.growth[k].1 = found.growth;
+            x.clone_from(&found.x);
             states[k] = Some(found);
         }
     }
-    for k in 0..n - 1 {
-        let ((a, fa), (b, fb)) = (out.growth[k], out.growth[k + 1]);
-        let Some(x) = states[k].as_ref().filter(|_| fa * fb < 0.0) else { continue };
-        let Some(value) = root(|v| judge(v, x).map(|j| j.0), (a, fa), (b, fb), 1e-13 * b.abs()) else { continue };
-        let frequency = judge(value, x).map_or(f64::NAN, |j| j.1);
-        out.edges.push(Edge { value, gains: fb < 0.0, frequency });
+    for w in 0..n - 1 {
+        let (Some(a), Some(b)) = (&states[w], &states[w + 1]) else { continue };
+        if a.stable == b.stable {
+            continue;
+        }
+        let ends = [(values[w], a.growth), (values[w + 1], b.growth)];
+        let Some(value) = root(|v| at(v, &a.x).map(|j| j.growth), ends[0], ends[1], 1e-13 * ends[1].0.abs()) else { continue };
+        let frequency = at(value, &a.x).map_or(f64::NAN, |j| j.frequency);
+        out.edges.push(Edge { value, gains: b.stable, frequency });
     }
     Ok(out)
 }
