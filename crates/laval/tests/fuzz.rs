@@ -118,7 +118,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
             // steps in time, of which one settled motion takes hundreds
             "sweep" | "basins" | "motion_map" => 100,
             // starts and points, of which one search takes hundreds, and branches, of which one map takes many
-            "stationary" => 100,
+            "stationary" => 40,
             "response_map" => 20,
             // runs of another study, of which one search takes at least twenty
             "optimum" => 10,

@@ -16,6 +16,14 @@ const GAP: f64 = 1e-6;
 /// Share of their capacity above which the masses have nothing left.
 const USED_UP: f64 = 0.999;
 
+/// Share of the unbalance without the masses below which what is left is rounding.
+const NOTHING: f64 = 1e-9;
+
+/// What is left, or zero where it is rounding beside what was there.
+fn left_of(left: f64, without: f64) -> f64 {
+    if left <= NOTHING * without { 0.0 } else { left }
+}
+
 fn speed(w: f64) -> String {
     quantity(w, "rad/s")
 }
@@ -206,11 +214,15 @@ impl Report<'_> {
         let left = |r: &&Row| r.seen.unbalance.map_or(f64::NAN, |u| u.moment.abs());
         let best = stable().min_by(|a, b| left(a).total_cmp(&left(b)))?;
         let u = best.seen.unbalance.filter(|u| u.moment.abs().is_finite() && u.without().is_finite())?;
-        let share = best.seen.share().map_or(String::new(), |s| format!(", {} times that without the masses", significant(s, 3)));
+        let share = best
+            .seen
+            .share()
+            .filter(|s| *s > NOTHING)
+            .map_or(String::new(), |s| format!(", {} times that without the masses", significant(s, 3)));
         let text = format!("At {} the best stable state ({}) leaves an unbalance of {{}}{share}.", speed(nearest), best.class.words());
         let worst = stable().map(|r| left(&r)).fold(u.moment.abs(), larger);
         let finding = Finding::info("residual_unbalance", text)
-            .value(u.moment.abs(), "kg m")
+            .value(left_of(u.moment.abs(), u.without()), "kg m")
             .evidence("speed", nearest, "rad/s")
             .evidence("without the masses", u.without(), "kg m")
             .evidence("capacity", u.capacity, "kg m");
@@ -274,14 +286,14 @@ impl Report<'_> {
         }
         let text = format!(
             "At {at}, with {path} from {from} to {to}, the best stable state leaves {} to {{}} of unbalance ({} without the masses).",
-            quantity(first.unbalance.0, "kg m"),
+            quantity(left_of(first.unbalance.0, first.without), "kg m"),
             quantity(last.without, "kg m")
         );
         let harm = last.unbalance.0 > last.without;
         let make = if harm || !last.balances && first.balances { Finding::warning } else { Finding::info };
         let more =
             [("left by the worst stable state at the end", last.unbalance.1, "kg m"), ("grade number at the end", last.grade, "m/s")];
-        let mut finding = backed(make("cost", text).of(path).value(last.unbalance.0, "kg m"), &more);
+        let mut finding = backed(make("cost", text).of(path).value(left_of(last.unbalance.0, last.without), "kg m"), &more);
         if let Some(c) = e.costs.iter().find(|c| first.balances && !c.balances) {
             finding = finding.evidence("no stable state balances from", c.value, unit);
         }
