@@ -26,6 +26,22 @@ impl Analytic<1> for Root {
     }
 }
 
+struct Logarithm;
+
+impl Analytic<1> for Logarithm {
+    fn value(z: C64) -> [C64; 1] {
+        [z.ln()]
+    }
+    fn slope<S: Scalar>(z: Complex<S>, _: &[Complex<S>; 1]) -> [Complex<S>; 1] {
+        [z.recip()]
+    }
+}
+
+/// Principal logarithm.
+pub fn ln<S: Scalar>(z: Complex<S>) -> Complex<S> {
+    S::analytic::<1, Logarithm>(z)[0]
+}
+
 /// Principal square root, real part 0 or more; no derivative at 0.
 pub fn sqrt<S: Scalar>(z: Complex<S>) -> Complex<S> {
     S::analytic::<1, Root>(z)[0]

@@ -51,6 +51,22 @@ pub fn excess<S: Scalar>(z: Complex<S>) -> [Complex<S>; 2] {
     [first, second]
 }
 
+/// `(z K_1(z) - 1)/z^2`, unscaled and without cancellation, for |z| <= 2, Re z >= 0; grows as `ln(z)/2` to 0.
+pub fn excess_k<S: Scalar>(z: Complex<S>) -> Complex<S> {
+    let half = S::cst(0.5);
+    let q = (z * z).scale(S::cst(0.25));
+    let log = crate::analytic::ln(z.scale(half));
+    // sum of (ln(z/2) - (psi(n + 1) + psi(n + 2))/2) q^n/(n! (n + 1)!)/2, from its last term
+    let (mut sum, mut harmonic) = (Complex::zero(), (1..=20).map(|n| 1.0 / f64::from(n)).sum::<f64>());
+    for n in (0..=20).rev() {
+        let n = f64::from(n);
+        let psi = harmonic - EULER + 0.5 / (n + 1.0);
+        sum = (log - Complex::real(S::cst(psi))) + sum * q.scale(S::cst(1.0 / ((n + 1.0) * (n + 2.0))));
+        harmonic -= if n > 0.0 { 1.0 / n } else { 0.0 };
+    }
+    sum.scale(half)
+}
+
 struct Scaled;
 
 impl Analytic<5> for Scaled {

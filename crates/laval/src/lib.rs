@@ -39,6 +39,7 @@
 
 pub use laval_num;
 
+pub mod cavity;
 pub mod diagnostic;
 pub mod file;
 pub mod hash;
