@@ -1,6 +1,8 @@
 //! Liquid in three dimensions and with viscosity: reactions of a cavity, and the machine that carries one.
 
 mod common;
+#[path = "spatial_liquid/machine.rs"]
+mod machine;
 #[path = "spatial_liquid/reactions.rs"]
 mod reactions;
 #[path = "spatial_liquid/viscosity.rs"]

@@ -1,6 +1,6 @@
-//! A cylindrical cavity partly filled with liquid that turns with the rotor: plane flow of an ideal liquid, exact.
+//! A cylindrical cavity partly filled with liquid that turns with the rotor.
 //!
-//! Equations, with `z` the cavity centre, `beta` and `eta` (surface displacement) in fixed axes:
+//! Equations of the plane flow of an ideal liquid, with `z` the cavity centre, `beta` and `eta` (surface displacement) in fixed axes:
 //!
 //! ```text
 //! beta' = i W beta + g (2 i W beta + W^2 eta - z'') - 2 delta beta
@@ -9,21 +9,37 @@
 //! spin row: (ml/2)(R^2 + r0^2) W'
 //! ```
 //!
+//! Reaction on tilt theta about the cavity centre, by model:
+//!
+//! ```text
+//! planar       none
+//! strip        the same flow in every slice: equations above with theta for z and mL h^2/12 for mL
+//! planar_tilt  A = -pi rho [R^2 h^3/12 - h (R^4 - r0^4)/4], C = 2 A:  A theta'' - i C W theta' - (i/2) C W' theta
+//! spatial      axial flow as well, in the frequency domain: [cavity](crate::cavity)
+//! frozen       a rigid ring: ml, A = ml [(R^2 + r0^2)/4 + h^2/12], C = ml (R^2 + r0^2)/2
+//! ```
+//!
+//! With viscosity the plane flow (of every slice) has its exact force in the frequency domain, and spatial its tilt reaction with ends without friction.
+//!
 //! Symbols: R cavity radius, r0 radius of the undisturbed free surface, h height, m; rho density, kg/m^3; mL = pi R^2 h rho the full cavity,
 //! mo = mL (r0/R)^2, ml = mL - mo the real liquid, kg; g = (R^2 - r0^2)/(R^2 + r0^2); delta damping of the surface wave in rotor axes, 1/s; W spin
-//! speed. Empty, full and partly filled are separate cases: a full cavity is frozen liquid, an empty one is nothing.
+//! speed. Empty, full and partly filled are separate cases: a full cavity is frozen liquid in the plane, an empty one is nothing.
 //!
 //! Validity: surface displacement well below the layer thickness, cavity always wetted (W^2 r0 above the local acceleration), no viscosity but
-//! delta, motion without tilt, spin-up slow against r0^2/(14.7 nu).
+//! delta or the viscosity given, spin-up slow against r0^2/(14.7 nu). planar: motion without tilt. planar_tilt is an approximation that takes tilt inertia
+//! away from a tall cavity. The cavity is straight and concentric with the shaft. Ends without friction: the Ekman layers of real ends are not in any model.
 //!
-//! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow.
+//! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow; `001_352384e7bf252e35` equations (7)-(34),
+//! corrected.
 
+use crate::cavity::{Cavity, Tilt, Truncation};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
+use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
 use crate::params;
 use crate::units::{format_number, format_si};
+use laval_num::analytic::value;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
@@ -36,6 +52,7 @@ params! {
         density: scalar, "kg/m^3", Bounds::closed(1e-3, 3e4), required, "liquid density rho";
         free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
         wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
+        viscosity: scalar, "m^2/s", Bounds::up_to(10.0), default 0.0, "kinematic viscosity nu; above 0 the force is exact in the frequency domain only";
     }
 }
 
@@ -50,10 +67,37 @@ pub enum Fill {
     Full,
 }
 
+/// How the liquid flows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// In planes across the axis, driven by the motion of the cavity centre.
+    Planar,
+    /// The same, and of the reaction on tilt what needs no axial flow.
+    PlanarTilt,
+    /// In planes across the axis, each driven by its own motion.
+    Strip,
+    /// In three dimensions.
+    Spatial,
+    /// Not at all.
+    Frozen,
+}
+
+const MODELS: [(&str, Model); 5] = [
+    ("planar", Model::Planar),
+    ("planar_tilt", Model::PlanarTilt),
+    ("strip", Model::Strip),
+    ("spatial", Model::Spatial),
+    ("frozen", Model::Frozen),
+];
+/// Largest share of the tilt reaction that its estimated error may be.
+const ACCURACY: f64 = 1e-6;
+
 /// See the [module](self).
 pub struct Liquid {
     attach: Attach,
     fill: Fill,
+    model: Model,
+    viscous: bool,
 }
 
 struct Coefficients<S> {
@@ -63,9 +107,17 @@ struct Coefficients<S> {
 }
 
 impl Liquid {
-    /// In the cavity of a body; the case must agree with the free-surface radius.
+    /// Ideal liquid in plane flow in the cavity of a body; the case must agree with the free-surface radius.
     pub fn new(attach: Attach, fill: Fill) -> Self {
-        Liquid { attach, fill }
+        Liquid { attach, fill, model: Model::Planar, viscous: false }
+    }
+    /// The same with another flow.
+    pub fn flowing(self, model: Model) -> Self {
+        Liquid { model, ..self }
+    }
+    /// The same with viscosity.
+    pub fn viscous(self) -> Self {
+        Liquid { viscous: true, ..self }
     }
     #[inline(always)]
     fn coefficients<S: Scalar>(p: &LiquidParams<S>) -> Coefficients<S> {
@@ -73,11 +125,121 @@ impl Liquid {
         let column = p.cavity_height * p.density;
         Coefficients { full: (r2 * column).scale(PI), void: (s2 * column).scale(PI), g: (r2 - s2) / (r2 + s2) }
     }
-    /// Surface displacement and its rate.
+    /// Surface displacement and its rate, from the four states at `first`.
     #[inline(always)]
-    fn surface<S: Scalar>(at: &At<S>) -> (Complex<S>, Complex<S>) {
-        let (beta, eta) = (c(at.z[0], at.z[1]), c(at.z[2], at.z[3]));
+    fn surface<S: Scalar>(at: &At<S>, first: usize) -> (Complex<S>, Complex<S>) {
+        let (beta, eta) = (c(at.z[first], at.z[first + 1]), c(at.z[first + 2], at.z[first + 3]));
         (eta, eta.mul_i().scale(at.speed) - beta)
+    }
+    /// States of a surface wave.
+    fn waves(&self) -> bool {
+        self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen
+    }
+    fn cavity<S: Scalar>(p: &LiquidParams<S>) -> Cavity<S> {
+        Cavity { radius: p.cavity_radius, free: p.free_surface_radius, height: p.cavity_height, density: p.density }
+    }
+    /// Plane flow in coordinates and states from these on, its masses multiplied by `slices` where given.
+    #[inline(always)]
+    fn plane<S: Scalar>(&self, p: &LiquidParams<S>, w: S, b: &mut Blocks<S>, row: usize, state: usize, slices: Option<S>) {
+        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
+        if let Some(s) = slices {
+            full *= s;
+            void *= s;
+        }
+        let (zero, one) = (S::zero(), S::one());
+        match self.fill {
+            Fill::Empty => {}
+            Fill::Full => {
+                for i in row..row + 2 {
+                    b.mass[(i, i)] = full;
+                }
+            }
+            Fill::Partial => {
+                for i in row..row + 2 {
+                    b.mass[(i, i)] = full * g;
+                }
+                let outer = full * (one - g);
+                let (flow, surface) = (state, state + 2);
+                b.state_force.add_complex(row, flow, zero, (outer * w).scale(2.0));
+                b.state_force.add_complex(row, surface, outer * w * w, zero);
+                b.spin_accel_state_force.add_complex(row, surface, zero, -void);
+                b.state.add_complex(flow, flow, p.wave_damping.scale(-2.0), w + (g * w).scale(2.0));
+                b.state.add_complex(flow, surface, g * w * w, zero);
+                b.state.add_complex(surface, flow, -one, zero);
+                b.state.add_complex(surface, surface, zero, w);
+                b.state_a.add_complex(flow, row, -g, zero);
+            }
+        }
+    }
+    /// What the plane flow stores without spin, loses and gains, from the rate of its coordinates and its states.
+    #[inline(always)]
+    fn plane_energy<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>, row: usize, state: usize, slices: Option<S>) -> [S; 4] {
+        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
+        if let Some(s) = slices {
+            full *= s;
+            void *= s;
+        }
+        let v = c(at.v[row], at.v[row + 1]);
+        let w = at.speed;
+        match self.fill {
+            Fill::Empty => [S::zero(); 4],
+            Fill::Full => [(full * v.norm_sqr()).scale(0.5), S::zero(), S::zero(), S::zero()],
+            Fill::Partial => {
+                let (eta, rate) = Self::surface(at, state);
+                let gamma = S::one() / g;
+                let wave = (gamma * rate.norm_sqr() - (gamma + S::one()) * w * w * eta.norm_sqr()).scale(0.5) - (v * rate.conj()).re;
+                let slip = rate - eta.mul_i().scale(w);
+                let loss = (rate.scale(gamma) - v) * slip.conj();
+                let spin_up = gamma * (rate.conj() * eta.mul_i()).re - (gamma + S::one()) * w * eta.norm_sqr();
+                [
+                    ((full - void) * v.norm_sqr()).scale(0.5),
+                    void * wave,
+                    (p.wave_damping * void * loss.re).scale(2.0),
+                    void * at.spin_accel * spin_up,
+                ]
+            }
+        }
+    }
+    /// A and C of what turns with the rotor as a rigid body would.
+    #[inline(always)]
+    fn rigid<S: Scalar>(&self, p: &LiquidParams<S>) -> Option<[S; 2]> {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (r2, s2, h2) = (p.cavity_radius.square(), p.free_surface_radius.square(), p.cavity_height.square());
+        match (self.model, self.fill) {
+            (_, Fill::Empty) => None,
+            (Model::Frozen, _) => {
+                let square = (r2 + s2).scale(0.25);
+                Some([(full - void) * (square + h2.scale(1.0 / 12.0)), (full - void) * square.scale(2.0)])
+            }
+            (Model::PlanarTilt, _) => {
+                let a = (p.density * Self::cavity(p).mean()).scale(-PI);
+                Some([a, a.scale(2.0)])
+            }
+            _ => None,
+        }
+    }
+    /// Forward dynamic stiffness of displacement and tilt at `s`.
+    fn forward<S: Scalar>(&self, p: &LiquidParams<S>, s: Complex<S>, speed: S) -> [Complex<S>; 2] {
+        let (cavity, w) = (Self::cavity(p), c(s.im, -s.re));
+        let planar = match (self.viscous, self.fill) {
+            (true, _) => cavity.planar_viscous(w, speed, p.viscosity),
+            (_, Fill::Full) => (w * w).scale(cavity.full_mass()),
+            _ => cavity.planar(w, speed),
+        };
+        let tilt = match self.model {
+            Model::Spatial => {
+                let Tilt { value: tilt, error, .. } = if self.viscous {
+                    cavity.tilt_viscous(w, speed, p.viscosity, Truncation::None)
+                } else {
+                    cavity.tilt(w, speed, Truncation::None)
+                };
+                // an inaccurate reaction is none
+                let size = value(tilt).abs() + value(cavity.mean_tilt(w, speed)).abs();
+                if error <= ACCURACY * size || size == 0.0 { tilt } else { Complex::cst(c(f64::NAN, f64::NAN)) }
+            }
+            _ => planar.scale(cavity.slices()),
+        };
+        [-planar, -tilt]
     }
 }
 
@@ -91,11 +253,23 @@ const FILLS: &[(&str, &str, Bounds, &str)] = &[
 impl Part for Liquid {
     const KIND: &'static str = "liquid";
     const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
-        rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass.";
+        rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
+        lets every slice flow by itself and spatial adds flow along the axis; spatial and viscous liquids are known in the frequency domain only.";
     type Family = LiquidFamily;
     const FIELDS: &'static [Field] = &[
-        Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills"),
-        Field::optional("model", FieldKind::Choice(&[("planar", "plane flow of an ideal liquid")]), "planar", "flow model"),
+        Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills, at the middle of the cavity's height"),
+        Field::optional(
+            "model",
+            FieldKind::Choice(&[
+                ("planar", "plane flow, driven by the motion of the cavity centre; no reaction on tilt"),
+                ("planar_tilt", "plane flow, and of the reaction on tilt what needs no axial flow: an approximation"),
+                ("strip", "plane flow in every slice, driven by the motion of that slice"),
+                ("spatial", "flow in three dimensions; in the frequency domain only"),
+                ("frozen", "a rigid ring: for bounds only"),
+            ]),
+            "planar",
+            "flow model",
+        ),
         Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
     ];
 
@@ -138,93 +312,140 @@ impl Part for Liquid {
         } else {
             Fill::Partial
         };
-        Some(Liquid { attach, fill })
+        let word = values.choice("model").unwrap_or("planar");
+        let model = MODELS.iter().find(|m| m.0 == word)?.1;
+        Some(Liquid { attach, fill, model, viscous: params.get("viscosity").is_some_and(|nu| nu > 0.0) })
     }
 
     fn layout(&self) -> Layout {
-        let mut layout = Layout::point(Link::On(self.attach.clone()));
-        if self.fill == Fill::Partial {
+        let link = Link::On(self.attach.clone());
+        let tilts = self.model != Model::Planar;
+        let mut layout = if tilts { Layout::point_and_tilt(link) } else { Layout::point(link) };
+        if self.waves() {
             layout.states = Dof::pair("flow_", DofKind::VectorX, "m/s", 1.0);
             layout.states.extend(Dof::pair("surface_", DofKind::VectorX, "m", 1e-3));
+            if self.model == Model::Strip {
+                layout.states.extend(Dof::pair("tilt_flow_", DofKind::TiltX, "rad/s", 10.0));
+                layout.states.extend(Dof::pair("tilt_surface_", DofKind::TiltX, "rad", 1e-2));
+            }
         }
         layout
     }
     fn physics(&self) -> Physics {
-        Physics::Linear
+        match (self.fill, self.model, self.viscous) {
+            (Fill::Empty, ..) | (_, Model::Frozen, _) => Physics::Linear,
+            (_, _, true) => Physics::Frequency(TimeForm::None("the layer of a viscous liquid at the wall remembers its whole past")),
+            (_, Model::Spatial, _) => Physics::Frequency(TimeForm::None("a liquid that flows along the axis has infinitely many waves")),
+            _ => Physics::Linear,
+        }
     }
 
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, w: S, b: &mut Blocks<S>) {
-        let Coefficients { full, void, g } = Self::coefficients(p);
-        let (zero, one) = (S::zero(), S::one());
-        match self.fill {
-            Fill::Empty => {}
-            Fill::Full => {
+        match self.model {
+            Model::Frozen if self.fill != Fill::Empty => {
+                let Coefficients { full, void, .. } = Self::coefficients(p);
                 for i in 0..2 {
-                    b.mass[(i, i)] = full;
+                    b.mass[(i, i)] = full - void;
                 }
             }
-            Fill::Partial => {
-                for i in 0..2 {
-                    b.mass[(i, i)] = full * g;
-                }
-                let outer = full * (one - g);
-                b.state_force.add_complex(0, 0, zero, (outer * w).scale(2.0));
-                b.state_force.add_complex(0, 2, outer * w * w, zero);
-                b.spin_accel_state_force.add_complex(0, 2, zero, -void);
-                b.state.add_complex(0, 0, p.wave_damping.scale(-2.0), w + (g * w).scale(2.0));
-                b.state.add_complex(0, 2, g * w * w, zero);
-                b.state.add_complex(2, 0, -one, zero);
-                b.state.add_complex(2, 2, zero, w);
-                b.state_a.add_complex(0, 0, -g, zero);
+            Model::Planar | Model::PlanarTilt if !self.viscous => self.plane(p, w, b, 0, 0, None),
+            Model::Strip if !self.viscous => {
+                self.plane(p, w, b, 0, 0, None);
+                self.plane(p, w, b, 2, 4, Some(Self::cavity(p).slices()));
             }
+            _ => {}
+        }
+        if let Some([a, cp]) = self.rigid(p) {
+            for i in [2, 3] {
+                b.mass[(i, i)] = a;
+            }
+            b.gyroscopic[(2, 3)] = cp;
+            b.gyroscopic[(3, 2)] = -cp;
+            b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
+            b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
+        }
+    }
+
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
+        let forward = self.forward(p, s, speed);
+        // the conjugate coordinates see the reaction at -conj w
+        let backward = self.forward(p, s.conj(), speed).map(Complex::conj);
+        let n = if self.model == Model::Planar { 2 } else { 4 };
+        for (i, (f, b)) in forward.into_iter().zip(backward).enumerate().take(n / 2) {
+            let (mean, skew) = ((f + b).scale(S::cst(0.5)), (f - b).mul_i().scale(S::cst(0.5)));
+            let (x, y) = (2 * i * (n + 1), (2 * i + 1) * n + 2 * i);
+            out[x] += mean;
+            out[x + 1] += skew;
+            out[y] += -skew;
+            out[y + 1] += mean;
         }
     }
 
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
-        self.polar_inertia(p) * at.spin_accel
+        let mut r = self.polar_inertia(p) * at.spin_accel;
+        if let Some([_, cp]) = self.rigid(p) {
+            r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
+        }
+        r
     }
 
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        let Coefficients { full, void, g } = Self::coefficients(p);
-        let v = c(at.v[0], at.v[1]);
+        if matches!(self.physics(), Physics::Frequency(_)) {
+            return None;
+        }
         let w = at.speed;
         let spin = (self.polar_inertia(p) * w * w).scale(0.5);
-        Some(match self.fill {
-            Fill::Empty => Energy::zero(),
-            Fill::Full => Energy { stored: (full * v.norm_sqr()).scale(0.5) + spin, ..Energy::zero() },
-            Fill::Partial => {
-                let (eta, rate) = Self::surface(at);
-                let gamma = S::one() / g;
-                let wave = (gamma * rate.norm_sqr() - (gamma + S::one()) * w * w * eta.norm_sqr()).scale(0.5) - (v * rate.conj()).re;
-                let slip = rate - eta.mul_i().scale(w);
-                let loss = (rate.scale(gamma) - v) * slip.conj();
-                let spin_up = gamma * (rate.conj() * eta.mul_i()).re - (gamma + S::one()) * w * eta.norm_sqr();
-                Energy {
-                    stored: ((full - void) * v.norm_sqr()).scale(0.5) + void * wave + spin,
-                    dissipated: (p.wave_damping * void * loss.re).scale(2.0),
-                    supplied: void * at.spin_accel * spin_up,
-                }
-            }
-        })
+        let frozen = self.model == Model::Frozen && self.fill != Fill::Empty;
+        let [mut stored, wave, mut dissipated, mut supplied] = if frozen {
+            let Coefficients { full, void, .. } = Self::coefficients(p);
+            [((full - void) * c(at.v[0], at.v[1]).norm_sqr()).scale(0.5), S::zero(), S::zero(), S::zero()]
+        } else {
+            self.plane_energy(p, at, 0, 0, None)
+        };
+        stored = stored + wave + spin;
+        if self.model == Model::Strip {
+            let [layer, wave, lost, gained] = self.plane_energy(p, at, 2, 4, Some(Self::cavity(p).slices()));
+            stored += layer + wave;
+            dissipated += lost;
+            supplied += gained;
+        }
+        if let Some([a, cp]) = self.rigid(p) {
+            let (theta, rate) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]));
+            stored += (a * rate.norm_sqr() + cp * w * (rate.re * theta.im - theta.re * rate.im)).scale(0.5);
+        }
+        Some(Energy { stored, dissipated, supplied })
     }
 
     fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
-        if self.fill == Fill::Partial {
+        if self.waves() {
             out.push(Observed { name: "surface displacement", unit: "m", value: at.z[2].hypot(at.z[3]) });
         }
     }
     fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
-        if self.fill == Fill::Partial {
+        if self.fill == Fill::Partial && self.model != Model::Frozen {
             let layer = p.cavity_radius - p.free_surface_radius;
-            // the surface is measured from the cavity centre
-            out.push(Validity { what: "surface excursion over layer thickness", ratio: at.z[2].hypot(at.z[3]) / layer });
+            if self.waves() {
+                // the surface is measured from the cavity centre; with tilt it is displaced most at the ends
+                let ends = if self.model == Model::Strip { 0.5 * p.cavity_height * at.z[6].hypot(at.z[7]) } else { 0.0 };
+                out.push(Validity { what: "surface excursion over layer thickness", ratio: (at.z[2].hypot(at.z[3]) + ends) / layer });
+            }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall
             let ratio = if field == 0.0 { f64::INFINITY } else { at.a[0].hypot(at.a[1]) / field };
             out.push(Validity { what: "wall acceleration over centrifugal acceleration of the layer", ratio });
         }
+    }
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
+        let mut told = Vec::new();
+        if let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p))
+            && a < 0.0
+        {
+            let taken = format_si(-a, "kg m^2");
+            told.push(format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"));
+        }
+        told
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let fill = if p.free_surface_radius == 0.0 {
@@ -245,7 +466,26 @@ impl Part for Liquid {
         if fill != self.fill {
             return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
         }
-        Vec::new()
+        let mut wrong = Vec::new();
+        if (p.viscosity > 0.0) != self.viscous {
+            wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
+        }
+        if self.viscous {
+            if matches!(self.model, Model::PlanarTilt | Model::Frozen) {
+                wrong.push(("viscosity", "this model knows no viscosity: planar, strip and spatial do".into()));
+            } else if self.fill == Fill::Full {
+                wrong.push((
+                    "viscosity",
+                    "a full cavity with viscosity is not among the models: leave viscosity out, or a little air in".into(),
+                ));
+            }
+            if p.wave_damping != 0.0 {
+                wrong.push(("wave_damping", "the viscosity damps the wave by itself: give one of the two".into()));
+            }
+        } else if p.wave_damping != 0.0 && matches!(self.model, Model::Spatial | Model::Frozen) {
+            wrong.push(("wave_damping", "this model knows no wave damping: spatial takes a viscosity".into()));
+        }
+        wrong
     }
 }
 
@@ -262,92 +502,24 @@ impl Liquid {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::field::Value;
-
-    pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
-        LiquidParams { cavity_radius: 0.07, cavity_height: 0.06, density: 1000.0, free_surface_radius: 0.07 * free, wave_damping }
-    }
-
-    fn build(kind: &'static str, value: f64) -> (Option<Liquid>, f64, Vec<String>) {
-        let (mut values, mut params, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
-        values.set("in", Value::Attach(Attach::on("drum")), None);
-        values.set("fill", Value::OneOf(kind, value), None);
-        for (name, x) in [("cavity_radius", 0.07), ("cavity_height", 0.06), ("density", 1000.0)] {
-            params.set(name, x);
-        }
-        let part = Liquid::build(&values, &mut params, &mut d);
-        (part, params.get("free_surface_radius").unwrap_or(f64::NAN), d.0.iter().map(|d| d.to_string()).collect())
-    }
-
-    #[test]
-    fn four_ways_of_saying_the_fill_agree() {
-        let (radius, volume) = (0.667 * 0.07, PI * 0.07 * 0.07 * 0.06);
-        let fraction = 1.0 - 0.667f64 * 0.667;
-        for (kind, value) in [
-            ("free_surface_radius", radius),
-            ("volume_fraction", fraction),
-            ("volume", fraction * volume),
-            ("mass", fraction * volume * 1000.0),
-        ] {
-            let (part, free, text) = build(kind, value);
-            assert!(part.is_some_and(|l| l.fill == Fill::Partial) && text.is_empty());
-            assert!((free - radius).abs() < 1e-15, "{kind}");
-        }
-        // 55.5 % of the volume, not a third
-        assert!((fraction - 0.555).abs() < 5e-4);
-    }
-
-    #[test]
-    fn empty_and_full_are_cases_of_their_own() {
-        for (kind, value, fill) in [
-            ("volume_fraction", 1.0, Fill::Full),
-            ("free_surface_radius", 0.0, Fill::Full),
-            ("volume_fraction", 0.0, Fill::Empty),
-            ("free_surface_radius", 0.07, Fill::Empty),
-            ("mass", 0.0, Fill::Empty),
-        ] {
-            assert!(build(kind, value).0.is_some_and(|l| l.fill == fill), "{kind} {value}");
-        }
-        let empty = Liquid::new(Attach::on("drum"), Fill::Empty);
-        assert!(empty.check(&cavity(1.0, 0.0)).is_empty());
-        assert!(empty.check(&cavity(0.9, 0.0))[0].1.contains("different machines"));
-    }
-
-    #[test]
-    fn impossible_fills_are_told() {
-        let (part, _, text) = build("free_surface_radius", 0.08);
-        assert!(
-            part.is_none() && text[0].starts_with("the free surface (radius 80 mm) lies outside the cavity (radius 70 mm)"),
-            "{text:?}"
-        );
-        let (part, _, text) = build("volume_fraction", 1.2);
-        assert!(part.is_none() && text[0].starts_with("this is 1.2 times what the cavity holds"), "{text:?}");
-        let (part, _, text) = build("mass", 2.0);
-        assert!(part.is_none() && text[0].contains("923.6 g of this liquid"), "{text:?}");
-        assert!(build("volume", f64::NAN).0.is_none());
-        assert!(Liquid::new(Attach::on("drum"), Fill::Partial).check(&cavity(1.1, 0.0))[0].1.contains("outside the cavity"));
-    }
-
-    #[test]
-    fn without_spin_the_layer_is_outside_its_validity() {
-        let liquid = Liquid::new(Attach::on("drum"), Fill::Partial);
-        let ratio = |speed: f64| {
-            let at = At { q: &[0.0; 2], v: &[0.0; 2], a: &[9.81, 0.0], z: &[0.0; 4], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-            let mut out = Vec::new();
-            liquid.validity(&cavity(0.667, 0.0), &at, &mut out);
-            out[1].ratio
-        };
-        assert!(ratio(0.0) > 1.0 && ratio(5.0) > 1.0 && ratio(300.0) < 0.01);
-    }
-}
+mod tests;
 
 crate::conformance! {
     Liquid {
-        partial: Liquid::new(Attach::on("drum"), Fill::Partial), tests::cavity(0.667, 0.0), Options::default();
-        thin_damped: Liquid::new(Attach::on("drum"), Fill::Partial), tests::cavity(0.97, 20.0), Options::default();
+        partial: tests::partial(), tests::cavity(0.667, 0.0), Options::default();
+        thin_damped: tests::partial(), tests::cavity(0.97, 20.0), Options::default();
         full: Liquid::new(Attach::on("drum"), Fill::Full), tests::cavity(0.0, 0.0), Options::default();
         empty: Liquid::new(Attach::on("drum"), Fill::Empty), tests::cavity(1.0, 0.0), Options::default();
+        strip: tests::partial().flowing(Model::Strip), tests::cavity(0.667, 20.0), Options::default();
+        strip_full: Liquid::new(Attach::on("drum"), Fill::Full).flowing(Model::Strip), tests::cavity(0.0, 0.0), Options::default();
+        planar_tilt: tests::partial().flowing(Model::PlanarTilt), tests::cavity(0.667, 20.0), Options::default();
+        frozen: tests::partial().flowing(Model::Frozen), tests::cavity(0.667, 0.0), Options::default();
+        spatial: tests::partial().flowing(Model::Spatial), tests::cavity(0.667, 0.0), Options { energy: false, ..Options::default() };
+        spatial_full: Liquid::new(Attach::on("drum"), Fill::Full).flowing(Model::Spatial), tests::cavity(0.0, 0.0),
+            Options { energy: false, ..Options::default() };
+        viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
+        viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
+        viscous_spatial: tests::partial().flowing(Model::Spatial).viscous(), tests::viscous(),
+            Options { energy: false, states: 4, ..Options::default() };
     }
 }
