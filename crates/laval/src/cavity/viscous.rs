@@ -261,7 +261,7 @@ impl<S: Scalar> Waves<S> {
                 let value = z[j] * z[j] * (z[j] - linear) + c(constant, 0.0);
                 let others = (z[j] - z[(j + 1) % 3]) * (z[j] - z[(j + 2) % 3]);
                 let step = value / others;
-                z[j] = z[j] - step;
+                z[j] -= step;
                 moved = step.abs().max(moved);
             }
             if !(moved > 1e-14 * size) {
@@ -273,7 +273,7 @@ impl<S: Scalar> Waves<S> {
             for _ in 0..2 {
                 let value = z * z * (z - self.i_sigma) + Complex::real(product);
                 let slope = z * (z.scale(S::cst(3.0)) - self.i_sigma.scale(S::cst(2.0)));
-                z = z - value / slope;
+                z -= value / slope;
             }
             z
         })
@@ -306,7 +306,8 @@ fn solve<S: Scalar, const N: usize>(mut a: [[Complex<S>; N]; N], mut b: [Complex
             let factor = lu[i][j] * inverse;
             lu[i][j] = factor;
             for m in j + 1..N {
-                lu[i][m] = lu[i][m] - factor * lu[j][m];
+                let known = factor * lu[j][m];
+                lu[i][m] -= known;
             }
         }
     }
@@ -314,12 +315,14 @@ fn solve<S: Scalar, const N: usize>(mut a: [[Complex<S>; N]; N], mut b: [Complex
         let mut x: [Complex<S>; N] = std::array::from_fn(|i| b[order[i]]);
         for i in 0..N {
             for j in 0..i {
-                x[i] = x[i] - lu[i][j] * x[j];
+                let known = lu[i][j] * x[j];
+                x[i] -= known;
             }
         }
         for i in (0..N).rev() {
             for j in i + 1..N {
-                x[i] = x[i] - lu[i][j] * x[j];
+                let known = lu[i][j] * x[j];
+                x[i] -= known;
             }
             x[i] = x[i] / lu[i][i];
         }
