@@ -1,5 +1,7 @@
 //! Forward-mode exact derivatives: a value and its gradient in `N` directions.
 
+use crate::analytic::Analytic;
+use crate::complex::{Complex, c};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -171,6 +173,23 @@ impl<T: Scalar, const N: usize> Scalar for Dual<T, N> {
             eps[i] = self.re.select_pos(then.eps[i], other.eps[i]);
         }
         Dual { re: self.re.select_pos(then.re, other.re), eps }
+    }
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self.re.value()
+    }
+    fn analytic<const M: usize, F: Analytic<M>>(z: Complex<Self>) -> [Complex<Self>; M] {
+        let at = c(z.re.re, z.im.re);
+        let value = T::analytic::<M, F>(at);
+        let slope = F::slope(at, &value);
+        std::array::from_fn(|m| {
+            let mut f = c(Self::lift(value[m].re), Self::lift(value[m].im));
+            for i in 0..N {
+                let d = slope[m] * c(z.re.eps[i], z.im.eps[i]);
+                (f.re.eps[i], f.im.eps[i]) = (d.re, d.im);
+            }
+            f
+        })
     }
     #[inline(always)]
     fn scale(mut self, k: f64) -> Self {

@@ -2,6 +2,8 @@
 //! continuation, time integration, eigenproblems, polynomials, Fourier sampling, minimisation without derivatives, and sampling of uncertain inputs. It knows nothing of rotors.
 #![warn(missing_docs)]
 
+pub mod analytic;
+pub mod bessel;
 pub mod complex;
 pub mod continuation;
 pub mod dense;

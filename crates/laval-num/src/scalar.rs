@@ -4,6 +4,8 @@
 //! A formula written once over [`Scalar`] serves all of them. Branches on the state are written with [`Scalar::pos`]
 //! and [`Scalar::select_pos`], so that lanes work and switching surfaces stay visible.
 
+use crate::analytic::Analytic;
+use crate::complex::Complex;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -50,6 +52,11 @@ pub trait Scalar:
     fn pow_pos(self, p: f64) -> Self;
     /// `then` where `self > 0`, `other` elsewhere.
     fn select_pos(self, then: Self, other: Self) -> Self;
+    /// The number without its derivatives, to choose between ways of computing the same function (how many terms, which pivot), never for a
+    /// branch of a law. NaN of lanes that differ.
+    fn value(self) -> f64;
+    /// Analytic functions of a complex argument.
+    fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N];
     /// Multiplication by a constant, cheaper than lifting it.
     #[inline(always)]
     fn scale(self, k: f64) -> Self {
@@ -133,6 +140,14 @@ impl Scalar for f64 {
     #[inline(always)]
     fn select_pos(self, then: Self, other: Self) -> Self {
         if self > 0.0 { then } else { other }
+    }
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N] {
+        F::value(z)
     }
     #[inline(always)]
     fn scale(self, k: f64) -> Self {

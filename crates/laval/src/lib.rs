@@ -19,7 +19,7 @@
 //!         BearingCubic::per_axis(joint),
 //!         BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], ..BearingCubicFamily::defaults() },
 //!     )
-//!     .part("air", Damper::fixed(air), DamperParams { damping: [42.0; 2] })
+//!     .part("air", Damper::fixed(air), DamperParams { damping: [42.0; 2], tilt_damping: 0.0 })
 //!     .build()
 //!     .map_err(|d| format!("{d:?}"))?;
 //!
@@ -39,6 +39,7 @@
 
 pub use laval_num;
 
+pub mod cavity;
 pub mod diagnostic;
 pub mod file;
 pub mod hash;

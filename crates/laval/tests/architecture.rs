@@ -8,7 +8,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
     ("diagnostic", &[]),
     ("model", &["params"]), // the macro of that name, at the crate's root
-    ("parts", &["model", "params", "conformance"]),
+    ("cavity", &[]),
+    ("parts", &["model", "cavity", "params", "conformance"]),
     ("solve", &["model"]),
     ("separation", &["model"]),
     ("outcome", &[]),

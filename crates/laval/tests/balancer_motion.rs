@@ -39,7 +39,7 @@ impl Case {
             .speed(100.0)
             .part("disc", Disc::planar(), self.disc)
             .part("shaft", ShaftLumped::lateral(link()), shaft)
-            .part("air", Damper::fixed(link()), DamperParams { damping: [self.damping; 2] })
+            .part("air", Damper::fixed(link()), DamperParams { damping: [self.damping; 2], tilt_damping: 0.0 })
             .part("balancer", self.balancer.clone(), self.ring);
         if let Some(motor) = self.motor {
             b = b.part("motor", Motor::new(Curve::Constant), motor).free_spin();
@@ -284,7 +284,7 @@ fn tilting(balancer: BallBalancer, ring: BalancerBallParams, tilt_stiffness: f64
     let b = Builder::new("tilting")
         .part("disc", Disc::tilting(), disc)
         .part("shaft", ShaftLumped::with_tilt(link()), shaft)
-        .part("air", Damper::fixed(link()), DamperParams { damping: [damping; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
         .part("balancer", balancer, ring);
     if free { b.free_spin() } else { b }.build().unwrap()
 }
@@ -397,7 +397,7 @@ fn two_planes_balance_a_couple() {
     for (name, z) in [("lower", -0.16), ("upper", 0.16)] {
         let spring = ShaftLumpedParams { stiffness: [5e5; 2], ..ShaftLumpedFamily::defaults() };
         b = b.part(format!("{name} spring"), ShaftLumped::lateral(point(z)), spring);
-        b = b.part(format!("{name} damper"), Damper::fixed(point(z)), DamperParams { damping: [300.0; 2] });
+        b = b.part(format!("{name} damper"), Damper::fixed(point(z)), DamperParams { damping: [300.0; 2], tilt_damping: 0.0 });
     }
     for (name, z) in [("first", -0.1), ("second", 0.12)] {
         b = b.part(name, BallBalancer::new(Attach::at("rotor", z), 2), ring);

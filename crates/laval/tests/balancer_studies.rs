@@ -219,7 +219,7 @@ fn bench(balancer: BallBalancer, ring: BalancerBallParams) -> System {
     Builder::new("bench")
         .part("disc", Disc::planar(), DiscParams { mass: 1e7, polar_inertia: 1e7, ..DiscFamily::defaults() })
         .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [1e9; 2], ..ShaftLumpedFamily::defaults() })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [1e3; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [1e3; 2], tilt_damping: 0.0 })
         .part("balancer", balancer, ring)
         .build()
         .unwrap()

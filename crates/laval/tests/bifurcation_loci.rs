@@ -212,7 +212,7 @@ fn jeffcott(isotropic: bool, k3: f64, c: f64, e: f64) -> Builder {
     Builder::new("one disc")
         .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: e, ..DiscFamily::defaults() })
         .part("spring", bearing, BearingCubicParams { stiffness: [K; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
 }
 
 /// With `A = a^2`, `d = c W` and `k = K - m W^2` one harmonic gives `A ((k + k3 A)^2 + d^2) = (m e W^2)^2`. First and second derivative in A vanish together at
@@ -352,7 +352,11 @@ fn two_axes(swap: bool) -> Builder {
             BearingCubic::per_axis(link()),
             BearingCubicParams { stiffness: two(1.1e7, 1.5e7), cubic_stiffness: two(8.7e10, 5e10), valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())), DamperParams { damping: two(60.0, 80.0) })
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())),
+            DamperParams { damping: two(60.0, 80.0), tilt_damping: 0.0 },
+        )
 }
 
 #[test]

@@ -42,7 +42,7 @@ impl Duffing {
         Builder::new("duffing")
             .part("drum", Disc::planar(), disc)
             .part("spring", BearingCubic::per_axis(link()), law)
-            .part("air", Damper::fixed(link()), DamperParams { damping: [self.d, 1000.0] })
+            .part("air", Damper::fixed(link()), DamperParams { damping: [self.d, 1000.0], tilt_damping: 0.0 })
             .build()
             .unwrap()
     }

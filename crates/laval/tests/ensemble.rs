@@ -181,7 +181,14 @@ fn tilting(horizontal: bool) -> Builder {
     let link = || Link::Between(Attach { body: Some("wheel".into()), position: 0.05 }, Attach::ground());
     let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedFamily::defaults() };
     let seal = BearingLinearParams { kxx: 1e4, kxy: 4e3, kyx: -4e3, kyy: 2e4, cxx: 90.0, cyy: 60.0, ..BearingLinearFamily::defaults() };
-    let liquid = LiquidParams { cavity_radius: 0.1, cavity_height: 0.05, density: 900.0, free_surface_radius: 0.07, wave_damping: 1.0 };
+    let liquid = LiquidParams {
+        cavity_radius: 0.1,
+        cavity_height: 0.05,
+        density: 900.0,
+        free_surface_radius: 0.07,
+        wave_damping: 1.0,
+        viscosity: 0.0,
+    };
     let builder = Builder::new("overhung wheel")
         .part("wheel", Disc::tilting(), disc)
         .part("shaft", ShaftLumped::with_tilt(Link::Between(Attach::on("wheel"), Attach::ground())).damped(), shaft)

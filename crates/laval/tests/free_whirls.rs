@@ -251,7 +251,11 @@ fn unfit_machines_are_refused() {
     let linear = Builder::new("linear")
         .part("disc", Disc::planar(), DiscParams { mass: 3.0, ..DiscFamily::defaults() })
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [1e6; 2], damping: [1.0; 2] })
-        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::on("base"))), DamperParams { damping: [1.0; 2] })
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("disc"), Attach::on("base"))),
+            DamperParams { damping: [1.0; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap();
     let e = backbone(&linear, &request(100.0), &NEVER, &|_| {}).err().unwrap();

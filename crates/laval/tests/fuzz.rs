@@ -122,6 +122,8 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
             "response_map" => 20,
             // runs of another study, of which one search takes at least twenty
             "optimum" => 10,
+            // points along branches, of which one response takes hundreds
+            "response_map" => 20,
             _ => 1,
         };
         let work_limit = unit * [1, 2, 7, 60, 300][r.below(5)];

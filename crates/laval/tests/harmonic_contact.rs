@@ -28,7 +28,7 @@ fn machine(k: [f64; 2]) -> Builder {
     Builder::new("rotor with a stop")
         .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
         .part("spring", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: k, cubic_stiffness: [0.0; 2], valid_to: 0.0 })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [C; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [C; 2], tilt_damping: 0.0 })
         .part("stop", Stop::new(link()), StopParams { stiffness: STOP, gap: GAP, damping: 0.0 })
 }
 

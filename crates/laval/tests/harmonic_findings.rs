@@ -27,7 +27,7 @@ fn machine(cubic: f64, c: f64) -> Builder {
             BearingCubic::isotropic(link()),
             BearingCubicParams { stiffness: [K; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
 }
 
 fn study(builder: Builder, request: Request) -> Result<Outcome, Diagnostic> {

@@ -64,7 +64,11 @@ fn exchange_of_the_axes_changes_nothing() {
                 BearingCubic::per_axis(link()),
                 BearingCubicParams { stiffness: two(1.1e7, 1.5e7), cubic_stiffness: two(8.7e10, 5e10), valid_to: 0.0 },
             )
-            .part("air", Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())), DamperParams { damping: two(60.0, 80.0) })
+            .part(
+                "air",
+                Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())),
+                DamperParams { damping: two(60.0, 80.0), tilt_damping: 0.0 },
+            )
     };
     let range = (1000.0, 4000.0);
     let (a, b) = (run(machine(false), request(range.0, range.1)), run(machine(true), request(range.0, range.1)));
@@ -165,7 +169,7 @@ fn tilting_disc_on_two_bearings() {
             .part("disc", Disc::tilting(), disc)
             .part("lower", bearing(-0.1), law(1e6))
             .part("upper", bearing(0.15), law(2e6))
-            .part("air", Damper::fixed(air), DamperParams { damping: [80.0; 2] });
+            .part("air", Damper::fixed(air), DamperParams { damping: [80.0; 2], tilt_damping: 0.0 });
         let range = (100.0, 900.0);
         let r = run(b.clone(), request(range.0, range.1));
         assert_eq!(r.discretisation.symmetry, symmetry);

@@ -164,8 +164,8 @@ fn internal_damping_whirls_softly() {
     let system = Builder::new("internal damping")
         .part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() })
         .part("spring", BearingCubic::isotropic(link()), BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [c1; 2], valid_to: 0.0 })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [external; 2] })
-        .part("shaft", Damper::rotating(link()), DamperParams { damping: [internal; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [external; 2], tilt_damping: 0.0 })
+        .part("shaft", Damper::rotating(link()), DamperParams { damping: [internal; 2], tilt_damping: 0.0 })
         .build()
         .unwrap();
     let f = limit_cycles(&system, &request(500.0, 3000.0), &NEVER, &|_| {}).unwrap();

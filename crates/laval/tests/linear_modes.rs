@@ -114,7 +114,11 @@ fn orthotropic(swap: bool) -> System {
             BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::on("base"))),
             BearingCubicParams { stiffness: s(1e7, 2e7), cubic_stiffness: [0.0; 2], valid_to: 0.0 },
         )
-        .part("inner", Damper::rotating(Link::Between(Attach::on("disc"), Attach::on("base"))), DamperParams { damping: [90.0; 2] })
+        .part(
+            "inner",
+            Damper::rotating(Link::Between(Attach::on("disc"), Attach::on("base"))),
+            DamperParams { damping: [90.0; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap()
 }
@@ -150,8 +154,16 @@ fn rotating_damping_destabilises_above_its_onset() {
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
             BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [ce; 2] })
-        .part("inner", Damper::rotating(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [ci; 2] })
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+            DamperParams { damping: [ce; 2], tilt_damping: 0.0 },
+        )
+        .part(
+            "inner",
+            Damper::rotating(Link::Between(Attach::on("disc"), Attach::ground())),
+            DamperParams { damping: [ci; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap();
     let onset = (k / m).sqrt() * (1.0 + ce / ci);
@@ -283,7 +295,11 @@ fn turning_state_of_an_isotropic_cubic_bearing() {
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
             BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [d; 2] })
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+            DamperParams { damping: [d; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap();
     let s = turning(&system, w, None).unwrap();

@@ -71,7 +71,11 @@ fn jeffcott_rotor() {
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
             BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [d; 2] })
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+            DamperParams { damping: [d; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap();
     for w in [100.0, 1000.0, 1154.7, 3000.0] {
@@ -212,7 +216,11 @@ fn an_undamped_resonance_has_no_amplitude() {
                 BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::ground())),
                 BearingCubicParams { stiffness: [2e5; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
             )
-            .part("air", Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())), DamperParams { damping: [damping; 2] })
+            .part(
+                "air",
+                Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+                DamperParams { damping: [damping; 2], tilt_damping: 0.0 },
+            )
             .build()
             .unwrap()
     };

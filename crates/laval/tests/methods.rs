@@ -113,7 +113,7 @@ fn averaging_judges_one_mode() {
                 BearingCubic::per_axis(link()),
                 BearingCubicParams { stiffness: [2e6; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
             )
-            .part("air", Damper::fixed(link()), DamperParams { damping: [20.0; 2] })
+            .part("air", Damper::fixed(link()), DamperParams { damping: [20.0; 2], tilt_damping: 0.0 })
     };
     let w0 = f64::sqrt(2e6 / 3.0);
     let speeds = [0.9 * w0, 1.05 * w0, 1.1 * w0];

@@ -22,10 +22,20 @@ fn base(fill: Option<f64>) -> System {
             BearingCubic::per_axis(joint()),
             BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())), DamperParams { damping: [42.0; 2] });
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())),
+            DamperParams { damping: [42.0; 2], tilt_damping: 0.0 },
+        );
     if let Some(r) = fill {
-        let p =
-            LiquidParams { cavity_radius: 0.07, cavity_height: 0.06, density: 1000.0, free_surface_radius: 0.07 * r, wave_damping: 0.0 };
+        let p = LiquidParams {
+            cavity_radius: 0.07,
+            cavity_height: 0.06,
+            density: 1000.0,
+            free_surface_radius: 0.07 * r,
+            wave_damping: 0.0,
+            viscosity: 0.0,
+        };
         b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
     }
     b.build().unwrap()

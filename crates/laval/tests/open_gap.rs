@@ -135,8 +135,14 @@ fn weight_alone_closes_a_bearing() {
 #[test]
 fn only_what_the_bearing_joins_must_be_held() {
     let beside = |b: Builder| {
-        let liquid =
-            LiquidParams { cavity_radius: 0.07, cavity_height: 0.06, density: 1000.0, free_surface_radius: 0.05, wave_damping: 0.0 };
+        let liquid = LiquidParams {
+            cavity_radius: 0.07,
+            cavity_height: 0.06,
+            density: 1000.0,
+            free_surface_radius: 0.05,
+            wave_damping: 0.0,
+            viscosity: 0.0,
+        };
         hertz(true, 1e-4)(b).part("other", Disc::planar(), DiscParams { mass: M, ..DiscFamily::defaults() }).part(
             "liquid",
             Liquid::new(Attach::on("disc"), Fill::Partial),

@@ -56,7 +56,11 @@ fn absorber(mu: f64) -> System {
             BearingCubic::isotropic(Link::Between(Attach::on("tuner"), Attach::on("rotor"))),
             BearingCubicParams { stiffness: [0.7 * mu * K; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
         )
-        .part("dashpot", Damper::fixed(Link::Between(Attach::on("tuner"), Attach::on("rotor"))), DamperParams { damping: [50.0; 2] })
+        .part(
+            "dashpot",
+            Damper::fixed(Link::Between(Attach::on("tuner"), Attach::on("rotor"))),
+            DamperParams { damping: [50.0; 2], tilt_damping: 0.0 },
+        )
         .build()
         .unwrap()
 }
@@ -146,7 +150,7 @@ fn rotor(c: f64, k: f64) -> System {
     Builder::new("one disc")
         .part("disc", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
         .part("spring", BearingCubic::isotropic(link()), BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
         .build()
         .unwrap()
 }

@@ -50,6 +50,7 @@ fn drum_with_liquid(ratio: f64, damping: f64) -> (System, f64) {
         density: 1000.0,
         free_surface_radius: 0.07 * ratio,
         wave_damping: damping,
+        viscosity: 0.0,
     };
     let fill = match ratio {
         0.0 => Fill::Full,
@@ -158,6 +159,7 @@ fn liquid_keeps_its_momentum_at_varying_speed() {
             density: 1000.0,
             free_surface_radius: 0.07 * ratio,
             wave_damping: 0.0,
+            viscosity: 0.0,
         };
         let p: Vec<D1> = LiquidFamily::to_vec(&p).into_iter().map(D1::lift).collect();
         let full = PI * 0.07 * 0.07 * 0.06 * 1000.0;
@@ -274,13 +276,13 @@ fn rotating_damping_destabilises_forward_whirl_above_its_onset() {
         Builder::new("rotor").part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() }).part(
             "air",
             Damper::fixed(to_ground("disc")),
-            DamperParams { damping: [ce; 2] },
+            DamperParams { damping: [ce; 2], tilt_damping: 0.0 },
         )
     };
     let shaft = |b: f64| ShaftLumpedParams { stiffness: [k; 2], material_damping: b, ..ShaftLumpedFamily::defaults() };
     let with_damper = base()
         .part("shaft", ShaftLumped::lateral(to_ground("disc")), shaft(0.0))
-        .part("inner", Damper::rotating(to_ground("disc")), DamperParams { damping: [ci; 2] })
+        .part("inner", Damper::rotating(to_ground("disc")), DamperParams { damping: [ci; 2], tilt_damping: 0.0 })
         .build()
         .unwrap();
     let with_material = base().part("shaft", ShaftLumped::lateral(to_ground("disc")).damped(), shaft(ci / k)).build().unwrap();

@@ -30,7 +30,7 @@ fn clearance(damping: f64) -> Builder {
     Builder::new("clearance")
         .part("rotor", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
         .part("bearing", BearingHertz::radial(link()), BearingHertzParams { coefficient: HERTZ, clearance: GAP })
-        .part("loss", Damper::fixed(link()), DamperParams { damping: [damping; 2] })
+        .part("loss", Damper::fixed(link()), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
 }
 
 /// `|F(a) - m W^2 a + i c W a| - m e W^2` of circular motion, N.
@@ -111,7 +111,7 @@ fn sprung(cubic: f64, horizontal: bool) -> System {
             BearingCubic::per_axis(link()),
             BearingCubicParams { stiffness: [1e6; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(link()), DamperParams { damping: [300.0; 2] });
+        .part("air", Damper::fixed(link()), DamperParams { damping: [300.0; 2], tilt_damping: 0.0 });
     if horizontal { b.horizontal() } else { b }.build().unwrap()
 }
 

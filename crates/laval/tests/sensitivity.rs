@@ -82,7 +82,7 @@ fn disc(mass: f64, k: f64, cubic: f64, c: f64, e: f64) -> Builder {
             BearingCubic::isotropic(link()),
             BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
 }
 
 /// `a = e/(2 D sqrt(1 - D^2))`, `W = w0/sqrt(1 - 2 D^2)`, `D = c/(2 sqrt(k m))`, differentiated by hand.

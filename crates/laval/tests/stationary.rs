@@ -115,7 +115,7 @@ impl Case {
         Builder::new("balancer")
             .part("disc", Disc::planar(), disc)
             .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness, ..ShaftLumpedFamily::defaults() })
-            .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2] })
+            .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2], tilt_damping: 0.0 })
             .part("ring", Ring(self.balls), ring)
     }
     fn system(self) -> System {
@@ -430,7 +430,7 @@ fn a_machine_without_movable_masses_has_one_state() {
     let system = Builder::new("plain")
         .part("disc", Disc::planar(), DiscParams { mass: 4.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
         .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness: [1e6; 2], ..ShaftLumpedFamily::defaults() })
-        .part("air", Damper::fixed(ground()), DamperParams { damping: [50.0; 2] })
+        .part("air", Damper::fixed(ground()), DamperParams { damping: [50.0; 2], tilt_damping: 0.0 })
         .build()
         .unwrap();
     let o = run(&system, &[range(100.0, 900.0, 9)]);
@@ -504,7 +504,7 @@ impl Tilted {
                 ShaftLumped::lateral(ground()),
                 ShaftLumpedParams { stiffness: [self.stiffness; 2], ..ShaftLumpedFamily::defaults() },
             )
-            .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2] })
+            .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2], tilt_damping: 0.0 })
             .part("ring", balancer, ring)
             .build()
             .unwrap()

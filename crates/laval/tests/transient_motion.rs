@@ -88,8 +88,8 @@ fn ball_machine(free: bool, damped: bool) -> System {
         )
         .part("ball", Ball { attach: Attach::on("drum") }, ());
     if damped {
-        b = b.part("oil", Damper::fixed(joint.clone()), DamperParams { damping: [30.0; 2] });
-        b = b.part("inner", Damper::rotating(joint), DamperParams { damping: [5.0; 2] });
+        b = b.part("oil", Damper::fixed(joint.clone()), DamperParams { damping: [30.0; 2], tilt_damping: 0.0 });
+        b = b.part("inner", Damper::rotating(joint), DamperParams { damping: [5.0; 2], tilt_damping: 0.0 });
     }
     if free { b.free_spin() } else { b }.build().unwrap()
 }
@@ -113,8 +113,8 @@ fn tilting(horizontal: bool) -> System {
         .part("drum", Disc::tilting(), disc)
         .part("lower", BearingCubic::isotropic(link(-0.1)), bearing(3e4))
         .part("upper", BearingCubic::isotropic(link(0.15)), bearing(5e4))
-        .part("oil", Damper::fixed(link(0.1)), DamperParams { damping: [20.0; 2] })
-        .part("inner", Damper::rotating(link(0.05)), DamperParams { damping: [10.0; 2] });
+        .part("oil", Damper::fixed(link(0.1)), DamperParams { damping: [20.0; 2], tilt_damping: 0.0 })
+        .part("inner", Damper::rotating(link(0.05)), DamperParams { damping: [10.0; 2], tilt_damping: 0.0 });
     if horizontal { b.horizontal() } else { b }.build().unwrap()
 }
 
@@ -415,7 +415,14 @@ fn angular_momentum_of_a_free_rotor_is_conserved() {
 fn liquid_keeps_its_momentum_while_the_speed_changes() {
     let disc = DiscParams { mass: 2.4, eccentricity: 0.0, ..DiscFamily::defaults() };
     let (radius, free) = (0.07f64, 0.05f64);
-    let liquid = LiquidParams { cavity_radius: radius, cavity_height: 0.06, density: 1000.0, free_surface_radius: free, wave_damping: 0.0 };
+    let liquid = LiquidParams {
+        cavity_radius: radius,
+        cavity_height: 0.06,
+        density: 1000.0,
+        free_surface_radius: free,
+        wave_damping: 0.0,
+        viscosity: 0.0,
+    };
     let system = Builder::new("free")
         .part("drum", Disc::planar(), disc)
         .part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), liquid)

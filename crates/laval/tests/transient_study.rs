@@ -76,10 +76,16 @@ fn linear(e: f64, fill: Option<f64>, chi: f64, chi0: f64) -> System {
             BearingCubic::isotropic(joint),
             BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
         )
-        .part("air", Damper::fixed(ground), DamperParams { damping: [chi; 2] });
+        .part("air", Damper::fixed(ground), DamperParams { damping: [chi; 2], tilt_damping: 0.0 });
     if let Some(r) = fill {
-        let p =
-            LiquidParams { cavity_radius: 0.07, cavity_height: 0.06, density: 1000.0, free_surface_radius: 0.07 * r, wave_damping: 0.0 };
+        let p = LiquidParams {
+            cavity_radius: 0.07,
+            cavity_height: 0.06,
+            density: 1000.0,
+            free_surface_radius: 0.07 * r,
+            wave_damping: 0.0,
+            viscosity: 0.0,
+        };
         b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
     }
     b.build().unwrap()
@@ -340,7 +346,7 @@ fn auto_chooses_the_implicit_method_where_stability_limits() {
         let ground = Link::Between(Attach::on("body"), Attach::ground());
         Builder::new("oil")
             .part("body", Foundation, FoundationParams { mass: 1.0, stiffness: [1e4; 2], damping: [0.0; 2] })
-            .part("oil", Damper::fixed(ground), DamperParams { damping: [damping; 2] })
+            .part("oil", Damper::fixed(ground), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
             .build()
             .unwrap()
     };

@@ -35,7 +35,7 @@ fn disc() -> Builder {
 /// A Jeffcott rotor whose shaft material is damped.
 fn jeffcott() -> System {
     let shaft = ShaftLumpedParams { stiffness: [K; 2], material_damping: INNER / K, ..ShaftLumpedFamily::defaults() };
-    let air = DamperParams { damping: [OUTER; 2] };
+    let air = DamperParams { damping: [OUTER; 2], tilt_damping: 0.0 };
     disc().part("shaft", ShaftLumped::lateral(link()).damped(), shaft).part("air", Damper::fixed(link()), air).build().unwrap()
 }
 

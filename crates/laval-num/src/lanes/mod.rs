@@ -23,6 +23,8 @@ pub use pow::pow_pos;
 pub use reg::Reg;
 pub use sparse::Sparse;
 
+use crate::analytic::Analytic;
+use crate::complex::{Complex, c};
 use crate::scalar::Scalar;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -176,11 +178,22 @@ where
 
 impl<R: Reg, const K: usize> std::fmt::Debug for Lanes<R, K> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.plain().fmt(f)
+    }
+}
+
+impl<R: Reg, const K: usize> Lanes<R, K> {
+    #[inline(always)]
+    fn plain(self) -> [f64; LANES] {
         let mut a = [0.0; LANES];
         for i in 0..K {
             self.0[i].write(&mut a[i * R::WIDTH..]);
         }
-        a.fmt(f)
+        a
+    }
+    #[inline(always)]
+    fn from_plain(from: &[f64; LANES]) -> Self {
+        Lanes(std::array::from_fn(|i| R::read(&from[i * R::WIDTH..])))
     }
 }
 
@@ -280,6 +293,21 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
         each!(self, x, i, R::select(R::splat(0.0).lt(x), then.0[i], other.0[i]))
     }
     #[inline(always)]
+    fn value(self) -> f64 {
+        let a = self.plain();
+        if a.iter().all(|x| *x == a[0]) { a[0] } else { f64::NAN }
+    }
+    fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N] {
+        let (re, im) = (z.re.plain(), z.im.plain());
+        let mut f = [[[0.0; LANES]; 2]; N];
+        for l in 0..LANES {
+            for (f, value) in f.iter_mut().zip(F::value(c(re[l], im[l]))) {
+                (f[0][l], f[1][l]) = (value.re, value.im);
+            }
+        }
+        f.map(|[re, im]| c(Self::from_plain(&re), Self::from_plain(&im)))
+    }
+    #[inline(always)]
     fn scale(self, k: f64) -> Self {
         each!(self, x, i, x * R::splat(k))
     }
@@ -313,5 +341,17 @@ mod tests {
         all(&|x, _| x.pow_pos(1.3), a.pow_pos(1.3));
         all(&|x, y| x.select_pos(y, -y), a.select_pos(b, -b));
         all(&|x, y| Scalar::norm2(x, y) + x.pos(), a.norm2(b) + a.pos());
+    }
+
+    #[test]
+    fn functions_of_complex_argument_lane_by_lane() {
+        let re: [f64; LANES] = std::array::from_fn(|i| i as f64 - 2.3);
+        let im: [f64; LANES] = std::array::from_fn(|i| 0.7 * (i as f64 - 4.1));
+        let r = crate::analytic::sqrt(c(Lanes(re), Lanes(im)));
+        for i in 0..LANES {
+            assert_eq!(c(r.re.0[i], r.im.0[i]), c(re[i], im[i]).sqrt());
+        }
+        // of lanes that differ there is no single value
+        assert!(Lanes(re).value().is_nan() && Lanes([3.0; LANES]).value() == 3.0);
     }
 }

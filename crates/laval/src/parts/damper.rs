@@ -1,9 +1,9 @@
 //! A viscous damper between two points, or between a point and the ground, in fixed or rotating axes.
 //!
 //! Equations: force on the relative motion `d = z_a - z_b`: `c d'` (fixed axes), `c (d' - i W d)` (rotating axes: the damping of a material
-//! that turns with the rotor, which feeds whirl slower than the spin).
+//! that turns with the rotor, which feeds whirl slower than the spin). With tilt damping the same law, with ct, acts on the tilt.
 //!
-//! Symbols: c damping, N s/m; W spin speed, rad/s.
+//! Symbols: c damping, N s/m; ct tilt damping, N m s; W spin speed, rad/s.
 //!
 //! Validity: linear.
 //!
@@ -21,6 +21,7 @@ params! {
     /// Parameters of a [`Damper`].
     pub struct DamperParams in DamperFamily {
         damping: lateral, "N s/m", Bounds::up_to(1e12), required, "damping c";
+        tilt_damping: scalar, "N m s", Bounds::up_to(1e12), default 0.0, "tilt damping ct; when given, the damper acts on tilt";
     }
 }
 
@@ -28,28 +29,34 @@ params! {
 pub struct Damper {
     link: Link,
     rotating: bool,
+    tilts: bool,
 }
 
 impl Damper {
     /// In fixed axes.
     pub fn fixed(link: Link) -> Self {
-        Damper { link, rotating: false }
+        Damper { link, rotating: false, tilts: false }
     }
     /// In axes that turn with the rotor.
     pub fn rotating(link: Link) -> Self {
-        Damper { link, rotating: true }
+        Damper { link, rotating: true, tilts: false }
     }
+    /// The same on tilt as well.
+    pub fn with_tilt(self) -> Self {
+        Damper { tilts: true, ..self }
+    }
+    /// Relative rate of the pair of coordinates at `i`, seen in the damper's axes.
     #[inline(always)]
-    fn slip<S: Scalar>(&self, at: &At<S>) -> Complex<S> {
-        let v = c(at.v[0], at.v[1]);
-        if self.rotating { v - c(at.q[0], at.q[1]).mul_i().scale(at.speed) } else { v }
+    fn slip<S: Scalar>(&self, at: &At<S>, i: usize) -> Complex<S> {
+        let v = c(at.v[i], at.v[i + 1]);
+        if self.rotating { v - c(at.q[i], at.q[i + 1]).mul_i().scale(at.speed) } else { v }
     }
 }
 
 impl Part for Damper {
     const KIND: &'static str = "damper";
     const DOC: &'static str = "A viscous damper between two points or to the ground. axes = \"rotating\" is damping inside the rotor, which \
-        destabilises above the critical speed.";
+        destabilises above the critical speed. tilt_damping adds the same on tilt.";
     type Family = DamperFamily;
     const FIELDS: &'static [Field] = &[
         Field::required("between", FieldKind::Between, "the two points it joins"),
@@ -71,10 +78,11 @@ impl Part for Damper {
                     .help("different values in rotating axes would make the machine's equations periodic in time"),
             );
         }
-        Some(Damper { link: Link::Between(a, b), rotating })
+        let tilts = params.get("tilt_damping").is_some_and(|x| x != 0.0);
+        Some(Damper { link: Link::Between(a, b), rotating, tilts })
     }
     fn layout(&self) -> Layout {
-        Layout::point(self.link.clone())
+        if self.tilts { Layout::point_and_tilt(self.link.clone()) } else { Layout::point(self.link.clone()) }
     }
     fn physics(&self) -> Physics {
         Physics::Linear
@@ -88,22 +96,43 @@ impl Part for Damper {
             b.circulatory[(0, 1)] = p.damping[0];
             b.circulatory[(1, 0)] = -p.damping[0];
         }
+        if self.tilts {
+            for i in 2..4 {
+                b.damping[(i, i)] = p.tilt_damping;
+            }
+            if self.rotating {
+                b.circulatory[(2, 3)] = p.tilt_damping;
+                b.circulatory[(3, 2)] = -p.tilt_damping;
+            }
+        }
     }
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
-        if self.rotating { -(p.damping[0] * (c(at.q[0], at.q[1]).conj() * self.slip(at)).im) } else { S::zero() }
+        if !self.rotating {
+            return S::zero();
+        }
+        let torque = |i: usize| (c(at.q[i], at.q[i + 1]).conj() * self.slip(at, i)).im;
+        let lateral = -(p.damping[0] * torque(0));
+        if self.tilts { lateral - p.tilt_damping * torque(2) } else { lateral }
     }
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        let slip = self.slip(at);
-        Some(Energy { dissipated: p.damping[0] * slip.re.square() + p.damping[1] * slip.im.square(), ..Energy::zero() })
+        let slip = self.slip(at, 0);
+        let mut dissipated = p.damping[0] * slip.re.square() + p.damping[1] * slip.im.square();
+        if self.tilts {
+            dissipated += p.tilt_damping * self.slip(at, 2).norm_sqr();
+        }
+        Some(Energy { dissipated, ..Energy::zero() })
     }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
-        let slip = self.slip(at);
+        let slip = self.slip(at, 0);
         out.push(Observed { name: "force", unit: "N", value: (p.damping[0] * slip.re).hypot(p.damping[1] * slip.im) });
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         if self.rotating && p.damping[0] != p.damping[1] {
             return vec![("damping", "rotating damping must be the same in x and y".into())];
+        }
+        if !self.tilts && p.tilt_damping != 0.0 {
+            return vec![("tilt_damping", "this damper was built without tilt".into())];
         }
         Vec::new()
     }
@@ -113,6 +142,7 @@ impl Part for Damper {
 mod tests {
     use super::*;
     use crate::model::field::{Attach, Value};
+    use crate::model::params::Family;
 
     pub(super) fn to_ground() -> Link {
         Link::Between(Attach::on("drum"), Attach::ground())
@@ -128,15 +158,17 @@ mod tests {
         Damper::build(&values, &mut params, &mut d);
         assert!(d.0[0].to_string().contains("same in x and y"));
         // and through an override of one parameter
-        assert_eq!(Damper::rotating(to_ground()).check(&DamperParams { damping: [10.0, 20.0] }).len(), 1);
-        assert!(Damper::fixed(to_ground()).check(&DamperParams { damping: [10.0, 20.0] }).is_empty());
+        assert_eq!(Damper::rotating(to_ground()).check(&DamperParams { damping: [10.0, 20.0], ..DamperFamily::defaults() }).len(), 1);
+        assert!(Damper::fixed(to_ground()).check(&DamperParams { damping: [10.0, 20.0], ..DamperFamily::defaults() }).is_empty());
     }
 }
 
 crate::conformance! {
     Damper {
-        fixed: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
-        fixed_anisotropic: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0, 10.0] }, Options::anisotropic();
-        rotating: Damper::rotating(tests::to_ground()), DamperParams { damping: [42.0; 2] }, Options::default();
+        fixed: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0; 2], ..DamperFamily::defaults() }, Options::default();
+        fixed_anisotropic: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0, 10.0], ..DamperFamily::defaults() }, Options::anisotropic();
+        tilting: Damper::fixed(tests::to_ground()).with_tilt(), DamperParams { damping: [42.0, 10.0], tilt_damping: 0.3 }, Options::anisotropic();
+        rotating_tilting: Damper::rotating(tests::to_ground()).with_tilt(), DamperParams { damping: [42.0; 2], tilt_damping: 0.3 }, Options::default();
+        rotating: Damper::rotating(tests::to_ground()), DamperParams { damping: [42.0; 2], ..DamperFamily::defaults() }, Options::default();
     }
 }

@@ -10,6 +10,7 @@ pub mod foundation;
 pub mod liquid;
 pub mod motor;
 pub mod shaft_lumped;
+pub mod shaft_span;
 pub mod shaft_viscoelastic;
 pub mod stop;
 
@@ -42,6 +43,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<bearing_cubic::BearingCubic>(),
         kind::<bearing_hertz::BearingHertz>(),
         kind::<shaft_lumped::ShaftLumped>(),
+        kind::<shaft_span::ShaftSpan>(),
         kind::<shaft_viscoelastic::ShaftViscoelastic>(),
         kind::<stop::Stop>(),
         kind::<liquid::Liquid>(),

@@ -77,7 +77,7 @@ impl Base {
             .part("drum", Disc::planar(), disc)
             .part("base", Foundation, base)
             .part("bearing", bearing, law)
-            .part("air", Damper::fixed(ground), DamperParams { damping: [self.chi; 2] });
+            .part("air", Damper::fixed(ground), DamperParams { damping: [self.chi; 2], tilt_damping: 0.0 });
         if let Some(r) = self.fill {
             let p = LiquidParams {
                 cavity_radius: 0.07 * l,
@@ -85,6 +85,7 @@ impl Base {
                 density: 1000.0 / (l * l * l),
                 free_surface_radius: 0.07 * r * l,
                 wave_damping: self.wave_damping,
+                viscosity: 0.0,
             };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
         }

@@ -48,7 +48,11 @@ impl Planar {
                 BearingCubic::per_axis(joint()),
                 BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10 / (l * l); 2], valid_to: 0.0 },
             )
-            .part("air", Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())), DamperParams { damping: [self.chi; 2] });
+            .part(
+                "air",
+                Damper::fixed(Link::Between(Attach::on("drum"), Attach::ground())),
+                DamperParams { damping: [self.chi; 2], tilt_damping: 0.0 },
+            );
         if self.fill < 1.0 {
             let p = LiquidParams {
                 cavity_radius: 0.07 * l,
@@ -56,6 +60,7 @@ impl Planar {
                 density: 1000.0 / (l * l * l),
                 free_surface_radius: 0.07 * self.fill * l,
                 wave_damping: self.delta,
+                viscosity: 0.0,
             };
             let fill = if self.fill > 0.0 { Fill::Partial } else { Fill::Full };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), fill), p);

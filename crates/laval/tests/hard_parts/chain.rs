@@ -213,7 +213,7 @@ fn ports_along_the_chain() {
     let system = builder(UNBALANCE)
         .part("middle", middle, law)
         .part("hinge", Hinge(Attach::at("chain", 0.993)), HingeParams { cubic: 1e9 })
-        .part("air", Damper::fixed(ground(0.711)), DamperParams { damping: [20.0; 2] })
+        .part("air", Damper::fixed(ground(0.711)), DamperParams { damping: [20.0; 2], tilt_damping: 0.0 })
         .build()
         .unwrap();
     let range = (200.0, 1200.0);

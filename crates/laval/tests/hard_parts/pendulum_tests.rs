@@ -46,7 +46,7 @@ fn machine(case: Case) -> System {
         .speed(150.0)
         .part("disc", Disc::planar(), disc)
         .part("bearing", bearing, BearingCubicParams { stiffness: case.stiffness, cubic_stiffness: [3e11; 2], valid_to: 0.0 })
-        .part("air", Damper::fixed(link()), DamperParams { damping: [case.damping; 2] })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [case.damping; 2], tilt_damping: 0.0 })
         .part("arm", Pendulum(Attach::on("disc")), arm);
     if case.free { b.free_spin() } else { b }.build().unwrap()
 }

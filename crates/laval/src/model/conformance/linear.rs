@@ -89,10 +89,14 @@ impl<P: Part> Bench<'_, P> {
             let p: Vec<D1> = self.params.iter().map(|&x| D1::lift(x)).collect();
             D1::impedance(self.part, &p, Complex::cst(s), D1::seed(speed, 0), &mut dual);
             let exact: Vec<C64> = dual.iter().map(|z| c(z.re.eps[0], z.im.eps[0]).scale(speed)).collect();
-            let f = [-2.0, -1.0, 1.0, 2.0].map(|k| z(s, speed * (1.0 + 1e-3 * k)));
-            let difference: Vec<C64> =
-                (0..n * n).map(|i| ((f[2][i] - f[1][i]).scale(8.0) - (f[3][i] - f[0][i])).scale(1.0 / 12e-3)).collect();
-            if !within(distance(&exact, &difference), 1e-7, size + largest(&difference)) {
+            // a narrow resonance wants a small step, a flat curve a large one
+            let agrees = [1e-3, 1e-4, 1e-5, 1e-6].into_iter().any(|step| {
+                let f = [-2.0, -1.0, 1.0, 2.0].map(|k| z(s, speed * (1.0 + step * k)));
+                let at = |i: usize| ((f[2][i] - f[1][i]).scale(8.0) - (f[3][i] - f[0][i])).scale(1.0 / (12.0 * step));
+                let difference: Vec<C64> = (0..n * n).map(at).collect();
+                within(distance(&exact, &difference), 1e-7, size + largest(&difference))
+            });
+            if !agrees {
                 broken.push("derivative of Z over speed differs from central differences".into());
             }
             if let TimeForm::Fit(stated) = form {

@@ -1,0 +1,67 @@
+//! Reactions of a cavity partly filled with liquid at one frequency, on one core: planar, strip and backward synchronous in closed form, spatial and viscous
+//! by harmonics, with the number of harmonics and the estimate of the error.
+//!
+//! `cargo bench -p laval --bench liquid`
+
+#[path = "common/clock.rs"]
+mod clock;
+#[path = "common/processor.rs"]
+mod processor;
+
+use clock::clock;
+use laval::cavity::{Cavity, Tilt, Truncation};
+use laval_num::complex::{C64, c};
+use processor::processor;
+use std::hint::black_box;
+
+/// Least time of one evaluation over many rounds, us, and the last result.
+fn time<T>(mut f: impl FnMut() -> T) -> (f64, T) {
+    let mut last = f();
+    let mut least = f64::INFINITY;
+    let mut count = 8u32;
+    for _ in 0..40 {
+        let start = clock();
+        for _ in 0..count {
+            last = black_box(f());
+        }
+        let took = clock() - start;
+        if took < 2e-3 {
+            count *= 2;
+        } else {
+            least = least.min(took / f64::from(count) * 1e6);
+        }
+    }
+    (least, last)
+}
+
+fn main() {
+    println!("processor: {}", processor());
+    let speed = 100.0;
+    let cavities = [
+        ("G1", Cavity { radius: 0.15, free: 0.105, height: 0.30, density: 1000.0 }),
+        ("G2, thin and flat", Cavity { radius: 0.20, free: 0.18, height: 0.06, density: 1000.0 }),
+        ("G3, slender", Cavity { radius: 0.06, free: 0.03, height: 0.60, density: 1000.0 }),
+    ];
+    for (name, cavity) in cavities {
+        println!("{name}");
+        let w = c(50.0, 10.0);
+        println!("    planar: {:.3} us", time(|| cavity.planar(black_box(w), speed)).0);
+        let strip = || {
+            let l0 = cavity.planar(black_box(w), speed);
+            [l0, l0.scale(cavity.slices())]
+        };
+        println!("    strip: {:.3} us", time(strip).0);
+        let backward = || cavity.tilt(black_box(c(-speed, 0.0)), speed, Truncation::None);
+        println!("    backward synchronous: {:.3} us", time(backward).0);
+        println!("    planar, viscous: {:.3} us", time(|| cavity.planar_viscous(black_box(w), speed, 1e-6)).0);
+        let told = |what: &str, w: C64, (took, tilt): (f64, Tilt<f64>)| {
+            let share = took / tilt.harmonics as f64;
+            let error = tilt.error / tilt.value.abs();
+            println!("    {what} at {} + {} i: {took:.1} us, {} harmonics of {share:.3} us, error {error:.0e}", w.re, w.im, tilt.harmonics);
+        };
+        for w in [c(50.0, 10.0), c(150.0, -10.0), c(400.0, 0.0), c(-200.0, 0.0), c(-100.001, 0.0)] {
+            told("spatial", w, time(|| cavity.tilt(black_box(w), speed, Truncation::None)));
+            told("spatial, viscous", w, time(|| cavity.tilt_viscous(black_box(w), speed, 1e-6, Truncation::None)));
+        }
+    }
+}

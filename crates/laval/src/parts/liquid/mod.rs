@@ -1,0 +1,525 @@
+//! A cylindrical cavity partly filled with liquid that turns with the rotor.
+//!
+//! Equations of the plane flow of an ideal liquid, with `z` the cavity centre, `beta` and `eta` (surface displacement) in fixed axes:
+//!
+//! ```text
+//! beta' = i W beta + g (2 i W beta + W^2 eta - z'') - 2 delta beta
+//! eta'  = i W eta - beta
+//! F     = -mL [g z'' + (1 - g)(2 i W beta + W^2 eta)] + i W' mo eta          on the rotor
+//! spin row: (ml/2)(R^2 + r0^2) W'
+//! ```
+//!
+//! Reaction on tilt theta about the cavity centre, by model:
+//!
+//! ```text
+//! planar       none
+//! strip        the same flow in every slice: equations above with theta for z and mL h^2/12 for mL
+//! planar_tilt  A = -pi rho [R^2 h^3/12 - h (R^4 - r0^4)/4], C = 2 A:  A theta'' - i C W theta' - (i/2) C W' theta
+//! spatial      axial flow as well, in the frequency domain: [cavity](crate::cavity)
+//! frozen       a rigid ring: ml, A = ml [(R^2 + r0^2)/4 + h^2/12], C = ml (R^2 + r0^2)/2
+//! ```
+//!
+//! With viscosity the plane flow (of every slice) has its exact force in the frequency domain, and spatial its tilt reaction with ends without friction.
+//!
+//! Symbols: R cavity radius, r0 radius of the undisturbed free surface, h height, m; rho density, kg/m^3; mL = pi R^2 h rho the full cavity,
+//! mo = mL (r0/R)^2, ml = mL - mo the real liquid, kg; g = (R^2 - r0^2)/(R^2 + r0^2); delta damping of the surface wave in rotor axes, 1/s; W spin
+//! speed. Empty, full and partly filled are separate cases: a full cavity is frozen liquid in the plane, an empty one is nothing.
+//!
+//! Validity: surface displacement well below the layer thickness, cavity always wetted (W^2 r0 above the local acceleration), no viscosity but
+//! delta or the viscosity given, spin-up slow against r0^2/(14.7 nu). planar: motion without tilt. planar_tilt is an approximation that takes tilt inertia
+//! away from a tall cavity. The cavity is straight and concentric with the shaft. Ends without friction: the Ekman layers of real ends are not in any model.
+//!
+//! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow; `001_352384e7bf252e35` equations (7)-(34),
+//! corrected.
+
+use crate::cavity::{Cavity, Tilt, Truncation};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
+use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
+use crate::params;
+use crate::units::{format_number, format_si};
+use laval_num::analytic::value;
+use laval_num::complex::{Complex, c};
+use laval_num::scalar::Scalar;
+use std::f64::consts::PI;
+
+params! {
+    /// Parameters of a [`Liquid`].
+    pub struct LiquidParams in LiquidFamily {
+        cavity_radius: scalar, "m", Bounds::closed(1e-6, 100.0), required, "cavity radius R";
+        cavity_height: scalar, "m", Bounds::closed(1e-6, 1000.0), required, "cavity height h";
+        density: scalar, "kg/m^3", Bounds::closed(1e-3, 3e4), required, "liquid density rho";
+        free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
+        wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
+        viscosity: scalar, "m^2/s", Bounds::up_to(10.0), default 0.0, "kinematic viscosity nu; above 0 the force is exact in the frequency domain only";
+    }
+}
+
+/// How full the cavity is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fill {
+    /// No liquid.
+    Empty,
+    /// A free surface.
+    Partial,
+    /// No free surface.
+    Full,
+}
+
+/// How the liquid flows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// In planes across the axis, driven by the motion of the cavity centre.
+    Planar,
+    /// The same, and of the reaction on tilt what needs no axial flow.
+    PlanarTilt,
+    /// In planes across the axis, each driven by its own motion.
+    Strip,
+    /// In three dimensions.
+    Spatial,
+    /// Not at all.
+    Frozen,
+}
+
+const MODELS: [(&str, Model); 5] = [
+    ("planar", Model::Planar),
+    ("planar_tilt", Model::PlanarTilt),
+    ("strip", Model::Strip),
+    ("spatial", Model::Spatial),
+    ("frozen", Model::Frozen),
+];
+/// Largest share of the tilt reaction that its estimated error may be.
+const ACCURACY: f64 = 1e-6;
+
+/// See the [module](self).
+pub struct Liquid {
+    attach: Attach,
+    fill: Fill,
+    model: Model,
+    viscous: bool,
+}
+
+struct Coefficients<S> {
+    full: S,
+    void: S,
+    g: S,
+}
+
+impl Liquid {
+    /// Ideal liquid in plane flow in the cavity of a body; the case must agree with the free-surface radius.
+    pub fn new(attach: Attach, fill: Fill) -> Self {
+        Liquid { attach, fill, model: Model::Planar, viscous: false }
+    }
+    /// The same with another flow.
+    pub fn flowing(self, model: Model) -> Self {
+        Liquid { model, ..self }
+    }
+    /// The same with viscosity.
+    pub fn viscous(self) -> Self {
+        Liquid { viscous: true, ..self }
+    }
+    #[inline(always)]
+    fn coefficients<S: Scalar>(p: &LiquidParams<S>) -> Coefficients<S> {
+        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
+        let column = p.cavity_height * p.density;
+        Coefficients { full: (r2 * column).scale(PI), void: (s2 * column).scale(PI), g: (r2 - s2) / (r2 + s2) }
+    }
+    /// Surface displacement and its rate, from the four states at `first`.
+    #[inline(always)]
+    fn surface<S: Scalar>(at: &At<S>, first: usize) -> (Complex<S>, Complex<S>) {
+        let (beta, eta) = (c(at.z[first], at.z[first + 1]), c(at.z[first + 2], at.z[first + 3]));
+        (eta, eta.mul_i().scale(at.speed) - beta)
+    }
+    /// States of a surface wave.
+    fn waves(&self) -> bool {
+        self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen
+    }
+    fn cavity<S: Scalar>(p: &LiquidParams<S>) -> Cavity<S> {
+        Cavity { radius: p.cavity_radius, free: p.free_surface_radius, height: p.cavity_height, density: p.density }
+    }
+    /// Plane flow in coordinates and states from these on, its masses multiplied by `slices` where given.
+    #[inline(always)]
+    fn plane<S: Scalar>(&self, p: &LiquidParams<S>, w: S, b: &mut Blocks<S>, row: usize, state: usize, slices: Option<S>) {
+        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
+        if let Some(s) = slices {
+            full *= s;
+            void *= s;
+        }
+        let (zero, one) = (S::zero(), S::one());
+        match self.fill {
+            Fill::Empty => {}
+            Fill::Full => {
+                for i in row..row + 2 {
+                    b.mass[(i, i)] = full;
+                }
+            }
+            Fill::Partial => {
+                for i in row..row + 2 {
+                    b.mass[(i, i)] = full * g;
+                }
+                let outer = full * (one - g);
+                let (flow, surface) = (state, state + 2);
+                b.state_force.add_complex(row, flow, zero, (outer * w).scale(2.0));
+                b.state_force.add_complex(row, surface, outer * w * w, zero);
+                b.spin_accel_state_force.add_complex(row, surface, zero, -void);
+                b.state.add_complex(flow, flow, p.wave_damping.scale(-2.0), w + (g * w).scale(2.0));
+                b.state.add_complex(flow, surface, g * w * w, zero);
+                b.state.add_complex(surface, flow, -one, zero);
+                b.state.add_complex(surface, surface, zero, w);
+                b.state_a.add_complex(flow, row, -g, zero);
+            }
+        }
+    }
+    /// What the plane flow stores without spin, loses and gains, from the rate of its coordinates and its states.
+    #[inline(always)]
+    fn plane_energy<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>, row: usize, state: usize, slices: Option<S>) -> [S; 4] {
+        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
+        if let Some(s) = slices {
+            full *= s;
+            void *= s;
+        }
+        let v = c(at.v[row], at.v[row + 1]);
+        let w = at.speed;
+        match self.fill {
+            Fill::Empty => [S::zero(); 4],
+            Fill::Full => [(full * v.norm_sqr()).scale(0.5), S::zero(), S::zero(), S::zero()],
+            Fill::Partial => {
+                let (eta, rate) = Self::surface(at, state);
+                let gamma = S::one() / g;
+                let wave = (gamma * rate.norm_sqr() - (gamma + S::one()) * w * w * eta.norm_sqr()).scale(0.5) - (v * rate.conj()).re;
+                let slip = rate - eta.mul_i().scale(w);
+                let loss = (rate.scale(gamma) - v) * slip.conj();
+                let spin_up = gamma * (rate.conj() * eta.mul_i()).re - (gamma + S::one()) * w * eta.norm_sqr();
+                [
+                    ((full - void) * v.norm_sqr()).scale(0.5),
+                    void * wave,
+                    (p.wave_damping * void * loss.re).scale(2.0),
+                    void * at.spin_accel * spin_up,
+                ]
+            }
+        }
+    }
+    /// A and C of what turns with the rotor as a rigid body would.
+    #[inline(always)]
+    fn rigid<S: Scalar>(&self, p: &LiquidParams<S>) -> Option<[S; 2]> {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (r2, s2, h2) = (p.cavity_radius.square(), p.free_surface_radius.square(), p.cavity_height.square());
+        match (self.model, self.fill) {
+            (_, Fill::Empty) => None,
+            (Model::Frozen, _) => {
+                let square = (r2 + s2).scale(0.25);
+                Some([(full - void) * (square + h2.scale(1.0 / 12.0)), (full - void) * square.scale(2.0)])
+            }
+            (Model::PlanarTilt, _) => {
+                let a = (p.density * Self::cavity(p).mean()).scale(-PI);
+                Some([a, a.scale(2.0)])
+            }
+            _ => None,
+        }
+    }
+    /// Forward dynamic stiffness of displacement and tilt at `s`.
+    fn forward<S: Scalar>(&self, p: &LiquidParams<S>, s: Complex<S>, speed: S) -> [Complex<S>; 2] {
+        let (cavity, w) = (Self::cavity(p), c(s.im, -s.re));
+        let planar = match (self.viscous, self.fill) {
+            (true, _) => cavity.planar_viscous(w, speed, p.viscosity),
+            (_, Fill::Full) => (w * w).scale(cavity.full_mass()),
+            _ => cavity.planar(w, speed),
+        };
+        let tilt = match self.model {
+            Model::Spatial => {
+                let Tilt { value: tilt, error, .. } = if self.viscous {
+                    cavity.tilt_viscous(w, speed, p.viscosity, Truncation::None)
+                } else {
+                    cavity.tilt(w, speed, Truncation::None)
+                };
+                // an inaccurate reaction is none
+                let size = value(tilt).abs() + value(cavity.mean_tilt(w, speed)).abs();
+                if error <= ACCURACY * size || size == 0.0 { tilt } else { Complex::cst(c(f64::NAN, f64::NAN)) }
+            }
+            _ => planar.scale(cavity.slices()),
+        };
+        [-planar, -tilt]
+    }
+}
+
+const FILLS: &[(&str, &str, Bounds, &str)] = &[
+    ("free_surface_radius", "m", Bounds::up_to(100.0), "radius of the undisturbed free surface"),
+    ("volume_fraction", "", Bounds::closed(0.0, 1.0), "liquid volume over cavity volume"),
+    ("volume", "m^3", Bounds::up_to(1e6), "liquid volume"),
+    ("mass", "kg", Bounds::up_to(1e9), "liquid mass"),
+];
+
+impl Part for Liquid {
+    const KIND: &'static str = "liquid";
+    const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
+        rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
+        lets every slice flow by itself and spatial adds flow along the axis; spatial and viscous liquids are known in the frequency domain only.";
+    type Family = LiquidFamily;
+    const FIELDS: &'static [Field] = &[
+        Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills, at the middle of the cavity's height"),
+        Field::optional(
+            "model",
+            FieldKind::Choice(&[
+                ("planar", "plane flow, driven by the motion of the cavity centre; no reaction on tilt"),
+                ("planar_tilt", "plane flow, and of the reaction on tilt what needs no axial flow: an approximation"),
+                ("strip", "plane flow in every slice, driven by the motion of that slice"),
+                ("spatial", "flow in three dimensions; in the frequency domain only"),
+                ("frozen", "a rigid ring: for bounds only"),
+            ]),
+            "planar",
+            "flow model",
+        ),
+        Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
+    ];
+
+    fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let attach = values.attach("in")?;
+        let (kind, value) = values.one_of("fill")?;
+        let (radius, height, density) = (params.get("cavity_radius")?, params.get("cavity_height")?, params.get("density")?);
+        let cavity = PI * radius * radius * height;
+        let fraction = match kind {
+            "volume_fraction" => value,
+            "volume" => value / cavity,
+            "mass" => value / (cavity * density),
+            _ => 1.0 - (value / radius) * (value / radius),
+        };
+        if !(0.0..=1.0 + 1e-12).contains(&fraction) {
+            let (message, help) = if kind == "free_surface_radius" {
+                (
+                    format!(
+                        "the free surface (radius {}) lies outside the cavity (radius {})",
+                        format_si(value, "m"),
+                        format_si(radius, "m")
+                    ),
+                    "the free surface is the inner face of the layer on the wall: 0 is full, the cavity radius is empty".to_string(),
+                )
+            } else {
+                (
+                    format!("this is {} times what the cavity holds", format_number(fraction, 4)),
+                    format!("the cavity holds {} l, {} of this liquid", format_number(1e3 * cavity, 4), format_si(cavity * density, "kg")),
+                )
+            };
+            diagnostics.push(Diagnostic::error("liquid.fill", message).at(values.span_of("fill")).help(help));
+            return None;
+        }
+        let free = if kind == "free_surface_radius" { value } else { radius * (1.0 - fraction).max(0.0).sqrt() };
+        params.set("free_surface_radius", free);
+        let fill = if free == 0.0 {
+            Fill::Full
+        } else if free >= radius {
+            Fill::Empty
+        } else {
+            Fill::Partial
+        };
+        let word = values.choice("model").unwrap_or("planar");
+        let model = MODELS.iter().find(|m| m.0 == word)?.1;
+        Some(Liquid { attach, fill, model, viscous: params.get("viscosity").is_some_and(|nu| nu > 0.0) })
+    }
+
+    fn layout(&self) -> Layout {
+        let link = Link::On(self.attach.clone());
+        let tilts = self.model != Model::Planar;
+        let mut layout = if tilts { Layout::point_and_tilt(link) } else { Layout::point(link) };
+        if self.waves() {
+            layout.states = Dof::pair("flow_", DofKind::VectorX, "m/s", 1.0);
+            layout.states.extend(Dof::pair("surface_", DofKind::VectorX, "m", 1e-3));
+            if self.model == Model::Strip {
+                layout.states.extend(Dof::pair("tilt_flow_", DofKind::TiltX, "rad/s", 10.0));
+                layout.states.extend(Dof::pair("tilt_surface_", DofKind::TiltX, "rad", 1e-2));
+            }
+        }
+        layout
+    }
+    fn physics(&self) -> Physics {
+        match (self.fill, self.model, self.viscous) {
+            (Fill::Empty, ..) | (_, Model::Frozen, _) => Physics::Linear,
+            (_, _, true) => Physics::Frequency(TimeForm::None("the layer of a viscous liquid at the wall remembers its whole past")),
+            (_, Model::Spatial, _) => Physics::Frequency(TimeForm::None("a liquid that flows along the axis has infinitely many waves")),
+            _ => Physics::Linear,
+        }
+    }
+
+    #[inline(always)]
+    fn linear<S: Scalar>(&self, p: &Params<Self, S>, w: S, b: &mut Blocks<S>) {
+        match self.model {
+            Model::Frozen if self.fill != Fill::Empty => {
+                let Coefficients { full, void, .. } = Self::coefficients(p);
+                for i in 0..2 {
+                    b.mass[(i, i)] = full - void;
+                }
+            }
+            Model::Planar | Model::PlanarTilt if !self.viscous => self.plane(p, w, b, 0, 0, None),
+            Model::Strip if !self.viscous => {
+                self.plane(p, w, b, 0, 0, None);
+                self.plane(p, w, b, 2, 4, Some(Self::cavity(p).slices()));
+            }
+            _ => {}
+        }
+        if let Some([a, cp]) = self.rigid(p) {
+            for i in [2, 3] {
+                b.mass[(i, i)] = a;
+            }
+            b.gyroscopic[(2, 3)] = cp;
+            b.gyroscopic[(3, 2)] = -cp;
+            b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
+            b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
+        }
+    }
+
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
+        let forward = self.forward(p, s, speed);
+        // the conjugate coordinates see the reaction at -conj w
+        let backward = self.forward(p, s.conj(), speed).map(Complex::conj);
+        let n = if self.model == Model::Planar { 2 } else { 4 };
+        for (i, (f, b)) in forward.into_iter().zip(backward).enumerate().take(n / 2) {
+            let (mean, skew) = ((f + b).scale(S::cst(0.5)), (f - b).mul_i().scale(S::cst(0.5)));
+            let (x, y) = (2 * i * (n + 1), (2 * i + 1) * n + 2 * i);
+            out[x] += mean;
+            out[x + 1] += skew;
+            out[y] += -skew;
+            out[y + 1] += mean;
+        }
+    }
+
+    #[inline(always)]
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        let mut r = self.polar_inertia(p) * at.spin_accel;
+        if let Some([_, cp]) = self.rigid(p) {
+            r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
+        }
+        r
+    }
+
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        if matches!(self.physics(), Physics::Frequency(_)) {
+            return None;
+        }
+        let w = at.speed;
+        let spin = (self.polar_inertia(p) * w * w).scale(0.5);
+        let frozen = self.model == Model::Frozen && self.fill != Fill::Empty;
+        let [mut stored, wave, mut dissipated, mut supplied] = if frozen {
+            let Coefficients { full, void, .. } = Self::coefficients(p);
+            [((full - void) * c(at.v[0], at.v[1]).norm_sqr()).scale(0.5), S::zero(), S::zero(), S::zero()]
+        } else {
+            self.plane_energy(p, at, 0, 0, None)
+        };
+        stored = stored + wave + spin;
+        if self.model == Model::Strip {
+            let [layer, wave, lost, gained] = self.plane_energy(p, at, 2, 4, Some(Self::cavity(p).slices()));
+            stored += layer + wave;
+            dissipated += lost;
+            supplied += gained;
+        }
+        if let Some([a, cp]) = self.rigid(p) {
+            let (theta, rate) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]));
+            stored += (a * rate.norm_sqr() + cp * w * (rate.re * theta.im - theta.re * rate.im)).scale(0.5);
+        }
+        Some(Energy { stored, dissipated, supplied })
+    }
+
+    fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        if self.waves() {
+            out.push(Observed { name: "surface displacement", unit: "m", value: at.z[2].hypot(at.z[3]) });
+        }
+    }
+    fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        if self.fill == Fill::Partial && self.model != Model::Frozen {
+            let layer = p.cavity_radius - p.free_surface_radius;
+            if self.waves() {
+                // the surface is measured from the cavity centre; with tilt it is displaced most at the ends
+                let ends = if self.model == Model::Strip { 0.5 * p.cavity_height * at.z[6].hypot(at.z[7]) } else { 0.0 };
+                out.push(Validity { what: "surface excursion over layer thickness", ratio: (at.z[2].hypot(at.z[3]) + ends) / layer });
+            }
+            let field = at.speed * at.speed * p.free_surface_radius;
+            // without spin nothing holds the layer on the wall
+            let ratio = if field == 0.0 { f64::INFINITY } else { at.a[0].hypot(at.a[1]) / field };
+            out.push(Validity { what: "wall acceleration over centrifugal acceleration of the layer", ratio });
+        }
+    }
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
+        let mut told = Vec::new();
+        if let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p))
+            && a < 0.0
+        {
+            let taken = format_si(-a, "kg m^2");
+            told.push(format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"));
+        }
+        told
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let fill = if p.free_surface_radius == 0.0 {
+            Fill::Full
+        } else if p.free_surface_radius < p.cavity_radius {
+            Fill::Partial
+        } else {
+            Fill::Empty
+        };
+        if p.free_surface_radius > p.cavity_radius {
+            let text = format!(
+                "the free surface (radius {}) lies outside the cavity (radius {})",
+                format_si(p.free_surface_radius, "m"),
+                format_si(p.cavity_radius, "m")
+            );
+            return vec![("fill", text)];
+        }
+        if fill != self.fill {
+            return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
+        }
+        let mut wrong = Vec::new();
+        if (p.viscosity > 0.0) != self.viscous {
+            wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
+        }
+        if self.viscous {
+            if matches!(self.model, Model::PlanarTilt | Model::Frozen) {
+                wrong.push(("viscosity", "this model knows no viscosity: planar, strip and spatial do".into()));
+            } else if self.fill == Fill::Full {
+                wrong.push((
+                    "viscosity",
+                    "a full cavity with viscosity is not among the models: leave viscosity out, or a little air in".into(),
+                ));
+            }
+            if p.wave_damping != 0.0 {
+                wrong.push(("wave_damping", "the viscosity damps the wave by itself: give one of the two".into()));
+            }
+        } else if p.wave_damping != 0.0 && matches!(self.model, Model::Spatial | Model::Frozen) {
+            wrong.push(("wave_damping", "this model knows no wave damping: spatial takes a viscosity".into()));
+        }
+        wrong
+    }
+}
+
+impl Liquid {
+    #[inline(always)]
+    fn polar_inertia<S: Scalar>(&self, p: &LiquidParams<S>) -> S {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
+        match self.fill {
+            Fill::Empty => S::zero(),
+            _ => ((full - void) * (r2 + s2)).scale(0.5),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
+
+crate::conformance! {
+    Liquid {
+        partial: tests::partial(), tests::cavity(0.667, 0.0), Options::default();
+        thin_damped: tests::partial(), tests::cavity(0.97, 20.0), Options::default();
+        full: Liquid::new(Attach::on("drum"), Fill::Full), tests::cavity(0.0, 0.0), Options::default();
+        empty: Liquid::new(Attach::on("drum"), Fill::Empty), tests::cavity(1.0, 0.0), Options::default();
+        strip: tests::partial().flowing(Model::Strip), tests::cavity(0.667, 20.0), Options::default();
+        strip_full: Liquid::new(Attach::on("drum"), Fill::Full).flowing(Model::Strip), tests::cavity(0.0, 0.0), Options::default();
+        planar_tilt: tests::partial().flowing(Model::PlanarTilt), tests::cavity(0.667, 20.0), Options::default();
+        frozen: tests::partial().flowing(Model::Frozen), tests::cavity(0.667, 0.0), Options::default();
+        spatial: tests::partial().flowing(Model::Spatial), tests::cavity(0.667, 0.0), Options { energy: false, ..Options::default() };
+        spatial_full: Liquid::new(Attach::on("drum"), Fill::Full).flowing(Model::Spatial), tests::cavity(0.0, 0.0),
+            Options { energy: false, ..Options::default() };
+        viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
+        viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
+        viscous_spatial: tests::partial().flowing(Model::Spatial).viscous(), tests::viscous(),
+            Options { energy: false, states: 4, ..Options::default() };
+    }
+}

@@ -1,0 +1,253 @@
+//! Machine S1 from its file: spectra, response, bands of instability.
+
+use crate::common::{number, rows};
+use laval::file::load;
+use laval::model::field::RangeValue;
+use laval::model::linear::{Form, LinearModel, LinearScratch};
+use laval::model::system::System;
+use laval::outcome::Outcome;
+use laval::solve::characteristic::Characteristic;
+use laval::solve::linear_response::response;
+use laval::solve::pencil::modes_about;
+use laval::solve::rest::rest;
+use laval::solve::stability::row;
+use laval::study::Context;
+use laval_num::complex::{C64, c};
+use rayon::prelude::*;
+
+const FILE: &str = include_str!("../reference/spatial/s1.toml");
+
+fn build(text: &str) -> System {
+    load(text).unwrap_or_else(|d| panic!("{text}\n{d:?}")).system
+}
+
+/// The file with pieces of its text replaced; every piece must be there.
+fn changed(text: &str, pieces: &[(&str, &str)]) -> String {
+    pieces.iter().fold(text.to_string(), |text, (old, new)| {
+        assert!(text.contains(old), "{old}");
+        text.replace(old, new)
+    })
+}
+
+/// S1, or S1i with the values of x in y as well.
+fn set(name: &str) -> String {
+    if name.starts_with("S1i") { changed(FILE, &[("4e6 N/m", "3e6 N/m"), ("1.2e7 N/m", "2e7 N/m")]) } else { FILE.to_string() }
+}
+
+/// Without the blocks of these names.
+fn without(text: &str, names: &[&str]) -> String {
+    let parts = text.split("\n[[").filter(|block| !names.iter().any(|n| block.contains(&format!("name = \"{n}\""))));
+    parts.collect::<Vec<_>>().join("\n[[")
+}
+
+fn model(text: &str, word: &str) -> String {
+    if word == "none" { without(text, &["water"]) } else { changed(text, &[("model = \"strip\"", &format!("model = \"{word}\""))]) }
+}
+
+fn eigenvalues(system: &System, speed: f64) -> Vec<C64> {
+    modes_about(system, &rest(system, speed).unwrap(), true).unwrap().modes.iter().map(|m| m.value).collect()
+}
+
+#[test]
+fn spectra() {
+    let table = rows(include_str!("../reference/spatial/eig_planar.csv"));
+    let mut worst = 0.0f64;
+    let mut start = 0;
+    let mut sets = 0;
+    while start < table.len() {
+        let key = |r: &[&str]| (r[0].to_string(), r[1].to_string(), r[2].to_string());
+        let end = start + table[start..].iter().take_while(|r| key(r) == key(&table[start])).count();
+        let [name, word, speed] = [table[start][0], table[start][1], table[start][2]];
+        let word = if word == "planar" { "planar_tilt" } else { word };
+        let mut found = eigenvalues(&build(&model(&set(name), word)), number(speed));
+        assert_eq!(found.len(), end - start, "{name} {word} {speed}");
+        for r in &table[start..end] {
+            // s = i w
+            let should = c(-number(r[4]), number(r[3]));
+            let near = (0..found.len()).min_by(|&a, &b| (found[a] - should).abs().total_cmp(&(found[b] - should).abs())).unwrap();
+            let is = found.remove(near);
+            worst = worst.max((is - should).abs() / should.abs());
+            assert!((is - should).abs() < 1e-9 * should.abs(), "{r:?}: {is:?}");
+        }
+        (start, sets) = (end, sets + 1);
+    }
+    println!("{sets} spectra, largest relative deviation {worst:.1e}");
+    assert_eq!(sets, 72);
+}
+
+/// The cavity turns with the rotor and has its skew tau, in the tables: on the right side that is `L(W) tau` about the rotor's reference point, the same as of
+/// a rotor with more difference of inertia and, the cavity's centre being off the reference point, with more eccentricity.
+#[test]
+fn forced_response() {
+    let (radius, free, height, density) = (0.15f64, 0.105f64, 0.3f64, 1000.0);
+    let column = std::f64::consts::PI * density;
+    let (liquid, full) = (column * (radius * radius - free * free) * height, column * radius * radius * height);
+    let tau = C64::cis(std::f64::consts::FRAC_PI_3).scale(2e-4);
+    let z = 0.04;
+    let mut worst = 0.0f64;
+    let table = rows(include_str!("../reference/spatial/forced_S1.csv"));
+    assert_eq!(table.len(), 108);
+    for r in &table {
+        // L0 and Lt over the square of the speed
+        let (word, planar, tilt) = match r[0] {
+            "none" => ("none", 0.0, 0.0),
+            "full" => {
+                let tilt = column * (radius * radius * height.powi(3) / 12.0 - height * (radius.powi(4) - free.powi(4)) / 4.0);
+                ("spatial", full, tilt)
+            }
+            _ => ("frozen", liquid, liquid * (height * height / 12.0 - (radius * radius + free * free) / 4.0)),
+        };
+        let skew = format!("skew = {:e}", 2e-4 * (0.15 + tilt + z * z * planar) / 0.15);
+        let offset = c(5e-5, 0.0) - tau.mul_i().scale(z * planar / 40.0);
+        let eccentricity = format!("eccentricity = {:e}\neccentricity_phase = {:e}", offset.abs(), offset.arg());
+        let system = build(&changed(&model(FILE, word), &[("skew = 2e-4", &skew), ("eccentricity = \"50 um\"", &eccentricity)]));
+        let speed = number(r[1]);
+        let found = response(&system, &|w| rest(&system, w), speed).unwrap().unwrap();
+        assert!(found.residual < 1e-12);
+        for i in 0..3 {
+            let (forward, backward) = found.circles(2 * i);
+            let at = 2 + 4 * i;
+            let (f, b) = (c(number(r[at]), number(r[at + 1])), c(number(r[at + 2]), number(r[at + 3])));
+            let size = f.abs() + b.abs();
+            let off = ((forward - f).abs() + (backward - b).abs()) / size;
+            worst = worst.max(off);
+            assert!(off < 1e-8, "{} {speed} {i}: {forward:?} {f:?} {backward:?} {b:?}", r[0]);
+        }
+    }
+    println!("largest relative deviation {worst:.1e}");
+}
+
+#[test]
+fn bands_of_instability() {
+    let table = rows(include_str!("../reference/spatial/band_edges_S1_strip.csv"));
+    assert_eq!(table.len(), 140);
+    // every fourth row: all fills, all foundations, with and without damping
+    let chosen: Vec<_> = table.iter().step_by(4).collect();
+    let wrong: Vec<String> = chosen
+        .par_iter()
+        .flat_map(|r| {
+            let (name, threshold) = (r[0], number(r[1]));
+            let free = format!("free_surface_radius = \"{} mm\"", 150.0 * number(r[2]));
+            let mut text = changed(&set(name), &[("free_surface_radius = \"105 mm\"", &free)]);
+            if name.ends_with("undamped") {
+                text = changed(&without(&text, &["air", "material"]), &[("damping = \"3000 N s/m\"", "damping = 0")]);
+            }
+            text = if r[3] == "rigid" {
+                changed(&without(&text, &["base"]), &[("[\"rotor\", \"base\"]", "[\"rotor\", \"ground\"]")])
+            } else {
+                changed(&text, &[("mass = \"250 kg\"", &format!("mass = \"{} kg\"", r[3]))])
+            };
+            let system = build(&text);
+            let speeds = RangeValue { from: 20.0, to: 1000.0, points: Some(491) }.linspace(491);
+            let found = row(&system, &|w| rest(&system, w), &speeds, threshold, |_| true).unwrap();
+            let should: Vec<f64> = r[4].split_whitespace().map(number).collect();
+            let edges: Vec<f64> = found.edges.iter().map(|e| e.speed).collect();
+            let mut wrong = Vec::new();
+            for e in &should {
+                if !edges.iter().any(|f| (f - e).abs() < 1e-6 * e) {
+                    wrong.push(format!("{r:?}: {e} is not among {edges:?}"));
+                }
+            }
+            // bands narrower than the step of the table may be missing from it
+            if edges.len() < should.len() || (edges.len() - should.len()) % 2 != 0 {
+                wrong.push(format!("{r:?}: {} edges for {}", edges.len(), should.len()));
+            }
+            let peak = found.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);
+            if !(peak > 0.98 * number(r[5])) {
+                wrong.push(format!("{r:?}: largest growth {peak}"));
+            }
+            wrong
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// The part's reaction at a height of the rotor is the cavity's about another point, in fixed axes.
+#[test]
+fn any_reference_point() {
+    let (speed, w) = (100.0, c(-130.0, 7.0));
+    let s = w.mul_i();
+    let matrix = |text: &str| {
+        let system = build(text);
+        let (mut model, mut scratch, mut grid) = (LinearModel::default(), LinearScratch::default(), laval::model::blocks::Grid::empty());
+        system.linear(system.params(), speed, Form::Frequency, &mut model, &mut scratch);
+        system.dynamic_stiffness(system.params(), &model, Form::Frequency, s, &mut grid, &mut scratch);
+        // forward coordinates: x + i y for (1, -i)
+        let forward = |i: usize, j: usize| grid[(i, j)] - grid[(i, j + 1)].mul_i();
+        [forward(0, 0), forward(0, 2), forward(2, 0), forward(2, 2)]
+    };
+    let dry = matrix(&model(FILE, "none"));
+    let cavity = laval::cavity::Cavity { radius: 0.15, free: 0.105, height: 0.3, density: 1000.0 };
+    let z = 0.04;
+    for (word, nu) in [("spatial", 0.0), ("spatial", 1e-4), ("strip", 1e-4)] {
+        let text = changed(&model(FILE, word), &[("density = \"1000", &format!("viscosity = {nu}\ndensity = \"1000"))]);
+        let wet = matrix(&text);
+        let l0 = if nu > 0.0 { cavity.planar_viscous(w, speed, nu) } else { cavity.planar(w, speed) };
+        let lt = match (word, nu > 0.0) {
+            ("strip", _) => l0.scale(0.0075),
+            (_, true) => cavity.tilt_viscous(w, speed, nu, laval::cavity::Truncation::None).value,
+            _ => cavity.tilt(w, speed, laval::cavity::Truncation::None).value,
+        };
+        let reaction = [l0, -l0.mul_i().scale(z), l0.mul_i().scale(z), l0.scale(z * z) + lt];
+        for i in 0..4 {
+            let is = dry[i] - wet[i];
+            assert!((is - reaction[i]).abs() < 1e-11 * (dry[i].abs() + reaction[i].abs()), "{word} {nu} {i}: {is:?} {:?}", reaction[i]);
+        }
+    }
+}
+
+fn run(text: &str) -> Vec<Result<Outcome, String>> {
+    let machine = load(text).unwrap_or_else(|d| panic!("{text}\n{d:?}"));
+    let run = |s: &laval::file::NamedStudy| s.study.run(&machine.system, &Context::quiet("study")).map_err(|d| d.to_string());
+    let found = machine.studies.iter().map(run).collect();
+    found
+}
+
+/// The file runs as it stands; a liquid known in frequency only gives the response and refuses what needs a time form.
+#[test]
+fn studies_of_the_file() {
+    assert!(run(FILE).iter().all(Result::is_ok));
+    for text in [model(FILE, "spatial"), changed(FILE, &[("density = \"1000", "viscosity = 1e-6\ndensity = \"1000")])] {
+        let told = run(&text);
+        assert!(told[1].is_ok());
+        for refused in [&told[0], &told[2]] {
+            assert!(refused.as_ref().is_err_and(|e| e.contains("\"water\" is given in the frequency domain only")), "{refused:?}");
+        }
+    }
+}
+
+/// A viscous liquid, of which little is left at small viscosity, gives almost the response of the ideal one.
+#[test]
+fn viscosity_in_the_response() {
+    let amplitude = |text: &str| {
+        let system = build(text);
+        response(&system, &|w| rest(&system, w), 240.0).unwrap().unwrap().circles(0)
+    };
+    let ideal = amplitude(&model(FILE, "spatial"));
+    let viscous =
+        |nu: &str| amplitude(&changed(&model(FILE, "spatial"), &[("density = \"1000", &format!("viscosity = {nu}\ndensity = \"1000"))]));
+    let (more, less) = (viscous("1e-5"), viscous("1e-7"));
+    // forward whirl at the speed of the rotor does not move the liquid against the wall
+    assert!((more.0 - ideal.0).abs() < 1e-3 * ideal.0.abs());
+    let ratio = (more.1 - ideal.1).abs() / (less.1 - ideal.1).abs();
+    assert!((5.0..20.0).contains(&ratio), "{ratio}");
+}
+
+/// A viscous liquid in plane flow of every slice has no eigenvalue problem of finite size; roots of its characteristic function are polished all the same.
+#[test]
+fn strongest_root_with_viscosity() {
+    let table = rows(include_str!("../reference/spatial/viscous_S1_stability.csv"));
+    assert_eq!(table.len(), 126);
+    for r in table {
+        let free = format!("free_surface_radius = \"{} mm\"", 150.0 * number(r[0]));
+        let liquid = format!("viscosity = {}\ndensity = \"1000", r[1]);
+        let system = build(&changed(FILE, &[("free_surface_radius = \"105 mm\"", &free), ("density = \"1000", &liquid)]));
+        let mut t = Characteristic::new(&system, &rest(&system, number(r[2])).unwrap());
+        let should = c(number(r[4]), number(r[5]));
+        let found = t.polish(should + c(-0.02, 0.03), None).unwrap();
+        // growth to six digits, frequency to eight
+        let (growth, frequency) = ((found.value.re - should.re).abs(), (found.value.im - should.im).abs());
+        assert!(growth < 2e-6 * should.re.abs() + 1e-8 && frequency < 1e-7 * should.im, "{r:?}: {:?}", found.value);
+        assert!(found.defect < 1e-13, "{r:?}: {:e}", found.defect);
+    }
+}
