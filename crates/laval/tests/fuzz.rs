@@ -117,13 +117,12 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
         let unit = match named.study.kind() {
             // steps in time, of which one settled motion takes hundreds
             "sweep" | "basins" | "motion_map" => 100,
-            // starts and points, of which one search takes hundreds, and branches, of which one map takes many
+            // starts and points, of which one search takes hundreds
             "stationary" => 40,
-            "response_map" => 20,
             // runs of another study, of which one search takes at least twenty
             "optimum" => 10,
-            // points along branches, of which one response takes hundreds
-            "response_map" => 20,
+            // points along branches, of which one response takes tens
+            "response_map" => 2,
             _ => 1,
         };
         let work_limit = unit * [1, 2, 7, 60, 300][r.below(5)];
