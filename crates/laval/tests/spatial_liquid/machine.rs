@@ -149,7 +149,7 @@ fn bands_of_instability() {
                 }
             }
             // bands narrower than the step of the table may be missing from it
-            if edges.len() < should.len() || (edges.len() - should.len()) % 2 != 0 {
+            if edges.len() < should.len() || !(edges.len() - should.len()).is_multiple_of(2) {
                 wrong.push(format!("{r:?}: {} edges for {}", edges.len(), should.len()));
             }
             let peak = found.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);
@@ -199,8 +199,7 @@ fn any_reference_point() {
 fn run(text: &str) -> Vec<Result<Outcome, String>> {
     let machine = load(text).unwrap_or_else(|d| panic!("{text}\n{d:?}"));
     let run = |s: &laval::file::NamedStudy| s.study.run(&machine.system, &Context::quiet("study")).map_err(|d| d.to_string());
-    let found = machine.studies.iter().map(run).collect();
-    found
+    machine.studies.iter().map(run).collect()
 }
 
 /// The file runs as it stands; a liquid known in frequency only gives the response and refuses what needs a time form.
