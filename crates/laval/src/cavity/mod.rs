@@ -64,6 +64,7 @@ impl<S: Scalar> Cavity<S> {
         self.density.scale(PI)
     }
     /// `R^2 H^3/12 - H (R^4 - r0^4)/4`, m^5.
+    #[inline(always)]
     pub(crate) fn mean(&self) -> S {
         let (r2, s2) = (self.radius.square(), self.free.square());
         self.height * ((r2 * self.height.square()).scale(1.0 / 12.0) - (r2 * r2 - s2 * s2).scale(0.25))

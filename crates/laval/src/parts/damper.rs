@@ -51,6 +51,11 @@ impl Damper {
         let v = c(at.v[i], at.v[i + 1]);
         if self.rotating { v - c(at.q[i], at.q[i + 1]).mul_i().scale(at.speed) } else { v }
     }
+    /// Share of the pair of coordinates at `i` in the spin row, over its damping.
+    #[inline(always)]
+    fn torque<S: Scalar>(&self, at: &At<S>, i: usize) -> S {
+        (c(at.q[i], at.q[i + 1]).conj() * self.slip(at, i)).im
+    }
 }
 
 impl Part for Damper {
@@ -111,9 +116,8 @@ impl Part for Damper {
         if !self.rotating {
             return S::zero();
         }
-        let torque = |i: usize| (c(at.q[i], at.q[i + 1]).conj() * self.slip(at, i)).im;
-        let lateral = -(p.damping[0] * torque(0));
-        if self.tilts { lateral - p.tilt_damping * torque(2) } else { lateral }
+        let lateral = -(p.damping[0] * self.torque(at, 0));
+        if self.tilts { lateral - p.tilt_damping * self.torque(at, 2) } else { lateral }
     }
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
         let slip = self.slip(at, 0);

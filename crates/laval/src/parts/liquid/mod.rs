@@ -135,6 +135,7 @@ impl Liquid {
     fn waves(&self) -> bool {
         self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen
     }
+    #[inline(always)]
     fn cavity<S: Scalar>(p: &LiquidParams<S>) -> Cavity<S> {
         Cavity { radius: p.cavity_radius, free: p.free_surface_radius, height: p.cavity_height, density: p.density }
     }

@@ -109,6 +109,9 @@ pub struct Flight {
     pub validity: Vec<Use>,
 }
 
+/// Crossings of one surface nearer together than this share of a step are one.
+const INSTANT: f64 = 1e-7;
+
 /// Integrates from `y` at t = 0.
 ///
 /// # Errors
@@ -278,7 +281,11 @@ fn legs<'a, M: Method<Motion<'a>>>(
             End::Reached => first_step = None,
             End::Event { index, t } => {
                 let (slot, surface) = surfaces.list[index];
-                watch.contacts.push((slot, surface, t));
+                // what is left of the distance to the surface after its own crossing may cross it once more
+                let again = watch.contacts.last().is_some_and(|c| (c.0, c.1) == (slot, surface) && t - c.2 <= INSTANT * run.next_step);
+                if !again {
+                    watch.contacts.push((slot, surface, t));
+                }
                 // the step that ends here, integrated again: its interpolant is less accurate than the method
                 let (from, start) = &watch.step_start;
                 let control = Control {

@@ -58,7 +58,7 @@ pub struct Motion<'a> {
 /// The compiled forms.
 enum Steady<'a> {
     /// Without memory: the equations, the state with their room behind it, the rates of all but the coordinates, and what times to come ask for.
-    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>, Ahead),
+    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>, Box<Ahead>),
     Dense(Box<Compiled>),
 }
 
@@ -71,7 +71,7 @@ impl<'a> Steady<'a> {
         equations.load(0, system, speed, phase)?;
         let dim = 2 * system.n() + system.m();
         let room = equations.room(dim);
-        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()], Ahead::default()))
+        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()], Box::default()))
     }
 
     /// Fills `accel` and `rate` of `out`.
