@@ -1,5 +1,7 @@
 //! Machines in time: reference end states, exact Jacobians, energy, conserved quantities, memory states.
 
+#[path = "transient_motion/bristle.rs"]
+mod bristle;
 mod common;
 #[path = "transient_motion/reference.rs"]
 mod reference;
@@ -167,6 +169,9 @@ fn all_machines() -> Vec<(System, SpinLaw)> {
         (liquid().builder().horizontal().build().unwrap(), constant(900.0)),
         (with_memory(3, 1e3), constant(300.0)),
         (with_memory(3, 1e3), ramp()),
+        (bristle::machine(false), constant(300.0)),
+        (bristle::machine(true), constant(300.0)),
+        (bristle::machine(false), ramp()),
     ]
 }
 

@@ -18,6 +18,7 @@ pub enum Level {
 
 impl Level {
     /// The highest level of this processor.
+    #[inline(always)]
     pub fn best() -> Level {
         #[cfg(target_arch = "x86_64")]
         {
@@ -83,8 +84,14 @@ pub fn dispatch<K: Kernel>(level: Level, kernel: K) -> K::Out {
         Level::Avx512 => unsafe { run_avx512(kernel) },
         #[cfg(target_arch = "x86_64")]
         Level::Avx2 => unsafe { run_avx2(kernel) },
-        _ => kernel.run::<LanesBase>(),
+        _ => run_base(kernel),
     }
+}
+
+/// A call of its own: what enters a level stays short.
+#[inline(never)]
+fn run_base<K: Kernel>(kernel: K) -> K::Out {
+    kernel.run::<LanesBase>()
 }
 
 #[cfg(target_arch = "x86_64")]

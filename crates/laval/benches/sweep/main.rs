@@ -4,7 +4,8 @@
 //! The machine comes from a file and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
 //! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare/compare.sh` adds other programs on the same work.
 //!
-//! `cargo bench -p laval --bench sweep [-- source]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each.
+//! `cargo bench -p laval --bench sweep [-- source | alone]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each;
+//! with `alone` only one member at a time.
 
 #[path = "../common/clock.rs"]
 mod clock;
@@ -141,6 +142,11 @@ fn main() {
         let Some(system) = machine(case) else { return };
         let system = Arc::new(system);
         println!("case {}: damping {} N s/m, eccentricity {} m", case.name, case.damping, case.eccentricity);
+        if arguments.iter().any(|a| a == "alone") {
+            let (time, ends) = least(clock, 5, || one_by_one(&system, &speeds));
+            report("one member at a time", time, work, None, deviation(case, &speeds, &ends), &ends);
+            continue;
+        }
         let by_hand = kernel::Machine { damping: case.damping, eccentricity: case.eccentricity };
         let (hand, ends) = least(clock, 5, || by_hand.sweep(Level::best(), &speeds, periods, 1e-8, 1e-11));
         report("by hand, lanes", hand, work, None, deviation(case, &speeds, &ends), &ends);
@@ -175,16 +181,22 @@ fn source_study() {
     let Some(system) = machine(case) else { return };
     let system = Arc::new(system);
     let speeds: Vec<f64> = (1..=5000).map(f64::from).collect();
-    println!("the complete study of the source: 5000 speeds, 25 s each, case A, one core");
+    println!("the complete study of the source: 5000 speeds, 25 s each, case A");
     let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: |_| 25.0, tolerance: 1e-8 };
-    let settings = Settings { threads: 1, ..Settings::default() };
-    let (time, ends) = least(clock, 1, || ensemble::run(&voyage, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default());
+    let run = |threads| {
+        let settings = Settings { threads, ..Settings::default() };
+        ensemble::run(&voyage, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default()
+    };
+    let (time, ends) = least(wall, 1, || run(1));
     let steps: u64 = ends.iter().map(|e| e.1).sum();
-    println!("    ensemble: {time:.1} s, {steps} steps");
+    println!("    ensemble, 1 thread:  {time:.1} s, {steps} steps");
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
+    let (shared, again) = least(wall, 1, || run(threads));
+    println!("    ensemble, {threads} threads: {shared:.1} s, {:.2} times as fast, end states the same: {}", time / shared, again == ends);
     let by_hand = kernel::Machine { damping: case.damping, eccentricity: case.eccentricity };
     let (time, ends) = least(clock, 1, || by_hand.sweep(Level::best(), &speeds, |_| 25.0, 1e-8, 1e-11));
     let steps: u64 = ends.iter().map(|e| e.1).sum();
-    println!("    by hand:  {time:.1} s, {steps} steps");
+    println!("    by hand, 1 thread:   {time:.1} s, {steps} steps");
 }
 
 fn one_by_one(system: &System, speeds: &[f64]) -> Vec<Row> {

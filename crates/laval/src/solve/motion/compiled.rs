@@ -79,6 +79,18 @@ impl Compiled {
         })
     }
 
+    /// The rows' answer to a force along a coordinate of a part, a sum over coordinates of the machine that nonlinear parts act on.
+    pub fn answer(&self, coordinate: &[(usize, f64)]) -> Vec<f64> {
+        let mut answer = vec![0.0; self.answers.cols()];
+        for &(g, c) in coordinate {
+            let Some(k) = self.touched.iter().position(|&t| t == g) else { continue };
+            for (to, from) in answer.iter_mut().zip(self.answers.row(k)) {
+                *to += c * from;
+            }
+        }
+        answer
+    }
+
     /// Fills `accel` and `rate` of `out`.
     pub(super) fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
         let n = system.n();

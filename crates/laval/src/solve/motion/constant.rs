@@ -1,13 +1,14 @@
-//! One member, or those in lanes, of constant mass at constant speeds and without memory: the linear parts as one sparse matrix, and a call for
-//! each nonlinear part.
+//! Members in lanes, of constant mass at constant speeds and without memory: the linear parts as one sparse matrix, and a call for each nonlinear
+//! part.
 
 use super::compiled::Compiled;
+use super::single::clear;
 use crate::model::erased::Erased;
 use crate::model::lanes::{Residual, ResidualArgs};
 use crate::model::part::{At, Rows};
 use crate::model::system::System;
 use laval_num::dense::Mat;
-use laval_num::lanes::{Entry, Kernel, LANES, LaneScalar, Level, Sparse, dispatch};
+use laval_num::lanes::{Entry, Sparse};
 use laval_num::ode::Failure;
 use std::f64::consts::FRAC_2_PI;
 use std::ops::Range;
@@ -45,83 +46,6 @@ pub(in crate::solve) struct Constant<'a, S> {
     sine: (S, S),
     /// Phase at time 0 and speed in quarter turns.
     quarters: (S, S),
-    level: Level,
-}
-
-/// Copies a few numbers, in steps of two: a plain copy would become a call.
-#[inline(always)]
-fn copy<S: Copy>(from: &[S], to: &mut [S]) {
-    let n = from.len().min(to.len());
-    let mut j = 0;
-    while j + 1 < n {
-        (to[j], to[j + 1]) = (from[j], from[j + 1]);
-        j += 2;
-    }
-    if j < n {
-        to[j] = from[j];
-    }
-}
-
-/// Clears a few numbers, likewise.
-#[inline(always)]
-fn clear<S: Entry>(x: &mut [S]) {
-    let mut j = 0;
-    while j + 1 < x.len() {
-        (x[j], x[j + 1]) = (S::zero(), S::zero());
-        j += 2;
-    }
-    if j < x.len() {
-        x[j] = S::zero();
-    }
-}
-
-/// Sines and cosines of the phase at times to come, all computed side by side, with the bits of one by one.
-#[derive(Default)]
-pub(in crate::solve) struct Ahead {
-    times: [f64; LANES],
-    sin: [f64; LANES],
-    cos: [f64; LANES],
-    count: usize,
-    next: usize,
-}
-
-struct Sines<'a> {
-    quarters: (f64, f64),
-    to: &'a mut Ahead,
-}
-
-impl Kernel for Sines<'_> {
-    type Out = ();
-    #[inline(always)]
-    fn run<L: LaneScalar>(self) {
-        let phases = L::cst(self.quarters.0) + L::cst(self.quarters.1) * L::load(&self.to.times);
-        let (sin, cos) = phases.sin_cos_quarters();
-        sin.store(&mut self.to.sin);
-        cos.store(&mut self.to.cos);
-    }
-}
-
-impl Constant<'_, f64> {
-    /// Prepares for times to come; of more than a register holds, for the first.
-    pub fn ahead(&self, times: &[f64], to: &mut Ahead) {
-        let count = times.len().min(LANES);
-        to.times[..count].copy_from_slice(&times[..count]);
-        (to.count, to.next) = (count, 0);
-        dispatch(self.level, Sines { quarters: self.quarters, to });
-    }
-
-    /// As [`Constant::time`], from what was prepared if the next time is this one.
-    #[inline(always)]
-    pub fn time_from(&mut self, ahead: &mut Ahead, t: f64) {
-        let i = ahead.next;
-        if i < ahead.count && ahead.times[i] == t {
-            ahead.next = i + 1;
-            self.now = self.phase + self.speed * t;
-            self.sine = (ahead.sin[i], ahead.cos[i]);
-        } else {
-            self.time(t);
-        }
-    }
 }
 
 impl<'a, S: Entry> Constant<'a, S> {
@@ -158,7 +82,6 @@ impl<'a, S: Entry> Constant<'a, S> {
             now: zero,
             sine: (zero, zero),
             quarters: (zero, zero),
-            level: Level::best(),
         }
     }
 
@@ -201,10 +124,9 @@ impl<'a, S: Entry> Constant<'a, S> {
                     if slot.uses.velocity {
                         map[(local + l, n + g)] += c;
                     }
-                    let Some(k) = compiled.touched.iter().position(|&t| t == g) else { continue };
-                    for i in 0..rows {
-                        full[(i, law.first + l)] += c * compiled.answers[(k, i)];
-                    }
+                }
+                for (i, answer) in compiled.answer(row).into_iter().enumerate() {
+                    full[(i, law.first + l)] = answer;
                 }
             }
             law.map.set(lane, &map);
@@ -221,15 +143,6 @@ impl<'a, S: Entry> Constant<'a, S> {
     pub fn time(&mut self, t: S) {
         self.now = self.phase + self.speed * t;
         self.sine = (self.quarters.0 + self.quarters.1 * t).sin_cos_quarters();
-    }
-
-    /// The same from the states alone, at the moment announced; the states go to `y` first, and rates of the coordinates are included.
-    #[inline(always)]
-    pub fn all_rates(&mut self, t: S, states: &[S], y: &mut [S], dy: &mut [S]) {
-        let (positions, rates) = dy.split_at_mut(self.n);
-        copy(&states[self.n..], positions);
-        copy(states, y);
-        self.rhs(t, y, rates);
     }
 
     /// Accelerations and rates of the states.

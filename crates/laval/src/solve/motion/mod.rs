@@ -11,7 +11,7 @@
 //! The energy account appends four integrals from the start: heat, work of the parts' own sources, work of the drive, work of the weight. Stored energy
 //! changes by `-heat + sources + drive + weight`: what is missing is the error of the integration.
 //!
-//! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, sparse ([`constant`]) or, beside memory
+//! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column ([`single`]) or, beside memory
 //! states, dense ([`compiled`]), and only nonlinear parts and memory states are evaluated at every call.
 
 pub(super) mod compiled;
@@ -19,6 +19,7 @@ pub(super) mod constant;
 mod direct;
 pub mod envelope;
 pub mod flight;
+mod single;
 mod stiff;
 
 use super::programme::{Programme, Spin};
@@ -27,9 +28,9 @@ use crate::model::erased::D1;
 use crate::model::part::{At, DofKind, Physics, Rows, TimeForm};
 use crate::model::system::{Axis, Drive, GRAVITY, System, Workspace};
 use compiled::Compiled;
-use constant::{Ahead, Constant};
 use direct::Direct;
 use laval_num::ode::{Failure, Ode};
+use single::Single;
 use stiff::Elimination;
 
 /// Number of integrals in the energy account.
@@ -57,8 +58,9 @@ pub struct Motion<'a> {
 
 /// The compiled forms.
 enum Steady<'a> {
-    /// Without memory: the equations, the state with their room behind it, the rates of all but the coordinates, and what times to come ask for.
-    Sparse(Box<Constant<'a, f64>>, Vec<f64>, Vec<f64>, Box<Ahead>),
+    /// Without memory, and a place for the rates of all states.
+    Single(Box<Single<'a>>, Vec<f64>),
+    /// With memory.
     Dense(Box<Compiled>),
 }
 
@@ -67,26 +69,21 @@ impl<'a> Steady<'a> {
         if system.slots().iter().any(|s| s.memory > 0) {
             return Ok(Steady::Dense(Box::new(Compiled::new(system, speed)?)));
         }
-        let mut equations = Constant::new(system);
-        equations.load(0, system, speed, phase)?;
-        let dim = 2 * system.n() + system.m();
-        let room = equations.room(dim);
-        Ok(Steady::Sparse(Box::new(equations), vec![0.0; dim + room], vec![0.0; dim - system.n()], Box::default()))
+        let single = Single::new(system, speed, phase)?;
+        let rates = vec![0.0; single.dim()];
+        Ok(Steady::Single(Box::new(single), rates))
     }
 
     /// Fills `accel` and `rate` of `out`.
     fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], out: &mut Direct) {
         match self {
             Steady::Dense(c) => c.evaluate(system, t, spin, y, out),
-            Steady::Sparse(equations, state, rates, _) => {
+            Steady::Single(equations, rates) => {
                 let n = system.n();
                 // the account of energy may stand behind the states
-                let dim = n + rates.len();
-                state[..dim].copy_from_slice(&y[..dim]);
-                equations.time(t);
-                equations.rhs(t, state, rates);
-                out.accel[..n].copy_from_slice(&rates[..n]);
-                out.rate.copy_from_slice(&rates[n..]);
+                equations.rhs(t, &y[..rates.len()], rates);
+                out.accel[..n].copy_from_slice(&rates[n..2 * n]);
+                out.rate.copy_from_slice(&rates[2 * n..]);
             }
         }
     }
@@ -314,6 +311,25 @@ impl<'a> Motion<'a> {
         Ok(Powers { dissipated: e.dissipated, supplied: e.supplied, drive, weight })
     }
 
+    /// Rates of all states, the account among them, by the way that serves every machine.
+    #[inline(never)]
+    fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
+        let (n, m) = (self.system.n(), self.system.m());
+        let spin = self.accelerate(t, y)?;
+        dy[..n].copy_from_slice(&y[n..2 * n]);
+        dy[n..2 * n].copy_from_slice(&self.direct.accel[..n]);
+        dy[2 * n..2 * n + m].copy_from_slice(&self.direct.rate);
+        if let Some(k) = self.spin_start() {
+            dy[k] = spin.speed;
+            dy[k + 1] = spin.accel;
+        }
+        if let Some(k) = self.account_start() {
+            let p = self.powers_here(t, spin, y)?;
+            dy[k..k + ACCOUNT].copy_from_slice(&[p.dissipated, p.supplied, p.drive, p.weight]);
+        }
+        Ok(())
+    }
+
     /// Applies sudden changes of velocity; internal states that read accelerations follow.
     ///
     /// # Errors
@@ -378,30 +394,16 @@ impl Ode for Motion<'_> {
     }
 
     fn ahead(&mut self, times: &[f64]) {
-        if let (Some(Steady::Sparse(equations, _, _, ahead)), false) = (&mut self.steady, self.account) {
-            equations.ahead(times, ahead);
+        if let (Some(Steady::Single(equations, _)), false) = (&mut self.steady, self.account) {
+            equations.ahead(times);
         }
     }
 
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure> {
-        if let (Some(Steady::Sparse(equations, state, _, ahead)), false) = (&mut self.steady, self.account) {
-            equations.time_from(ahead, t);
-            equations.all_rates(t, y, state, dy);
+        if let (Some(Steady::Single(equations, _)), false) = (&mut self.steady, self.account) {
+            equations.rhs(t, y, dy);
             return Ok(());
         }
-        let (n, m) = (self.system.n(), self.system.m());
-        let spin = self.accelerate(t, y)?;
-        dy[..n].copy_from_slice(&y[n..2 * n]);
-        dy[n..2 * n].copy_from_slice(&self.direct.accel[..n]);
-        dy[2 * n..2 * n + m].copy_from_slice(&self.direct.rate);
-        if let Some(k) = self.spin_start() {
-            dy[k] = spin.speed;
-            dy[k + 1] = spin.accel;
-        }
-        if let Some(k) = self.account_start() {
-            let p = self.powers_here(t, spin, y)?;
-            dy[k..k + ACCOUNT].copy_from_slice(&[p.dissipated, p.supplied, p.drive, p.weight]);
-        }
-        Ok(())
+        self.rates(t, y, dy)
     }
 }
