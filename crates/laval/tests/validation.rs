@@ -60,7 +60,7 @@ fn numbers(cell: &str) -> Vec<usize> {
 }
 
 #[test]
-fn the_index_names_every_figure_and_equation_of_the_source() {
+fn the_index_names_every_figure_and_equation_of_the_sources() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation");
     let text = std::fs::read_to_string(folder.join("README.md")).unwrap();
     for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
@@ -73,4 +73,7 @@ fn the_index_names_every_figure_and_equation_of_the_source() {
     let (figures, equations) = (table("| figure | page |"), table("| equation | page |"));
     assert!((1..=36).all(|n| figures.contains(&n)), "{figures:?}");
     assert!((1..=55).all(|n| equations.contains(&n)), "{equations:?}");
+    let (figures, equations) = (table("| figure of the balancer source | page |"), table("| equation of the balancer source | page |"));
+    assert!((1..=19).all(|n| figures.contains(&n)), "{figures:?}");
+    assert!((1..=34).all(|n| equations.contains(&n)), "{equations:?}");
 }
