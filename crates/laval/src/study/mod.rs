@@ -20,6 +20,7 @@ pub mod nonlinear_response;
 pub mod operating_window;
 pub mod optimum;
 mod passages;
+mod play;
 pub mod response_map;
 pub mod run_up;
 pub mod sensitivity;
