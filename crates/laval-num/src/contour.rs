@@ -320,6 +320,20 @@ mod tests {
         }
     }
 
+    /// A cut above the axis leaves a mirrored piece and one that stands for itself; a cut across it two mirrored ones.
+    #[test]
+    fn pieces_hold_what_the_whole_holds() {
+        let all = [c(0.3, 0.2), c(0.6, 0.9), c(0.8, 0.0), c(0.1, 1.7)];
+        let f = rational(all.iter().flat_map(|z| if z.im == 0.0 { vec![*z] } else { vec![*z, z.conj()] }).collect(), vec![]);
+        let mut search = Search { f, mirrored: true, reach: &free, known: Vec::new(), evaluations: 0, budget: 100_000 };
+        let tall = Cell { re: (0.0, 1.0), im: (0.0, 2.0), half: true };
+        let flat = Cell { re: (0.0, 1.0), im: (0.0, 0.95), half: true };
+        let [low, high] = tall.cut(0.5);
+        let [left, right] = flat.cut(0.5);
+        let counts = [tall, low, high, flat, left, right].map(|c| search.missing(&c));
+        assert_eq!(counts, [7, 5, 1, 5, 2, 3].map(Some));
+    }
+
     #[test]
     fn a_false_zero_is_told() {
         let f = || rational(vec![c(0.5, 0.5)], vec![]);
