@@ -1,8 +1,10 @@
 //! Spectra along the spin speed, followed by modal assurance.
 
-use super::characteristic::Equilibrium;
+use super::characteristic::{Characteristic, Equilibrium};
 use super::locate::State;
 use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
+use super::roots::{Request, roots, transcendental};
+use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -50,6 +52,10 @@ pub fn spectrum(system: &System, state: State, speed: f64) -> Result<(Equilibriu
     let modes = modes_about(system, &about, wants_polish(system))?;
     Ok((about, modes))
 }
+
+/// Growth or decay over the speed from which on the roots of a machine with parts without time form are counted at every speed; those nearer to the imaginary axis are
+/// followed.
+const COUNTED: f64 = 0.01;
 
 /// Deepest halving of a step where shapes mix.
 const DEPTH: usize = 7;
@@ -197,6 +203,9 @@ pub fn sweep(
     limit: f64,
     mut each: impl FnMut(usize, u64) -> bool,
 ) -> Result<Sweep, Diagnostic> {
+    if transcendental(system) {
+        return follow(system, state, speeds, limit, each);
+    }
     let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
     let mut f = Follower { system, state, limit, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
     for (k, &speed) in speeds.iter().enumerate() {
@@ -214,4 +223,67 @@ pub fn sweep(
         }
     }
     Ok(f.out)
+}
+
+/// The same for a machine with parts that have no time form: a root goes on where Newton's method from its value and slope at the speed before leads. Roots that enter
+/// the region are born.
+fn follow(
+    system: &System,
+    state: State,
+    speeds: &[f64],
+    limit: f64,
+    mut each: impl FnMut(usize, u64) -> bool,
+) -> Result<Sweep, Diagnostic> {
+    let mut out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
+    // branch of each mode of the speed before
+    let mut ids: Vec<usize> = Vec::new();
+    for (k, &speed) in speeds.iter().enumerate() {
+        if !each(k, out.solved) {
+            break;
+        }
+        let about = state(speed)?;
+        let before: Vec<(usize, MachineMode)> = match out.points.last() {
+            Some((_, s)) => ids.iter().copied().zip(s.modes.iter().cloned()).collect(),
+            None => Vec::new(),
+        };
+        let mut t = Characteristic::new(system, &about);
+        let mut led: Vec<(usize, C64, Option<Sector>)> = Vec::new();
+        for (id, mode) in &before {
+            let points = &out.branches[*id].points;
+            // two points of a branch give its direction
+            let ahead = match points.len().checked_sub(2).map(|n| &points[n]) {
+                Some((w, m)) if *w < speeds[k - 1] => {
+                    mode.value + (mode.value - m.value).scale((speed - speeds[k - 1]) / (speeds[k - 1] - w))
+                }
+                _ => mode.value,
+            };
+            let polished = t.polish(ahead, mode.sector).or_else(|| t.polish(mode.value, mode.sector));
+            led.extend(polished.map(|p| (*id, p.value, mode.sector)));
+        }
+        let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
+        let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
+        let frequency = limit.is_finite().then_some(limit);
+        let dense = system.domains(speed).iter().any(|d| !d.axis);
+        let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
+        let found = roots(system, &about, &request)?.spectrum;
+        out.solved += 1;
+        ids = found.modes.iter().map(|_| usize::MAX).collect();
+        for (id, value, sector) in led {
+            let same = |m: &MachineMode| m.sector == sector && (m.value - value).abs() <= 1e-8 * value.abs();
+            if let Some(at) = found.modes.iter().position(same)
+                && ids[at] == usize::MAX
+            {
+                ids[at] = id;
+            }
+        }
+        for (id, mode) in ids.iter_mut().zip(&found.modes) {
+            if *id == usize::MAX {
+                *id = out.branches.len();
+                out.branches.push(Branch::default());
+            }
+            out.branches[*id].points.push((speed, mode.clone()));
+        }
+        out.points.push((speed, found));
+    }
+    Ok(out)
 }
