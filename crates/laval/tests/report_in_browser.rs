@@ -1,6 +1,8 @@
 //! Opens the one-file report in a headless browser: no error, every figure drawn, zoom and readout work, nothing fetched.
 
-use laval::outcome::{Axis, Band, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, Text};
+use laval::outcome::{
+    Animation, Axis, Band, Circle, End, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, Text,
+};
 use laval::report::{Format, Provenance, Report, html, write};
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
@@ -239,13 +241,42 @@ fn history() -> Outcome {
     let orbit = Figure::new("orbit", "Orbit", "The orbit is close to an ellipse.")
         .x(Axis::new("x", "mm").factor(1e3))
         .panel(Panel::new(Axis::new("y", "mm").factor(1e3)).mark(Points::new("history", "x", "y").name("samples")));
+    let turning = Table::new("animation", "Frames")
+        .float("t", "s", "", (0..50).map(|i| 0.02 * f64::from(i)).collect())
+        .float("phase", "rad", "", (0..50).map(|i| 3.0 * f64::from(i)).collect())
+        .float("disc.x", "m", "", (0..50).map(|i| 1e-5 * f64::from(i)).collect())
+        .float("disc.y", "m", "", vec![2e-5; 50])
+        .float("ball.x", "m", "", (0..50).map(|i| 0.1 * (0.05 * f64::from(i)).cos()).collect())
+        .float("ball.y", "m", "", (0..50).map(|i| 0.1 * (0.05 * f64::from(i)).sin()).collect())
+        .build()
+        .unwrap();
+    let pair = |name: &str| [format!("{name}.x"), format!("{name}.y")];
+    let circle = |name: &str, place: Option<[String; 2]>, radius: f64| Circle {
+        name: name.into(),
+        displacement: pair("disc"),
+        movable: place.is_some(),
+        place,
+        radius,
+    };
+    let played = Animation {
+        name: "motion".into(),
+        title: "Rotor <b>".into(),
+        alt: "A ball creeps along its track.".into(),
+        table: "animation".into(),
+        time: "t".into(),
+        phase: "phase".into(),
+        enlarged: 50.0,
+        circles: vec![circle("disc", None, 0.0), circle("track", None, 0.1), circle("ball", Some(pair("ball")), 0.006)],
+    };
     let empty = Table::new("empty", "Nothing").float("x", "", "", vec![f64::NAN]).float("y", "", "", vec![f64::NAN]).build().unwrap();
     Outcome::new("transient", "run up")
         .finding(Finding::info("largest", "The largest displacement is {}.").value(4.06e-4, "m"))
         .table(table)
         .table(empty)
+        .table(turning)
         .figure(run)
         .figure(orbit)
+        .animation(played)
         .checked()
         .unwrap()
 }
@@ -316,6 +347,7 @@ fn opens_without_error_and_draws_every_figure() {
                 assert_eq!(attribute(&dom, "data-errors"), "[]", "at width {width}");
                 assert_eq!(attribute(&dom, "data-figures"), "5");
                 assert_eq!(attribute(&dom, "data-drawn"), "5");
+                assert_eq!(attribute(&dom, "data-played"), "1");
                 assert_eq!(attribute(&dom, "data-overflow"), "false", "the page scrolls sideways at width {width}");
             }
         }

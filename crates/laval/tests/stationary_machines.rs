@@ -1,13 +1,20 @@
 //! The study `stationary` on machines that are not the example: continua of balanced states, unequal balls, several balancers, tilting bodies, a shaft with
 //! memory, what is refused, and what a balancing engineer is told.
 
+use laval::diagnostic::Diagnostics;
 use laval::file::load;
-use laval::model::part::{At, Rows};
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
+use laval::model::params::Family;
+use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, Rows};
 use laval::model::system::{System, Workspace};
 use laval::outcome::{Data, End, Finding, Level, Outcome};
+use laval::params;
+use laval::parts::{damper::*, disc::*, shaft_lumped::*};
 use laval::solve::stationary::{Request, Search};
 use laval::study::Context;
 use laval_num::complex::{C64, c};
+use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
@@ -389,4 +396,68 @@ fn errors_of_the_ring_cost_what_the_closed_form_says() {
     assert_eq!(costs[0].value.unwrap(), left[8]);
     // r sin^2 of the tilt reaches 250 um: the balls are locked, and the study says from where on
     assert!(costs[1].level == Level::Warning && evidence(costs[1], "no stable state balances from") > 0.0, "{:?}", costs[1]);
+}
+
+params! {
+    /// Parameters of a [`Slow`].
+    pub struct SlowParams in SlowFamily {
+        stiffness: scalar, "N/m", Bounds::positive(1e12), required, "stiffness k of the spring behind the dashpot";
+        time: scalar, "s", Bounds::positive(1e6), required, "relaxation time T";
+    }
+}
+
+/// A spring behind a dashpot in fixed axes, written as a nonlinear part: `F = k (x - z)`, `z' = (x - z)/T`.
+struct Slow;
+
+impl Part for Slow {
+    const KIND: &'static str = "slow";
+    const DOC: &'static str = "A spring behind a dashpot.";
+    type Family = SlowFamily;
+    const FIELDS: &'static [Field] = &[];
+    fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        None
+    }
+    fn layout(&self) -> Layout {
+        let states = Dof::pair("slow_", DofKind::VectorX, "m", 1e-3);
+        Layout { states, ..Layout::point(Link::Between(Attach::on("disc"), Attach::ground())) }
+    }
+    fn physics(&self) -> Physics {
+        Physics::Nonlinear
+    }
+    fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
+        for i in 0..2 {
+            let away = at.q[i] - at.z[i];
+            out.force[i] += p.stiffness * away;
+            out.rate[i] += away / p.time;
+        }
+    }
+}
+
+/// The internal states of a nonlinear part turn along: `i W z = (x - z)/T`, so that the part acts as `k i W T/(1 + i W T)`.
+#[test]
+fn internal_states_turn_with_the_rotor() {
+    let (m, e, k, own, time, damping) = (2.0, 1e-4, 8e4, 5e4, 4e-3, 30.0);
+    let link = || Link::Between(Attach::on("disc"), Attach::ground());
+    let system = Builder::new("slow")
+        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedFamily::defaults() })
+        .part("air", Damper::fixed(link()), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
+        .part("slow", Slow, SlowParams { stiffness: own, time })
+        .build()
+        .unwrap();
+    let never = AtomicBool::new(false);
+    for w in [60.0, 200.0, 700.0] {
+        let request = Request { range: (w, 1.001 * w), starts: 3, seeds: vec![w], max_points: 100, work: u64::MAX };
+        let mut search = Search::new(&system, &request, &never);
+        let found = search.run(|_| true).unwrap();
+        let states = found.states(&mut search, w);
+        assert_eq!(states.len(), 1);
+        let turning = c(0.0, w * time);
+        let at = c(m * e * w * w, 0.0) / (c(k - m * w * w, damping * w) + turning.scale(own) / (c(1.0, 0.0) + turning));
+        let z = at / (c(1.0, 0.0) + turning);
+        let x = &states[0].x;
+        for (own, closed) in [(c(x[0], x[1]), at), (c(x[2], x[3]), z)] {
+            assert!((own - closed).abs() < 1e-12 * at.abs(), "{w}: {own:?} {closed:?}");
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
-use super::part::{At, Correction, Domain, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
+use super::part::{At, Correction, Domain, Energy, Layout, Observed, Outline, Part, Physics, Rows, Uses, Validity};
 use super::system::Axis;
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
@@ -36,6 +36,7 @@ macro_rules! erased {
             fn warnings(&self, p: &[f64]) -> Vec<String>;
             fn domain(&self, p: &[f64], speed: f64) -> Domain;
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
+            fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
@@ -96,6 +97,9 @@ macro_rules! erased {
             }
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
                 Part::correction(self, &T::Family::from_slice(p), at)
+            }
+            fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline> {
+                Part::outlines(self, &T::Family::from_slice(p), at)
             }
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>) {

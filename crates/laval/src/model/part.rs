@@ -284,6 +284,21 @@ pub struct Correction {
     pub capacity: f64,
 }
 
+/// A circle by which a part with movable masses is drawn: a track, a ball.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// Short name, for instance `ball 1`.
+    pub name: String,
+    /// Displacement of what carries it, in fixed axes, m: small, drawn enlarged.
+    pub displacement: [f64; 2],
+    /// Where its centre lies from there, in fixed axes, m: drawn to scale.
+    pub place: [f64; 2],
+    /// Radius, m.
+    pub radius: f64,
+    /// A mass that moves, not what it moves in.
+    pub movable: bool,
+}
+
 /// The physics of one kind of piece.
 ///
 /// A part adds its share to the residual of the machine, written once over [`Scalar`]; see [`Physics`] for the three forms. It is affine in
@@ -366,6 +381,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Of a part that balances by itself.
     fn correction(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Option<Correction> {
         None
+    }
+    /// What a part with movable masses looks like, seen along the axis.
+    fn outlines(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Vec<Outline> {
+        Vec::new()
     }
     /// Relations between parameters that bounds cannot say (a free surface inside its cavity). Says what is wrong and which parameter.
     fn check(&self, _p: &Params<Self, f64>) -> Vec<(&'static str, String)> {

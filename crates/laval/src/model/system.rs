@@ -4,7 +4,7 @@ use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate};
 use super::field::{Attach, Extra};
 use super::params::ParamSlot;
-use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Physics, PortKind, Rows, Uses, Validity};
+use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use laval_num::scalar::Scalar;
 use std::ops::Range;
@@ -484,6 +484,10 @@ impl System {
     /// What the parts that balance by themselves do at a point, as (part, correction).
     pub fn corrections(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Correction)> {
         self.each(at, ws, |slot, l, out| out.extend(slot.part.correction(&self.params[slot.params.clone()], l)))
+    }
+    /// What the parts with movable masses look like at a point, as (part, circle).
+    pub fn outlines(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Outline)> {
+        self.each(at, ws, |slot, l, out| out.extend(slot.part.outlines(&self.params[slot.params.clone()], l)))
     }
     fn each<T>(&self, at: &At<f64>, ws: &mut Workspace<f64>, f: impl Fn(&Slot, &At<f64>, &mut Vec<T>)) -> Vec<(usize, T)> {
         let mut out = Vec::new();

@@ -30,11 +30,13 @@
 //! # Ok(()) }
 //! ```
 
+mod animation;
 mod figure;
 mod finding;
 mod number;
 mod table;
 
+pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text};
 pub use finding::{Evidence, Finding, Level};
 pub use number::{quantity, significant, unit_text};
@@ -61,6 +63,8 @@ pub struct Outcome {
     pub tables: Vec<Table>,
     /// The pictures, drawn from `tables`.
     pub figures: Vec<Figure>,
+    /// Motions to be played.
+    pub animations: Vec<Animation>,
     /// Folds, bifurcations, crossings.
     pub special_points: Vec<SpecialPoint>,
     /// Work counters (steps, factorisations, residual calls): name to count, in order of name.
@@ -87,6 +91,7 @@ impl Outcome {
             findings: Vec::new(),
             tables: Vec::new(),
             figures: Vec::new(),
+            animations: Vec::new(),
             special_points: Vec::new(),
             work: BTreeMap::new(),
         }
@@ -121,6 +126,12 @@ impl Outcome {
         self.figures.push(figure);
         self
     }
+    /// Adds a motion to be played.
+    #[must_use]
+    pub fn animation(mut self, animation: Animation) -> Self {
+        self.animations.push(animation);
+        self
+    }
 
     /// Adds a special point.
     pub fn special_point(mut self, point: SpecialPoint) -> Self {
@@ -151,6 +162,7 @@ impl Outcome {
         for figure in &self.figures {
             figure.check(&self.tables)?;
         }
+        self.animations.iter().try_for_each(|a| a.check(&self.tables))?;
         Ok(self)
     }
 

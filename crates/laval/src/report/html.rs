@@ -1,6 +1,7 @@
 //! The report as one page that opens offline: findings first, then each study with figures and tables, then the input.
 
 use super::Report;
+use super::animation::animation;
 use super::embed::{base64, sha256};
 use super::payload::{column_for, payload};
 use super::scene::Scene;
@@ -13,7 +14,7 @@ use crate::outcome::{
 use std::fmt::Write;
 
 const CSS: &str = include_str!("assets/report.css");
-const JS: &str = include_str!("assets/report.js");
+const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
 /// Relative width of a bracket above which it says where a located point was looked for, not how well it is known.
@@ -64,7 +65,7 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
     summary(&mut s, report);
     for (i, (o, scenes)) in report.outcomes.iter().zip(&scenes).enumerate() {
-        study(&mut s, o, scenes, i, column, links.then_some(&names));
+        study(&mut s, o, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
     if let Some(input) = &report.input {
         let name = if p.input_name.is_empty() { "Input file".into() } else { format!("Input file {}", escape(&p.input_name)) };
@@ -176,7 +177,7 @@ fn evidence(s: &mut String, label: &str, list: &[Evidence]) {
     s.push_str("</dl></details>");
 }
 
-fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) {
+fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
     let kind = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.kind.replace('_', " "))) };
     let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{kind}</h2>", escape(&o.name));
     let (class, sign) = if o.end.is_complete() { ("end", "") } else { ("end stopped", "! ") };
@@ -209,6 +210,9 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
             s.push_str("<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n");
         }
     }
+    for (k, a) in o.animations.iter().enumerate() {
+        s.push_str(&animation(a, &o.tables, &format!("a{i}-{k}"))?);
+    }
     if !o.special_points.is_empty() {
         special(s, o);
     }
@@ -226,6 +230,7 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
         s.push_str("</dl></details>\n");
     }
     s.push_str("</section>\n");
+    Ok(())
 }
 
 /// How far the ends of a point's bracket lie apart; nothing where the point's own equations were solved and the bracket is merely where it was

@@ -21,6 +21,7 @@
 //! # Ok(()) }
 //! ```
 
+mod animation;
 mod colour;
 mod csv;
 mod embed;

@@ -1,12 +1,15 @@
 //! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
 
 use super::history::{Columns, sound};
+use super::play;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity};
 use crate::solve::motion::Motion;
 use crate::solve::motion::flight::Flight;
+use crate::solve::pencil::modes_about;
+use crate::solve::rest::rest;
 use crate::solve::unbalance::{Unbalance, unbalance};
 
 /// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
@@ -45,7 +48,7 @@ pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome)
         return Ok(outcome);
     }
     let Some(series) = series(motion, flight) else { return Ok(outcome) };
-    for finding in findings(&series, flight) {
+    for finding in findings(&series, flight).into_iter().chain(caught(motion, flight)) {
         outcome = outcome.finding(finding);
     }
     let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
@@ -74,7 +77,44 @@ pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome)
         Some(figure) => outcome.figure(figure),
         None => outcome,
     };
-    sound(outcome.checked())
+    sound(play::report(motion, flight, outcome)?.checked())
+}
+
+/// Share of the flight at its end over which rates are averaged.
+const LATE: usize = 5;
+/// Mean rate in the rotor over its speed from which masses do not follow it.
+const SLIPS: f64 = 0.01;
+/// Distance of their rate from a natural frequency, over it, at which that holds them.
+const HELD: f64 = 0.1;
+
+/// That masses do not follow the rotor at the end, and the resonance that holds them.
+fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
+    let system = motion.system();
+    let (dim, count) = (flight.state.len().max(1), flight.times.len());
+    let from = count.checked_sub(1 + count / LATE)?;
+    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let (begin, end) = (state(from), state(count - 1));
+    let span = flight.times[count - 1] - flight.times[from];
+    let speed = (motion.spin(flight.times[count - 1], end).phase - motion.spin(flight.times[from], begin).phase) / span;
+    let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+    let slips: Vec<f64> = inside.map(|(i, _)| (end[i] - begin[i]) / span).filter(|s| s.abs() > SLIPS * speed.abs()).collect();
+    let most = slips.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).filter(|s| s.is_finite())?;
+    let rate = speed + most;
+    let own = rest(system, speed).ok().and_then(|at| modes_about(system, &at, false).ok());
+    let near =
+        own.iter().flat_map(|s| &s.modes).map(|m| m.frequency()).min_by(|a, b| (a - rate.abs()).abs().total_cmp(&(b - rate.abs()).abs()));
+    let near = near.filter(|f| *f > 0.0 && (f - rate.abs()).abs() <= HELD * f);
+    let held = near.map_or(String::new(), |f| format!(", caught at the natural frequency of {}", quantity(f, "rad/s")));
+    let text = format!(
+        "{} of the masses do not follow the rotor: at the end they go round at {{}} on average, the rotor at {}{held}.",
+        slips.len(),
+        quantity(speed, "rad/s")
+    );
+    Some(Finding::warning("masses_caught", text).value(rate, "rad/s").evidence("mean slip", most, "rad/s").evidence(
+        "averaged over",
+        span,
+        "s",
+    ))
 }
 
 /// Unwrapped angles of what moves in the rotor, against time.

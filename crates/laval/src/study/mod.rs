@@ -21,6 +21,7 @@ pub mod nonlinear_response;
 pub mod operating_window;
 pub mod optimum;
 mod passages;
+mod play;
 mod region;
 pub mod response_map;
 pub mod run_up;

@@ -41,7 +41,7 @@ mod tilt;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Correction, Dof, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Validity};
+use crate::model::part::{At, Correction, Dof, Energy, Layout, Link, Observed, Outline, Params, Part, Physics, Rows, Validity};
 use crate::model::system::Axis;
 use crate::params;
 use crate::units::format_si;
@@ -76,6 +76,8 @@ params! {
     }
 }
 
+/// Radius over that of its track by which a ball without size is drawn.
+const DRAWN: f64 = 0.06;
 /// Most tracks and balls of one balancer.
 const MOST: usize = 64;
 
@@ -449,6 +451,31 @@ impl Part for BallBalancer {
     fn correction(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<Correction> {
         let m = self.moment(p, at);
         Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p) })
+    }
+
+    fn outlines(&self, p: &Params<Self, f64>, at: &At<f64>) -> Vec<Outline> {
+        let flat = |z: Complex<f64>| [z.re, z.im];
+        let turn = Complex::cis(at.phase);
+        let centre = turn * Self::centre(p);
+        let displacement = [at.q[0] + centre.re, at.q[1] + centre.im];
+        let mut out = Vec::new();
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            out.push(Outline { name: format!("track {}", k + 1), displacement, place: [0.0; 2], radius: ring.radius, movable: false });
+            for i in track.balls.clone() {
+                let (s, co) = at.q[self.row(i)].sin_cos();
+                let u = turn * Complex::cis(ring.line) * Complex { re: co, im: ring.cos * s };
+                let radius = if p.ball_radius > 0.0 { p.ball_radius } else { DRAWN * ring.radius };
+                out.push(Outline {
+                    name: format!("ball {}", i + 1),
+                    displacement,
+                    place: flat(u.scale(ring.radius)),
+                    radius,
+                    movable: true,
+                });
+            }
+        }
+        out
     }
 
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {

@@ -1,0 +1,98 @@
+// Plays the motion of rotor, tracks and balls: frames are in axes that turn with the rotor, the spin angle turns them.
+(() => {
+class Player {
+  constructor(box) {
+    this.data = JSON.parse(box.querySelector("script").textContent);
+    this.controls = box.querySelector(".controls");
+    this.button = this.controls.querySelector("button");
+    this.slider = this.controls.querySelector("input");
+    [this.axes, this.pace] = this.controls.querySelectorAll("select");
+    this.output = this.controls.querySelector("output");
+    this.circles = [...box.querySelectorAll("circle")];
+    this.keys = this.circles.map(c => c.classList.contains("centre") ? c.previousElementSibling : null);
+    this.at = this.last();
+    this.controls.hidden = false;
+    this.button.addEventListener("click", () => this.running ? this.stop() : this.play());
+    this.slider.addEventListener("input", () => { this.at = this.first() + this.slider.value / 1000 * this.length(); this.draw(); });
+    this.axes.addEventListener("change", () => { this.pace.value = this.axes.value === "0" ? "1" : "0"; this.draw(); });
+    this.draw();
+  }
+
+  first() { return this.data.t[0]; }
+  last() { return this.data.t[this.data.t.length - 1]; }
+  length() { return Math.max(this.last() - this.first(), 1e-300); }
+
+  // Frame before a time, and how far it is to the next.
+  place(t) {
+    const ts = this.data.t;
+    let lo = 0, hi = ts.length - 1;
+    while (hi - lo > 1) { const mid = (lo + hi) >> 1; if (ts[mid] <= t) lo = mid; else hi = mid; }
+    const span = ts[hi] - ts[lo];
+    return [lo, hi, span > 0 ? Math.min(1, Math.max(0, (t - ts[lo]) / span)) : 0];
+  }
+
+  draw() {
+    const [a, b, w] = this.place(this.at), mix = v => (1 - w) * v[a] + w * v[b];
+    const phase = mix(this.data.p), turn = this.axes.value === "0" ? phase : 0;
+    const c = Math.cos(turn), s = Math.sin(turn);
+    this.circles.forEach((e, k) => {
+      const x = mix(this.data.c[k].x), y = mix(this.data.c[k].y);
+      const px = c * x - s * y, py = s * x + c * y;
+      e.setAttribute("cx", px.toFixed(2));
+      e.setAttribute("cy", (-py).toFixed(2));
+      if (this.keys[k]) this.keys[k].setAttribute("d", `M${px.toFixed(2)} ${(-py).toFixed(2)}l${(30 * c).toFixed(2)} ${(-30 * s).toFixed(2)}`);
+    });
+    this.slider.value = Math.round(1000 * (this.at - this.first()) / this.length());
+    const rate = a === b ? 0 : (this.data.p[b] - this.data.p[a]) / (this.data.t[b] - this.data.t[a]);
+    this.output.textContent = `${this.at.toPrecision(4)} s, ${rate.toPrecision(4)} rad/s`;
+  }
+
+  // Seconds of the motion in a second of the clock.
+  rate() {
+    if (this.pace.value === "0") return this.length() / 20;
+    const turns = Math.abs(this.data.p[this.data.p.length - 1] - this.data.p[0]) / (2 * Math.PI);
+    return this.length() / Math.max(turns, 1);
+  }
+
+  play() {
+    if (this.at >= this.last()) this.at = this.first();
+    this.running = true;
+    this.button.textContent = "Pause";
+    let before = performance.now();
+    const next = now => {
+      if (!this.running) return;
+      this.at = Math.min(this.last(), this.at + (now - before) / 1000 * this.rate());
+      before = now;
+      this.draw();
+      if (this.at >= this.last()) this.stop(); else requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
+  }
+
+  stop() {
+    this.running = false;
+    this.button.textContent = "Play";
+  }
+
+  // Runs through slider, axes and play; whether all that moves was drawn.
+  exercise() {
+    const places = () => this.circles.map(c => c.getAttribute("cx") + " " + c.getAttribute("cy")).join();
+    const seen = new Set();
+    for (const axes of ["1", "0"]) for (const at of [0, 400, 1000]) {
+      this.axes.value = axes;
+      this.slider.value = at;
+      this.slider.dispatchEvent(new Event("input"));
+      seen.add(places());
+    }
+    this.axes.value = "1";
+    this.axes.dispatchEvent(new Event("change"));
+    this.play();
+    this.stop();
+    return seen.size > 3 && ![...seen].some(p => /NaN|undefined/.test(p));
+  }
+}
+addEventListener("DOMContentLoaded", () => {
+  const players = [...document.querySelectorAll("figure.play")].map(box => new Player(box));
+  if (location.hash === "#selfcheck") document.documentElement.dataset.played = players.filter(p => p.exercise()).length;
+});
+})();
