@@ -12,11 +12,13 @@ use rayon::prelude::*;
 fn bands_of_a_liquid_with_two_harmonics() {
     let table = rows(include_str!("../reference/spatial/band_edges_S1i_full.csv"));
     assert_eq!(table.len(), 12);
-    let wrong: Vec<String> = table
+    // a foundation of 250 kg at every fill
+    let chosen: Vec<_> = table.iter().enumerate().filter(|(k, _)| [1, 4, 7, 10].contains(k)).map(|(_, r)| r).collect();
+    let wrong: Vec<String> = chosen
         .par_iter()
         .flat_map(|r| {
             // the name of the model holds a comma
-            let r: Vec<&str> = r.iter().copied().collect();
+            let r: Vec<&str> = r.to_vec();
             let at = r.iter().position(|x| x.parse::<f64>().is_ok()).unwrap();
             let r = &r[at..];
             let text = truncated(&filled(&isotropic(FILE), number(r[0])), 3);

@@ -2,45 +2,10 @@
 
 use super::viscous::one_coordinate;
 use super::{at, build, changed};
-use crate::common::Planar;
 use laval::solve::harmonic::determinant::exponents;
-use laval::solve::harmonic::floquet::Method;
 use laval::solve::harmonic::response::{Request, respond};
 use laval::solve::roots;
 use std::sync::atomic::AtomicBool;
-
-/// A liquid that has a form in time, judged both ways: orbits that are no circles, stable and unstable.
-#[test]
-fn the_map_over_the_period_agrees() {
-    let never = AtomicBool::new(false);
-    let mut worst = 0.0f64;
-    let (mut compared, mut unstable) = (0, 0);
-    for (fill, range) in [(0.667, (2200.0, 2500.0))] {
-        let system = Planar { fill, delta: 3.0, ..Planar::default() }.build();
-        let found = respond(&system, &Request { harmonics: Some(9), ..Request::over(range.0, range.1) }, &never, &|_| {}).unwrap();
-        for branch in &found.branches {
-            for state in branch.points.iter().step_by(branch.points.len() / 4 + 1) {
-                let first = state.exponents.as_ref().unwrap();
-                let second = exponents(&system, branch.discretisation, &state.x, state.speed, &[]).unwrap();
-                let room = 1e-8 * state.speed;
-                assert_eq!(second.method, Method::Determinant);
-                let growing = |e: &laval::solve::harmonic::floquet::Exponents| e.values.iter().filter(|z| z.re > 1e-3).count();
-                assert_eq!(growing(first), growing(&second), "{} rad/s: {first:?} {second:?}", state.speed);
-                // of those that decay some are known
-                assert!(growing(first) == 0 || (first.growth() - second.growth()).abs() < room, "{first:?} {second:?}");
-                for z in &second.values {
-                    let off = first.values.iter().map(|f| (f.re - z.re).abs()).fold(f64::INFINITY, f64::min);
-                    worst = worst.max(off / state.speed);
-                    assert!(off < room, "{} rad/s: {z:?} is not among {:?}", state.speed, first.values);
-                }
-                compared += second.values.len();
-                unstable += growing(&second);
-            }
-        }
-    }
-    println!("{compared} exponents, {unstable} of them growing; largest difference over the speed {worst:.1e}");
-    assert!(compared > 15 && unstable > 0);
-}
 
 /// With a bearing that is not nonlinear after all the exponents are the roots of the characteristic function, up to multiples of the speed.
 #[test]
