@@ -150,6 +150,38 @@ impl Images {
         least
     }
 
+    /// All images of a state and its rates but for whole turns, the state itself first; `None` where there are more than `most`.
+    pub fn all(&self, q: &[f64], v: &[f64], most: usize) -> Option<Vec<(Vec<f64>, Vec<f64>)>> {
+        let mut out = vec![(q.to_vec(), v.to_vec())];
+        for (ring, balls) in &self.flips {
+            let over = |(q, v): &(Vec<f64>, Vec<f64>)| {
+                let (mut q, mut v) = (q.clone(), v.clone());
+                turn_over(&mut q, *ring, balls);
+                balls.iter().for_each(|&j| v[j] = -v[j]);
+                (q, v)
+            };
+            let more: Vec<_> = out.iter().map(over).collect();
+            out.extend(more);
+        }
+        for group in &self.groups {
+            let mut orders: Vec<Vec<usize>> = vec![vec![]];
+            for &i in group {
+                let with = |o: &Vec<usize>| (0..=o.len()).map(|k| [&o[..k], &[i], &o[k..]].concat()).collect::<Vec<_>>();
+                orders = orders.iter().flat_map(with).collect();
+                if orders.len() * out.len() > most {
+                    return None;
+                }
+            }
+            let reordered = |(q, v): &(Vec<f64>, Vec<f64>), order: &[usize]| {
+                let (mut p, mut w) = (q.clone(), v.clone());
+                group.iter().zip(order).for_each(|(&i, &j)| (p[i], w[i]) = (q[j], v[j]));
+                (p, w)
+            };
+            out = orders.iter().rev().flat_map(|o| out.iter().map(|x| reordered(x, o)).collect::<Vec<_>>()).collect();
+        }
+        Some(out)
+    }
+
     /// The same without rings turned over.
     fn apart(&self, a: &[f64], b: &[f64], scale: &[f64]) -> f64 {
         let mut worst = 0.0f64;
@@ -181,4 +213,31 @@ fn turn_over(x: &mut [f64], ring: usize, balls: &[usize]) {
 
 fn size(x: &[f64]) -> f64 {
     x.iter().map(|x| x.abs()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two equal balls on a ring that may be turned over: four images, each once, at no distance from each other.
+    #[test]
+    fn all_images_are_the_same_state() {
+        let images = Images { angles: vec![2, 3, 4], groups: vec![vec![2, 3], vec![4]], flips: vec![(4, vec![2, 3])] };
+        let (q, v) = (vec![0.1, -0.2, 0.5, 1.9, 0.3], vec![1.0, 2.0, 3.0, 4.0, 5.0]);
+        let all = images.all(&q, &v, 10).unwrap_or_default();
+        assert_eq!((all.len(), &all[0]), (4, &(q.clone(), v.clone())));
+        let scale = [1.0; 5];
+        for (i, (p, w)) in all.iter().enumerate() {
+            assert!(images.distance(p, &q, &scale) < 1e-12, "{p:?}");
+            assert!(all[..i].iter().all(|o| o.0 != *p), "{p:?}");
+            // each rate stays with its mass, turned round with its ring
+            let sign = if p[4] == q[4] { 1.0 } else { -1.0 };
+            for k in [2, 3] {
+                let own = [2, 3].into_iter().find(|&j| p[k] == sign * q[j]);
+                assert_eq!(own.map(|j| sign * v[j]), Some(w[k]), "{p:?} {w:?}");
+            }
+            assert_eq!(w[4], 5.0);
+        }
+        assert_eq!(images.all(&q, &v, 3), None);
+    }
 }

@@ -1,25 +1,25 @@
 //! The two initial values that are varied.
 
 use super::super::start::{self, Entry, state_names};
+use super::super::support::range;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{RangeValue, Values};
 use crate::model::system::System;
 
 /// Points along an axis that says none.
 pub(super) const DEFAULT_POINTS: usize = 50;
-/// Most points along an axis, and on the whole grid.
+/// Most points along an axis.
 pub(super) const MOST_POINTS: f64 = 10_000.0;
-const MOST_CELLS: usize = 250_000;
 
-/// One initial value, from end to end.
+/// One initial value, or the duration of the run-up, from end to end.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Axis {
     /// Name of the state.
     pub name: String,
     /// Its SI unit.
     pub unit: String,
-    /// Its place in the state (q, v, z).
-    pub index: usize,
+    /// Its place in the state (q, v, z); none of the run-up.
+    pub index: Option<usize>,
     range: RangeValue,
 }
 
@@ -32,22 +32,33 @@ impl Axis {
     pub fn step(&self) -> f64 {
         (self.range.to - self.range.from) / (self.range.points.unwrap_or(DEFAULT_POINTS).max(2) - 1) as f64
     }
+    /// What its values are.
+    pub fn meaning(&self) -> String {
+        if self.index.is_some() { format!("initial value of {}", self.name) } else { "duration of the run-up".into() }
+    }
     /// A value lies between its ends.
     pub fn holds(&self, x: f64) -> bool {
         self.range.from <= x && x <= self.range.to
     }
 }
 
-/// Reads `from`, `to` and `points`; says all that is wrong.
-pub(super) fn read(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<[Axis; 2]> {
+/// Reads `from`, `to` and `points`, of which there may be so many cells; says all that is wrong.
+pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &mut Diagnostics) -> Option<[Axis; 2]> {
     let before = diagnostics.0.len();
+    let run_up = values.range("run_up").and_then(|r| range("run_up", r, 2, values, diagnostics));
+    let wanted = if values.get("run_up").is_some() { 1 } else { 2 };
     let mut ends = ["from", "to"].map(|field| {
         let mut found: Vec<(usize, f64)> =
             start::state_map(values, field, system, diagnostics).into_iter().map(|(e, x): (Entry, f64)| (e.index(system), x)).collect();
         let given = values.state_map(field).map_or(0, <[_]>::len);
-        if given != 2 {
-            let message = format!("{field} must name two initial values; it names {given}");
-            let help = format!("write {field} = {{ \"drum.x\" = \"1 mm\", \"drum.y\" = \"1 mm\" }}");
+        if given != wanted {
+            let number = if wanted == 1 { "one initial value beside the run-up" } else { "two initial values" };
+            let message = format!("{field} must name {number}; it names {given}");
+            let help = if wanted == 1 {
+                format!("write {field} = {{ \"ring.ball_1\" = \"1 rad\" }}")
+            } else {
+                format!("write {field} = {{ \"drum.x\" = \"1 mm\", \"drum.y\" = \"1 mm\" }}")
+            };
             diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of(field)).help(help));
         }
         found.sort_by_key(|f| f.0);
@@ -61,7 +72,7 @@ pub(super) fn read(values: &Values, system: &System, diagnostics: &mut Diagnosti
     if !from.iter().map(|f| f.0).eq(to.iter().map(|t| t.0)) {
         let list = |ends: &[(usize, f64)]| ends.iter().map(|e| format!("\"{}\"", names[e.0].0)).collect::<Vec<_>>().join(" and ");
         let message = format!("to names {}, but from names {}", list(&to), list(&from));
-        diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of("to")).help("both name the same two"));
+        diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of("to")).help("both name the same"));
         return None;
     }
     let points = points(values, &from.iter().map(|f| names[f.0].0.as_str()).collect::<Vec<_>>(), diagnostics);
@@ -72,12 +83,17 @@ pub(super) fn read(values: &Values, system: &System, diagnostics: &mut Diagnosti
             let message = format!("\"{name}\" must go from a lower to a higher value");
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help("exchange from and to"));
         }
-        axes.push(Axis { name, unit, index, range: RangeValue { from, to, points: Some(points[k]) } });
+        axes.push(Axis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
     }
-    let cells = points[0].saturating_mul(points[1]);
-    if cells > MOST_CELLS {
+    if let Some(run_up) = run_up {
+        let count = run_up.points.unwrap_or(points[1]);
+        axes.push(Axis { name: "run-up".into(), unit: "s".into(), index: None, range: RangeValue { points: Some(count), ..run_up } });
+    }
+    let points: Vec<usize> = axes.iter().filter_map(|a| a.range.points).collect();
+    let cells = points.iter().fold(1usize, |n, p| n.saturating_mul(*p));
+    if cells > most {
         let message = format!("a grid of {} by {} points is too large", points[0], points[1]);
-        let help = format!("at most {MOST_CELLS} points in all");
+        let help = format!("at most {most} points in all");
         diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("points")).help(help));
     }
     if diagnostics.0.len() > before { None } else { axes.try_into().ok() }

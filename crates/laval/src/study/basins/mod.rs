@@ -5,12 +5,15 @@
 //!
 //! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats; y state (q, v, z) at phase zero; p share of the cells.
 //!
+//! Machines with movable masses that have states at rest in turning axes: see `masses`.
+//!
 //! Validity: constant speed; machines whose spin is prescribed. The grid is a plane through the space of states: a basin that does not meet it is not seen.
 //!
 //! Sources: `theory/nonlinear-response.md` sections 8 and 9.
 
 mod attractors;
 mod axes;
+mod masses;
 mod report;
 mod rows;
 
@@ -22,9 +25,9 @@ use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::system::{Body, Drive, System};
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use axes::{Axis, MOST_POINTS};
@@ -35,6 +38,17 @@ use std::sync::Arc;
 /// Most forcing periods of settling where the file says nothing: a grid has many motions.
 const MOST_PERIODS: i64 = 10_000;
 
+/// Most cells of a map.
+const MOST_CELLS: usize = 250_000;
+
+const RECOGNISE: &[Word] = &[
+    (
+        "early",
+        "on large maps a motion ends as soon as it is known where it goes: it came half as near to an attractor as any motion followed beforehand that went elsewhere",
+    ),
+    ("never", "every motion is followed to its end"),
+];
+
 /// See the [module](self).
 pub struct Basins {
     /// Spin speed, rad/s.
@@ -43,13 +57,18 @@ pub struct Basins {
     axes: [Axis; 2],
     rules: Rules,
     initial: Vec<(Entry, f64)>,
+    /// Motions of movable masses may be told before their end.
+    recognise: bool,
+    /// The file says how exact steps are.
+    exact: bool,
 }
 
 impl Study for Basins {
     const KIND: &'static str = "basins";
     const DOC: &'static str = "Basins of attraction at one speed: which motion the machine settles on from every pair of two initial values on a grid, \
         how many motions there are, which share of the grid leads to each, and the smallest disturbance that leads to another. \
-        nonlinear_response finds all periodic motions; basins show which of them a disturbance reaches.";
+        nonlinear_response finds all periodic motions; basins show which of them a disturbance reaches. For a machine with movable masses they show from which \
+        places the balls of a balancer reach the balanced state, and from which they stay elsewhere or go round for ever.";
     const FIELDS: &'static [Field] = &[
         Field::optional("speed", SPEED, "", "spin speed, above zero; the machine's when left out"),
         Field::required(
@@ -65,6 +84,12 @@ impl Study for Basins {
             "50",
             "whole numbers of points from end to end, as 100 or { \"drum.x\" = 100, \"drum.x'\" = 80 }",
         ),
+        Field::optional(
+            "run_up",
+            FieldKind::Range { unit: "s", bounds: Bounds::positive(1e6) },
+            "",
+            "machines with movable masses: durations of a run-up from standstill at constant acceleration, along y; from and to then name one initial value",
+        ),
         INITIAL,
         METHOD,
         fields::SETTLING,
@@ -73,6 +98,12 @@ impl Study for Basins {
         fields::PERIODS,
         fields::RELATIVE,
         fields::ABSOLUTE,
+        Field::optional(
+            "recognise",
+            FieldKind::Choice(RECOGNISE),
+            "early",
+            "machines with movable masses, such as the balls of a balancer: whether motions may be told before their end",
+        ),
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -87,12 +118,31 @@ impl Study for Basins {
         if system.bodies().is_empty() {
             diagnostics.push(Diagnostic::error("basins.no_body", "no body of this machine moves across the axis"));
         }
-        let axes = axes::read(values, system, diagnostics);
+        let movable = speed.is_some_and(|w| w >= SLOWEST && masses::has(system, w));
+        let axes = axes::read(values, system, if movable { masses::MOST_CELLS } else { MOST_CELLS }, diagnostics);
         let initial = start::state_map(values, "initial", system, diagnostics);
+        if let Some(w) = speed
+            && !movable
+            && values.get("run_up").is_some()
+        {
+            let message = format!(
+                "a run-up makes no difference at {}: this machine has no masses that move round in axes that turn with it",
+                quantity(w, "rad/s")
+            );
+            diagnostics.push(Diagnostic::error("basins.run_up", message).at(values.span_of("run_up")).help("leave run_up out"));
+        }
         if diagnostics.0.len() > before {
             return None;
         }
-        Some(Basins { speed: speed?, axes: axes?, rules: Rules::read(values, MOST_PERIODS, None)?, initial })
+        let exact = values.number("relative_tolerance").is_some();
+        Some(Basins {
+            speed: speed?,
+            axes: axes?,
+            rules: Rules::read(values, MOST_PERIODS, None)?,
+            initial,
+            recognise: values.choice("recognise") != Some("never"),
+            exact,
+        })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
@@ -105,6 +155,9 @@ impl Study for Basins {
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
+        if masses::has(system, self.speed) {
+            return masses::run(self, system, context);
+        }
         let own = system.with(&[]).map_err(Diagnostics::into_error)?;
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
@@ -163,8 +216,11 @@ impl Fleet<'_> {
         if let Some(cell) = row.checked_sub(1) {
             let width = self.values[0].len();
             let [x, v] = &self.study.axes;
-            y[x.index] = self.values[0][cell % width];
-            y[v.index] = self.values[1][cell / width];
+            for (axis, value) in [(x, self.values[0][cell % width]), (v, self.values[1][cell / width])] {
+                if let Some(i) = axis.index {
+                    y[i] = value;
+                }
+            }
         }
         y
     }
@@ -187,7 +243,7 @@ impl Fleet<'_> {
         };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
-        let place = |y: &[f64]| self.study.axes.each_ref().map(|a| y[a.index]);
+        let place = |y: &[f64]| self.study.axes.each_ref().map(|a| a.index.map_or(f64::NAN, |i| y[i]));
         let list = members.iter().zip(settled).map(|(m, settled)| rows::Row { place: place(&m.y), settled }).collect();
         // a motion that the budget cut short is none
         (!self.budget.used_up()).then_some(list)

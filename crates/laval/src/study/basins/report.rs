@@ -178,7 +178,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
 }
 
 /// Share and its sampling error.
-fn share(count: usize, of: usize) -> (f64, f64) {
+pub(super) fn share(count: usize, of: usize) -> (f64, f64) {
     let n = of as f64;
     let p = count as f64 / n;
     (p, (p * (1.0 - p) / n).sqrt())
@@ -200,7 +200,7 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
         return outcome.finding(Finding::info("undisturbed", from + "."));
     }
     let all = sizes(&map.fleet.system, map.fleet.study.speed);
-    let scale = axes.each_ref().map(|a| all[a.index]);
+    let scale = axes.each_ref().map(|a| a.index.map_or(1.0, |i| all[i]));
     let distance = |row: usize| ((map.place[row][0] - start[0]) / scale[0]).hypot((map.place[row][1] - start[1]) / scale[1]);
     let other =
         map.cells().filter(|&r| map.found.of[r].is_some() && !at_home(r)).map(|r| (distance(r), r)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -266,7 +266,7 @@ fn undecided(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outco
     Ok(outcome)
 }
 
-fn upper(text: &str) -> String {
+pub(super) fn upper(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
 }

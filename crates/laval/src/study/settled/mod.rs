@@ -430,7 +430,7 @@ impl Settling<'_> {
 }
 
 /// Why a motion could not be followed.
-fn words(end: LegEnd) -> &'static str {
+pub(super) fn words(end: LegEnd) -> &'static str {
     match end {
         LegEnd::StepTooSmall(laval_num::ode::Cause::NotFinite) => "leaves the range of numbers",
         LegEnd::StepTooSmall(_) => "needs steps below the resolution of time",

@@ -11,7 +11,7 @@
 //! Sources: `theory/ball-balancer.md` sections 5 to 8; K. Green, A. R. Champneys, N. J. Lieven, J. Sound Vib. 291 (2006) 861.
 
 mod chart;
-mod classify;
+pub(super) mod classify;
 mod continua;
 mod errors;
 mod figures;
@@ -26,6 +26,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
+use crate::solve::stationary::images::Images;
 use crate::solve::stationary::{Found, Progress, Request, Search, Stability, State};
 use crate::solve::symmetry::probed_speeds;
 use crate::solve::turning::isotropic;
@@ -57,6 +58,8 @@ pub(super) struct Varied {
 const POINTS: usize = 21;
 /// Share of the highest speed below which the machine stands still and nothing holds the masses.
 const STANDSTILL: f64 = 1e-4;
+/// Most points of a branch where the study says nothing else.
+const MOST_POINTS: usize = 2000;
 /// Most cells of a chart.
 const MOST_CELLS: usize = 100_000;
 
@@ -317,7 +320,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    fn stable(&self) -> bool {
+    pub(super) fn stable(&self) -> bool {
         self.stability.growing == 0
     }
 }
@@ -340,4 +343,14 @@ fn listed(system: &System, search: &mut Search, found: &Found, speed: f64) -> Re
 fn alone(request: &Request, speed: f64) -> Request {
     let width = 1e-3 * speed.abs().max(1e-3);
     Request { range: (speed - width, speed + width), seeds: vec![speed], ..request.clone() }
+}
+
+/// The states at one speed that so many starts lead to, and what counts as the same state.
+pub(super) fn states_at(system: &System, speed: f64, starts: usize, context: &Context) -> Result<(Vec<Row>, Images), Diagnostic> {
+    let whole = Request { range: (speed, speed), starts, seeds: vec![speed], max_points: MOST_POINTS, work: context.work_limit };
+    let request = alone(&whole, speed);
+    let mut search = Search::new(system, &request, context.cancel);
+    let found = search.run(|p: Progress| context.goes_on(p.work))?;
+    let rows = listed(system, &mut search, &found, speed)?;
+    Ok((rows, found.images))
 }
