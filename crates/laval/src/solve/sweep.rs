@@ -57,6 +57,13 @@ pub fn spectrum(system: &System, state: State, speed: f64) -> Result<(Equilibriu
 /// followed.
 const COUNTED: f64 = 0.01;
 
+/// Of a root that is followed: share of the step over which its tangent is taken; how far the tangent may lead, relative to the root; how far from the tangent
+/// the root may end, relative to the tangent and to the root.
+const TANGENT: f64 = 1e-3;
+const FAR: f64 = 0.2;
+const BEND: f64 = 0.3;
+const STILL: f64 = 1e-4;
+
 /// Deepest halving of a step where shapes mix.
 const DEPTH: usize = 7;
 
@@ -225,8 +232,7 @@ pub fn sweep(
     Ok(f.out)
 }
 
-/// The same for a machine with parts that have no time form: a root goes on where Newton's method from its value and slope at the speed before leads. Roots that enter
-/// the region are born.
+/// The same for a machine with parts that have no time form: a root goes on where its tangent and Newton's method lead. Roots that enter the region are born.
 fn follow(
     system: &System,
     state: State,
@@ -246,19 +252,10 @@ fn follow(
             Some((_, s)) => ids.iter().copied().zip(s.modes.iter().cloned()).collect(),
             None => Vec::new(),
         };
-        let mut t = Characteristic::new(system, &about);
         let mut led: Vec<(usize, C64, Option<Sector>)> = Vec::new();
         for (id, mode) in &before {
-            let points = &out.branches[*id].points;
-            // two points of a branch give its direction
-            let ahead = match points.len().checked_sub(2).map(|n| &points[n]) {
-                Some((w, m)) if *w < speeds[k - 1] => {
-                    mode.value + (mode.value - m.value).scale((speed - speeds[k - 1]) / (speeds[k - 1] - w))
-                }
-                _ => mode.value,
-            };
-            let polished = t.polish(ahead, mode.sector).or_else(|| t.polish(mode.value, mode.sector));
-            led.extend(polished.map(|p| (*id, p.value, mode.sector)));
+            let to = lead(system, state, (speeds[k - 1], speed), mode.value, mode.sector, DEPTH)?;
+            led.extend(to.map(|value| (*id, value, mode.sector)));
         }
         let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
         let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
@@ -286,4 +283,37 @@ fn follow(
         out.points.push((speed, found));
     }
     Ok(out)
+}
+
+/// Where a root goes from one speed to the next: where Newton's method leads from its tangent, if that is near; else by way of the speed between, and nowhere
+/// when it is not near at the shortest step: what is found there is another root.
+fn lead(
+    system: &System,
+    state: State,
+    (from, to): (f64, f64),
+    value: C64,
+    sector: Option<Sector>,
+    depth: usize,
+) -> Result<Option<C64>, Diagnostic> {
+    let at = |speed: f64, start: C64| -> Result<Option<C64>, Diagnostic> {
+        let about = state(speed)?;
+        Ok(Characteristic::new(system, &about).polish(start, sector).map(|p| p.value))
+    };
+    if let Some(near) = at(from + TANGENT * (to - from), value)? {
+        let ahead = (near - value).scale(1.0 / TANGENT);
+        if ahead.abs() <= FAR * value.abs()
+            && let Some(there) = at(to, value + ahead)?
+            && (there - value - ahead).abs() <= BEND * ahead.abs() + STILL * value.abs()
+        {
+            return Ok(Some(there));
+        }
+    }
+    if depth == 0 {
+        return Ok(None);
+    }
+    let middle = 0.5 * (from + to);
+    match lead(system, state, (from, middle), value, sector, depth - 1)? {
+        Some(between) => lead(system, state, (middle, to), between, sector, depth - 1),
+        None => Ok(None),
+    }
 }

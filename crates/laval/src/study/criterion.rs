@@ -72,13 +72,15 @@ impl Criterion {
     }
 
     /// What was meant, in words.
-    pub(super) fn finding(self, threshold: f64) -> Finding {
+    pub(super) fn finding(self, system: &System, speed: f64, threshold: f64) -> Finding {
+        let ideal = system.domains(speed).iter().any(|d| d.dense.is_some());
         let text = match self {
-            Criterion::Growth => format!(
+            Criterion::Growth if ideal => format!(
                 "Unstable means: growth above {}. With an ideal liquid and damping outside it the sign of the growth says nothing: slow waves of the liquid always grow, most of them too \
                  slowly to be felt.",
                 quantity(threshold, "1/s")
             ),
+            Criterion::Growth => format!("Unstable means: growth above {}.", quantity(threshold, "1/s")),
             Criterion::Flutter => "Unstable means: two frequencies of the undamped machine have met. Close to the edge growth rises with the square root of the distance.".into(),
             Criterion::Viscous => format!(
                 "Unstable means: growth above {} with viscosity in the liquid. Without damping outside the liquid that is every speed above the critical speed of the filled rotor; damping \

@@ -335,7 +335,7 @@ impl StabilityMap {
         }
         // of other machines what grows is unstable and nothing is to be explained
         if endless || self.criterion != Criterion::Growth {
-            outcome = outcome.finding(self.criterion.finding(threshold));
+            outcome = outcome.finding(self.criterion.finding(system, self.speed.to, threshold));
         }
         if endless {
             let open = cells.iter().filter(|c| c.1.growing.is_none()).count();
