@@ -18,8 +18,7 @@ pub(super) fn check(system: &System, out: &mut Diagnostics) {
     }
     let free = free(system);
     for (k, slot) in system.slots().iter().enumerate() {
-        // what moves inside the rotor, such as a ball in its track, may be free
-        let own = |i: &&usize| system.coordinates()[**i].slot == k && system.coordinates()[**i].dof.kind != DofKind::Scalar;
+        let own = |i: &&usize| system.coordinates()[**i].slot == k;
         let names: Vec<&str> = free.iter().filter(own).map(|&i| system.coordinates()[i].name.rsplit('.').next().unwrap_or("")).collect();
         if names.is_empty() {
             continue;
@@ -60,7 +59,7 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
 /// Stiffness relative to the largest that counts as none.
 const NONE: f64 = 1e-11;
 
-/// Coordinates left over when all stiffness is used up: one for each motion that costs no force.
+/// Coordinates of bodies left over when all stiffness is used up: one for each motion that costs no force.
 fn free(system: &System) -> Vec<usize> {
     let n = system.n();
     // a part given in the frequency domain says nothing about forces at rest
@@ -90,7 +89,10 @@ fn free(system: &System) -> Vec<usize> {
             k[(i, j)] *= typical[i] * typical[j];
         }
     }
-    unpivoted(k)
+    // what moves inside the rotor, such as a ball in its track, may be free
+    let bodies: Vec<usize> = (0..n).filter(|&i| system.coordinates()[i].dof.kind != DofKind::Scalar).collect();
+    let k = Mat::from_fn(bodies.len(), bodies.len(), |i, j| k[(bodies[i], bodies[j])]);
+    unpivoted(k).into_iter().map(|i| bodies[i]).collect()
 }
 
 /// Columns that elimination with complete pivoting leaves; the later of equals, so that a body far from the ground is named last.
@@ -131,6 +133,14 @@ mod tests {
     }
     fn shaft(between: &str, more: &str) -> String {
         format!("[[part]]\nkind = \"shaft_lumped\"\nbetween = {between}\nstiffness = \"1e5 N/m\"\n{more}")
+    }
+
+    #[test]
+    fn balls_take_nothing_from_what_holds_the_body() {
+        let ring = "[[part]]\nkind = \"balancer_ball\"\non = \"d\"\nbody_tilt = false\ngravity = 0\nball_mass = 0.05\ntrack_radius = 1\n";
+        let text = format!("{DISC}{}{ring}", shaft("[\"d\", \"ground\"]", "")).replace("1e5", "1").replace("100 rad", "2.5 rad");
+        let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+        assert!(loaded.warnings.0.is_empty(), "{:?}", loaded.warnings);
     }
 
     #[test]

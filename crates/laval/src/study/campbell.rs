@@ -211,8 +211,16 @@ impl Study for Campbell {
             ));
         }
         if transcendental(system) {
-            for f in region::limits(&system.domains(from), from) {
+            let domains = system.domains(from);
+            for f in region::limits(&domains, from) {
                 outcome = outcome.finding(f);
+            }
+            if domains.iter().any(|d| d.dense.is_some()) {
+                outcome = outcome.finding(Finding::warning(
+                    "slow_roots",
+                    "Roots close to the imaginary axis are followed from where they were met, and not all of them are: critical speeds may be missing. forced_response meets \
+                     every resonance.",
+                ));
             }
         }
         for f in remarks(system, &rest(system, from)?) {
