@@ -3,13 +3,13 @@
 //!
 //! The states at rest in turning axes are those that `stationary` finds. A motion is followed until it has reached one of them, or goes on moving alike
 //! ([`follow`]). Large maps do not follow every cell so far: of starts spread over the grid some are followed to their ends and show what else there is
-//! ([`library`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
+//! ([`atlas`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
 //! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong.
 //!
 //! Distances are those of [`space`].
 
+mod atlas;
 mod follow;
-mod library;
 mod report;
 mod space;
 
@@ -29,10 +29,10 @@ use crate::study::settled::{Budget, method};
 use crate::study::start::Start;
 use crate::study::stationary::classify::{Scale, Seen};
 use crate::study::stationary::states_at;
+use atlas::{Atlas, Attractor};
 use follow::{Begin, Course, Follow, Goal};
 use laval_num::lanes::Level;
 use laval_num::sampling::Points;
-use library::{Attractor, Library};
 use space::Space;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -66,7 +66,7 @@ struct Rehearsal {
     wrong: usize,
 }
 
-/// A motion that was followed, and the class of the state where it rests outside the library.
+/// A motion that was followed, and the class of the state where it rests outside the atlas.
 struct Row {
     place: [f64; 2],
     course: Course,
@@ -80,7 +80,7 @@ struct Fleet<'a> {
     start: Start,
     budget: Budget,
     values: [Vec<f64>; 2],
-    library: Library,
+    atlas: Atlas,
     early: bool,
     context: &'a Context<'a>,
 }
@@ -119,7 +119,7 @@ impl Fleet<'_> {
             relative,
             absolute: if self.study.exact { rules.absolute } else { relative },
             most_turns: rules.most_periods,
-            library: &self.library,
+            atlas: &self.atlas,
             early,
             budget: &self.budget,
             done,
@@ -155,7 +155,7 @@ impl Fleet<'_> {
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
         for course in self.follow(&self.spread(0, learned), false, &done)? {
             if course.goal == Goal::Moving {
-                self.library.learn(&self.space, &course.slip, &course.tail);
+                self.atlas.learn(&self.space, &course.slip, &course.tail);
             }
         }
         if !self.early {
@@ -163,9 +163,9 @@ impl Fleet<'_> {
         }
         let known = |goal: &Goal| if let Goal::Known(k) = goal { Some(*k) } else { None };
         for course in self.follow(&self.spread(learned, witnessed), false, &done)? {
-            self.library.witness(known(&course.goal), &course.nearest);
+            self.atlas.witness(known(&course.goal), &course.nearest);
         }
-        self.library.trust();
+        self.atlas.trust();
         (seen.witnessed, seen.tried) = (witnessed, witnessed / 2);
         for course in self.follow(&self.spread(learned + witnessed, seen.tried), false, &done)? {
             seen.told += usize::from(course.told.is_some());
@@ -247,7 +247,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     let early = study.recognise && count >= MANY && space.countable();
     let mut fleet = Fleet {
         study,
-        library: Library { attractors },
+        atlas: Atlas { attractors },
         space,
         start: Start::new(&own, study.speed),
         budget: Budget::new(context.work_limit),

@@ -3,7 +3,7 @@
 use super::super::Basins;
 use super::super::report::{share, upper};
 use super::super::rows::PLACE;
-use super::library::{Attractor, Kind};
+use super::atlas::{Attractor, Kind};
 use super::{EARLY, FAILURE, Fleet, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
@@ -42,12 +42,12 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     for f in results.remark().into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
-    let all = &fleet.library.attractors;
+    let all = &fleet.atlas.attractors;
     let names = names(all);
     let states = results.numbers(STATE)?;
     let goals = told::words(results, GOAL)?;
     let words: Vec<String> =
-        states.iter().zip(goals).map(|(s, goal)| if *s >= 1.0 { names[*s as usize - 1].clone() } else { goal }).collect();
+        states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
     outcome = shares(fleet, &counts, &names, words.len(), outcome);
@@ -77,7 +77,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
         let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
         let mut balances = false;
         if let Some(k) = names.iter().position(|n| n == word) {
-            match &fleet.library.attractors[k].kind {
+            match &fleet.atlas.attractors[k].kind {
                 Kind::Rest { class, stable, .. } => {
                     balances = class.balances();
                     if !stable {
@@ -162,7 +162,7 @@ fn tables(
         .int("told", "", "1 where that was told before its end", whole(EARLY)?)
         .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
         .text("failure", "why there is no motion", told::words(results, FAILURE)?);
-    let all = &fleet.library.attractors;
+    let all = &fleet.atlas.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);
     let mut table = Table::new("attractors", "States at rest in turning axes, and motions with masses that go round")

@@ -50,11 +50,11 @@ impl Attractor {
 }
 
 #[derive(Default)]
-pub(super) struct Library {
+pub(super) struct Atlas {
     pub attractors: Vec<Attractor>,
 }
 
-impl Library {
+impl Atlas {
     /// The motion with these slip rates.
     pub fn moving(&self, slip: &[f64]) -> Option<usize> {
         let off = |own: &[f64]| own.iter().zip(slip).map(|(a, b)| (a - b).abs()).fold(0.0, crate::study::support::larger);
