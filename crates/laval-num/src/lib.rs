@@ -6,6 +6,7 @@ pub mod analytic;
 pub mod bessel;
 pub mod complex;
 pub mod continuation;
+pub mod contour;
 pub mod dense;
 pub mod dual;
 pub mod eig;

@@ -1,7 +1,8 @@
 //! Reactions of a cavity partly filled with liquid at one frequency, on one core: planar, strip and backward synchronous in closed form, spatial and viscous
-//! by harmonics, with the number of harmonics and the estimate of the error.
+//! by harmonics, with the number of harmonics and the estimate of the error. Then stability maps of a machine over speed and fill: planar and strip liquid with complete
+//! spectra, spatial and viscous liquid with the roots that grow counted at every point and the boundary located.
 //!
-//! `cargo bench -p laval --bench liquid`
+//! `cargo bench -p laval --bench liquid`; a word behind `--` leaves out maps whose name does not contain it.
 
 #[path = "common/clock.rs"]
 mod clock;
@@ -10,6 +11,12 @@ mod processor;
 
 use clock::clock;
 use laval::cavity::{Cavity, Tilt, Truncation};
+use laval::file::load;
+use laval::model::field::RangeValue;
+use laval::study::criterion::Criterion;
+use laval::study::stability_map::StabilityMap;
+use laval::study::support::About;
+use laval::study::{Context, Study};
 use laval_num::complex::{C64, c};
 use processor::processor;
 use std::hint::black_box;
@@ -34,8 +41,48 @@ fn time<T>(mut f: impl FnMut() -> T) -> (f64, T) {
     (least, last)
 }
 
+/// A map over speed and fill on one core.
+fn map(name: &str, text: &str, points: usize) {
+    let system = load(text).unwrap_or_else(|d| panic!("{d:?}")).system;
+    let study = StabilityMap {
+        speed: RangeValue { from: 100.0, to: 900.0, points: Some(points) },
+        parameter: Some(("water.free_surface_radius".into(), RangeValue { from: 0.06, to: 0.135, points: Some(points) })),
+        about: About::Rest,
+        criterion: Criterion::Growth,
+        threshold: 1.0,
+        frequency: Some(1000.0),
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap_or_else(|e| panic!("{e}"));
+    let start = clock();
+    let out = pool.install(|| study.run(&system, &Context::quiet("map"))).unwrap_or_else(|d| panic!("{d}"));
+    let took = clock() - start;
+    let edges = out.special_points.iter().filter(|p| p.kind.starts_with("instability")).count();
+    println!("map of {points} by {points}, {name}: {took:.1} s, {edges} points of the boundary");
+    for f in out.findings.iter().filter(|f| f.id.contains("counted")) {
+        println!("    {f:?}");
+    }
+}
+
 fn main() {
     println!("processor: {}", processor());
+    reactions();
+    let only = std::env::args().skip(1).find(|a| !a.starts_with('-')).unwrap_or_default();
+    let file = include_str!("../tests/reference/spatial/s1.toml");
+    let strip = "model = \"strip\"";
+    let viscous = file.replace("density = \"1000", "viscosity = 1e-5\ndensity = \"1000");
+    for (name, text, points) in [
+        ("planar", file.replace(strip, "model = \"planar\""), 200),
+        ("strip", file.to_string(), 200),
+        ("viscous", viscous, 40),
+        ("spatial", file.replace(strip, "model = \"spatial\""), 40),
+    ] {
+        if name.contains(&only) {
+            map(name, &text, points);
+        }
+    }
+}
+
+fn reactions() {
     let speed = 100.0;
     let cavities = [
         ("G1", Cavity { radius: 0.15, free: 0.105, height: 0.30, density: 1000.0 }),

@@ -10,7 +10,7 @@ use laval::model::part::Link;
 use laval::outcome::{Axis, Data, Figure, Finding, Line, Outcome, Panel, Table};
 use laval::parts::{disc::*, shaft_lumped::*};
 use laval::report::{Report, draw, html};
-use laval::study::{Context, Study, campbell::Campbell, stability_map::StabilityMap, support::About};
+use laval::study::{Context, Study, campbell::Campbell, criterion::Criterion, stability_map::StabilityMap, support::About};
 
 /// Path data of the elements of a class.
 fn paths<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {
@@ -20,7 +20,9 @@ fn paths<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {
 
 fn map(system: &laval::model::system::System, from: f64, to: f64) -> Outcome {
     let speed = RangeValue { from, to, points: Some(150) };
-    StabilityMap { speed, parameter: None, about: About::Rest, threshold: 0.0 }.run(system, &Context::quiet("map")).unwrap()
+    StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None }
+        .run(system, &Context::quiet("map"))
+        .unwrap()
 }
 
 /// The band of a foundation is 13 of 50000 rad/s wide: a fifth of a pixel.
@@ -89,7 +91,7 @@ fn a_high_mode_does_not_press_the_others_together() {
     let system = b.build().unwrap();
     let campbell = |to: f64| {
         let speed = RangeValue { from: 10.0, to, points: Some(20) };
-        Campbell { speed, orders: vec![1.0], threshold: 0.0 }.run(&system, &Context::quiet("campbell")).unwrap()
+        Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None }.run(&system, &Context::quiet("campbell")).unwrap()
     };
     // excited up to 2000 rad/s; the high mode at 1e5 rad/s is said to be outside
     let o = campbell(2000.0);

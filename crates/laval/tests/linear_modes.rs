@@ -248,7 +248,8 @@ fn flat_orbits_have_no_direction() {
             assert!(((mode.forward_share - 0.5).abs() - (larger - 0.5)).abs() < 1e-8, "{} {larger}", mode.forward_share);
             assert_eq!(mode.whirl == Whirl::Mixed, flat, "{g}: {mode:?}");
         }
-        let out = Modes { speed: 100.0, about: About::Rest, threshold: 0.0 }.run(&system, &Context::quiet("modes")).unwrap();
+        let out =
+            Modes { speed: 100.0, about: About::Rest, threshold: 0.0, frequency: None }.run(&system, &Context::quiet("modes")).unwrap();
         let text = &out.findings.iter().find(|f| f.id == "least_damped_mode").unwrap().text;
         assert_eq!(text.contains("straight (mixed) whirl with forward share 0."), flat, "{text}");
     }
@@ -278,7 +279,7 @@ fn a_loaded_nonlinear_bearing_sags_and_stiffens() {
 #[test]
 fn the_study_says_what_is_unstable() {
     let system = Planar { fill: 0.667, ..Planar::default() }.build();
-    let study = Modes { speed: 3000.0, about: About::Rest, threshold: 0.0 };
+    let study = Modes { speed: 3000.0, about: About::Rest, threshold: 0.0, frequency: None };
     let out = study.run(&system, &Context::quiet("modes")).unwrap();
     let worst = out.findings.iter().filter(|f| f.id == "unstable_mode").filter_map(|f| f.value).fold(0.0, f64::max);
     assert!((worst - 192.0108286).abs() < 1e-6);

@@ -7,7 +7,7 @@ use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
 use laval::solve::rest::rest;
 use laval::solve::stability::row;
-use laval::study::{Context, Study, stability_map::StabilityMap, support::About};
+use laval::study::{Context, Study, criterion::Criterion, stability_map::StabilityMap, support::About};
 
 fn grid(from: f64, to: f64, points: usize) -> Vec<f64> {
     RangeValue { from, to, points: Some(points) }.linspace(points)
@@ -85,7 +85,9 @@ fn map(threads: usize) -> Outcome {
         speed: RangeValue { from: 1500.0, to: 6000.0, points: Some(30) },
         parameter: Some(("liquid.free_surface_radius".into(), RangeValue { from: 0.03, to: 0.068, points: Some(6) })),
         about: About::Rest,
+        criterion: Criterion::Growth,
         threshold: 1.0,
+        frequency: None,
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| study.run(&system, &Context::quiet("map")).unwrap())

@@ -36,7 +36,7 @@ fn stop(gap: f64) -> impl FnOnce(Builder) -> Builder {
 }
 
 fn study(system: &System) -> Outcome {
-    Modes { speed: 100.0, about: About::Rest, threshold: 0.0 }.run(system, &Context::quiet("modes")).unwrap()
+    Modes { speed: 100.0, about: About::Rest, threshold: 0.0, frequency: None }.run(system, &Context::quiet("modes")).unwrap()
 }
 
 fn refused(system: &System) -> String {

@@ -108,6 +108,41 @@ impl<S: Scalar> Cavity<S> {
     }
 }
 
+impl<S: Scalar> Cavity<S> {
+    /// A function, up to a positive factor, with a simple zero at every pole of [`Cavity::planar`] and of [`Cavity::tilt`] with harmonics up to `last`, analytic but at
+    /// `sigma = 0`: the product of the determinants of the boundary equations.
+    pub fn regular(&self, w: Complex<S>, speed: S, last: usize) -> Complex<S> {
+        let flow = Flow::new(*self, w, speed);
+        let mut product = Complex::one();
+        if self.free.value() > 0.0 {
+            let (r2, s2) = (self.radius.square(), self.free.square());
+            let rest = flow.sigma.scale(speed.scale(2.0)) + Complex::real(speed.square());
+            product = (flow.sigma * flow.sigma).scale((r2 + s2) / (r2 - s2)) - rest;
+        }
+        for k in (1..=last).step_by(2) {
+            product = product * flow.determinant(k as f64);
+            let size = value(product).abs();
+            if size > 0.0 && size.is_finite() {
+                product = product.scale(S::cst(size.recip()));
+            }
+        }
+        product
+    }
+}
+
+impl Cavity<f64> {
+    /// Frequencies, rad/s in fixed axes, of the plane waves in a cavity at rest: `W + W (1 -+ sqrt(1 + gamma))/gamma`; none where there is no free surface.
+    pub fn plane_waves(&self, speed: f64) -> Vec<f64> {
+        let (r2, s2) = (self.radius * self.radius, self.free * self.free);
+        if s2 == 0.0 || r2 <= s2 {
+            return Vec::new();
+        }
+        let gamma = (r2 + s2) / (r2 - s2);
+        let root = (1.0 + gamma).sqrt();
+        [(1.0 - root) / gamma, (1.0 + root) / gamma].map(|x| speed * (1.0 + x)).to_vec()
+    }
+}
+
 impl<S: Scalar> Flow<S> {
     fn new(cavity: Cavity<S>, w: Complex<S>, speed: S) -> Self {
         let sigma = w - Complex::real(speed);
@@ -151,18 +186,51 @@ impl<S: Scalar> Flow<S> {
         (r2 * r2 - s2 * s2).scale(0.25)
     }
 
+    /// Operators of the wall, `-sigma P' + 2 W P/r`, on I1 and on K1, as pairs whose sum they are.
+    fn inner(&self, lambda: Complex<S>, b: &Bessel<S>, back: S) -> [Complex<S>; 2] {
+        [self.less * b.i[1].scale(back), -(self.sigma * lambda * b.i[2])]
+    }
+    fn outer(&self, lambda: Complex<S>, b: &Bessel<S>, back: S) -> [Complex<S>; 2] {
+        [self.more * b.k[1].scale(back), self.sigma * lambda * b.k[0]]
+    }
+
+    /// Determinant of the boundary equations of harmonic k without its zeros at `sigma = +-2 W`, up to a positive factor: an even function of lambda, so
+    /// analytic but at `sigma = 0`, and zero where the liquid moves in a cavity at rest.
+    fn determinant(&self, k: f64) -> Complex<S> {
+        let Flow { cavity: Cavity { radius, free, .. }, speed, sigma, less, more, .. } = *self;
+        let lambda = self.root.scale(self.wave_number(k));
+        let (x, x0) = (lambda.scale(radius), lambda.scale(free));
+        let turn = |x: Complex<S>| Complex::cis(x.im).scale((x.re - S::cst(x.re.value())).exp());
+        let total = |t: [Complex<S>; 2]| t[0] + t[1];
+        let b = bessel(x);
+        let back = S::one() / radius;
+        if free.value() == 0.0 {
+            return total(self.inner(lambda, &b, back)) * turn(x) / (lambda * less);
+        }
+        let b0 = bessel(x0);
+        let e = exp(x0 - x);
+        let back0 = S::one() / free;
+        let tension = -(sigma * sigma * sigma * self.deficit);
+        let weight = speed.square() * free;
+        let wall = [total(self.inner(lambda, &b, back)), total(self.outer(lambda, &b, back)) * e];
+        let surface = [
+            (tension * b0.i[1] + total(self.inner(lambda, &b0, back0)).scale(weight)) * e,
+            tension * b0.k[1] + total(self.outer(lambda, &b0, back0)).scale(weight),
+        ];
+        (wall[0] * surface[1] - wall[1] * surface[0]) * turn(x - x0) / (less * more)
+    }
+
     /// The share of harmonic k, away from `sigma = 0, +-2 W`.
     fn harmonic(&self, k: f64) -> (Complex<S>, f64) {
-        let Flow { cavity: Cavity { radius, free, .. }, speed, sigma, less, more, .. } = *self;
+        let Flow { cavity: Cavity { radius, free, .. }, speed, sigma, less, .. } = *self;
         let kappa = self.wave_number(k);
         let (g, h) = self.forcing(k);
         let lambda = self.root.scale(kappa);
         let (x, x0) = (lambda.scale(radius), lambda.scale(free));
         let b = bessel(x);
         let back = S::one() / radius;
-        // operators of the wall, -sigma P' + 2 W P/r, as pairs whose sum they are
-        let inner = |b: &Bessel<S>, back: S| [less * b.i[1].scale(back), -(sigma * lambda * b.i[2])];
-        let outer = |b: &Bessel<S>, back: S| [more * b.k[1].scale(back), sigma * lambda * b.k[0]];
+        let inner = |b: &Bessel<S>, back: S| self.inner(lambda, b, back);
+        let outer = |b: &Bessel<S>, back: S| self.outer(lambda, b, back);
         // of y_p = g r E(lambda r), which answers the forcing lambda^2 g r
         let slip = |[first, second]: [Complex<S>; 2], x: Complex<S>| {
             g * (less * first - (sigma * x * x * (second + Complex::one())).scale(S::cst(0.25)))

@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
-use super::part::{At, Correction, Energy, Layout, Observed, Outline, Part, Physics, Rows, Uses, Validity};
+use super::part::{At, Correction, Domain, Energy, Layout, Observed, Outline, Part, Physics, Rows, Uses, Validity};
 use super::system::Axis;
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
@@ -15,7 +15,7 @@ pub type D1 = Dual<f64, 1>;
 pub type D8 = Dual<f64, 8>;
 
 macro_rules! erased {
-    ($( $scalar:ty: $residual:ident $linear:ident $impedance:ident $energy:ident; )*) => {
+    ($( $scalar:ty: $residual:ident $linear:ident $impedance:ident $regular:ident $energy:ident; )*) => {
         /// A part with its type forgotten. Parameters arrive as consecutive scalars.
         #[allow(missing_docs)]
         pub trait Erased: InLanes + Send + Sync {
@@ -34,12 +34,14 @@ macro_rules! erased {
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
+            fn domain(&self, p: &[f64], speed: f64) -> Domain;
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
             fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);
+                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar>;
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>>;
             )*
         }
@@ -90,6 +92,9 @@ macro_rules! erased {
             fn warnings(&self, p: &[f64]) -> Vec<String> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
+            fn domain(&self, p: &[f64], speed: f64) -> Domain {
+                Part::domain(self, &T::Family::from_slice(p), speed)
+            }
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
                 Part::correction(self, &T::Family::from_slice(p), at)
             }
@@ -105,6 +110,9 @@ macro_rules! erased {
                 }
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
                     Part::impedance(self, &T::Family::from_slice(p), s, speed, out)
+                }
+                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar> {
+                    Part::regular(self, &T::Family::from_slice(p), s, speed)
                 }
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>> {
                     Part::energy(self, &T::Family::from_slice(p), at)
@@ -123,6 +131,9 @@ macro_rules! erased {
                 fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]) {
                     part.$impedance(p, s, speed, out)
                 }
+                fn regular(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self> {
+                    part.$regular(p, s, speed)
+                }
                 fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>> {
                     part.$energy(p, at)
                 }
@@ -139,14 +150,16 @@ pub trait Evaluate: Scalar {
     fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
     /// [`Part::impedance`].
     fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]);
+    /// [`Part::regular`].
+    fn regular(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self>;
     /// [`Part::energy`].
     fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>>;
 }
 
 erased! {
-    f64: residual_f64 linear_f64 impedance_f64 energy_f64;
-    D1: residual_d1 linear_d1 impedance_d1 energy_d1;
-    D8: residual_d8 linear_d8 impedance_d8 energy_d8;
+    f64: residual_f64 linear_f64 impedance_f64 regular_f64 energy_f64;
+    D1: residual_d1 linear_d1 impedance_d1 regular_d1 energy_d1;
+    D8: residual_d8 linear_d8 impedance_d8 regular_d8 energy_d8;
 }
 
 #[inline(always)]

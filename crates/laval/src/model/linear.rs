@@ -2,7 +2,7 @@
 
 use super::blocks::{Axes, Blocks, Grid};
 use super::erased::Evaluate;
-use super::part::Physics;
+use super::part::{Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
@@ -221,6 +221,24 @@ impl System {
                 }
             }
         }
+    }
+}
+
+impl System {
+    /// Where the dynamic stiffness of the parts given in the frequency domain, and of memory states, is analytic, at a spin speed.
+    pub fn domains(&self, speed: f64) -> Vec<Domain> {
+        let params = self.params();
+        let one = |s: &Slot| match s.physics {
+            Physics::Frequency(_) => Some(s.part.domain(&params[s.params.clone()], speed)),
+            _ => (s.memory > 0).then(Domain::passive),
+        };
+        self.slots().iter().filter_map(one).collect()
+    }
+
+    /// The product of [`regular`](super::part::Part::regular) of the parts given in the frequency domain.
+    pub fn regular<S: Evaluate>(&self, params: &[S], s: Complex<S>, speed: S) -> Complex<S> {
+        let frequency = self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_)));
+        frequency.fold(Complex::one(), |product, slot| product * S::regular(&*slot.part, &params[slot.params.clone()], s, speed))
     }
 }
 

@@ -217,6 +217,33 @@ pub enum TimeForm {
     Fit(f64),
 }
 
+/// Where in the plane of s the dynamic stiffness of a part in the frequency domain is analytic, and where it is large because the part has waves of its
+/// own. Frequencies are those of the forward sector, in fixed axes; the backward sector is the mirror image.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Domain {
+    /// Analytic for Re s < 0 as well as for Re s > 0.
+    pub left: bool,
+    /// Analytic on the imaginary axis, once multiplied by [`Part::regular`], but for the places in `except`.
+    pub axis: bool,
+    /// Frequencies, rad/s, at which singularities accumulate.
+    pub except: Vec<f64>,
+    /// Range of frequencies, rad/s, in which singularities are dense on the imaginary axis: there is no response to a steady load in it.
+    pub dense: Option<[f64; 2]>,
+    /// Range of frequencies, rad/s, in which the part has many waves that die out at no less than the rate `gap`.
+    pub crowded: Option<[f64; 2]>,
+    /// Frequencies, rad/s, of single waves that die out at no less than the rate `gap`.
+    pub waves: Vec<f64>,
+    /// Rate, 1/s: how far the nearest singularity is from the imaginary axis, roughly and not above it.
+    pub gap: f64,
+}
+
+impl Domain {
+    /// Of a part that only takes up energy: analytic for Re s >= 0.
+    pub fn passive() -> Self {
+        Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY }
+    }
+}
+
 /// Which rates a nonlinear residual reads; what it does not read is not differentiated. Checked by the conformance suite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Uses {
@@ -312,6 +339,14 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Adds the dynamic stiffness (N/m, row-major over local coordinates) at `s` (1/s) and spin `speed`; only for [`Physics::Frequency`].
     /// `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S, _out: &mut [Complex<S>]) {}
+    /// Where the dynamic stiffness of a part in the frequency domain is analytic, at a spin speed.
+    fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Domain {
+        Domain::passive()
+    }
+    /// An analytic function of s, up to a positive factor, whose zeros are the poles that [`Part::domain`] does not name, in the forward sector; 1 where there are none.
+    fn regular<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S) -> Complex<S> {
+        Complex::one()
+    }
     /// Energy and power; `None` when the part keeps no account.
     fn energy<S: Scalar>(&self, _p: &Params<Self, S>, _at: &At<S>) -> Option<Energy<S>> {
         None

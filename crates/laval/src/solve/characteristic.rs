@@ -182,6 +182,14 @@ impl<'a> Characteristic<'a> {
         }
     }
 
+    /// The function whose zeros take the poles of T in the forward sector away ([`System::regular`]), about a state at rest, and its logarithmic derivative.
+    pub fn regular(&self, s: C64) -> (C64, C64) {
+        let at = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
+        let r = self.system.regular(&self.params, at, Dual::lift(self.speed));
+        let value = c(r.re.re, r.im.re);
+        (value, c(r.re.eps[0], r.im.eps[0]) / value)
+    }
+
     /// Constant forces and those that turn with the rotor (complex amplitudes `c - i s` of `c cos(phase) + s sin(phase)`), in x and y, over all
     /// unknowns.
     pub fn loads(&self) -> (Vec<f64>, Vec<C64>) {

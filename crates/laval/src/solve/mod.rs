@@ -2,6 +2,7 @@
 
 pub mod centring;
 pub mod characteristic;
+pub mod counted;
 pub mod ensemble;
 pub mod exact;
 pub mod extrema;
@@ -13,6 +14,7 @@ pub mod motion;
 pub mod pencil;
 pub mod programme;
 pub mod rest;
+pub mod roots;
 pub mod scalar;
 pub mod sectors;
 pub mod stability;

@@ -8,6 +8,7 @@
 //! direction). Such a machine is solved sector by sector, so that forward and backward whirls of one frequency never mix.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, state_sectors};
+use super::roots::{Request, roots, transcendental};
 use super::sectors::{Sector, Sectors, block, circular};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, TimeForm};
@@ -179,7 +180,7 @@ pub fn holds_fit(system: &System) -> bool {
 }
 
 /// Largest coupling of sectors, relative, that counts as rounding.
-const ISOTROPIC: f64 = 1e-11;
+pub(super) const ISOTROPIC: f64 = 1e-11;
 
 impl Linearised {
     /// About an equilibrium.
@@ -188,13 +189,19 @@ impl Linearised {
     /// A part without time form.
     pub fn new(system: &System, about: &Equilibrium) -> Result<Self, Diagnostic> {
         time_forms(system)?;
+        Ok(Self::of_time_forms(system, about))
+    }
+
+    /// About an equilibrium; parts that have no time form are left out.
+    pub(super) fn of_time_forms(system: &System, about: &Equilibrium) -> Self {
         let coordinates = coordinate_sectors(system);
         let states = state_sectors(system, &(0..system.m()).collect::<Vec<_>>());
         let (v, a) = (about.velocity(&coordinates), about.acceleration(&coordinates));
         let w = about.speed;
         let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: w, spin_accel: 0.0, t: 0.0 };
         let (mut t, mut ts) = (Tangent::default(), TangentScratch::default());
-        system.tangent(&at, false, &mut t, &mut ts, |_| true);
+        let timed = |s: &crate::model::system::Slot| !matches!(s.physics, Physics::Frequency(TimeForm::None(_)));
+        system.tangent(&at, false, &mut t, &mut ts, timed);
         if about.frame == Frame::Turning {
             for (m, d, k) in [(&t.a, &mut t.v, &mut t.q), (&t.rate_a, &mut t.rate_v, &mut t.rate_q)] {
                 let (mj, dj) = (coordinates.times_quarter_turn(m), coordinates.times_quarter_turn(d));
@@ -210,7 +217,7 @@ impl Linearised {
         let mut out =
             Linearised { mass: t.a, damping: t.v, stiffness: t.q, state_force: t.z, rates, coordinates, states, typical, isotropic: false };
         out.isotropic = out.couplings().iter().all(|x| *x <= ISOTROPIC);
-        Ok(out)
+        out
     }
 
     fn couplings(&self) -> [f64; 8] {
@@ -492,11 +499,14 @@ pub fn polish(t: &mut Characteristic, spectrum: &mut Spectrum) {
     }
 }
 
-/// Modes about an equilibrium: polished where the pencil holds memory states, or everywhere on demand; roots of the exact function where it holds a fit.
+/// Modes about an equilibrium: of a machine with parts that have no time form those of its [`roots`] in the region it chooses by itself; else polished where the pencil holds memory states, or everywhere on demand; roots of the exact function where it holds a fit.
 ///
 /// # Errors
 /// As [`Linearised::new`]; a spectrum that cannot be computed.
 pub fn modes_about(system: &System, about: &Equilibrium, always: bool) -> Result<Spectrum, Diagnostic> {
+    if transcendental(system) {
+        return Ok(roots(system, about, &Request::default())?.spectrum);
+    }
     let linear = Linearised::new(system, about)?;
     let mut spectrum = linear.spectrum().map_err(|e| {
         Diagnostic::error("modes.eigenvalues", format!("the modes at {} rad/s could not be computed: {e}", about.speed))

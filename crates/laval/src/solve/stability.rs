@@ -27,6 +27,10 @@ pub struct Sample {
     pub on_grid: bool,
     /// Another mode than the strongest at the speed before.
     pub other: bool,
+    /// Number of roots that grow faster than the threshold, where the argument principle was asked and agrees with the roots found.
+    pub growing: Option<usize>,
+    /// It was asked.
+    pub counted: bool,
 }
 
 /// A crossing of the threshold.
@@ -72,12 +76,23 @@ pub struct Row {
     pub undamped: bool,
     /// Stopped before the last speed.
     pub stopped: bool,
-    /// Eigenproblems solved.
+    /// Eigenproblems solved, or speeds at which roots were counted.
     pub solved: u64,
+    /// Evaluations of the characteristic matrix for these counts.
+    pub evaluations: u64,
 }
 
 fn sample(speed: f64, s: &Spectrum, on_grid: bool) -> Option<Sample> {
-    s.least_stable().map(|m| Sample { speed, value: m.value, sector: m.sector, size: largest(s), on_grid, other: false })
+    s.least_stable().map(|m| Sample {
+        speed,
+        value: m.value,
+        sector: m.sector,
+        size: largest(s),
+        on_grid,
+        other: false,
+        growing: None,
+        counted: false,
+    })
 }
 
 /// Relative growth that counts as rounding in an undamped machine: eigenvalues near a double root lose half the digits.

@@ -1,8 +1,10 @@
 //! Spectra along the spin speed, followed by modal assurance.
 
-use super::characteristic::Equilibrium;
+use super::characteristic::{Characteristic, Equilibrium};
 use super::locate::State;
 use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
+use super::roots::{Request, roots, transcendental};
+use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -50,6 +52,17 @@ pub fn spectrum(system: &System, state: State, speed: f64) -> Result<(Equilibriu
     let modes = modes_about(system, &about, wants_polish(system))?;
     Ok((about, modes))
 }
+
+/// Growth or decay over the speed from which on the roots of a machine with parts without time form are counted at every speed; those nearer to the imaginary axis are
+/// followed.
+const COUNTED: f64 = 0.01;
+
+/// Of a root that is followed: share of the step over which its tangent is taken; how far the tangent may lead, relative to the root; how far from the tangent
+/// the root may end, relative to the tangent and to the root.
+const TANGENT: f64 = 1e-3;
+const FAR: f64 = 0.2;
+const BEND: f64 = 0.3;
+const STILL: f64 = 1e-4;
 
 /// Deepest halving of a step where shapes mix.
 const DEPTH: usize = 7;
@@ -197,6 +210,9 @@ pub fn sweep(
     limit: f64,
     mut each: impl FnMut(usize, u64) -> bool,
 ) -> Result<Sweep, Diagnostic> {
+    if transcendental(system) {
+        return follow(system, state, speeds, limit, each);
+    }
     let out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
     let mut f = Follower { system, state, limit, each: &mut each, place: 0, tracks: vec![], ids: vec![], out };
     for (k, &speed) in speeds.iter().enumerate() {
@@ -214,4 +230,90 @@ pub fn sweep(
         }
     }
     Ok(f.out)
+}
+
+/// The same for a machine with parts that have no time form: a root goes on where its tangent and Newton's method lead. Roots that enter the region are born.
+fn follow(
+    system: &System,
+    state: State,
+    speeds: &[f64],
+    limit: f64,
+    mut each: impl FnMut(usize, u64) -> bool,
+) -> Result<Sweep, Diagnostic> {
+    let mut out = Sweep { worst_assurance: 1.0, ..Sweep::default() };
+    // branch of each mode of the speed before
+    let mut ids: Vec<usize> = Vec::new();
+    for (k, &speed) in speeds.iter().enumerate() {
+        if !each(k, out.solved) {
+            break;
+        }
+        let about = state(speed)?;
+        let before: Vec<(usize, MachineMode)> = match out.points.last() {
+            Some((_, s)) => ids.iter().copied().zip(s.modes.iter().cloned()).collect(),
+            None => Vec::new(),
+        };
+        let mut led: Vec<(usize, C64, Option<Sector>)> = Vec::new();
+        for (id, mode) in &before {
+            let to = lead(system, state, (speeds[k - 1], speed), mode.value, mode.sector, DEPTH)?;
+            led.extend(to.map(|value| (*id, value, mode.sector)));
+        }
+        let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
+        let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
+        let frequency = limit.is_finite().then_some(limit);
+        let dense = system.domains(speed).iter().any(|d| !d.axis);
+        let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
+        let found = roots(system, &about, &request)?.spectrum;
+        out.solved += 1;
+        ids = found.modes.iter().map(|_| usize::MAX).collect();
+        for (id, value, sector) in led {
+            let same = |m: &MachineMode| m.sector == sector && (m.value - value).abs() <= 1e-8 * value.abs();
+            if let Some(at) = found.modes.iter().position(same)
+                && ids[at] == usize::MAX
+            {
+                ids[at] = id;
+            }
+        }
+        for (id, mode) in ids.iter_mut().zip(&found.modes) {
+            if *id == usize::MAX {
+                *id = out.branches.len();
+                out.branches.push(Branch::default());
+            }
+            out.branches[*id].points.push((speed, mode.clone()));
+        }
+        out.points.push((speed, found));
+    }
+    Ok(out)
+}
+
+/// Where a root goes from one speed to the next: where Newton's method leads from its tangent, if that is near; else by way of the speed between, and nowhere
+/// when it is not near at the shortest step: what is found there is another root.
+fn lead(
+    system: &System,
+    state: State,
+    (from, to): (f64, f64),
+    value: C64,
+    sector: Option<Sector>,
+    depth: usize,
+) -> Result<Option<C64>, Diagnostic> {
+    let at = |speed: f64, start: C64| -> Result<Option<C64>, Diagnostic> {
+        let about = state(speed)?;
+        Ok(Characteristic::new(system, &about).polish(start, sector).map(|p| p.value))
+    };
+    if let Some(near) = at(from + TANGENT * (to - from), value)? {
+        let ahead = (near - value).scale(1.0 / TANGENT);
+        if ahead.abs() <= FAR * value.abs()
+            && let Some(there) = at(to, value + ahead)?
+            && (there - value - ahead).abs() <= BEND * ahead.abs() + STILL * value.abs()
+        {
+            return Ok(Some(there));
+        }
+    }
+    if depth == 0 {
+        return Ok(None);
+    }
+    let middle = 0.5 * (from + to);
+    match lead(system, state, (from, middle), value, sector, depth - 1)? {
+        Some(between) => lead(system, state, (middle, to), between, sector, depth - 1),
+        None => Ok(None),
+    }
 }

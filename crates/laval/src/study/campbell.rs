@@ -9,7 +9,8 @@
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
 use super::modes::THRESHOLD;
-use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
+use super::region;
+use super::support::{About, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -18,6 +19,7 @@ use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, R
 use crate::solve::extrema::{Critical, criticals};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
+use crate::solve::roots::transcendental;
 use crate::solve::sweep::{Branch, Sweep, sweep};
 
 /// Field: multiples of the spin speed.
@@ -92,6 +94,8 @@ pub struct Campbell {
     pub orders: Vec<f64>,
     /// Growth above which a mode counts as unstable, 1/s.
     pub threshold: f64,
+    /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
+    pub frequency: Option<f64>,
 }
 
 /// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
@@ -110,19 +114,23 @@ impl Study for Campbell {
     const KIND: &'static str = "campbell";
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
         and the critical speeds where they cross.";
-    const FIELDS: &'static [Field] = &[Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"), ORDERS, THRESHOLD];
+    const FIELDS: &'static [Field] =
+        &[Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"), ORDERS, THRESHOLD, region::FREQUENCY_LIMIT];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
-        Some(Campbell { speed, orders: orders(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
+        let threshold = values.number("growth_threshold").unwrap_or(0.0);
+        Some(Campbell { speed, orders: orders(values), threshold, frequency: values.number("frequency_limit") })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        admit_eigenvalues(system, About::Rest, self.speed.from)
+        admit_roots(system, About::Rest, self.speed.from)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        let (found, end) = follow(system, context, &self.speed.linspace(120), f64::INFINITY)?;
+        // other machines have finitely many modes, which are all followed
+        let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
+        let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let crossings = criticals(system, &|w| rest(system, w), &found, &self.orders);
         let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
         let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
@@ -201,6 +209,19 @@ impl Study for Campbell {
                 found.worst_assurance,
                 "",
             ));
+        }
+        if transcendental(system) {
+            let domains = system.domains(from);
+            for f in region::limits(&domains, from) {
+                outcome = outcome.finding(f);
+            }
+            if domains.iter().any(|d| d.dense.is_some()) {
+                outcome = outcome.finding(Finding::warning(
+                    "slow_roots",
+                    "Roots close to the imaginary axis are followed from where they were met, and not all of them are: critical speeds may be missing. forced_response meets \
+                     every resonance.",
+                ));
+            }
         }
         for f in remarks(system, &rest(system, from)?) {
             outcome = outcome.finding(f);

@@ -9,7 +9,8 @@
 //!
 //! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
 
-use super::support::{ABOUT, About, ROUNDING, SPEED, admit_eigenvalues, hertz, inconsistent, remarks, speed};
+use super::region;
+use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, hertz, inconsistent, remarks, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -19,6 +20,7 @@ use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table,
 use crate::solve::characteristic::Characteristic;
 use crate::solve::exact::growing;
 use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
+use crate::solve::roots::{Request, roots, transcendental};
 use laval_num::complex::C64;
 use laval_num::dense::Mat;
 
@@ -30,6 +32,8 @@ pub struct Modes {
     pub about: About,
     /// Growth above which a mode counts as unstable, 1/s.
     pub threshold: f64,
+    /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
+    pub frequency: Option<f64>,
 }
 
 /// Field: growth above which a mode counts as unstable.
@@ -50,20 +54,32 @@ impl Study for Modes {
     const KIND: &'static str = "modes";
     const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body \
         takes part. about = \"turning\" linearises about the state that turns with the rotor.";
-    const FIELDS: &'static [Field] = &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD];
+    const FIELDS: &'static [Field] =
+        &[Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"), ABOUT, THRESHOLD, region::FREQUENCY_LIMIT];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = speed(values, system, diagnostics)?;
-        Some(Modes { speed, about: About::read(values), threshold: values.number("growth_threshold").unwrap_or(0.0) })
+        let threshold = values.number("growth_threshold").unwrap_or(0.0);
+        Some(Modes { speed, about: About::read(values), threshold, frequency: values.number("frequency_limit") })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        admit_eigenvalues(system, self.about, self.speed)
+        admit_roots(system, self.about, self.speed)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let about = self.about.find(system, self.speed, None)?;
-        let spectrum = modes_about(system, &about, true)?;
+        let endless = transcendental(system);
+        let found = if endless {
+            let request = Request { margin: self.threshold, frequency: self.frequency, ..Request::default() };
+            Some(roots(system, &about, &request)?)
+        } else {
+            None
+        };
+        let spectrum = match &found {
+            Some(found) => found.spectrum.clone(),
+            None => modes_about(system, &about, true)?,
+        };
         let modes = &spectrum.modes;
         // beside the largest eigenvalue, what is smaller than this is rounding
         let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
@@ -87,9 +103,12 @@ impl Study for Modes {
                 column(|m| m.residual),
             )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
+        if let Some(found) = &found {
+            table = table.flag("counted", "it lies in a rectangle whose count agrees", found.counted.clone());
+        }
         let bodies = system.bodies();
         let tilts: Vec<bool> = system.coordinates().iter().map(|c| matches!(c.dof.kind, DofKind::TiltX | DofKind::TiltY)).collect();
-        if tilts.contains(&true) {
+        if tilts.contains(&true) && !endless {
             let mass = Linearised::new(system, &about)?.mass;
             let share = |m: &MachineMode| tilt_share(&mass, &tilts, m);
             let doc = "share of the tilts in the kinetic energy over a period; NaN where nothing with mass moves";
@@ -160,7 +179,12 @@ impl Study for Modes {
                 "1/s",
             ));
         }
-        if holds_fit(system) {
+        if let Some(found) = &found {
+            for f in region::findings(system, self.speed, found) {
+                outcome = outcome.finding(f);
+            }
+            outcome = outcome.table(region::areas(found)?);
+        } else if holds_fit(system) {
             outcome = outcome.finding(counted(growing(&mut Characteristic::new(system, &about), &spectrum), &spectrum, any_unstable));
         } else if wants_polish(system) {
             let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());

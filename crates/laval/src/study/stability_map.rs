@@ -9,8 +9,10 @@
 //!
 //! Sources: `theory/planar-rotor.md` section 6.
 
+use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
-use super::support::{ABOUT, About, SPEED_RANGE, admit_eigenvalues, beyond_rounding, inconsistent, range, remarks};
+use super::region;
+use super::support::{ABOUT, About, SPEED_RANGE, admit_roots, beyond_rounding, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
@@ -18,6 +20,8 @@ use crate::model::system::System;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
 };
+use crate::solve::counted;
+use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::stability::{Row, row};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -33,8 +37,12 @@ pub struct StabilityMap {
     pub parameter: Option<(String, RangeValue)>,
     /// State linearised about.
     pub about: About,
+    /// What counts as unstable.
+    pub criterion: Criterion,
     /// Growth that counts as unstable, 1/s.
     pub threshold: f64,
+    /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
+    pub frequency: Option<f64>,
 }
 
 impl Study for StabilityMap {
@@ -46,7 +54,9 @@ impl Study for StabilityMap {
         Field::required("speed", SPEED_RANGE, "spin speeds; 200 points unless given"),
         Field::optional("parameter", FieldKind::ParameterRange, "", "a parameter to vary as well; 40 points unless given"),
         ABOUT,
+        CRITERION,
         THRESHOLD,
+        region::FREQUENCY_LIMIT,
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -73,16 +83,19 @@ impl Study for StabilityMap {
             speed: speed?,
             parameter,
             about: About::read(values),
+            criterion: Criterion::read(values),
             threshold: values.number("growth_threshold").unwrap_or(0.0),
+            frequency: values.number("frequency_limit"),
         })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        admit_eigenvalues(system, self.about, self.speed.from)?;
+        admit_roots(system, self.about, self.speed.from)?;
+        self.criterion.admit(system, self.about, self.speed.from)?;
         let Some((path, range)) = &self.parameter else { return Ok(()) };
         for x in [range.from, range.to] {
             let changed = system.with(&[(path, x)]).map_err(|d| refused(system, path, x, d))?;
-            admit_eigenvalues(&changed, self.about, self.speed.from)?;
+            admit_roots(&changed, self.about, self.speed.from)?;
         }
         Ok(())
     }
@@ -111,8 +124,13 @@ impl Study for StabilityMap {
                 if context.cancelled() {
                     return Ok(Row { stopped: true, ..Row::default() });
                 }
-                let run =
-                    |s: &System, each: &mut dyn FnMut(u64) -> bool| row(s, &|w| self.about.find(s, w, None), &speeds, self.threshold, each);
+                let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
+                    let state = |w: f64| self.about.find(s, w, None);
+                    if transcendental(s) {
+                        return counted::row(s, &state, &speeds, self.least(s, &speeds), self.frequency, each);
+                    }
+                    row(s, &state, &speeds, self.threshold, each)
+                };
                 match (value, &self.parameter) {
                     (Some(x), Some((path, _))) => {
                         let changed = system.with(&[(path, *x)]).map_err(|d| refused(system, path, *x, d))?;
@@ -141,6 +159,12 @@ fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
 }
 
 impl StabilityMap {
+    /// The threshold, or, of a machine whose domain ends on a dense range, the least growth that can be counted at all these speeds.
+    fn least(&self, system: &System, speeds: &[f64]) -> f64 {
+        let fastest = speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
+        if system.domains(fastest).iter().any(|d| !d.axis) { self.threshold.max(LEAST * fastest) } else { self.threshold }
+    }
+
     fn report(
         &self,
         system: &System,
@@ -149,6 +173,8 @@ impl StabilityMap {
         rows: &[Row],
         complete: bool,
     ) -> Result<Outcome, Diagnostic> {
+        let endless = transcendental(system);
+        let threshold = if endless { self.least(system, &self.speed.linspace(200)) } else { self.threshold };
         let (name, unit) = match &self.parameter {
             Some((path, _)) => {
                 let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
@@ -179,9 +205,15 @@ impl StabilityMap {
                 "frequency of that mode; NaN where nothing damps or drives any",
                 cells.iter().map(frequency).collect(),
             )
-            .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect())
-            .build()
-            .map_err(inconsistent)?;
+            .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect());
+        let map = if endless {
+            let number = |c: &(usize, &crate::solve::stability::Sample)| c.1.growing.map_or(f64::NAN, |n| n as f64);
+            let doc = "modes that grow faster than the threshold, by the argument principle; NaN where the count could not be brought to agree with the roots found";
+            map.float("growing", "", doc, cells.iter().map(number).collect())
+        } else {
+            map
+        };
+        let map = map.build().map_err(inconsistent)?;
         let edges: Vec<_> = rows.iter().enumerate().flat_map(|(k, r)| r.edges.iter().map(move |e| (k, e))).collect();
         let peaks: Vec<_> = rows.iter().enumerate().flat_map(|(k, r)| r.peaks.iter().map(move |p| (k, p))).collect();
         let mut boundary = Table::new("boundary", "Points where the growth rate crosses the threshold, located").float(
@@ -249,8 +281,8 @@ impl StabilityMap {
         let sizes = rows.iter().flat_map(|r| &r.samples).map(|s| s.size).fold(0.0, f64::max);
         let highest = peaks.iter().map(|&(k, p)| (k, p.speed, p.value)).chain(cells.iter().map(|c| (c.0, c.1.speed, c.1.value)));
         let highest = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re));
-        let limit = quantity(self.threshold, "1/s");
-        let unstable = rows.iter().any(|r| r.samples.iter().any(|s| r.unstable(s, self.threshold)));
+        let limit = quantity(threshold, "1/s");
+        let unstable = rows.iter().any(|r| r.samples.iter().any(|s| r.unstable(s, threshold)));
         if let Some((k, speed, s)) = highest {
             let finding = if unstable {
                 Finding::warning(
@@ -301,6 +333,39 @@ impl StabilityMap {
                 );
             }
         }
+        // of other machines what grows is unstable and nothing is to be explained
+        if endless || self.criterion != Criterion::Growth {
+            outcome = outcome.finding(self.criterion.finding(system, self.speed.to, threshold));
+        }
+        if endless {
+            let open = cells.iter().filter(|c| c.1.growing.is_none()).count();
+            let evaluations: u64 = rows.iter().map(|r| r.evaluations).sum();
+            let text = if open == 0 {
+                format!(
+                    "At all {} points the argument principle counts as many roots that grow faster than {limit} as were found.",
+                    cells.len()
+                )
+            } else {
+                format!("At {{}} of {} points it could not be proven that no root that grows faster than {limit} is missing.", cells.len())
+            };
+            let finding = if open == 0 {
+                Finding::info("all_counted", text)
+            } else {
+                Finding::warning("not_all_counted", text).value(open as f64, "")
+            };
+            outcome = outcome.finding(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
+            if threshold > self.threshold {
+                let text = format!(
+                    "The liquid has roots without number on the imaginary axis: growth is judged against {{}} instead of {}, the least that can be counted.",
+                    quantity(self.threshold, "1/s")
+                );
+                outcome = outcome.finding(Finding::warning("threshold_raised", text).value(threshold, "1/s"));
+            }
+            let from = self.speed.from;
+            for f in region::limits(&system.domains(from), from) {
+                outcome = outcome.finding(f);
+            }
+        }
         if rows.iter().any(|r| r.undamped) {
             outcome = outcome.finding(Finding::info(
                 "undamped",
@@ -314,8 +379,7 @@ impl StabilityMap {
         outcome = outcome.table(map).table(boundary).table(tops);
         let speed_axis = Axis::new("spin speed", "rad/s");
         let figure = if two {
-            let heat =
-                Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(self.threshold);
+            let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
             let factor = if unit == "m" { 1e3 } else { 1.0 };
             let shown = if unit == "m" { "mm" } else { unit };
             Figure::new(
@@ -331,14 +395,14 @@ impl StabilityMap {
             )
         } else {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
-            for (from, to) in rows[0].unstable_ranges(self.threshold) {
+            for (from, to) in rows[0].unstable_ranges(threshold) {
                 growth = growth.mark(Band::x(from, to).name("unstable").strip());
                 let ends = format!("unstable {} to {}", significant(from, 4), significant(to, 4));
                 growth = growth.mark(Rule::x(from, ends));
             }
             growth = growth
                 .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
-                .mark(Rule::y(self.threshold, "threshold"))
+                .mark(Rule::y(threshold, "threshold"))
                 .mark(Points::new("peaks", "speed", "growth").name("peak"))
                 .mark(Points::new("boundary", "speed", "growth").name("boundary"));
             let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");

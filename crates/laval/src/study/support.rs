@@ -7,6 +7,7 @@ use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Finding, OutcomeError, quantity};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::time_forms;
+use crate::solve::roots::transcendental;
 use crate::solve::{rest, turning};
 
 /// Bounds of a spin speed, rad/s. Coefficients of bearings are given for one sense of turning, that of the axes: a machine that turns the other way is
@@ -92,6 +93,17 @@ impl About {
 pub fn admit_eigenvalues(system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
     about.find(system, speed, None)?;
     time_forms(system).map(drop)
+}
+
+/// Roots can be had: as [`admit_eigenvalues`], or, for a machine with parts that have no time form, in a region about rest.
+///
+/// # Errors
+/// As [`About::find`]; a part without time form in a state that turns.
+pub fn admit_roots(system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
+    if about == About::Rest && transcendental(system) {
+        return about.find(system, speed, None).map(drop);
+    }
+    admit_eigenvalues(system, about, speed)
 }
 
 /// The spin speed: the field `speed`, or the machine's own.

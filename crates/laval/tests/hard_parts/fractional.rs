@@ -11,7 +11,6 @@ use laval::model::part::{Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
-use laval::solve::harmonic::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;
@@ -110,8 +109,15 @@ fn linear_response_is_exact() {
         for horizontal in [false, true] {
             let (system, range) = (machine(TimeForm::None(WHY), strength, 0.0, horizontal), (50.0, 2000.0));
             let found = response(&system, range);
-            let Some(Unjudged::NoTimeForm(part, why)) = &found.unjudged else { panic!("{:?}", found.unjudged) };
-            assert_eq!((part.as_str(), *why), ("polymer", WHY));
+            // judged on Hill's determinant with the exact impedance: the polymer only takes up energy
+            assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
+            let states: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
+            // under weight the derivative of s^0.6 at s = 0 is infinite, and no motion is found
+            assert!(horizontal || states.len() > 2, "{}", states.len());
+            for state in states {
+                let judged = state.exponents.as_ref().unwrap();
+                assert!(judged.stable(), "{} rad/s: {judged:?}", state.speed);
+            }
             for orbit in orbits(&system, &found, range) {
                 let w = orbit.speed;
                 let first = orbit.orders.iter().position(|&k| k == 1).unwrap();

@@ -35,8 +35,8 @@
 use crate::cavity::{Cavity, Tilt, Truncation};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
-use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
+use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Value, Values};
+use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
 use crate::params;
 use crate::units::{format_number, format_si};
 use laval_num::analytic::value;
@@ -89,6 +89,8 @@ const MODELS: [(&str, Model); 5] = [
     ("spatial", Model::Spatial),
     ("frozen", Model::Frozen),
 ];
+/// Highest axial harmonic that may be asked for.
+const MOST_HARMONICS: i64 = 999;
 /// Largest share of the tilt reaction that its estimated error may be.
 const ACCURACY: f64 = 1e-6;
 
@@ -98,6 +100,7 @@ pub struct Liquid {
     fill: Fill,
     model: Model,
     viscous: bool,
+    harmonics: Truncation,
 }
 
 struct Coefficients<S> {
@@ -109,11 +112,15 @@ struct Coefficients<S> {
 impl Liquid {
     /// Ideal liquid in plane flow in the cavity of a body; the case must agree with the free-surface radius.
     pub fn new(attach: Attach, fill: Fill) -> Self {
-        Liquid { attach, fill, model: Model::Planar, viscous: false }
+        Liquid { attach, fill, model: Model::Planar, viscous: false, harmonics: Truncation::None }
     }
     /// The same with another flow.
     pub fn flowing(self, model: Model) -> Self {
         Liquid { model, ..self }
+    }
+    /// The same with axial harmonics up to this one only.
+    pub fn truncated(self, last: usize) -> Self {
+        Liquid { harmonics: Truncation::At(last), ..self }
     }
     /// The same with viscosity.
     pub fn viscous(self) -> Self {
@@ -230,9 +237,9 @@ impl Liquid {
         let tilt = match self.model {
             Model::Spatial => {
                 let Tilt { value: tilt, error, .. } = if self.viscous {
-                    cavity.tilt_viscous(w, speed, p.viscosity, Truncation::None)
+                    cavity.tilt_viscous(w, speed, p.viscosity, self.harmonics)
                 } else {
-                    cavity.tilt(w, speed, Truncation::None)
+                    cavity.tilt(w, speed, self.harmonics)
                 };
                 // an inaccurate reaction is none
                 let size = value(tilt).abs() + value(cavity.mean_tilt(w, speed)).abs();
@@ -270,6 +277,12 @@ impl Part for Liquid {
             ]),
             "planar",
             "flow model",
+        ),
+        Field::optional(
+            "axial_harmonics",
+            FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS },
+            "auto",
+            "with spatial: highest axial harmonic k of the series that is taken (1, 3, 5, ...); auto takes all",
         ),
         Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
     ];
@@ -315,7 +328,19 @@ impl Part for Liquid {
         };
         let word = values.choice("model").unwrap_or("planar");
         let model = MODELS.iter().find(|m| m.0 == word)?.1;
-        Some(Liquid { attach, fill, model, viscous: params.get("viscosity").is_some_and(|nu| nu > 0.0) })
+        let harmonics = match values.get("axial_harmonics") {
+            Some(Value::Integer(k)) => usize::try_from(*k).map_or(Truncation::None, Truncation::At),
+            _ => Truncation::None,
+        };
+        if harmonics != Truncation::None && model != Model::Spatial {
+            diagnostics.push(
+                Diagnostic::error("liquid.axial_harmonics", format!("{word} has no axial harmonics"))
+                    .at(values.span_of("axial_harmonics"))
+                    .help("model = \"spatial\" has them; leave axial_harmonics out otherwise"),
+            );
+            return None;
+        }
+        Some(Liquid { attach, fill, model, viscous: params.get("viscosity").is_some_and(|nu| nu > 0.0), harmonics })
     }
 
     fn layout(&self) -> Layout {
@@ -380,6 +405,30 @@ impl Part for Liquid {
             out[x + 1] += skew;
             out[y] += -skew;
             out[y + 1] += mean;
+        }
+    }
+
+    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Domain {
+        let cavity = Self::cavity(p);
+        let inertial = [speed - 2.0 * speed.abs(), speed + 2.0 * speed.abs()];
+        // inertial waves inside that range, surface waves outside it
+        let all = (self.model == Model::Spatial).then_some([f64::NEG_INFINITY, f64::INFINITY]);
+        let waves = cavity.plane_waves(speed);
+        if self.viscous {
+            // a layer of thickness sqrt(nu/W) at the wall takes its energy from a wave; what it takes is more where the liquid is shallow
+            let gap = 0.1 * (p.viscosity * speed.abs()).sqrt() / p.cavity_radius;
+            return Domain { crowded: all, waves, gap, ..Domain::passive() };
+        }
+        let domain = Domain { left: true, waves, gap: 0.0, ..Domain::passive() };
+        match self.harmonics {
+            Truncation::None => Domain { axis: false, dense: Some(inertial), crowded: all, ..domain },
+            Truncation::At(_) => Domain { except: vec![speed], ..domain },
+        }
+    }
+    fn regular<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S) -> Complex<S> {
+        match self.harmonics {
+            Truncation::At(last) if !self.viscous => Self::cavity(p).regular(c(s.im, -s.re), speed, last),
+            _ => Complex::one(),
         }
     }
 
@@ -517,6 +566,8 @@ crate::conformance! {
         frozen: tests::partial().flowing(Model::Frozen), tests::cavity(0.667, 0.0), Options::default();
         spatial: tests::partial().flowing(Model::Spatial), tests::cavity(0.667, 0.0), Options { energy: false, ..Options::default() };
         spatial_full: Liquid::new(Attach::on("drum"), Fill::Full).flowing(Model::Spatial), tests::cavity(0.0, 0.0),
+            Options { energy: false, ..Options::default() };
+        spatial_truncated: tests::partial().flowing(Model::Spatial).truncated(3), tests::cavity(0.667, 0.0),
             Options { energy: false, ..Options::default() };
         viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };

@@ -105,7 +105,7 @@ fn event(exponent: C64, exponents: &Exponents, balance: &Balance, speed: f64) ->
 pub(super) fn frequency(judge: &mut Judge, balance: &mut Balance, exponent: C64, exponents: &Exponents, speed: f64) -> f64 {
     let own = exponent.im;
     match exponents.method {
-        Method::Mean => own.abs(),
+        Method::Mean | Method::Determinant => own.abs(),
         // seen from the rotating frame
         Method::Rotating => nearest(judge, balance, speed, &[own + speed, speed - own]),
         Method::Map => {

@@ -1,9 +1,11 @@
 //! A branch of the response with its points judged: states, folds, other changes of stability, where it comes from.
 
 use super::bifurcation::{Change, changes_between};
+use super::determinant;
 use super::floquet::{Exponents, Method, Stability, Unjudged};
 use super::problem::{Balance, Discretisation};
 use crate::model::system::System;
+use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
 use laval_num::newton::{Options, newton};
 use std::f64::consts::TAU;
@@ -126,6 +128,8 @@ impl Traced {
 pub struct Judge {
     /// `None` where stability was not asked for or cannot be had.
     pub(super) stability: Option<Stability>,
+    /// Of a machine with parts that have no time form: exponents of the motion judged last.
+    pub(super) exponents: Option<Vec<C64>>,
     /// Why stability was not judged.
     pub unjudged: Option<Unjudged>,
 }
@@ -134,9 +138,10 @@ impl Judge {
     /// With `wanted`, of stability too.
     pub fn new(system: &System, wanted: bool) -> Judge {
         match wanted.then(|| Stability::new(system)) {
-            None => Judge { stability: None, unjudged: None },
-            Some(Ok(s)) => Judge { stability: Some(s), unjudged: None },
-            Some(Err(why)) => Judge { stability: None, unjudged: Some(why) },
+            None => Judge { stability: None, exponents: None, unjudged: None },
+            Some(Ok(s)) => Judge { stability: Some(s), exponents: None, unjudged: None },
+            Some(Err(Unjudged::NoTimeForm(..))) => Judge { stability: None, exponents: Some(Vec::new()), unjudged: None },
+            Some(Err(why)) => Judge { stability: None, exponents: None, unjudged: Some(why) },
         }
     }
 
@@ -149,6 +154,15 @@ impl Judge {
         if let Some(s) = &mut self.stability {
             match s.exponents(balance, x, speed) {
                 Ok(e) => state.exponents = Some(e),
+                Err(why) => self.unjudged = Some(why),
+            }
+        }
+        if let Some(before) = &mut self.exponents {
+            match determinant::exponents(balance.system, balance.discretisation(), x, speed, before) {
+                Ok(e) => {
+                    before.clone_from(&e.values);
+                    state.exponents = Some(e);
+                }
                 Err(why) => self.unjudged = Some(why),
             }
         }
@@ -172,6 +186,10 @@ impl Judge {
         let mut changes = Vec::new();
         for (i, pair) in points.windows(2).enumerate() {
             let (Some(a), Some(b)) = (&pair[0].exponents, &pair[1].exponents) else { continue };
+            // the exponents that decay are not all known: none can be numbered
+            if a.method == Method::Determinant {
+                continue;
+            }
             let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
             // at a fold on a corner the point between belongs to either side
             let corner = folds.iter().any(|f| f.corner && (f.after == i || f.after + 1 == i));

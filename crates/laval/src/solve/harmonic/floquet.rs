@@ -29,6 +29,8 @@ pub enum Method {
     Mean,
     /// Map over the period (or the part a symmetry repeats).
     Map,
+    /// Zeros of Hill's determinant ([`super::determinant`]): all that grow, of the others those found.
+    Determinant,
 }
 
 /// Exponents of one motion.

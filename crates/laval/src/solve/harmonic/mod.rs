@@ -6,6 +6,7 @@ pub mod branch;
 pub mod condense;
 pub mod crossing_locus;
 pub mod cycles;
+pub mod determinant;
 pub mod elliptic;
 pub mod families;
 pub mod floquet;

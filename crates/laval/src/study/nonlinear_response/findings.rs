@@ -7,9 +7,11 @@ use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
-use crate::solve::harmonic::floquet::Exponents;
+use crate::solve::harmonic::floquet::{Exponents, Method};
 use crate::solve::harmonic::peak::Peak;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
+use crate::solve::harmonic::terms::admitted;
+use crate::study::region::dense_orders;
 use crate::study::support::runs;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
@@ -100,7 +102,12 @@ impl Shown<'_> {
             out.extend(stability::changes(response));
             out.extend(response.agreement.as_ref().map(stability::checked));
             out.extend(self.fitted());
+            out.extend(determinant(response));
         }
+        let d = response.discretisation;
+        let (orders, _) = admitted(d.symmetry, d.harmonics, d.divisor);
+        let orders: Vec<f64> = orders.into_iter().map(|n| f64::from(n) / d.divisor as f64).collect();
+        out.extend(dense_orders(self.system, request.speeds.1, &orders));
         out.extend(self.invalid(response));
         if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
             out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
@@ -191,6 +198,18 @@ impl Shown<'_> {
             })
             .collect()
     }
+}
+
+/// That stability was judged on Hill's determinant, and what that leaves open.
+fn determinant(response: &Response) -> Option<Finding> {
+    let exponents = || response.branches.iter().flat_map(|b| &b.points).filter_map(|p| p.exponents.as_ref());
+    let judged = exponents().filter(|e| e.method == Method::Determinant).count();
+    let error = exponents().filter(|e| e.method == Method::Determinant).map(|e| e.error).fold(0.0, f64::max);
+    let text = format!(
+        "Stability of {judged} states was judged on Hill's determinant with the exact impedances: exponents that grow faster than {{}} were counted by the argument principle, of those \
+         that decay some are known."
+    );
+    (judged > 0).then(|| Finding::info("stability_by_determinant", text).value(error, "1/s"))
 }
 
 /// Consecutive unstable points of a branch, but not the middle of a curve that turns back, though its other fold may lie beyond the range: that is said by

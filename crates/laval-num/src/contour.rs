@@ -1,0 +1,374 @@
+//! Zeros of an analytic function in a rectangle, all of them: counted by the argument principle, found by Newton's method.
+//!
+//! The function is known by its phase and its logarithmic derivative `f'/f`, so that values may be scaled by any positive factor. Zeros already known are
+//! divided out, which makes the rest turn slowly; what the phase still turns by around the rectangle is the number of zeros that are missing,
+//!
+//! ```text
+//! 1/(2 pi i) closed integral of ( f'/f - sum 1/(s - known) ) ds = zeros inside - known inside.
+//! ```
+//!
+//! A step from a to b is taken only when `|b - a| |f'/f|` is small at both ends and the change of the phase agrees with the integral of `f'/f`: a zero closer
+//! to the path than two thirds of the step spoils the first. A zero beside a pole on the other side of the path hides from afar: `Region::reach` must keep steps below the
+//! distance of such poles.
+//!
+//! Source: L. M. Delves, J. N. Lyness, A numerical method for locating the zeros of an analytic function, Math. Comp. 21 (1967) 543-560.
+
+use crate::complex::{C64, c};
+use std::f64::consts::{PI, TAU};
+
+/// A function at one place.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Phase of f.
+    pub phase: f64,
+    /// `f'/f`.
+    pub rate: C64,
+}
+
+/// Where zeros are looked for.
+pub struct Region<'a> {
+    /// Range of the real part.
+    pub re: (f64, f64),
+    /// Range of the imaginary part.
+    pub im: (f64, f64),
+    /// `f(conj s) = conj f(s)`, and the region is this rectangle together with its mirror image below the real axis; `im` begins at 0.
+    pub mirrored: bool,
+    /// Longest step at a place.
+    pub reach: &'a dyn Fn(C64) -> f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Zeros in the region, those given included; of a mirrored region the lower half is left out.
+    pub zeros: Vec<C64>,
+    /// Zeros that the count says are missing: 0 is proof that there are no others. `None` where the phase could not be followed.
+    pub missing: Option<i64>,
+    /// Evaluations of the function.
+    pub evaluations: u64,
+}
+
+/// Largest `|step| |f'/f|` at the ends of a step.
+const TURN: f64 = 1.2;
+/// Largest difference between the change of the phase and the integral of `f'/f` over a step.
+const AGREE: f64 = 0.25;
+/// The count must be a whole number to this.
+const WHOLE: f64 = 1e-3;
+/// Deepest subdivision.
+const DEPTH: usize = 40;
+/// Where a rectangle may be cut.
+const CUTS: [f64; 5] = [0.5, 0.4370, 0.5630, 0.3810, 0.6190];
+
+struct Search<'a, F> {
+    f: F,
+    mirrored: bool,
+    reach: &'a dyn Fn(C64) -> f64,
+    known: Vec<C64>,
+    evaluations: u64,
+    budget: u64,
+}
+
+/// A rectangle; `half` when it stands for itself and its mirror image.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    re: (f64, f64),
+    im: (f64, f64),
+    half: bool,
+}
+
+impl Cell {
+    fn holds(&self, s: C64) -> bool {
+        let im = if self.half { s.im.abs() } else { s.im };
+        s.re > self.re.0 && s.re < self.re.1 && (im > self.im.0 || self.half) && im < self.im.1
+    }
+    fn place(&self, u: f64, v: f64) -> C64 {
+        c(self.re.0 + u * (self.re.1 - self.re.0), self.im.0 + v * (self.im.1 - self.im.0))
+    }
+    fn cut(&self, at: f64) -> [Cell; 2] {
+        let (width, height) = (self.re.1 - self.re.0, self.im.1 - self.im.0);
+        if width > height {
+            let x = self.re.0 + at * width;
+            [Cell { re: (self.re.0, x), ..*self }, Cell { re: (x, self.re.1), ..*self }]
+        } else {
+            let y = self.im.0 + at * height;
+            [Cell { im: (self.im.0, y), ..*self }, Cell { im: (y, self.im.1), half: false, ..*self }]
+        }
+    }
+}
+
+/// All zeros of `f` in a region, beginning with some that are known (exactly, to rounding); at most `budget` evaluations.
+pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
+    let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
+    let mut search = Search { f, mirrored: region.mirrored, reach: region.reach, known: Vec::new(), evaluations: 0, budget };
+    known.iter().for_each(|&z| search.add(z));
+    let mut missing = search.missing(&whole);
+    if let Some(n) = missing
+        && n > 0
+    {
+        search.find(&whole, n, 0);
+        missing = search.missing(&whole);
+    }
+    let own = |z: &&C64| whole.holds(**z) && (!region.mirrored || z.im >= 0.0);
+    let zeros = search.known.iter().filter(own).copied().collect();
+    Found { zeros, missing, evaluations: search.evaluations }
+}
+
+/// The number of zeros in a region that are not among the known ones, and the evaluations it took.
+pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
+    let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
+    let mut search = Search { f, mirrored: region.mirrored, reach: region.reach, known: Vec::new(), evaluations: 0, budget };
+    known.iter().for_each(|&z| search.add(z));
+    let missing = search.missing(&whole);
+    (missing, search.evaluations)
+}
+
+/// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
+pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
+    let mut search = Search { f, mirrored: false, reach: &|_| f64::INFINITY, known: known.to_vec(), evaluations: 0, budget: 1000 };
+    search.newton(start, size)
+}
+
+impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
+    fn add(&mut self, z: C64) {
+        self.known.push(z);
+        if self.mirrored && z.im != 0.0 {
+            self.known.push(z.conj());
+        }
+    }
+
+    /// f with the known zeros divided out: phase as it is, rate without them.
+    fn at(&mut self, s: C64) -> Option<Sample> {
+        if self.evaluations >= self.budget {
+            return None;
+        }
+        self.evaluations += 1;
+        let mut sample = (self.f)(s)?;
+        for z in &self.known {
+            sample.rate -= (s - *z).recip();
+        }
+        (sample.rate.is_finite() && sample.phase.is_finite()).then_some(sample)
+    }
+
+    /// Zeros of a cell that are not known.
+    fn missing(&mut self, cell: &Cell) -> Option<i64> {
+        let ((a, b), (low, high)) = (cell.re, cell.im);
+        let path = if cell.half {
+            vec![c(b, 0.0), c(b, high), c(a, high), c(a, 0.0)]
+        } else {
+            vec![c(b, low), c(b, high), c(a, high), c(a, low), c(b, low)]
+        };
+        let turns = self.turned(&path)? / if cell.half { PI } else { TAU };
+        ((turns - turns.round()).abs() < WHOLE * if cell.half { 2.0 } else { 1.0 }).then(|| turns.round() as i64)
+    }
+
+    /// Change of the phase along a path.
+    fn turned(&mut self, path: &[C64]) -> Option<f64> {
+        let mut here = self.at(*path.first()?)?;
+        let mut total = 0.0;
+        for side in path.windows(2) {
+            let (mut s, end) = (side[0], side[1]);
+            let mut step = f64::INFINITY;
+            while s != end {
+                let rest = (end - s).abs();
+                let length = step.min((self.reach)(s)).min(0.9 * TURN / here.rate.abs()).min(rest);
+                if !(length > 1e-14 * s.abs().max(rest)) {
+                    return None;
+                }
+                let next = if length >= rest { end } else { s + (end - s).scale(length / rest) };
+                let there = self.at(next)?;
+                let way = next - s;
+                let known: f64 = self.known.iter().map(|z| ((next - *z) / (s - *z)).arg()).sum();
+                let turn = there.phase - here.phase - known;
+                let turn = turn - TAU * (turn / TAU).round();
+                let expected = (way * (here.rate + there.rate)).im * 0.5;
+                if way.abs() * there.rate.abs() <= TURN && (turn - expected).abs() <= AGREE {
+                    total += turn;
+                    (s, here) = (next, there);
+                    step = 2.0 * length;
+                } else {
+                    step = 0.4 * length;
+                }
+            }
+        }
+        Some(total)
+    }
+
+    /// Newton's method with the known zeros divided out.
+    fn newton(&mut self, start: C64, size: f64) -> Option<C64> {
+        let (mut s, mut last) = (start, f64::INFINITY);
+        for _ in 0..40 {
+            let step = self.at(s)?.rate.recip();
+            let length = step.abs();
+            // far from a zero the quotient points anywhere
+            let step = if length > 0.5 * size { step.scale(0.5 * size / length) } else { step };
+            if !step.is_finite() {
+                return None;
+            }
+            s -= step;
+            if length <= 1e-13 * s.abs().max(1e-3 * size) || (length >= 0.5 * last && length <= 1e-10 * s.abs()) {
+                return Some(s);
+            }
+            last = length;
+        }
+        None
+    }
+
+    /// Looks for the zeros that are missing in a cell.
+    fn find(&mut self, cell: &Cell, missing: i64, depth: usize) {
+        let mut left = missing;
+        let size = (cell.re.1 - cell.re.0).hypot(cell.im.1 - cell.im.0);
+        for (u, v) in [(0.5, 0.5), (0.2, 0.3), (0.2, 0.8), (0.8, 0.3), (0.8, 0.7), (0.05, 0.5)] {
+            while left > 0 {
+                let Some(mut z) = self.newton(cell.place(u, v), size) else { break };
+                if self.mirrored && z.im.abs() <= 1e-10 * z.re.abs() {
+                    z.im = 0.0;
+                }
+                if self.mirrored && cell.half && z.im < 0.0 {
+                    z = z.conj();
+                }
+                let inside = cell.holds(z);
+                self.add(z);
+                if !inside {
+                    break;
+                }
+                left -= if cell.half && z.im != 0.0 { 2 } else { 1 };
+            }
+        }
+        if left <= 0 || depth >= DEPTH {
+            return;
+        }
+        for at in CUTS {
+            let pieces = cell.cut(at);
+            let Some(first) = self.missing(&pieces[0]) else { continue };
+            let Some(second) = self.missing(&pieces[1]) else { continue };
+            for (piece, n) in pieces.iter().zip([first, second]) {
+                if n > 0 {
+                    // zeros found meanwhile may lie here
+                    match self.missing(piece) {
+                        Some(n) if n > 0 => self.find(piece, n, depth + 1),
+                        _ => {}
+                    }
+                }
+            }
+            return;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A rational function by its zeros and poles.
+    fn rational(zeros: Vec<C64>, poles: Vec<C64>) -> impl FnMut(C64) -> Option<Sample> {
+        move |s| {
+            let mut out = Sample { phase: 0.0, rate: C64::zero() };
+            for (list, sign) in [(&zeros, 1.0), (&poles, -1.0)] {
+                for z in list {
+                    out.phase += sign * (s - *z).arg();
+                    out.rate += (s - *z).recip().scale(sign);
+                }
+            }
+            Some(out)
+        }
+    }
+
+    fn free(_: C64) -> f64 {
+        f64::INFINITY
+    }
+
+    fn matches(mut found: Vec<C64>, should: &[C64], tolerance: f64) {
+        assert_eq!(found.len(), should.len(), "{found:?} {should:?}");
+        for z in should {
+            let near = (0..found.len()).min_by(|&a, &b| (found[a] - *z).abs().total_cmp(&(found[b] - *z).abs())).unwrap();
+            assert!((found[near] - *z).abs() < tolerance, "{:?} {z:?}", found[near]);
+            found.remove(near);
+        }
+    }
+
+    #[test]
+    fn finds_all_zeros_of_a_rectangle() {
+        let inside = vec![c(0.3, 0.2), c(0.3, 0.2002), c(0.01, -0.8), c(0.9, 0.95), c(0.5, -0.5), c(1e-4, 0.1)];
+        let outside = [c(-1e-4, 0.3), c(1.5, 0.0), c(-0.4, 0.2)];
+        let all = inside.iter().chain(&outside).copied().collect();
+        let poles = vec![c(-1e-3, 0.25), c(-0.2, -0.4)];
+        let region = Region { re: (0.0, 1.0), im: (-1.0, 1.0), mirrored: false, reach: &free };
+        let found = zeros(rational(all, poles), &region, &[], 1_000_000);
+        assert_eq!(found.missing, Some(0));
+        matches(found.zeros, &inside, 1e-9);
+    }
+
+    /// `sinh(s) + s/2 - 1`, which has no poles and infinitely many zeros; by its conjugate symmetry half the path is enough.
+    #[test]
+    fn half_the_path_of_a_real_function() {
+        let f = |s: C64| {
+            let (up, down) = (s.exp(), (-s).exp());
+            let value = (up - down).scale(0.5) + s.scale(0.5) - C64::one();
+            Some(Sample { phase: value.arg(), rate: ((up + down).scale(0.5) + c(0.5, 0.0)) / value })
+        };
+        let region = Region { re: (-4.0, 4.0), im: (0.0, 30.0), mirrored: true, reach: &free };
+        let half = zeros(f, &region, &[], 1_000_000);
+        assert_eq!(half.missing, Some(0));
+        let whole = zeros(f, &Region { im: (-30.0, 30.0), mirrored: false, ..region }, &[], 1_000_000);
+        assert_eq!(whole.missing, Some(0));
+        let upper: Vec<C64> = whole.zeros.iter().filter(|z| z.im > -1e-9).copied().collect();
+        assert!(upper.len() > 5 && whole.zeros.len() == 2 * upper.len() - 1);
+        matches(half.zeros, &upper, 1e-8);
+        for z in upper {
+            let value = (z.exp() - (-z).exp()).scale(0.5) + z.scale(0.5) - C64::one();
+            assert!(value.abs() < 1e-10 * z.exp().abs().max(1.0), "{z:?} {value:?}");
+        }
+    }
+
+    /// A cut above the axis leaves a mirrored piece and one that stands for itself; a cut across it two mirrored ones.
+    #[test]
+    fn pieces_hold_what_the_whole_holds() {
+        let all = [c(0.3, 0.2), c(0.6, 0.9), c(0.8, 0.0), c(0.1, 1.7)];
+        let f = rational(all.iter().flat_map(|z| if z.im == 0.0 { vec![*z] } else { vec![*z, z.conj()] }).collect(), vec![]);
+        let mut search = Search { f, mirrored: true, reach: &free, known: Vec::new(), evaluations: 0, budget: 100_000 };
+        let tall = Cell { re: (0.0, 1.0), im: (0.0, 2.0), half: true };
+        let flat = Cell { re: (0.0, 1.0), im: (0.0, 0.95), half: true };
+        let [low, high] = tall.cut(0.5);
+        let [left, right] = flat.cut(0.5);
+        let counts = [tall, low, high, flat, left, right].map(|c| search.missing(&c));
+        assert_eq!(counts, [7, 5, 1, 5, 2, 3].map(Some));
+    }
+
+    #[test]
+    fn a_false_zero_is_told() {
+        let f = || rational(vec![c(0.5, 0.5)], vec![]);
+        let region = Region { re: (0.0, 1.0), im: (0.0, 1.0), mirrored: false, reach: &free };
+        assert_eq!(missing(f(), &region, &[c(0.5, 0.5)], 1000).0, Some(0));
+        assert_eq!(missing(f(), &region, &[c(0.5, 0.5), c(0.2, 0.2)], 1000).0, Some(-1));
+        assert_eq!(missing(f(), &region, &[], 1000).0, Some(1));
+        // on the path there is no count
+        assert_eq!(missing(rational(vec![c(0.0, 0.5)], vec![]), &region, &[], 10_000).0, None);
+        assert_eq!(missing(|_: C64| None, &region, &[], 1000).0, None);
+        assert_eq!(missing(f(), &region, &[], 3).0, None);
+    }
+
+    /// Zeros just inside beside poles just outside: with steps of the distance of the poles none hides, wherever the two lie.
+    #[test]
+    fn zeros_beside_poles() {
+        let mut seed = 1u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let margin = 1e-3;
+        let reach = move |s: C64| if s.re < 2.0 * margin { margin } else { f64::INFINITY };
+        for _ in 0..100 {
+            let place = random();
+            let zero = c(margin * (1.0 + 3.0 * random().powi(2)), place);
+            let pole = c(0.0, place + 10f64.powf(3.0 * random()) * margin * (random() - 0.5));
+            let region = Region { re: (margin, 1.0), im: (-1.0, 2.0), mirrored: false, reach: &reach };
+            let (count, _) = missing(rational(vec![zero], vec![pole]), &region, &[], 100_000);
+            assert_eq!(count, Some(1), "{zero:?} {pole:?}");
+            // a single pole whose place is known: steps that shrink towards it
+            let (near, place) = (1e-6, pole.im);
+            let region = Region { re: (near, 1.0), reach: &|s| 0.5 * s.re.abs().hypot(s.im - place), ..region };
+            let (count, _) = missing(rational(vec![zero], vec![pole]), &region, &[], 100_000);
+            assert_eq!(count, Some(1), "{zero:?} {pole:?}");
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Stability along the speed of a machine with parts that have no time form: at every speed the roots that grow faster than the threshold, counted; between
+//! speeds where their number changes the root that crosses, followed by Newton's method.
+
+use super::characteristic::Characteristic;
+use super::locate::{State, value_and_slope};
+use super::roots::{Request, Roots, roots};
+use super::scalar::root;
+use super::sectors::Sector;
+use super::stability::{Edge, Peak, Row, Sample};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use laval_num::complex::C64;
+
+/// Halvings of a step between two speeds along which a root is followed.
+const DEPTH: usize = 6;
+
+fn sample(speed: f64, found: &Roots) -> Option<Sample> {
+    let least = found.spectrum.least_stable()?;
+    let size = found.spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+    Some(Sample {
+        speed,
+        value: least.value,
+        sector: least.sector,
+        size,
+        on_grid: true,
+        other: false,
+        growing: found.growing(),
+        counted: true,
+    })
+}
+
+/// A root from one speed to another: Newton's method from where it was, in halved steps where it leads elsewhere.
+fn carried(system: &System, state: State, from: (f64, C64), to: f64, sector: Option<Sector>, depth: usize) -> Option<C64> {
+    let (value, slope) = value_and_slope(system, state, from.0, from.1, sector)?;
+    let ahead = value + slope.scale(to - from.0);
+    let found = Characteristic::new(system, &state(to).ok()?).polish(ahead, sector).map(|p| p.value);
+    if let Some(found) = found
+        && (found - ahead).abs() <= 0.3 * (ahead - value).abs() + 1e-6 * value.abs()
+    {
+        return Some(found);
+    }
+    if depth == 0 {
+        return found;
+    }
+    let middle = 0.5 * (from.0 + to);
+    let there = carried(system, state, from, middle, sector, depth - 1)?;
+    carried(system, state, (middle, there), to, sector, depth - 1)
+}
+
+/// As [`row`](super::stability::row); growth is judged against `threshold` or, where the domain of the parts ends above it, against that end, which is returned.
+///
+/// # Errors
+/// As [`roots`].
+pub fn row(
+    system: &System,
+    state: State,
+    speeds: &[f64],
+    threshold: f64,
+    frequency: Option<f64>,
+    mut each: impl FnMut(u64) -> bool,
+) -> Result<Row, Diagnostic> {
+    let mut out = Row::default();
+    let mut starts: Vec<C64> = Vec::new();
+    for (k, &speed) in speeds.iter().enumerate() {
+        if !each(k as u64) {
+            out.stopped = true;
+            break;
+        }
+        let request = Request { margin: threshold, frequency, growing: true, starts: &starts };
+        let found = roots(system, &state(speed)?, &request)?;
+        out.evaluations += found.evaluations;
+        out.solved += 1;
+        let forward = |m: &super::pencil::MachineMode| if m.sector == Some(Sector::Backward) { m.value.conj() } else { m.value };
+        starts = found.spectrum.modes.iter().map(forward).collect();
+        out.samples.extend(sample(speed, &found));
+    }
+    for k in 1..out.samples.len() {
+        let (a, b) = (out.samples[k - 1], out.samples[k]);
+        let led = carried(system, state, (a.speed, a.value), b.speed, a.sector, 0);
+        out.samples[k].other = !led.is_some_and(|z| (z - b.value).abs() <= 1e-6 * b.value.abs());
+    }
+    for pair in out.samples.windows(2) {
+        let (a, b) = (pair[0], pair[1]);
+        if out.unstable(&a, threshold) == out.unstable(&b, threshold) {
+            continue;
+        }
+        out.edges.push(edge(system, state, a, b, threshold));
+    }
+    for w in out.samples.windows(3) {
+        let top = w[1].value.re;
+        if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
+            continue;
+        }
+        let (near, sector) = ((w[1].speed, w[1].value), w[1].sector);
+        let slope = |speed: f64| value_and_slope(system, state, speed, carried(system, state, near, speed, sector, DEPTH)?, sector);
+        let bracket = (w[0].speed, w[2].speed);
+        let (Some(a), Some(b)) = (slope(bracket.0), slope(bracket.1)) else { continue };
+        let place = root(|x| slope(x).map(|s| s.1.re), (bracket.0, a.1.re), (bracket.1, b.1.re), 1e-9 * bracket.1.abs());
+        if let Some((speed, (value, _))) = place.and_then(|x| Some((x, slope(x)?))) {
+            out.peaks.push(Peak { speed, value, bracket });
+        }
+    }
+    Ok(out)
+}
+
+/// Where the root that grows on one side crosses the threshold.
+fn edge(system: &System, state: State, a: Sample, b: Sample, threshold: f64) -> Edge {
+    let onset = b.value.re > a.value.re;
+    let unstable = if onset { b } else { a };
+    let start = (unstable.speed, unstable.value);
+    let at = |speed: f64| carried(system, state, start, speed, unstable.sector, DEPTH);
+    let tolerance = 1e-11 * b.speed.abs();
+    let ends = (at(a.speed), at(b.speed));
+    let found = match ends {
+        (Some(p), Some(q)) => {
+            root(|w| at(w).map(|z| z.re - threshold), (a.speed, p.re - threshold), (b.speed, q.re - threshold), tolerance)
+        }
+        _ => None,
+    };
+    let bracket = (a.speed, b.speed);
+    match found.and_then(|w| Some((w, at(w)?))) {
+        Some((speed, value)) => Edge { speed, onset, value, double: false, bracket, located: true, step: tolerance },
+        None => {
+            let middle = 0.5 * (a.speed + b.speed);
+            Edge { speed: middle, onset, value: b.value, double: false, bracket, located: false, step: b.speed - a.speed }
+        }
+    }
+}

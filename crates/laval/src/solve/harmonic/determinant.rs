@@ -1,0 +1,273 @@
+//! Stability of a periodic motion of a machine with parts that have no time form: zeros of Hill's determinant, counted.
+//!
+//! A disturbance `exp(L t) sum_n x_n exp(i n w t)` of a motion with base frequency w obeys, at every order n,
+//!
+//! ```text
+//! Z(L + i n w) x_n + B^T sum_m [ T_(n-m) + (L + i m w) R_(n-m) ] B x_m = 0
+//! ```
+//!
+//! with the exact dynamic stiffness Z of the linear parts and the Fourier coefficients T, R of the tangents of the nonlinear ones. With a reference stiffness S on
+//! the nonlinear coordinates, `Y = Z + B^T S B` and `G_n = B Y(L + i n w)^-1 B^T`, the determinant is the product of all `det Y(L + i n w)` and of `det(1 + G (T - S))`, which
+//! tends to one as orders are added.
+//!
+//! Exponents repeat with i w, so that one strip of the width w holds all of them. The number of those that grow is counted by the argument principle around the strip, right
+//! of the margin from which on the parts are analytic; orders are added until count and exponents settle. Of what decays only the exponents that starts lead to are known.
+
+use super::families::whole_period;
+use super::floquet::{Exponents, Method, Unjudged};
+use super::problem::{Balance, Discretisation};
+use crate::model::blocks::Grid;
+use crate::model::erased::D1;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::Domain;
+use crate::model::system::System;
+use crate::solve::characteristic::{Equilibrium, Frame};
+use crate::solve::pencil::Linearised;
+use crate::solve::roots::LEAST;
+use laval_num::complex::{C64, Complex, c};
+use laval_num::contour::{Region, Sample, newton, zeros};
+use laval_num::dense::{Field, Lu, Mat};
+use laval_num::dual::Dual;
+use std::f64::consts::TAU;
+
+/// Coefficients of tangents below this part of the largest are left out.
+const SMALL: f64 = 1e-14;
+/// Exponents have settled when they change by no more than this part of the base frequency.
+const SETTLED: f64 = 1e-9;
+/// Most orders on either side.
+const MOST_ORDERS: usize = 64;
+/// Most evaluations of the determinant for one count.
+const BUDGET: u64 = 50_000;
+/// Place of the strip: real multipliers, which lie at multiples of half the base frequency, are not on its edge.
+const BELOW: f64 = 0.381_966;
+
+/// Hill's determinant of one motion.
+struct Hill<'a> {
+    system: &'a System,
+    params: Vec<D1>,
+    model: LinearModel<D1>,
+    scratch: LinearScratch<D1>,
+    grid: Grid<Complex<D1>>,
+    rows: Vec<Vec<(usize, f64)>>,
+    reference: Vec<f64>,
+    /// Coefficients of orders from 0 up, by displacements and by rates; those below 0 are conjugates.
+    tangents: Vec<[Mat<C64>; 2]>,
+    /// Base frequency with the sign of the speed.
+    base: f64,
+    orders: usize,
+    lu: Lu<C64>,
+}
+
+impl Hill<'_> {
+    fn tangent(&self, order: isize, which: usize, j: usize, k: usize) -> C64 {
+        let t = self.tangents.get(order.unsigned_abs()).map_or(C64::zero(), |t| t[which][(j, k)]);
+        if order < 0 { t.conj() } else { t }
+    }
+
+    fn at(&mut self, exponent: C64) -> Option<Sample> {
+        let (n, mu) = (self.orders as isize, self.rows.len());
+        let mut sample = Sample { phase: 0.0, rate: C64::zero() };
+        let mut flexibility: Vec<[Mat<C64>; 2]> = Vec::with_capacity(2 * self.orders + 1);
+        for order in -n..=n {
+            let s = exponent + c(0.0, order as f64 * self.base);
+            let dual = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
+            self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, dual, &mut self.grid, &mut self.scratch);
+            let size = self.grid.rows();
+            let mut y = Mat::from_fn(size, size, |i, j| c(self.grid[(i, j)].re.re, self.grid[(i, j)].im.re));
+            let mut right = Mat::from_fn(size, size + mu, |i, j| {
+                if j < size { c(self.grid[(i, j)].re.eps[0], self.grid[(i, j)].im.eps[0]) } else { C64::zero() }
+            });
+            for (k, (row, &reference)) in self.rows.iter().zip(&self.reference).enumerate() {
+                for &(gi, ci) in row {
+                    right[(gi, size + k)] += c(ci, 0.0);
+                    for &(gj, cj) in row {
+                        y[(gi, gj)] += c(reference * ci * cj, 0.0);
+                    }
+                }
+            }
+            for i in 0..size {
+                let largest = y.row(i).iter().map(|x| x.size()).fold(0.0, f64::max);
+                let scale = if largest > 0.0 { largest.recip() } else { 1.0 };
+                y.row_mut(i).iter_mut().for_each(|x| *x = x.scale(scale));
+                right.row_mut(i).iter_mut().for_each(|x| *x = x.scale(scale));
+            }
+            self.lu.factor(&y).ok()?;
+            self.lu.solve_mat(&mut right);
+            sample.phase += self.lu.det().arg();
+            // Y^-1 Y' on the left, Y^-1 B^T on the right
+            sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + right[(i, i)]);
+            let spread = |i: usize, k: usize| right[(i, size + k)];
+            let changed = Mat::from_fn(size, mu, |i, k| -(0..size).fold(C64::zero(), |sum, j| sum + right[(i, j)] * spread(j, k)));
+            let read = |at: &dyn Fn(usize, usize) -> C64| {
+                Mat::from_fn(mu, mu, |i, k| self.rows[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + at(g, k).scale(x)))
+            };
+            flexibility.push([read(&spread), read(&|i, k| changed[(i, k)])]);
+        }
+        let size = (2 * self.orders + 1) * mu;
+        let (mut whole, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        for (a, [g, dg]) in flexibility.iter().enumerate() {
+            for b in 0..flexibility.len() {
+                let s = exponent + c(0.0, (b as isize - n) as f64 * self.base);
+                let between = a as isize - b as isize;
+                for k in 0..mu {
+                    for l in 0..mu {
+                        let rate = self.tangent(between, 1, l, k);
+                        let mut t = self.tangent(between, 0, l, k) + s * rate;
+                        if a == b && k == l {
+                            t -= c(self.reference[l], 0.0);
+                        }
+                        for i in 0..mu {
+                            whole[(a * mu + i, b * mu + k)] += g[(i, l)] * t;
+                            slope[(a * mu + i, b * mu + k)] += dg[(i, l)] * t + g[(i, l)] * rate;
+                        }
+                    }
+                }
+            }
+        }
+        for i in 0..size {
+            whole[(i, i)] += C64::one();
+        }
+        self.lu.factor(&whole).ok()?;
+        self.lu.solve_mat(&mut slope);
+        sample.phase += self.lu.det().arg();
+        sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + slope[(i, i)]);
+        (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
+    }
+}
+
+/// Coefficients of the tangents of the motion last sampled over a whole period.
+fn coefficients(balance: &Balance) -> Vec<[Mat<C64>; 2]> {
+    let (count, mu) = (balance.terms.samples, balance.terms.coordinates);
+    let derivatives = if balance.nonlinear.members.iter().any(|m| m.uses.velocity) { 2 } else { 1 };
+    let one = |k: usize, d: usize| {
+        Mat::from_fn(mu, mu, |i, j| {
+            if d >= derivatives {
+                return C64::zero();
+            }
+            let tangent = balance.sampled.tangent(d);
+            let sum = (0..count)
+                .fold(C64::zero(), |sum, s| sum + C64::cis(-TAU * ((k * s) % count) as f64 / count as f64).scale(tangent[(s * mu + i, j)]));
+            sum.scale(1.0 / count as f64)
+        })
+    };
+    let mut all: Vec<[Mat<C64>; 2]> = (0..=(count - 1) / 2).map(|k| [one(k, 0), one(k, 1)]).collect();
+    let largest = [0, 1].map(|d| all.iter().map(|t| t[d].max_size()).fold(0.0, f64::max));
+    while all.len() > 1 && all.last().is_some_and(|t| (0..2).all(|d| t[d].max_size() <= SMALL * largest[d])) {
+        all.pop();
+    }
+    all
+}
+
+/// Margin from which on all parts are analytic.
+fn margin(domains: &[Domain], speed: f64) -> f64 {
+    if domains.iter().all(|d| d.axis && d.except.is_empty()) { 0.0 } else { LEAST * speed.abs() }
+}
+
+/// Longest step: so short that nothing hides beside a wave of a part, which is at every order.
+fn reach(domains: &[Domain], speed: f64, base: f64, s: C64) -> f64 {
+    let mut limit = f64::INFINITY;
+    for d in domains {
+        let gap = if d.gap.is_finite() { d.gap } else { continue };
+        let away = (s.re + gap).abs();
+        if d.crowded.is_some() || !d.except.is_empty() {
+            limit = limit.min(away.max(LEAST * speed.abs()));
+        }
+        for w in d.waves.iter().flat_map(|&w| [w, -w]) {
+            let beside = (s.im - w) / base;
+            limit = limit.min(0.5 * away.hypot((beside - beside.round()) * base));
+        }
+    }
+    limit
+}
+
+/// Exponents of a motion `x` of a discretisation at a speed: all that grow, and those that decay to which `starts` lead. The error of the result is at least the margin from
+/// which on growth can be counted.
+///
+/// # Errors
+/// Why the motion cannot be judged.
+pub fn exponents(system: &System, d: Discretisation, x: &[f64], speed: f64, starts: &[C64]) -> Result<Exponents, Unjudged> {
+    let failed = |why: &str| Unjudged::Failed(why.into());
+    if system.slots().iter().filter(|s| !s.is_linear()).any(|s| s.uses.acceleration || !s.states.is_empty()) {
+        return Err(failed("Hill's determinant is for machines whose nonlinear parts have neither mass nor states"));
+    }
+    let (mut balance, x) = whole_period(system, d, x, speed).map_err(|d| Unjudged::Failed(d.message))?;
+    if !balance.switches(&x, speed, (0.0, TAU)).0.is_empty() {
+        return Err(failed("Hill's determinant is for motions along which no law switches"));
+    }
+    balance.sample(&x, speed);
+    let tangents = coefficients(&balance);
+    let base = speed / d.divisor as f64;
+    let strip = base.abs();
+    let domains = system.domains(speed);
+    let rest = Equilibrium::zero(system, Frame::Fixed, speed);
+    let own: Vec<C64> =
+        Linearised::of_time_forms(system, &rest).spectrum().map_or(Vec::new(), |s| s.modes.iter().map(|m| m.value).collect());
+    let waves = domains.iter().flat_map(|d| d.waves.iter().map(|w| w.abs()));
+    let fastest = own.iter().map(|s| s.abs()).chain(waves).filter(|x| x.is_finite()).fold(2.0 * speed.abs(), f64::max);
+    let into = |z: C64| z - c(0.0, strip * (z.im / strip + BELOW).floor());
+    let mean: Vec<f64> = (0..balance.terms.coordinates).map(|i| tangents[0][0][(i, i)].re.abs()).collect();
+    let size = mean.iter().fold(0.0f64, |a, &b| a.max(b));
+    let params: Vec<D1> = system.params().iter().map(|&x| Dual::lift(x)).collect();
+    let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
+    system.linear(&params, Dual::lift(speed), Form::Frequency, &mut model, &mut scratch);
+    let mut hill = Hill {
+        system,
+        params,
+        model,
+        scratch,
+        grid: Grid::empty(),
+        rows: balance.nonlinear.basis.rows.clone(),
+        reference: mean
+            .iter()
+            .map(|k| {
+                if *k > 0.0 {
+                    *k
+                } else if size > 0.0 {
+                    size
+                } else {
+                    1.0
+                }
+            })
+            .collect(),
+        orders: (1.2 * fastest / strip).ceil() as usize + tangents.len(),
+        tangents,
+        base,
+        lu: Lu::default(),
+    };
+    let margin = margin(&domains, speed);
+    let limit = |s: C64| reach(&domains, speed, strip, s);
+    let region = Region { re: (margin, 2.0 * fastest), im: (-BELOW * strip, (1.0 - BELOW) * strip), mirrored: false, reach: &limit };
+    let mut before: Option<Vec<C64>> = None;
+    while hill.orders <= MOST_ORDERS {
+        let found = zeros(|s| hill.at(s), &region, &[], BUDGET);
+        if found.missing != Some(0) {
+            return Err(failed("the exponents that grow could not be counted on Hill's determinant"));
+        }
+        let mut values = found.zeros;
+        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        let count = values.len();
+        let led = starts.iter().copied().map(into).chain(if starts.is_empty() {
+            own.iter().flat_map(|&z| [into(z), into(z.conj())]).collect()
+        } else {
+            vec![]
+        });
+        for start in led {
+            let Some(z) = newton(|s| hill.at(s), start, 0.2 * strip, &[]).map(into) else { continue };
+            let far = |k: &C64| {
+                (*k - z).abs() > 1e-7 * strip && (into(*k + c(0.0, 1e-6 * strip)) - into(z + c(0.0, 1e-6 * strip))).abs() > 1e-7 * strip
+            };
+            if z.re <= margin && z.re > -fastest && values.iter().all(far) {
+                values.push(z);
+            }
+        }
+        let settled = before
+            .as_ref()
+            .is_some_and(|b: &Vec<C64>| b.len() == count && b.iter().zip(&values).all(|(a, b)| (*a - *b).abs() <= SETTLED * strip));
+        if settled {
+            return Ok(Exponents { values, error: margin.max(SETTLED * strip), method: Method::Determinant, span: TAU / strip });
+        }
+        before = Some(values[..count].to_vec());
+        hill.orders += hill.orders.div_ceil(3);
+    }
+    Err(Unjudged::Failed(format!("Hill's determinant did not settle with {MOST_ORDERS} orders")))
+}

@@ -1,0 +1,382 @@
+//! Roots of a machine with parts that have no time form: those of its characteristic function in a region, with the number that the argument principle counts.
+//!
+//! ```text
+//! det T(s) = 0;   1/(2 pi i) closed integral of d ln(R det T) = number of roots inside,   R as in [`Part::regular`](crate::model::part::Part::regular)
+//! ```
+//!
+//! The parts say where T is analytic ([`Domain`]). The region is made of rectangles inside that domain: of an ideal liquid with all its axial waves both
+//! half planes but for a strip along the imaginary axis, of a viscous one the right half plane. In every rectangle the roots known from nearby starts are divided
+//! out, those the count says are missing are looked for, and the count is taken again. Roots outside the rectangles that starts lead to are kept and said to be
+//! uncounted.
+
+use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
+use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl};
+use super::sectors::Sector;
+use crate::diagnostic::Diagnostic;
+use crate::model::part::{Domain, Physics, TimeForm};
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+use laval_num::contour::{Region, Sample, missing, zeros};
+use laval_num::dense::{Field, Lu, Mat};
+use laval_num::eig;
+
+/// Half width, over the speed, of the band about a frequency where singularities accumulate that is left out of the count.
+pub const ACCUMULATION: f64 = 0.08;
+/// In that band roots are counted from this growth or decay on, over the speed.
+pub const BESIDE: f64 = 0.02;
+/// Least margin beside a dense range, over the speed, and least resolution of waves that die out slowly.
+pub const LEAST: f64 = 1e-3;
+/// Starts spread over the frequencies.
+const SPREAD: i32 = 16;
+/// Most evaluations of the characteristic matrix for one rectangle.
+const BUDGET: u64 = 400_000;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Request<'a> {
+    /// Growth that counts, 1/s: roots that grow faster are counted.
+    pub margin: f64,
+    /// Largest frequency, rad/s; one that holds all modes of the machine without these parts when left out.
+    pub frequency: Option<f64>,
+    /// Only roots that grow faster than the margin are wanted; others are kept when starts lead to them.
+    pub growing: bool,
+    /// Places near roots.
+    pub starts: &'a [C64],
+}
+
+/// A rectangle in which roots were counted.
+#[derive(Clone, Debug)]
+pub struct Area {
+    /// Range of the growth, 1/s.
+    pub growth: (f64, f64),
+    /// Range of the frequency, rad/s; of the forward sector with its sign.
+    pub frequency: (f64, f64),
+    /// Together with its mirror image.
+    pub mirrored: bool,
+    /// Roots found.
+    pub found: usize,
+    /// Roots the count says are missing; `None` where the phase could not be followed.
+    pub missing: Option<i64>,
+}
+
+impl Area {
+    /// All roots in it are known.
+    pub fn complete(&self) -> bool {
+        self.missing == Some(0)
+    }
+}
+
+/// Roots with the evidence for them.
+#[derive(Clone, Debug)]
+pub struct Roots {
+    /// As modes.
+    pub spectrum: Spectrum,
+    /// Where they were counted.
+    pub areas: Vec<Area>,
+    /// For each mode whether it lies in a rectangle whose count agrees.
+    pub counted: Vec<bool>,
+    /// Evaluations of the characteristic matrix.
+    pub evaluations: u64,
+    /// Growth from which on roots are counted, 1/s.
+    pub margin: f64,
+    /// Largest frequency, rad/s.
+    pub frequency: f64,
+}
+
+impl Roots {
+    /// The number of roots that grow faster than the margin, where it is proven. Of a pair of conjugates one counts.
+    pub fn growing(&self) -> Option<usize> {
+        let proven = self.areas.iter().filter(|a| a.growth.1 > 0.0).all(Area::complete);
+        proven.then(|| self.spectrum.modes.iter().filter(|m| m.value.re > self.margin).count())
+    }
+}
+
+/// A part of the machine has no time form: its roots are those of a transcendental function.
+pub fn transcendental(system: &System) -> bool {
+    system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(TimeForm::None(_))))
+}
+
+/// The characteristic function over one sector or all unknowns.
+struct Determinant<'a, 'b> {
+    t: &'a mut Characteristic<'b>,
+    sector: Option<Sector>,
+    members: Vec<usize>,
+    value: Mat<C64>,
+    slope: Mat<C64>,
+    own: Mat<C64>,
+    change: Mat<C64>,
+    lu: Lu<C64>,
+}
+
+impl<'a, 'b> Determinant<'a, 'b> {
+    fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>) -> Self {
+        let members = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
+        let (value, slope, own, change) = (Mat::default(), Mat::default(), Mat::default(), Mat::default());
+        Determinant { t, sector, members, value, slope, own, change, lu: Lu::default() }
+    }
+
+    fn at(&mut self, s: C64) -> Option<Sample> {
+        self.t.at(s, &mut self.value, &mut self.slope);
+        let k = self.members.len();
+        self.own.reset(k, k);
+        self.change.reset(k, k);
+        for (i, &gi) in self.members.iter().enumerate() {
+            // positive factors turn nothing
+            let size = self.members.iter().map(|&gj| self.value[(gi, gj)].size()).fold(0.0, f64::max);
+            let scale = if size > 0.0 { size.recip() } else { 1.0 };
+            for (j, &gj) in self.members.iter().enumerate() {
+                self.own[(i, j)] = self.value[(gi, gj)].scale(scale);
+                self.change[(i, j)] = self.slope[(gi, gj)].scale(scale);
+            }
+        }
+        self.lu.factor(&self.own).ok()?;
+        self.lu.solve_mat(&mut self.change);
+        let mut sample = Sample { phase: self.lu.det().arg(), rate: (0..k).map(|i| self.change[(i, i)]).fold(C64::zero(), |a, b| a + b) };
+        if self.sector != Some(Sector::Axial) {
+            let (value, rate) = self.t.regular(s);
+            sample.phase += value.arg();
+            sample.rate += rate;
+        }
+        if self.sector.is_none() {
+            let (value, rate) = self.t.regular(s.conj());
+            sample.phase -= value.arg();
+            sample.rate += rate.conj();
+        }
+        (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
+    }
+}
+
+/// Range of growth and range of frequency.
+type Rectangle = ((f64, f64), (f64, f64));
+
+/// Rectangles inside the domain.
+fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: bool, sector: Option<Sector>) -> (Vec<Rectangle>, f64) {
+    let axial = sector == Some(Sector::Axial);
+    let domains = if axial { &[] } else { domains };
+    let (left, axis) = (domains.iter().all(|d| d.left), domains.iter().all(|d| d.axis));
+    let mirrored = sector != Some(Sector::Forward);
+    let low = if mirrored { 0.0 } else { -reach };
+    let margin = if axis { margin.max(if left { f64::NEG_INFINITY } else { 0.0 }) } else { margin.max(LEAST * speed.abs()) };
+    let bottom = if axis && left && !growing { -reach } else { margin };
+    let mut out = Vec::new();
+    // beside places where singularities accumulate
+    let mut bands: Vec<(f64, f64)> = Vec::new();
+    if bottom < BESIDE * speed.abs() {
+        let half = ACCUMULATION * speed.abs();
+        let mut places: Vec<f64> =
+            domains.iter().flat_map(|d| d.except.iter().copied()).map(|e| if mirrored { e.abs() } else { e }).collect();
+        places.sort_by(f64::total_cmp);
+        for e in places {
+            match bands.last_mut() {
+                Some(last) if e - half <= last.1 => last.1 = e + half,
+                _ => bands.push((e - half, e + half)),
+            }
+        }
+    }
+    let mut from = low;
+    for &(a, b) in &bands {
+        out.push(((bottom, reach), (from, a)));
+        out.push(((BESIDE * speed.abs(), reach), (a, b)));
+        if bottom < -BESIDE * speed.abs() {
+            out.push(((bottom, -BESIDE * speed.abs()), (a, b)));
+        }
+        from = b;
+    }
+    out.push(((bottom, reach), (from, reach)));
+    if !axis && left && !growing {
+        out.push(((-reach, -margin), (low, reach)));
+    }
+    out.retain(|r| r.0.1 > r.0.0 && r.1.1 > r.1.0);
+    (out, margin)
+}
+
+/// Longest step at a place: so short that no root hides beside a wave of a part on the other side of the path.
+fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool) -> f64 {
+    let mut limit = f64::INFINITY;
+    // with `regular` waves are no poles
+    for d in domains.iter().filter(|d| !(d.left && d.axis)) {
+        let away = if d.left { s.re.abs() } else { (s.re + d.gap).abs() };
+        let heights = [s.im, -s.im];
+        for h in &heights[..if mirrored { 2 } else { 1 }] {
+            if let Some([a, b]) = d.crowded {
+                let outside = (a - h).max(h - b).max(0.0);
+                limit = limit.min(away.max(LEAST * speed.abs()).hypot(outside));
+            }
+            for w in &d.waves {
+                limit = limit.min(0.5 * away.hypot(h - w));
+            }
+        }
+    }
+    limit
+}
+
+/// Roots of the machine in a region.
+///
+/// # Errors
+/// A state that turns with the rotor: the domain of the parts is known in fixed axes.
+pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<Roots, Diagnostic> {
+    if about.frame == Frame::Turning {
+        return Err(
+            Diagnostic::error("modes.frequency_only", "a part without time form is linearised about rest only").help("leave about out")
+        );
+    }
+    let speed = about.speed;
+    let domains = system.domains(speed);
+    let linear = Linearised::of_time_forms(system, about);
+    let mut t = Characteristic::new(system, about);
+    let isotropic = uncoupled(&mut t, speed);
+    let rest = linear.spectrum().ok();
+    let values = |sector: Option<Sector>| -> Vec<C64> {
+        let families = rest.iter().flat_map(|s| &s.families);
+        // the rest of the machine may have other symmetries than the whole
+        families
+            .flat_map(|f| f.modes.iter().map(move |m| (f.sector, m.value)))
+            .flat_map(|(own, v)| match (own, sector) {
+                (Some(Sector::Forward), None) => vec![if v.im < 0.0 { v.conj() } else { v }],
+                (None, Some(Sector::Forward)) => vec![v, v.conj()],
+                (a, b) if a == b || b.is_none() => vec![v],
+                _ => vec![],
+            })
+            .collect()
+    };
+    let largest = values(None).iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(3.0 * speed.abs(), f64::max);
+    let frequency = request.frequency.unwrap_or(1.2 * largest);
+    if !(frequency > 0.0 && frequency.is_finite()) {
+        return Err(Diagnostic::error("modes.region", "the frequencies of the machine have no bound from which roots could be counted")
+            .help("give frequency_limit"));
+    }
+    let mut out = Roots {
+        spectrum: Spectrum { modes: Vec::new(), families: Vec::new(), infinite: 0, polished: 0, left_out: 0 },
+        areas: Vec::new(),
+        counted: Vec::new(),
+        evaluations: 0,
+        margin: request.margin,
+        frequency,
+    };
+    let sectors: &[Option<Sector>] = if isotropic { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
+    for &sector in sectors {
+        let mut f = Determinant::new(&mut t, sector);
+        if f.members.is_empty() {
+            continue;
+        }
+        let mirrored = sector != Some(Sector::Forward);
+        let waves = domains.iter().flat_map(|d| {
+            let gap = if d.gap.is_finite() { d.gap } else { 0.0 };
+            d.waves.iter().flat_map(move |&w| [c(1e-3 * w.abs(), w), c(-gap - 1e-3 * w.abs(), w)])
+        });
+        // what the parts hold together has no modes without them
+        let spread = if request.growing && !request.starts.is_empty() { 0 } else { SPREAD };
+        let spread = (0..spread).flat_map(|k| {
+            let w = frequency * (0.75f64).powi(k);
+            let both = [c(-0.03 * w, w), c(-0.03 * w, -w)];
+            both.into_iter().take(if mirrored { 1 } else { 2 })
+        });
+        let starts = values(sector).into_iter().chain(spread).chain(waves.filter(|_| sector != Some(Sector::Axial)));
+        let starts: Vec<C64> = request.starts.iter().copied().chain(starts).collect();
+        let mut known: Vec<Polished> = Vec::new();
+        let keep = |p: Polished, known: &mut Vec<Polished>| {
+            let mut p = p;
+            if mirrored && p.value.im.abs() <= 4.0 * f64::EPSILON * p.value.re.abs() {
+                p.value.im = 0.0;
+            }
+            // of a real function the upper half is enough
+            let same = |k: &Polished| (k.value - p.value).abs() <= 1e-9 * p.value.abs();
+            let inside = p.value.im.abs() <= frequency && p.value.re.abs() <= frequency && p.defect < 1e-9;
+            if inside && !(mirrored && p.value.im < 0.0) && !known.iter().any(same) {
+                known.push(p);
+            }
+        };
+        for s in starts {
+            let s = if mirrored && s.im < 0.0 { s.conj() } else { s };
+            if let Some(p) = f.t.polish(s, sector) {
+                keep(p, &mut known);
+            }
+        }
+        let (pieces, margin) = rectangles(&domains, speed, request.margin, frequency, request.growing, sector);
+        out.margin = out.margin.max(margin);
+        let own = if sector == Some(Sector::Axial) { &[][..] } else { &domains[..] };
+        let reach = |s: C64| step_limit(own, speed, s, mirrored);
+        let first_area = out.areas.len();
+        for (growth, band) in pieces {
+            let region = Region { re: growth, im: band, mirrored: mirrored && band.0 == 0.0, reach: &reach };
+            let both = |known: &[Polished]| -> Vec<C64> {
+                // a rectangle above the axis does not see that the function is real
+                let lower = known.iter().filter(|p| mirrored && !region.mirrored && p.value.im != 0.0).map(|p| p.value.conj());
+                known.iter().map(|p| p.value).chain(lower).collect()
+            };
+            let found = zeros(|s| f.at(s), &region, &both(&known), BUDGET);
+            out.evaluations += found.evaluations;
+            let mut left = found.missing;
+            let before = known.len();
+            for z in found
+                .zeros
+                .iter()
+                .filter(|z| !both(&known).iter().any(|k| (*k - **z).abs() <= 1e-11 * z.abs()))
+                .copied()
+                .collect::<Vec<_>>()
+            {
+                match f.t.polish(z, sector) {
+                    Some(p) if (p.value - z).abs() <= 1e-6 * z.abs() => keep(p, &mut known),
+                    _ => {}
+                }
+            }
+            if known.len() > before && left == Some(0) {
+                // the proof is for the roots as they are handed on
+                let again = missing(|s| f.at(s), &region, &both(&known), BUDGET);
+                out.evaluations += again.1;
+                left = again.0;
+            } else if found.zeros.len() > both(&known).iter().filter(|z| holds(&growth, &band, region.mirrored, **z)).count() {
+                left = None;
+            }
+            let inside = known.iter().filter(|p| holds(&growth, &band, region.mirrored, p.value)).count();
+            out.areas.push(Area { growth, frequency: band, mirrored, found: inside, missing: left });
+        }
+        let areas = &out.areas[first_area..];
+        let proven = |z: C64| areas.iter().any(|a| a.complete() && holds(&a.growth, &a.frequency, a.mirrored && a.frequency.0 == 0.0, z));
+        known.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+        let family = out.spectrum.families.len();
+        let mut modes = Vec::new();
+        for p in known {
+            let mut mode = MachineMode {
+                value: p.value,
+                q: Vec::new(),
+                z: vec![C64::zero(); system.m()],
+                sector,
+                whirl: Whirl::None,
+                forward_share: 0.5,
+                residual: p.defect,
+                error: p.step,
+                polished: true,
+                place: (family, modes.len()),
+            };
+            linear.reshape(&mut mode, p.value, &p.right);
+            out.counted.push(proven(p.value));
+            out.spectrum.modes.push(mode);
+            modes.push(eig::Mode { value: p.value, right: p.right, left: p.left, residual: p.defect, sensitivity: 0.0 });
+        }
+        out.spectrum.families.push(Family { sector, modes });
+    }
+    let mut order: Vec<usize> = (0..out.spectrum.modes.len()).collect();
+    let modes = &out.spectrum.modes;
+    order.sort_by(|&a, &b| modes[a].value.im.total_cmp(&modes[b].value.im).then(modes[a].value.re.total_cmp(&modes[b].value.re)));
+    out.counted = order.iter().map(|&k| out.counted[k]).collect();
+    out.spectrum.modes = order.iter().map(|&k| modes[k].clone()).collect();
+    out.spectrum.polished = out.spectrum.modes.len();
+    Ok(out)
+}
+
+fn holds(growth: &(f64, f64), band: &(f64, f64), mirrored: bool, z: C64) -> bool {
+    let im = if mirrored { z.im.abs() } else { z.im };
+    z.re > growth.0 && z.re < growth.1 && (mirrored || im > band.0) && im < band.1
+}
+
+/// No sector of the characteristic matrix is coupled with another.
+fn uncoupled(t: &mut Characteristic, speed: f64) -> bool {
+    let scale = speed.abs().max(1.0);
+    let (mut value, mut slope) = (Mat::default(), Mat::default());
+    [c(0.31, 0.77), c(0.83, -1.9)].iter().all(|s| {
+        t.at(s.scale(scale), &mut value, &mut slope);
+        let sectors = t.sectors();
+        sectors.coupling(sectors, &value) <= ISOTROPIC
+    })
+}

@@ -1,0 +1,122 @@
+//! Roots of machines with parts that have no time form, in words: where they were counted, whether any is missing, what no count can reach.
+
+use super::support::inconsistent;
+use crate::diagnostic::Diagnostic;
+use crate::model::field::{Bounds, Field, FieldKind};
+use crate::model::part::Domain;
+use crate::model::system::System;
+use crate::outcome::{Finding, Table, quantity};
+use crate::solve::roots::{ACCUMULATION, Area, Roots};
+
+/// Field: largest frequency of the region in which roots are counted.
+pub(super) const FREQUENCY_LIMIT: Field = Field::optional(
+    "frequency_limit",
+    FieldKind::Quantity { unit: "rad/s", bounds: Bounds::positive(1e7) },
+    "",
+    "with parts that have no time form: roots with frequencies up to this are looked for; when left out, up to 1.2 times the larger of three times the \
+     speed and the highest frequency of the machine without those parts",
+);
+
+/// What was counted, and what could not be.
+pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Finding> {
+    let mut out = Vec::new();
+    let missing: i64 = roots.areas.iter().filter_map(|a| a.missing).filter(|n| *n > 0).sum();
+    let open = roots.areas.iter().filter(|a| a.missing.is_none_or(|n| n < 0)).count();
+    let found: usize = roots.areas.iter().map(|a| a.found).sum();
+    let (growth, frequency) = (quantity(roots.margin, "1/s"), quantity(roots.frequency, "rad/s"));
+    let finding = if missing > 0 {
+        Finding::warning(
+            "roots_missed",
+            format!("The argument principle counts {missing} more roots than were found; what is said of stability is not the whole."),
+        )
+    } else if open > 0 {
+        let text = format!(
+            "In {open} of {} rectangles the phase of the characteristic function could not be followed: roots may be missing there.",
+            roots.areas.len()
+        );
+        Finding::warning("roots_not_counted", text)
+    } else {
+        let text = format!(
+            "By the argument principle the {found} roots found in the rectangles of the table are all there are: none that grows faster than {growth} at frequencies up to \
+             {frequency} is missed."
+        );
+        Finding::info("all_roots", text)
+    };
+    out.push(finding.evidence("evaluations of the characteristic function", roots.evaluations as f64, ""));
+    let outside = roots.counted.iter().filter(|c| !**c).count();
+    if outside > 0 {
+        let text = format!(
+            "{outside} of {} roots lie where no count reaches: they are roots, but there may be others beside them.",
+            roots.counted.len()
+        );
+        out.push(Finding::info("uncounted_roots", text));
+    }
+    out.extend(limits(&system.domains(speed), speed));
+    out
+}
+
+/// What the domain of the parts leaves out.
+pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
+    let mut out = Vec::new();
+    if let Some([a, b]) = domains.iter().find_map(|d| d.dense) {
+        let text = format!(
+            "Forward frequencies from {} to {} are the dense range of inertial waves of an ideal liquid: on the imaginary axis there are roots without number, and with \
+             damping outside the liquid some of them always grow, slowly. What counts is growth above a threshold; viscosity decides about the rest.",
+            quantity(a, "rad/s"),
+            quantity(b, "rad/s")
+        );
+        out.push(Finding::info("dense_range", text));
+    }
+    if let Some(e) = domains.iter().flat_map(|d| d.except.first()).next() {
+        let (a, b) = (e - ACCUMULATION * speed.abs(), e + ACCUMULATION * speed.abs());
+        let text =
+            format!("Between {} and {} waves accumulate: slow roots there are not counted.", quantity(a, "rad/s"), quantity(b, "rad/s"));
+        out.push(Finding::info("accumulation", text));
+    }
+    if domains.iter().any(|d| !d.left) {
+        let text = "Roots that decay are found from starts only, beside the branch of rates at which a layer at the wall dies out; the count is that of the roots that grow.";
+        out.push(Finding::info("half_plane", text));
+    }
+    out
+}
+
+/// That orders of a response, multiples of the speed with their direction of whirl, fall among the inertial waves of an ideal liquid, where it has no steady answer.
+pub(super) fn dense_orders(system: &System, speed: f64, orders: &[f64]) -> Option<Finding> {
+    let domains = system.domains(speed);
+    let [a, b] = domains.iter().find_map(|d| d.dense)?;
+    // at standstill nothing moves, with the speed the liquid stands still in its cavity, and the ends of the range have closed forms
+    let room = 1e-9 * speed.abs();
+    let inside = |w: f64| w > a + room && w < b - room && w.abs() > room && (w - speed).abs() > room;
+    let mut among: Vec<f64> = orders.iter().copied().filter(|n| inside(n * speed)).collect();
+    among.sort_by(f64::total_cmp);
+    let first = *among.first()?;
+    let list = among.iter().take(6).map(|n| format!("{n}")).collect::<Vec<_>>().join(", ");
+    let text = format!(
+        "Orders ({list}{}) of the motion lie inside the dense inertial range, from {} to {} at {{}}: there an ideal liquid has no steady response, and where these orders move it the \
+         equations have no solution. Viscosity, or strip, has one.",
+        if among.len() > 6 { ", ..." } else { "" },
+        quantity(a, "rad/s"),
+        quantity(b, "rad/s"),
+    );
+    Some(Finding::warning("inside_dense_range", text).value(speed, "rad/s").evidence("first of these orders", first, ""))
+}
+
+/// Rectangles with their counts.
+pub(super) fn areas(roots: &Roots) -> Result<Table, Diagnostic> {
+    let column = |f: fn(&Area) -> f64| roots.areas.iter().map(f).collect::<Vec<f64>>();
+    Table::new("areas", "Rectangles in which roots were counted by the argument principle")
+        .float("growth_from", "1/s", "lowest growth", column(|a| a.growth.0))
+        .float("growth_to", "1/s", "highest growth", column(|a| a.growth.1))
+        .float("frequency_from", "rad/s", "lowest frequency, below 0 against the spin", column(|a| a.frequency.0))
+        .float("frequency_to", "rad/s", "highest frequency", column(|a| a.frequency.1))
+        .int("roots", "", "roots found in it", roots.areas.iter().map(|a| a.found as i64).collect())
+        .float(
+            "missing",
+            "",
+            "roots the count has more; NaN where the phase could not be followed",
+            column(|a| a.missing.map_or(f64::NAN, |n| n as f64)),
+        )
+        .flag("complete", "none is missing", roots.areas.iter().map(Area::complete).collect())
+        .build()
+        .map_err(inconsistent)
+}

@@ -1,0 +1,67 @@
+//! Bands of instability over the speed.
+
+use super::{FILE, at, build, changed, filled, isotropic, spatial, truncated, viscous, without};
+use crate::common::{number, rows};
+use laval::model::field::RangeValue;
+use laval::solve::counted::row;
+use laval::solve::rest::rest;
+use laval::solve::roots::Request;
+use rayon::prelude::*;
+
+#[test]
+fn bands_of_a_liquid_with_two_harmonics() {
+    let table = rows(include_str!("../reference/spatial/band_edges_S1i_full.csv"));
+    assert_eq!(table.len(), 12);
+    // a foundation of 250 kg at every fill
+    let chosen: Vec<_> = table.iter().enumerate().filter(|(k, _)| [1, 4, 7, 10].contains(k)).map(|(_, r)| r).collect();
+    let wrong: Vec<String> = chosen
+        .par_iter()
+        .flat_map(|r| {
+            // the name of the model holds a comma
+            let r: Vec<&str> = r.to_vec();
+            let at = r.iter().position(|x| x.parse::<f64>().is_ok()).unwrap();
+            let r = &r[at..];
+            let text = truncated(&filled(&isotropic(FILE), number(r[0])), 3);
+            let text = if r[1] == "rigid" {
+                changed(&without(&text, "base"), &[("[\"rotor\", \"base\"]", "[\"rotor\", \"ground\"]")])
+            } else {
+                changed(&text, &[("mass = \"250 kg\"", &format!("mass = \"{} kg\"", r[1]))])
+            };
+            let system = build(&text);
+            let speeds = RangeValue { from: 60.0, to: 1000.0, points: Some(95) }.linspace(95);
+            let found = row(&system, &|w| rest(&system, w), &speeds, 1.0, Some(1500.0), |_| true).unwrap();
+            let edges: Vec<f64> = found.edges.iter().map(|e| e.speed).collect();
+            let should: Vec<f64> = r[2].split_whitespace().map(number).collect();
+            let mut wrong = Vec::new();
+            let uncounted = found.samples.iter().filter(|s| s.growing.is_none()).count();
+            if uncounted > 0 || edges.len() != should.len() || edges.iter().zip(&should).any(|(a, b)| (a - b).abs() > 1e-4) {
+                wrong.push(format!("{r:?}: {edges:?}, {uncounted} not counted"));
+            }
+            let peak = found.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);
+            if (peak - number(r[3])).abs() > 1e-4 * peak {
+                wrong.push(format!("{r:?}: largest growth {peak}"));
+            }
+            wrong
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// Where the rotor meets an inertial wave: the strongest root, found without a start beside it.
+#[test]
+fn band_of_the_inertial_wave() {
+    let table = rows(include_str!("../reference/spatial/inertial_band.csv"));
+    assert_eq!(table.len(), 8);
+    table.par_iter().for_each(|r| {
+        let nu = number(r[2]);
+        let text = filled(&isotropic(FILE), number(r[0]));
+        let text = if nu > 0.0 { viscous(&truncated(&text, 9), r[2]) } else { spatial(&text) };
+        let found = at(&build(&text), number(r[1]), &Request { margin: 1.0, growing: true, frequency: Some(1500.0), ..Request::default() });
+        assert!(found.growing().is_some(), "{r:?}: {:?}", found.areas);
+        let best = found.spectrum.least_stable().unwrap().value;
+        let (growth, frequency) = (best.re + number(r[4]), best.im - number(r[3]));
+        // the table says how good it is; its ideal rows have harmonics up to 41, which is converged to that
+        let room = if nu > 0.0 { 2e-2 } else { 1e-5 };
+        assert!(growth.abs() < room && frequency.abs() < room, "{r:?}: {best:?}");
+    });
+}

@@ -1,0 +1,68 @@
+//! Complete spectra.
+
+use super::{FILE, at, build, isotropic, truncated};
+use crate::common::{number, rows};
+use laval::solve::pencil::modes_about;
+use laval::solve::rest::rest;
+use laval::solve::roots::{Area, Request};
+use laval_num::complex::{C64, c};
+use rayon::prelude::*;
+
+/// With the series cut off alike, every root of the table is found, and the count of every rectangle agrees with what was found.
+#[test]
+fn roots_of_a_liquid_with_few_harmonics() {
+    let table = rows(include_str!("../reference/spatial/eig_full.csv"));
+    assert_eq!(table.len(), 222);
+    let mut sets: Vec<(&str, &str, &str)> = table.iter().map(|r| (r[0], r[1], r[2])).collect();
+    sets.dedup();
+    // of S1, whose planes differ, the slow inertial waves of both directions crowd on the axis, and not every rectangle can be counted
+    let sets: Vec<_> = sets.into_iter().filter(|s| s.0 == "S1i" && ["100", "600"].contains(&s.2)).collect();
+    let results: Vec<(f64, u64, usize)> = sets
+        .par_iter()
+        .map(|&(name, harmonics, speed)| {
+            let (last, speed_value) = (harmonics.rsplit('-').next().unwrap().parse().unwrap(), number(speed));
+            let text = truncated(FILE, last);
+            let system = build(&if name == "S1i" { isotropic(&text) } else { text });
+            let own: Vec<_> = table.iter().filter(|r| (r[0], r[1], r[2]) == (name, harmonics, speed)).collect();
+            let should: Vec<C64> = own.iter().map(|r| c(-number(r[4]), number(r[3]))).collect();
+            let reach = 1.0001 * should.iter().map(|s| s.im.abs()).fold(0.0, f64::max).max(4.05 * speed_value);
+            let found = at(&system, speed_value, &Request { frequency: Some(reach), ..Request::default() });
+            assert!(found.areas.len() >= 3 && found.areas.iter().all(Area::complete), "{name} {speed}: {:#?}", found.areas);
+            // the table leaves out the surroundings of the speed, and of S1 the mirror images
+            let inside = |z: &C64| (z.im.abs() - speed_value).abs() > 0.3 * speed_value;
+            let signed = |m: &laval::solve::pencil::MachineMode| {
+                if m.sector == Some(laval::solve::sectors::Sector::Backward) { m.value.conj() } else { m.value }
+            };
+            let mut is: Vec<C64> = found.spectrum.modes.iter().map(signed).filter(inside).collect();
+            let mut worst = 0.0f64;
+            for z in should {
+                let near = (0..is.len()).min_by(|&a, &b| (is[a] - z).abs().total_cmp(&(is[b] - z).abs())).unwrap();
+                let off = (is.remove(near) - z).abs() / z.abs();
+                worst = worst.max(off);
+                assert!(off < 2e-9, "{name} {speed}: {z:?} {off:e}");
+            }
+            println!("{name} {speed}: {} roots more than in the table: {is:?}", is.len());
+            (worst, found.evaluations, is.len())
+        })
+        .collect();
+    println!("{} spectra, largest relative deviation {:.1e}", results.len(), results.iter().map(|r| r.0).fold(0.0, f64::max));
+    println!("evaluations: {:?}", results.iter().map(|r| r.1).collect::<Vec<_>>());
+}
+
+/// On a machine whose roots an eigenvalue problem has, the count and the search find the same ones.
+#[test]
+fn the_same_roots_as_an_eigenvalue_problem() {
+    for text in [FILE.to_string(), isotropic(FILE)] {
+        let system = build(&text);
+        for speed in [150.0, 400.0] {
+            let pencil = modes_about(&system, &rest(&system, speed).unwrap(), true).unwrap();
+            let found = at(&system, speed, &Request { frequency: Some(5e3), ..Request::default() });
+            assert!(found.areas.iter().all(Area::complete) && found.counted.iter().all(|c| *c), "{:#?}", found.areas);
+            assert_eq!(found.spectrum.modes.len(), pencil.modes.len());
+            for (a, b) in found.spectrum.modes.iter().zip(&pencil.modes) {
+                assert!((a.value - b.value).abs() < 1e-9 * b.value.abs(), "{:?} {:?}", a.value, b.value);
+                assert_eq!((a.sector, a.whirl), (b.sector, b.whirl));
+            }
+        }
+    }
+}
