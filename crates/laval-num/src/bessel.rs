@@ -106,7 +106,7 @@ fn near(z: C64) -> [C64; 5] {
         i[2] += term.scale(1.0 / ((m + 1.0) * (m + 2.0)));
         k[0] += term.scale(harmonic);
         k[1] += term.scale((harmonic + next - 2.0 * EULER) / (m + 1.0));
-        if term.abs() < 1e-18 {
+        if term.norm_sqr() < 1e-36 {
             break;
         }
         harmonic = next;

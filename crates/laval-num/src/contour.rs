@@ -35,6 +35,8 @@ pub struct Region<'a> {
     pub mirrored: bool,
     /// Longest step at a place.
     pub reach: &'a dyn Fn(C64) -> f64,
+    /// Relative error of the places of zeros that the error of f makes, at most.
+    pub noise: f64,
 }
 
 /// What was found.
@@ -54,6 +56,8 @@ const TURN: f64 = 1.2;
 const AGREE: f64 = 0.25;
 /// The count must be a whole number to this.
 const WHOLE: f64 = 1e-3;
+/// Noise of a function that is computed to rounding.
+pub const NOISE: f64 = 1e-10;
 /// Deepest subdivision.
 const DEPTH: usize = 40;
 /// Where a rectangle may be cut.
@@ -63,6 +67,7 @@ struct Search<'a, F> {
     f: F,
     mirrored: bool,
     reach: &'a dyn Fn(C64) -> f64,
+    noise: f64,
     known: Vec<C64>,
     evaluations: u64,
     budget: u64,
@@ -99,7 +104,8 @@ impl Cell {
 /// All zeros of `f` in a region, beginning with some that are known (exactly, to rounding); at most `budget` evaluations.
 pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search = Search { f, mirrored: region.mirrored, reach: region.reach, known: Vec::new(), evaluations: 0, budget };
+    let mut search =
+        Search { f, mirrored: region.mirrored, reach: region.reach, noise: region.noise, known: Vec::new(), evaluations: 0, budget };
     known.iter().for_each(|&z| search.add(z));
     let mut missing = search.missing(&whole);
     if let Some(n) = missing
@@ -116,7 +122,8 @@ pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C6
 /// The number of zeros in a region that are not among the known ones, and the evaluations it took.
 pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search = Search { f, mirrored: region.mirrored, reach: region.reach, known: Vec::new(), evaluations: 0, budget };
+    let mut search =
+        Search { f, mirrored: region.mirrored, reach: region.reach, noise: region.noise, known: Vec::new(), evaluations: 0, budget };
     known.iter().for_each(|&z| search.add(z));
     let missing = search.missing(&whole);
     (missing, search.evaluations)
@@ -124,7 +131,8 @@ pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[
 
 /// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
 pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
-    let mut search = Search { f, mirrored: false, reach: &|_| f64::INFINITY, known: known.to_vec(), evaluations: 0, budget: 1000 };
+    let mut search =
+        Search { f, mirrored: false, reach: &|_| f64::INFINITY, noise: NOISE, known: known.to_vec(), evaluations: 0, budget: 1000 };
     search.newton(start, size)
 }
 
@@ -205,7 +213,7 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
                 return None;
             }
             s -= step;
-            if length <= 1e-13 * s.abs().max(1e-3 * size) || (length >= 0.5 * last && length <= 1e-10 * s.abs()) {
+            if length <= 1e-13 * s.abs().max(1e-3 * size) || (length >= 0.5 * last && length <= self.noise * s.abs()) {
                 return Some(s);
             }
             last = length;
@@ -292,7 +300,7 @@ mod tests {
         let outside = [c(-1e-4, 0.3), c(1.5, 0.0), c(-0.4, 0.2)];
         let all = inside.iter().chain(&outside).copied().collect();
         let poles = vec![c(-1e-3, 0.25), c(-0.2, -0.4)];
-        let region = Region { re: (0.0, 1.0), im: (-1.0, 1.0), mirrored: false, reach: &free };
+        let region = Region { re: (0.0, 1.0), im: (-1.0, 1.0), mirrored: false, reach: &free, noise: NOISE };
         let found = zeros(rational(all, poles), &region, &[], 1_000_000);
         assert_eq!(found.missing, Some(0));
         matches(found.zeros, &inside, 1e-9);
@@ -306,7 +314,7 @@ mod tests {
             let value = (up - down).scale(0.5) + s.scale(0.5) - C64::one();
             Some(Sample { phase: value.arg(), rate: ((up + down).scale(0.5) + c(0.5, 0.0)) / value })
         };
-        let region = Region { re: (-4.0, 4.0), im: (0.0, 30.0), mirrored: true, reach: &free };
+        let region = Region { re: (-4.0, 4.0), im: (0.0, 30.0), mirrored: true, reach: &free, noise: NOISE };
         let half = zeros(f, &region, &[], 1_000_000);
         assert_eq!(half.missing, Some(0));
         let whole = zeros(f, &Region { im: (-30.0, 30.0), mirrored: false, ..region }, &[], 1_000_000);
@@ -325,7 +333,7 @@ mod tests {
     fn pieces_hold_what_the_whole_holds() {
         let all = [c(0.3, 0.2), c(0.6, 0.9), c(0.8, 0.0), c(0.1, 1.7)];
         let f = rational(all.iter().flat_map(|z| if z.im == 0.0 { vec![*z] } else { vec![*z, z.conj()] }).collect(), vec![]);
-        let mut search = Search { f, mirrored: true, reach: &free, known: Vec::new(), evaluations: 0, budget: 100_000 };
+        let mut search = Search { f, mirrored: true, reach: &free, noise: NOISE, known: Vec::new(), evaluations: 0, budget: 100_000 };
         let tall = Cell { re: (0.0, 1.0), im: (0.0, 2.0), half: true };
         let flat = Cell { re: (0.0, 1.0), im: (0.0, 0.95), half: true };
         let [low, high] = tall.cut(0.5);
@@ -337,7 +345,7 @@ mod tests {
     #[test]
     fn a_false_zero_is_told() {
         let f = || rational(vec![c(0.5, 0.5)], vec![]);
-        let region = Region { re: (0.0, 1.0), im: (0.0, 1.0), mirrored: false, reach: &free };
+        let region = Region { re: (0.0, 1.0), im: (0.0, 1.0), mirrored: false, reach: &free, noise: NOISE };
         assert_eq!(missing(f(), &region, &[c(0.5, 0.5)], 1000).0, Some(0));
         assert_eq!(missing(f(), &region, &[c(0.5, 0.5), c(0.2, 0.2)], 1000).0, Some(-1));
         assert_eq!(missing(f(), &region, &[], 1000).0, Some(1));
@@ -356,12 +364,12 @@ mod tests {
             (seed >> 11) as f64 / (1u64 << 53) as f64
         };
         let margin = 1e-3;
-        let reach = move |s: C64| if s.re < 2.0 * margin { margin } else { f64::INFINITY };
-        for _ in 0..100 {
+        let reach = move |s: C64| if s.re < 2.0 * margin { 1.8 * margin } else { f64::INFINITY };
+        for _ in 0..2000 {
             let place = random();
             let zero = c(margin * (1.0 + 3.0 * random().powi(2)), place);
             let pole = c(0.0, place + 10f64.powf(3.0 * random()) * margin * (random() - 0.5));
-            let region = Region { re: (margin, 1.0), im: (-1.0, 2.0), mirrored: false, reach: &reach };
+            let region = Region { re: (margin, 1.0), im: (-1.0, 2.0), mirrored: false, reach: &reach, noise: NOISE };
             let (count, _) = missing(rational(vec![zero], vec![pole]), &region, &[], 100_000);
             assert_eq!(count, Some(1), "{zero:?} {pole:?}");
             // a single pole whose place is known: steps that shrink towards it

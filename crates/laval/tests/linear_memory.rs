@@ -7,7 +7,7 @@ use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Field, ParamValues, RangeValue, Values};
 use laval::model::params::{Family, NoParams};
-use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, Rows, TimeForm, Uses};
+use laval::model::part::{At, Dof, DofKind, Domain, Layout, Link, Params, Part, Physics, Rows, TimeForm, Uses};
 use laval::model::system::System;
 use laval::outcome::Status;
 use laval::parts::disc::*;
@@ -55,6 +55,9 @@ impl Part for Relaxing {
     }
     fn physics(&self) -> Physics {
         if self.impedance { Physics::Frequency(TimeForm::None("it is a formula in s")) } else { Physics::Linear }
+    }
+    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
+        Some(Domain { gap: RATE, ..Domain::passive() })
     }
     fn linear<S: Scalar>(&self, _: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         for i in 0..2 {

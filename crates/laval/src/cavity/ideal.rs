@@ -16,6 +16,7 @@ use super::{Cavity, Tilt};
 use laval_num::analytic::{exp, sqrt, value};
 use laval_num::bessel::{Bessel, bessel, excess, excess_k};
 use laval_num::complex::{C64, Complex};
+use laval_num::dense::Field;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 
@@ -31,8 +32,17 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 pub enum Truncation {
     /// All harmonics.
     None,
+    /// All harmonics, to eight digits.
+    Rough,
     /// Up to this one, without tail.
     At(usize),
+}
+
+impl Truncation {
+    /// Share of the sum that its tail is known to.
+    pub(super) fn share(self) -> f64 {
+        if self == Truncation::Rough { 1e-8 } else { 1e-13 }
+    }
 }
 
 /// What all harmonics at one frequency share.
@@ -77,7 +87,7 @@ impl<S: Scalar> Cavity<S> {
         };
         let (s, o) = (value(flow.sigma), speed.value());
         let close = |x: C64| x.abs() <= CLOSE * o.abs();
-        let whole = truncation == Truncation::None;
+        let whole = !matches!(truncation, Truncation::At(_));
         if close(s) {
             return finish(Complex::zero(), 0, 0.0);
         }
@@ -103,7 +113,7 @@ impl<S: Scalar> Cavity<S> {
         let free = self.free.value();
         let wave = if free > 0.0 && o != 0.0 { height * s.norm_sqr() * root / (PI * o * o * free) } else { 0.0 };
         let deep = height / (PI * layer * root);
-        let total = over_odd(2.0 * wave, deep, |k| flow.harmonic(k));
+        let total = over_odd(2.0 * wave, deep, truncation.share(), |k| flow.harmonic(k));
         finish(total.value, total.harmonics, total.error)
     }
 }
@@ -235,7 +245,7 @@ impl<S: Scalar> Flow<S> {
         let slip = |[first, second]: [Complex<S>; 2], x: Complex<S>| {
             g * (less * first - (sigma * x * x * (second + Complex::one())).scale(S::cst(0.25)))
         };
-        let near = value(x).abs() < NEAR;
+        let near = value(x).norm_sqr() < NEAR * NEAR;
         let at = if near { excess(x) } else { [Complex::zero(); 2] };
         let quarter = |r: S| (r.square() * r.square()).scale(0.25);
         let (wall, known, known_volume) = if near {
@@ -248,7 +258,7 @@ impl<S: Scalar> Flow<S> {
         if free.value() == 0.0 {
             let c1 = wall / wall_i;
             let volume = c1 * b.i[2].scale(r2) / lambda + known_volume;
-            return self.share(kappa, c1 * b.i[1] + known, volume, wall_i_size / value(wall_i).abs());
+            return self.share(kappa, c1 * b.i[1] + known, volume, wall_i_size / value(wall_i).size());
         }
         let b0 = bessel(x0);
         let e = exp(x0 - x);
@@ -270,7 +280,7 @@ impl<S: Scalar> Flow<S> {
         let det = wall_i * surface_k - wall_k * surface_i;
         let c1 = (wall * surface_k - wall_k * surface) / det;
         let c2 = (wall_i * surface - surface_i * wall) / det;
-        let cancel = (wall_i_size * surface_k_size + wall_k_size * surface_i_size) / value(det).abs();
+        let cancel = (wall_i_size * surface_k_size + wall_k_size * surface_i_size) / value(det).size();
         let s2 = free.square();
         // of r^2 K2; for small arguments without the constant 2/lambda^2, which would cancel
         let outer_moment = if near {
@@ -328,7 +338,7 @@ impl<S: Scalar> Flow<S> {
     }
     /// `2 i (volume - wall)` and its rounding error.
     fn bracket(&self, wall: Complex<S>, volume: Complex<S>) -> (Complex<S>, f64) {
-        let size = 2.0 * (value(volume).abs() + value(wall).abs());
+        let size = 2.0 * (value(volume).size() + value(wall).size());
         ((volume - wall).mul_i().scale(S::cst(2.0)), ROUNDING * size)
     }
 
@@ -364,7 +374,7 @@ fn added<S: Scalar, const N: usize>(terms: [Complex<S>; N]) -> (Complex<S>, f64)
     let (mut sum, mut size) = (Complex::zero(), 0.0);
     for t in terms {
         sum += t;
-        size += value(t).abs();
+        size += value(t).size();
     }
     (sum, size)
 }

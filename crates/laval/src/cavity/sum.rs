@@ -11,6 +11,7 @@
 
 use laval_num::analytic::value;
 use laval_num::complex::Complex;
+use laval_num::dense::Field;
 use laval_num::quadrature::gauss;
 use laval_num::scalar::Scalar;
 use std::sync::OnceLock;
@@ -19,8 +20,6 @@ use std::sync::OnceLock;
 const DIFFERENCES: [f64; 5] = [1.0 / 24.0, -17.0 / 5760.0, 367.0 / 967_680.0, -27_859.0 / 464_486_400.0, 1_295_803.0 / 122_624_409_600.0];
 /// Terms on either side of the joint that the differences need.
 const REACH: usize = DIFFERENCES.len();
-/// The sum is taken as found when it moves by less than this share of its size.
-const SHARE: f64 = 1e-13;
 /// The joint is moved no further than this.
 const FARTHEST: f64 = 3000.0;
 
@@ -38,12 +37,14 @@ pub struct Total<S> {
     pub error: f64,
 }
 
-/// Sum of `term(k)`, given with its own rounding error, over k = 1, 3, 5, ...: `term` is smooth in k beyond `first`, and without further length scale beyond `corner`.
-pub fn over_odd<S: Scalar>(first: f64, corner: f64, mut term: impl FnMut(f64) -> (Complex<S>, f64)) -> Total<S> {
+/// Sum of `term(k)`, given with its own rounding error, over k = 1, 3, 5, ...: `term` is smooth in k beyond `first`, and without further length scale beyond `corner`. The
+/// sum is taken as found when it moves by less than `share` of its size.
+pub fn over_odd<S: Scalar>(first: f64, corner: f64, share: f64, mut term: impl FnMut(f64) -> (Complex<S>, f64)) -> Total<S> {
     static RULE: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
     let rule = RULE.get_or_init(|| gauss(10));
     let mut terms: Vec<Complex<S>> = Vec::with_capacity(64);
     let (mut harmonics, mut last, mut rounding) = (0, None, 0.0);
+    let (mut exact, mut size, mut added) = (Complex::zero(), 0.0, 0);
     // even, so that the joint lies between two harmonics
     let mut joint = if first > 16.0 { 2.0 * (0.5 * first.min(FARTHEST)).ceil() } else { 16.0 };
     loop {
@@ -53,12 +54,12 @@ pub fn over_odd<S: Scalar>(first: f64, corner: f64, mut term: impl FnMut(f64) ->
             terms.push(t);
             rounding += doubt;
         }
-        let mut sum = Complex::zero();
-        let mut size = 0.0;
-        for &t in &terms[..count] {
-            sum += t;
-            size += value(t).abs();
+        for &t in &terms[added..count] {
+            exact += t;
+            size += value(t).size();
         }
+        added = count;
+        let mut sum = exact;
         let mut d: Vec<Complex<S>> = terms[count - REACH..count + REACH].to_vec();
         for factor in DIFFERENCES {
             for i in 0..d.len() - 1 {
@@ -84,9 +85,9 @@ pub fn over_odd<S: Scalar>(first: f64, corner: f64, mut term: impl FnMut(f64) ->
             }
             end = start;
         }
-        let moved = last.map_or(f64::INFINITY, |before| value(sum - before).abs());
+        let moved = last.map_or(f64::INFINITY, |before| value(sum - before).size());
         let next = 2.0 * (0.75 * joint).ceil();
-        if moved <= SHARE * size + rounding || next > 1.5 * FARTHEST || !size.is_finite() {
+        if moved <= share * size + rounding || next > 1.5 * FARTHEST || !size.is_finite() {
             return Total { value: sum, harmonics: harmonics + terms.len(), error: moved + rounding };
         }
         (joint, last) = (next, Some(sum));

@@ -22,6 +22,7 @@ use super::{Cavity, Tilt, Truncation};
 use laval_num::analytic::{exp, sqrt, value};
 use laval_num::bessel::{Bessel, bessel, excess, excess_k};
 use laval_num::complex::{C64, Complex, c};
+use laval_num::dense::Field;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 
@@ -135,13 +136,13 @@ impl<S: Scalar> Cavity<S> {
                 }
                 (sum, last.div_ceil(2), rounding)
             }
-            Truncation::None => {
+            Truncation::None | Truncation::Rough => {
                 let height = self.height.value();
                 let root = ((s * s - 4.0 * o * o).abs().sqrt() / s).min(1e3);
                 let wave = if o > 0.0 { height * s * s * root / (PI * o * o * self.free.value()) } else { 0.0 };
                 // harmonics that viscosity damps within a turn
                 let damped = height / PI * (s.max(o) / nu0).sqrt();
-                let total = over_odd(2.0 * wave, damped, |k| flow.harmonic(k));
+                let total = over_odd(2.0 * wave, damped, truncation.share(), |k| flow.harmonic(k));
                 (total.value, total.harmonics, total.error)
             }
         };
@@ -241,7 +242,7 @@ impl<S: Scalar> Waves<S> {
             let inside = x * (wall.volume - surface.volume) * (Complex::one() - root.recip().scale(twice * kappa));
             wall_sum += at_wall;
             volume += inside;
-            size += value(at_wall).abs() + value(inside).abs();
+            size += value(at_wall).size() + value(inside).size();
         }
         // beside sigma = -2 W the drift is large and almost one of the flows
         let cancel = value(turn - i_sigma).abs() / value(i_sigma + turn + Complex::real(nu * kappa.square())).abs();
@@ -262,7 +263,7 @@ impl<S: Scalar> Waves<S> {
                 let others = (z[j] - z[(j + 1) % 3]) * (z[j] - z[(j + 2) % 3]);
                 let step = value / others;
                 z[j] -= step;
-                moved = step.abs().max(moved);
+                moved = step.size().max(moved);
             }
             if !(moved > 1e-14 * size) {
                 break;
@@ -283,7 +284,7 @@ impl<S: Scalar> Waves<S> {
 /// Solution of a small system: rows scaled, partial pivoting, one step of refinement.
 fn solve<S: Scalar, const N: usize>(mut a: [[Complex<S>; N]; N], mut b: [Complex<S>; N]) -> [Complex<S>; N] {
     for (row, b) in a.iter_mut().zip(&mut b) {
-        let size = row.iter().map(|x| value(*x).abs()).fold(0.0, f64::max);
+        let size = row.iter().map(|x| value(*x).size()).fold(0.0, f64::max);
         if size > 0.0 {
             let scale = S::cst(size.recip());
             row.iter_mut().for_each(|x| *x = x.scale(scale));

@@ -8,6 +8,7 @@ use super::system::Axis;
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 /// One derivative: with respect to the spin speed or one parameter.
 pub type D1 = Dual<f64, 1>;
@@ -34,7 +35,8 @@ macro_rules! erased {
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
-            fn domain(&self, p: &[f64], speed: f64) -> Domain;
+            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
+            fn rough(&self) -> Option<Arc<dyn Erased>>;
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
             fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
             $(
@@ -92,8 +94,11 @@ macro_rules! erased {
             fn warnings(&self, p: &[f64]) -> Vec<String> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
-            fn domain(&self, p: &[f64], speed: f64) -> Domain {
+            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
                 Part::domain(self, &T::Family::from_slice(p), speed)
+            }
+            fn rough(&self) -> Option<Arc<dyn Erased>> {
+                Part::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
             }
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
                 Part::correction(self, &T::Family::from_slice(p), at)

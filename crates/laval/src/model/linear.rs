@@ -225,14 +225,35 @@ impl System {
 }
 
 impl System {
-    /// Where the dynamic stiffness of the parts given in the frequency domain, and of memory states, is analytic, at a spin speed.
+    /// Where the dynamic stiffness of the parts given in the frequency domain, and of memory states, is analytic, at a spin speed; of parts that say it
+    /// ([`System::undeclared`]).
     pub fn domains(&self, speed: f64) -> Vec<Domain> {
         let params = self.params();
         let one = |s: &Slot| match s.physics {
-            Physics::Frequency(_) => Some(s.part.domain(&params[s.params.clone()], speed)),
+            Physics::Frequency(_) => s.part.domain(&params[s.params.clone()], speed),
             _ => (s.memory > 0).then(Domain::passive),
         };
         self.slots().iter().filter_map(one).collect()
+    }
+
+    /// The machine with the parts that have a cheaper form for counting ([`rough`](super::part::Part::rough)); `None` where no part has one.
+    pub fn rough(&self) -> Option<System> {
+        let mut inputs = self.inputs();
+        let mut any = false;
+        for input in &mut inputs {
+            if let Some(rough) = input.part.rough() {
+                input.part = rough;
+                any = true;
+            }
+        }
+        any.then(|| System::assemble(self.machine.clone(), inputs).ok()).flatten()
+    }
+
+    /// The first part given in the frequency domain that does not say where it is analytic.
+    pub fn undeclared(&self) -> Option<&Slot> {
+        let params = self.params();
+        let silent = |s: &&Slot| matches!(s.physics, Physics::Frequency(_)) && s.part.domain(&params[s.params.clone()], 1.0).is_none();
+        self.slots().iter().find(silent)
     }
 
     /// The product of [`regular`](super::part::Part::regular) of the parts given in the frequency domain.

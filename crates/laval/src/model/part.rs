@@ -235,12 +235,14 @@ pub struct Domain {
     pub waves: Vec<f64>,
     /// Rate, 1/s: how far the nearest singularity is from the imaginary axis, roughly and not above it.
     pub gap: f64,
+    /// Terms of a series that one evaluation adds up, roughly; limits of work are counted in them.
+    pub terms: usize,
 }
 
 impl Domain {
     /// Of a part that only takes up energy: analytic for Re s >= 0.
     pub fn passive() -> Self {
-        Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY }
+        Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY, terms: 1 }
     }
 }
 
@@ -339,9 +341,14 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Adds the dynamic stiffness (N/m, row-major over local coordinates) at `s` (1/s) and spin `speed`; only for [`Physics::Frequency`].
     /// `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S, _out: &mut [Complex<S>]) {}
-    /// Where the dynamic stiffness of a part in the frequency domain is analytic, at a spin speed.
-    fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Domain {
-        Domain::passive()
+    /// Where the dynamic stiffness of a part in the frequency domain is analytic, at a spin speed: what a count of roots rests on. Nothing is counted with a part that
+    /// does not say it.
+    fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Option<Domain> {
+        None
+    }
+    /// The same part with its dynamic stiffness to eight digits only, where that costs less: what roots are counted with. Those found are solved for on the part itself.
+    fn rough(&self) -> Option<Self> {
+        None
     }
     /// An analytic function of s, up to a positive factor, whose zeros are the poles that [`Part::domain`] does not name, in the forward sector; 1 where there are none.
     fn regular<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S) -> Complex<S> {

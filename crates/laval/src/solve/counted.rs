@@ -10,6 +10,7 @@ use super::stability::{Edge, Peak, Row, Sample};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Halvings of a step between two speeds along which a root is followed.
 const DEPTH: usize = 6;
@@ -56,7 +57,7 @@ pub fn row(
     state: State,
     speeds: &[f64],
     threshold: f64,
-    frequency: Option<f64>,
+    (frequency, cancel): (Option<f64>, &AtomicBool),
     mut each: impl FnMut(u64) -> bool,
 ) -> Result<Row, Diagnostic> {
     let mut out = Row::default();
@@ -66,8 +67,12 @@ pub fn row(
             out.stopped = true;
             break;
         }
-        let request = Request { margin: threshold, frequency, growing: true, starts: &starts };
+        let request = Request { margin: threshold, frequency, growing: true, starts: &starts, cancel: Some(cancel) };
         let found = roots(system, &state(speed)?, &request)?;
+        if cancel.load(Ordering::Relaxed) {
+            out.stopped = true;
+            break;
+        }
         out.evaluations += found.evaluations;
         out.solved += 1;
         let forward = |m: &super::pencil::MachineMode| if m.sector == Some(Sector::Backward) { m.value.conj() } else { m.value };
@@ -75,6 +80,10 @@ pub fn row(
         out.samples.extend(sample(speed, &found));
     }
     for k in 1..out.samples.len() {
+        if cancel.load(Ordering::Relaxed) {
+            out.stopped = true;
+            return Ok(out);
+        }
         let (a, b) = (out.samples[k - 1], out.samples[k]);
         let led = carried(system, state, (a.speed, a.value), b.speed, a.sector, 0);
         out.samples[k].other = !led.is_some_and(|z| (z - b.value).abs() <= 1e-6 * b.value.abs());

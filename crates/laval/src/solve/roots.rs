@@ -10,7 +10,7 @@
 //! uncounted.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
-use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl};
+use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl, time_forms};
 use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Domain, Physics, TimeForm};
@@ -19,6 +19,7 @@ use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::eig;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Half width, over the speed, of the band about a frequency where singularities accumulate that is left out of the count.
 pub const ACCUMULATION: f64 = 0.08;
@@ -26,10 +27,17 @@ pub const ACCUMULATION: f64 = 0.08;
 pub const BESIDE: f64 = 0.02;
 /// Least margin beside a dense range, over the speed, and least resolution of waves that die out slowly.
 pub const LEAST: f64 = 1e-3;
+/// Longest step over the distance of the poles beside the path: a zero on the other side of the path and a pole at that distance show in `f'/f` at the ends of any
+/// step up to 2.6 times that distance.
+const PAIR: f64 = 1.8;
 /// Starts spread over the frequencies.
 const SPREAD: i32 = 16;
-/// Most evaluations of the characteristic matrix for one rectangle.
+/// Most evaluations of the characteristic matrix for one rectangle, and most terms of series in them.
 const BUDGET: u64 = 400_000;
+const TERMS: u64 = 8_000_000;
+
+/// Relative distance of a zero of the rough function from the root it stands for.
+const SAME: f64 = 1e-6;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, Default)]
@@ -42,6 +50,8 @@ pub struct Request<'a> {
     pub growing: bool,
     /// Places near roots.
     pub starts: &'a [C64],
+    /// Ends the search: what is not counted by then is not proven.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
 /// A rectangle in which roots were counted.
@@ -91,7 +101,7 @@ impl Roots {
     }
 }
 
-/// A part of the machine has no time form: its roots are those of a transcendental function.
+/// A part of the machine has no time form: its roots are those of a transcendental function, which can be counted where all parts say where they are analytic.
 pub fn transcendental(system: &System) -> bool {
     system.slots().iter().any(|s| matches!(s.physics, Physics::Frequency(TimeForm::None(_))))
 }
@@ -200,7 +210,7 @@ fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool) -> f64 {
         for h in &heights[..if mirrored { 2 } else { 1 }] {
             if let Some([a, b]) = d.crowded {
                 let outside = (a - h).max(h - b).max(0.0);
-                limit = limit.min(away.max(LEAST * speed.abs()).hypot(outside));
+                limit = limit.min(PAIR * away.max(LEAST * speed.abs()).hypot(outside));
             }
             for w in &d.waves {
                 limit = limit.min(0.5 * away.hypot(h - w));
@@ -220,10 +230,21 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             Diagnostic::error("modes.frequency_only", "a part without time form is linearised about rest only").help("leave about out")
         );
     }
+    if let Some(silent) = system.undeclared() {
+        time_forms(system)?;
+        return Err(Diagnostic::error("modes.domain", format!("\"{}\" does not say where its dynamic stiffness is analytic", silent.name))
+            .at(silent.span.clone())
+            .help("without that no roots can be counted; forced_response works with it"));
+    }
     let speed = about.speed;
     let domains = system.domains(speed);
     let linear = Linearised::of_time_forms(system, about);
     let mut t = Characteristic::new(system, about);
+    let rough = system.rough();
+    let mut counting = Characteristic::new(rough.as_ref().unwrap_or(system), about);
+    let terms = domains.iter().map(|d| d.terms as u64).sum::<u64>().max(1);
+    let budget = BUDGET.min(TERMS / terms);
+    let stopped = || request.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
     let isotropic = uncoupled(&mut t, speed);
     let rest = linear.spectrum().ok();
     let values = |sector: Option<Sector>| -> Vec<C64> {
@@ -255,7 +276,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     };
     let sectors: &[Option<Sector>] = if isotropic { &[Some(Sector::Forward), Some(Sector::Axial)] } else { &[None] };
     for &sector in sectors {
-        let mut f = Determinant::new(&mut t, sector);
+        let mut f = Determinant::new(&mut counting, sector);
         if f.members.is_empty() {
             continue;
         }
@@ -288,7 +309,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         };
         for s in starts {
             let s = if mirrored && s.im < 0.0 { s.conj() } else { s };
-            if let Some(p) = f.t.polish(s, sector) {
+            if let Some(p) = t.polish(s, sector) {
                 keep(p, &mut known);
             }
         }
@@ -298,31 +319,26 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let reach = |s: C64| step_limit(own, speed, s, mirrored);
         let first_area = out.areas.len();
         for (growth, band) in pieces {
-            let region = Region { re: growth, im: band, mirrored: mirrored && band.0 == 0.0, reach: &reach };
+            let region = Region { re: growth, im: band, mirrored: mirrored && band.0 == 0.0, reach: &reach, noise: SAME };
             let both = |known: &[Polished]| -> Vec<C64> {
                 // a rectangle above the axis does not see that the function is real
                 let lower = known.iter().filter(|p| mirrored && !region.mirrored && p.value.im != 0.0).map(|p| p.value.conj());
                 known.iter().map(|p| p.value).chain(lower).collect()
             };
-            let found = zeros(|s| f.at(s), &region, &both(&known), BUDGET);
+            let given = both(&known);
+            let found = zeros(|s| if stopped() { None } else { f.at(s) }, &region, &given, budget);
             out.evaluations += found.evaluations;
             let mut left = found.missing;
             let before = known.len();
-            for z in found
-                .zeros
-                .iter()
-                .filter(|z| !both(&known).iter().any(|k| (*k - **z).abs() <= 1e-11 * z.abs()))
-                .copied()
-                .collect::<Vec<_>>()
-            {
-                match f.t.polish(z, sector) {
-                    Some(p) if (p.value - z).abs() <= 1e-6 * z.abs() => keep(p, &mut known),
+            for z in found.zeros.iter().filter(|z| !given.contains(z)).copied().collect::<Vec<_>>() {
+                match t.polish(z, sector) {
+                    Some(p) if (p.value - z).abs() <= SAME * z.abs() => keep(p, &mut known),
                     _ => {}
                 }
             }
             if known.len() > before && left == Some(0) {
                 // the proof is for the roots as they are handed on
-                let again = missing(|s| f.at(s), &region, &both(&known), BUDGET);
+                let again = missing(|s| if stopped() { None } else { f.at(s) }, &region, &both(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;
             } else if found.zeros.len() > both(&known).iter().filter(|z| holds(&growth, &band, region.mirrored, **z)).count() {

@@ -71,7 +71,7 @@ impl Study for Modes {
         let about = self.about.find(system, self.speed, None)?;
         let endless = transcendental(system);
         let found = if endless {
-            let request = Request { margin: self.threshold, frequency: self.frequency, ..Request::default() };
+            let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };
             Some(roots(system, &about, &request)?)
         } else {
             None

@@ -127,7 +127,7 @@ impl Study for StabilityMap {
                 let run = |s: &System, each: &mut dyn FnMut(u64) -> bool| {
                     let state = |w: f64| self.about.find(s, w, None);
                     if transcendental(s) {
-                        return counted::row(s, &state, &speeds, self.least(s, &speeds), self.frequency, each);
+                        return counted::row(s, &state, &speeds, self.least(s, &speeds), (self.frequency, context.cancel), each);
                     }
                     row(s, &state, &speeds, self.threshold, each)
                 };

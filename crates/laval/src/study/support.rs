@@ -100,7 +100,7 @@ pub fn admit_eigenvalues(system: &System, about: About, speed: f64) -> Result<()
 /// # Errors
 /// As [`About::find`]; a part without time form in a state that turns.
 pub fn admit_roots(system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
-    if about == About::Rest && transcendental(system) {
+    if about == About::Rest && transcendental(system) && system.undeclared().is_none() {
         return about.find(system, speed, None).map(drop);
     }
     admit_eigenvalues(system, about, speed)

@@ -2,7 +2,7 @@
 
 use super::viscous::one_coordinate;
 use super::{at, build, changed};
-use laval::solve::harmonic::determinant::exponents;
+use laval::solve::harmonic::determinant::{Effort, exponents};
 use laval::solve::harmonic::response::{Request, respond};
 use laval::solve::roots;
 use std::sync::atomic::AtomicBool;
@@ -19,7 +19,7 @@ fn a_viscous_liquid_on_a_linear_bearing() {
         let found = respond(&system, &Request { stability: false, ..Request::over(speed - 0.1, speed) }, &never, &|_| {}).unwrap();
         let (branch, state) =
             found.branches.iter().flat_map(|b| b.points.iter().map(move |p| (b, p))).find(|(_, p)| (p.speed - speed).abs() < 1e-9).unwrap();
-        let judged = exponents(&system, branch.discretisation, &state.x, state.speed, &[]).unwrap();
+        let judged = exponents(&system, branch.discretisation, &state.x, state.speed, &[], &mut Effort::endless()).unwrap();
         let roots = at(&linear, speed, &roots::Request { margin: 1e-6, growing: true, ..roots::Request::default() });
         // the forward root and its image
         assert_eq!(

@@ -7,10 +7,11 @@ use laval::model::builder::Builder;
 use laval::model::erased::Erased;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Value, Values};
 use laval::model::params::Family;
-use laval::model::part::{Layout, Link, Params, Part, Physics, TimeForm};
+use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
+use laval::solve::harmonic::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;
@@ -32,6 +33,8 @@ params! {
 pub struct Fractional {
     link: Link,
     time: TimeForm,
+    /// It says where it is analytic.
+    declared: bool,
 }
 
 const WHY: &str = "a fractional derivative remembers the whole past";
@@ -62,6 +65,10 @@ impl Part for Fractional {
             out[3 * i] += power(s, p.order).scale(p.strength[i]);
         }
     }
+    /// A branch cut to the left from 0.
+    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
+        self.declared.then(|| Domain { waves: vec![0.0], gap: 0.0, ..Domain::passive() })
+    }
     /// Stiffness and damping that agree with it at 500 rad/s.
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let w = 500.0;
@@ -80,18 +87,22 @@ const STRENGTH: f64 = 6e3;
 const ORDER: f64 = 0.6;
 
 fn machine(time: TimeForm, strength: [f64; 2], cubic: f64, horizontal: bool) -> System {
+    declaring(false, time, strength, cubic, horizontal)
+}
+
+fn declaring(declared: bool, time: TimeForm, strength: [f64; 2], cubic: f64, horizontal: bool) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let bearing = BearingCubicParams { stiffness: [SPRING; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 };
     let b = Builder::new("fractional")
         .part("disc", Disc::planar(), DiscParams { mass: MASS, unbalance: LOAD, ..DiscFamily::defaults() })
         .part("bearing", BearingCubic::isotropic(link()), bearing)
-        .part("polymer", Fractional { link: link(), time }, FractionalParams { strength, order: ORDER });
+        .part("polymer", Fractional { link: link(), time, declared }, FractionalParams { strength, order: ORDER });
     if horizontal { b.horizontal() } else { b }.build().unwrap()
 }
 
 #[test]
 fn impedance_is_that_of_a_real_force() {
-    let part = Fractional { link: Link::Between(Attach::on("a"), Attach::ground()), time: TimeForm::None(WHY) };
+    let part = Fractional { link: Link::Between(Attach::on("a"), Attach::ground()), time: TimeForm::None(WHY), declared: false };
     for s in [c(0.0, 300.0), c(-20.0, 40.0), c(5.0, -700.0), c(0.0, 0.0)] {
         let (mut z, mut zc) = ([C64::zero(); 4], [C64::zero(); 4]);
         let p = FractionalFamily::to_vec(&FractionalParams { strength: [2.0, 3.0], order: 0.4 });
@@ -109,15 +120,8 @@ fn linear_response_is_exact() {
         for horizontal in [false, true] {
             let (system, range) = (machine(TimeForm::None(WHY), strength, 0.0, horizontal), (50.0, 2000.0));
             let found = response(&system, range);
-            // judged on Hill's determinant with the exact impedance: the polymer only takes up energy
-            assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
-            let states: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
-            // under weight the derivative of s^0.6 at s = 0 is infinite, and no motion is found
-            assert!(horizontal || states.len() > 2, "{}", states.len());
-            for state in states {
-                let judged = state.exponents.as_ref().unwrap();
-                assert!(judged.stable(), "{} rad/s: {judged:?}", state.speed);
-            }
+            let Some(Unjudged::NoTimeForm(part, why)) = &found.unjudged else { panic!("{:?}", found.unjudged) };
+            assert_eq!((part.as_str(), *why), ("polymer", WHY));
             for orbit in orbits(&system, &found, range) {
                 let w = orbit.speed;
                 let first = orbit.orders.iter().position(|&k| k == 1).unwrap();
@@ -136,6 +140,33 @@ fn linear_response_is_exact() {
                     assert!((sag + MASS * 9.80665 / SPRING).abs() < 1e-11 * sag.abs(), "{sag}");
                 }
             }
+        }
+    }
+}
+
+/// With the word of the part that it is analytic right of the imaginary axis its motions are judged on Hill's determinant with the exact impedance, and its roots are counted.
+#[test]
+fn where_it_is_analytic_lets_it_be_judged() {
+    for strength in [[STRENGTH; 2], [STRENGTH, 0.3 * STRENGTH]] {
+        let system = declaring(true, TimeForm::None(WHY), strength, 0.0, false);
+        let found = response(&system, (50.0, 2000.0));
+        assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
+        let states: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
+        assert!(states.len() > 2, "{}", states.len());
+        for state in states {
+            let judged = state.exponents.as_ref().unwrap();
+            assert!(judged.stable(), "{} rad/s: {judged:?}", state.speed);
+        }
+        // m s^2 + k + c s^a = 0 of each axis, by Newton's method from the spring alone
+        let spectrum = modes_about(&system, &rest(&system, 300.0).unwrap(), false).unwrap();
+        for strength in strength {
+            let mut s = c(-1.0, (SPRING / MASS).sqrt());
+            for _ in 0..50 {
+                let damper = power(s, ORDER).scale(strength);
+                let value = (s * s).scale(MASS) + c(SPRING, 0.0) + damper;
+                s -= value / (s.scale(2.0 * MASS) + damper.scale(ORDER) / s);
+            }
+            assert!(spectrum.modes.iter().any(|m| (m.value - s).abs() < 1e-10 * s.abs()), "{s:?}: {:?}", spectrum.modes);
         }
     }
 }

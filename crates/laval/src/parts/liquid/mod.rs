@@ -91,10 +91,13 @@ const MODELS: [(&str, Model); 5] = [
 ];
 /// Highest axial harmonic that may be asked for.
 const MOST_HARMONICS: i64 = 999;
+/// Harmonics that the sum of all of them evaluates, roughly.
+const WHOLE_SERIES: usize = 100;
 /// Largest share of the tilt reaction that its estimated error may be.
 const ACCURACY: f64 = 1e-6;
 
 /// See the [module](self).
+#[derive(Clone)]
 pub struct Liquid {
     attach: Attach,
     fill: Fill,
@@ -408,22 +411,31 @@ impl Part for Liquid {
         }
     }
 
-    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Domain {
+    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
         let cavity = Self::cavity(p);
         let inertial = [speed - 2.0 * speed.abs(), speed + 2.0 * speed.abs()];
         // inertial waves inside that range, surface waves outside it
         let all = (self.model == Model::Spatial).then_some([f64::NEG_INFINITY, f64::INFINITY]);
         let waves = cavity.plane_waves(speed);
+        let terms = match (self.model, self.harmonics) {
+            (Model::Spatial, Truncation::At(last)) => last.div_ceil(2),
+            (Model::Spatial, _) => WHOLE_SERIES,
+            _ => 1,
+        };
         if self.viscous {
             // a layer of thickness sqrt(nu/W) at the wall takes its energy from a wave; what it takes is more where the liquid is shallow
             let gap = 0.1 * (p.viscosity * speed.abs()).sqrt() / p.cavity_radius;
-            return Domain { crowded: all, waves, gap, ..Domain::passive() };
+            return Some(Domain { crowded: all, waves, gap, terms, ..Domain::passive() });
         }
-        let domain = Domain { left: true, waves, gap: 0.0, ..Domain::passive() };
-        match self.harmonics {
-            Truncation::None => Domain { axis: false, dense: Some(inertial), crowded: all, ..domain },
+        let domain = Domain { left: true, waves, gap: 0.0, terms, ..Domain::passive() };
+        Some(match self.harmonics {
+            Truncation::None | Truncation::Rough => Domain { axis: false, dense: Some(inertial), crowded: all, ..domain },
             Truncation::At(_) => Domain { except: vec![speed], ..domain },
-        }
+        })
+    }
+    fn rough(&self) -> Option<Self> {
+        let whole = self.model == Model::Spatial && self.harmonics == Truncation::None;
+        whole.then(|| Liquid { harmonics: Truncation::Rough, ..self.clone() })
     }
     fn regular<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S) -> Complex<S> {
         match self.harmonics {

@@ -41,7 +41,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Axes, Blocks, Memory};
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::params::Family;
-use crate::model::part::{At, Dof, DofKind, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm};
+use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm};
 use crate::params;
 use crate::units::{format_number, format_si};
 use kernel::{Exponential, Ladder, Term};
@@ -436,6 +436,14 @@ impl Part for ShaftViscoelastic {
     }
     fn memory(&self) -> usize {
         2 * self.exponentials()
+    }
+    /// A branch of `(s - i W + decay)^-exponent`, cut to the left, for each term.
+    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
+        let Law::Weak(w) = &self.law else { return None };
+        let own = if w.own { p.decay } else { f64::INFINITY };
+        let gap = w.terms.iter().skip(usize::from(w.own)).map(|t| t.decay).fold(own, f64::min);
+        let place = if self.frame == Frame::Rotor { speed } else { 0.0 };
+        Some(Domain { waves: vec![place], gap, terms: w.terms.len(), ..Domain::passive() })
     }
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {

@@ -1,7 +1,7 @@
 //! A branch of the response with its points judged: states, folds, other changes of stability, where it comes from.
 
 use super::bifurcation::{Change, changes_between};
-use super::determinant;
+use super::determinant::{self, Effort};
 use super::floquet::{Exponents, Method, Stability, Unjudged};
 use super::problem::{Balance, Discretisation};
 use crate::model::system::System;
@@ -130,19 +130,34 @@ pub struct Judge {
     pub(super) stability: Option<Stability>,
     /// Of a machine with parts that have no time form: exponents of the motion judged last.
     pub(super) exponents: Option<Vec<C64>>,
+    /// Terms of Hill's determinants that may still be added up.
+    terms: u64,
+    given: u64,
     /// Why stability was not judged.
     pub unjudged: Option<Unjudged>,
 }
 
+/// Most terms of Hill's determinants for one branch.
+const MOST_TERMS: u64 = 1_000_000_000;
+/// Terms of Hill's determinants that are as much work as a point of a branch.
+pub const POINT: u64 = 50_000;
+
 impl Judge {
-    /// With `wanted`, of stability too.
-    pub fn new(system: &System, wanted: bool) -> Judge {
+    /// With `wanted`, of stability too; `work` in points.
+    pub fn new(system: &System, wanted: bool, work: u64) -> Judge {
+        let given = work.saturating_mul(POINT).min(MOST_TERMS);
+        let judge = Judge { stability: None, exponents: None, terms: given, given, unjudged: None };
         match wanted.then(|| Stability::new(system)) {
-            None => Judge { stability: None, exponents: None, unjudged: None },
-            Some(Ok(s)) => Judge { stability: Some(s), exponents: None, unjudged: None },
-            Some(Err(Unjudged::NoTimeForm(..))) => Judge { stability: None, exponents: Some(Vec::new()), unjudged: None },
-            Some(Err(why)) => Judge { stability: None, exponents: None, unjudged: Some(why) },
+            None => judge,
+            Some(Ok(s)) => Judge { stability: Some(s), ..judge },
+            Some(Err(Unjudged::NoTimeForm(..))) if system.undeclared().is_none() => Judge { exponents: Some(Vec::new()), ..judge },
+            Some(Err(why)) => Judge { unjudged: Some(why), ..judge },
         }
+    }
+
+    /// Terms of Hill's determinants that were added up.
+    pub(super) fn spent(&self) -> u64 {
+        self.given - self.terms
     }
 
     /// What there is to say of a motion.
@@ -158,7 +173,10 @@ impl Judge {
             }
         }
         if let Some(before) = &mut self.exponents {
-            match determinant::exponents(balance.system, balance.discretisation(), x, speed, before) {
+            let mut effort = Effort { terms: self.terms, cancel: balance.cancel };
+            let found = determinant::exponents(balance.system, balance.discretisation(), x, speed, before, &mut effort);
+            self.terms = effort.terms;
+            match found {
                 Ok(e) => {
                     before.clone_from(&e.values);
                     state.exponents = Some(e);

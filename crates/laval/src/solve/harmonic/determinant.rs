@@ -25,10 +25,11 @@ use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::pencil::Linearised;
 use crate::solve::roots::LEAST;
 use laval_num::complex::{C64, Complex, c};
-use laval_num::contour::{Region, Sample, newton, zeros};
+use laval_num::contour::{NOISE, Region, Sample, newton, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::dual::Dual;
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Coefficients of tangents below this part of the largest are left out.
 const SMALL: f64 = 1e-14;
@@ -38,11 +39,38 @@ const SETTLED: f64 = 1e-9;
 const MOST_ORDERS: usize = 64;
 /// Most evaluations of the determinant for one count.
 const BUDGET: u64 = 50_000;
+/// Most terms of series, or what costs as much, for the exponents of one motion.
+const MOST_TERMS: u64 = 12_000_000;
+/// Operations on complex numbers that cost as much as one term.
+const OPERATIONS: u64 = 128;
 /// Place of the strip: real multipliers, which lie at multiples of half the base frequency, are not on its edge.
 const BELOW: f64 = 0.381_966;
 
+/// Work that may still be done.
+pub struct Effort<'a> {
+    /// Terms of series, or what costs as much.
+    pub terms: u64,
+    /// Ends it.
+    pub cancel: Option<&'a AtomicBool>,
+}
+
+impl Effort<'_> {
+    /// Without limit.
+    pub const fn endless() -> Self {
+        Effort { terms: u64::MAX, cancel: None }
+    }
+    /// Says whether so much is there above what must be left, and takes it.
+    fn spend(&mut self, terms: u64, floor: u64) -> bool {
+        let enough = self.terms.saturating_sub(floor) >= terms && !self.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
+        if enough {
+            self.terms -= terms;
+        }
+        enough
+    }
+}
+
 /// Hill's determinant of one motion.
-struct Hill<'a> {
+struct Hill<'a, 'b> {
     system: &'a System,
     params: Vec<D1>,
     model: LinearModel<D1>,
@@ -56,9 +84,16 @@ struct Hill<'a> {
     base: f64,
     orders: usize,
     lu: Lu<C64>,
+    /// Terms of one dynamic stiffness.
+    terms: u64,
+    effort: &'a mut Effort<'b>,
+    /// What is left of the effort for other motions.
+    floor: u64,
+    /// There was not enough.
+    short: bool,
 }
 
-impl Hill<'_> {
+impl Hill<'_, '_> {
     fn tangent(&self, order: isize, which: usize, j: usize, k: usize) -> C64 {
         let t = self.tangents.get(order.unsigned_abs()).map_or(C64::zero(), |t| t[which][(j, k)]);
         if order < 0 { t.conj() } else { t }
@@ -66,6 +101,11 @@ impl Hill<'_> {
 
     fn at(&mut self, exponent: C64) -> Option<Sample> {
         let (n, mu) = (self.orders as isize, self.rows.len());
+        let (count, size) = (2 * self.orders as u64 + 1, (2 * self.orders as u64 + 1) * mu as u64);
+        if !self.effort.spend(count * self.terms + size.pow(3) / OPERATIONS, self.floor) {
+            self.short = true;
+            return None;
+        }
         let mut sample = Sample { phase: 0.0, rate: C64::zero() };
         let mut flexibility: Vec<[Mat<C64>; 2]> = Vec::with_capacity(2 * self.orders + 1);
         for order in -n..=n {
@@ -185,7 +225,14 @@ fn reach(domains: &[Domain], speed: f64, base: f64, s: C64) -> f64 {
 ///
 /// # Errors
 /// Why the motion cannot be judged.
-pub fn exponents(system: &System, d: Discretisation, x: &[f64], speed: f64, starts: &[C64]) -> Result<Exponents, Unjudged> {
+pub fn exponents(
+    system: &System,
+    d: Discretisation,
+    x: &[f64],
+    speed: f64,
+    starts: &[C64],
+    effort: &mut Effort,
+) -> Result<Exponents, Unjudged> {
     let failed = |why: &str| Unjudged::Failed(why.into());
     if system.slots().iter().filter(|s| !s.is_linear()).any(|s| s.uses.acceleration || !s.states.is_empty()) {
         return Err(failed("Hill's determinant is for machines whose nonlinear parts have neither mass nor states"));
@@ -233,14 +280,24 @@ pub fn exponents(system: &System, d: Discretisation, x: &[f64], speed: f64, star
         tangents,
         base,
         lu: Lu::default(),
+        terms: domains.iter().map(|d| d.terms as u64).sum(),
+        floor: effort.terms.saturating_sub(MOST_TERMS),
+        effort,
+        short: false,
     };
     let margin = margin(&domains, speed);
     let limit = |s: C64| reach(&domains, speed, strip, s);
-    let region = Region { re: (margin, 2.0 * fastest), im: (-BELOW * strip, (1.0 - BELOW) * strip), mirrored: false, reach: &limit };
+    let region =
+        Region { re: (margin, 2.0 * fastest), im: (-BELOW * strip, (1.0 - BELOW) * strip), mirrored: false, reach: &limit, noise: NOISE };
     let mut before: Option<Vec<C64>> = None;
     while hill.orders <= MOST_ORDERS {
         let found = zeros(|s| hill.at(s), &region, &[], BUDGET);
         if found.missing != Some(0) {
+            if hill.short {
+                return Err(failed(
+                    "counting the exponents that grow takes more work than a motion or a response is given; axial_harmonics of a spatial liquid, or strip, makes it less",
+                ));
+            }
             return Err(failed("the exponents that grow could not be counted on Hill's determinant"));
         }
         let mut values = found.zeros;

@@ -286,7 +286,7 @@ impl<'a> Search<'a, '_> {
             if branch.points.len() < 2 {
                 break;
             }
-            let mut judge = Judge::new(self.system, false);
+            let mut judge = Judge::new(self.system, false, 0);
             let balance = &mut self.balances[at];
             let step = (branch.points.len() / 40).max(1);
             let dropped = branch.points.iter().step_by(step).map(|p| judge.state(balance, &p.x, p.p).truncation);
@@ -306,9 +306,10 @@ impl<'a> Search<'a, '_> {
         if self.is_known_throughout(at, &branch)? {
             return Ok(());
         }
-        let mut judge = Judge::new(self.system, self.request.stability);
+        let mut judge = Judge::new(self.system, self.request.stability, self.request.work);
         let mut traced = judge.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
         finish(self.system, self.request, &mut traced);
+        self.response.judging += judge.spent();
         if self.response.unjudged.is_none() {
             self.response.unjudged = judge.unjudged;
         }

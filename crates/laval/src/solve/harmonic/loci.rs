@@ -526,7 +526,7 @@ impl<'s> Search<'s> {
             y.push(angle(*own, &seen, start.speed));
         }
         let Some(path) = self.follow(&mut problem, &y, start.value, n, settings)? else { return Ok(None) };
-        let mut judge = Judge::new(&self.machines[start.machine].1, true);
+        let mut judge = Judge::new(&self.machines[start.machine].1, true, self.request.work);
         let mut points = Vec::with_capacity(path.points.len());
         let mut judged_again = (0.0, 0);
         let every = path.points.len().div_ceil(JUDGED_AGAIN);

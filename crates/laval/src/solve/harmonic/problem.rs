@@ -157,7 +157,7 @@ pub struct Balance<'a> {
     bodies: Vec<usize>,
     /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
     resonances: Vec<(f64, f64)>,
-    cancel: Option<&'a AtomicBool>,
+    pub(super) cancel: Option<&'a AtomicBool>,
     pub(super) amplitudes: Vec<C64>,
     pub(super) forces: Vec<C64>,
     coefficients: Vec<f64>,

@@ -105,6 +105,8 @@ pub struct Response {
     pub broken: Vec<Broken>,
     /// Why stability was not judged.
     pub unjudged: Option<Unjudged>,
+    /// Terms of Hill's determinants that were added up.
+    pub judging: u64,
     /// Largest change of the residual when the samples of a period are doubled, relative to the largest force.
     pub sampling: f64,
     /// Work: name and count.
@@ -245,7 +247,7 @@ fn attempt<'a>(
         return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
             .help("start the range at a lower speed, where the unbalance force is small"));
     }
-    let mut judge = Judge::new(system, request.stability);
+    let mut judge = Judge::new(system, request.stability, request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;
     let mut work = [("points", 0), ("Newton iterations", 0), ("factorisations", 0), ("maps over the period", 0)];
     let mut traced = Vec::new();
@@ -269,6 +271,7 @@ fn attempt<'a>(
         unclosed: None,
         agreement: None,
         broken: Vec::new(),
+        judging: judge.spent(),
         unjudged: judge.unjudged,
         sampling,
         work: work.to_vec(),

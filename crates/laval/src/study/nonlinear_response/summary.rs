@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome;
 use crate::solve::harmonic::bifurcation::Event;
-use crate::solve::harmonic::branch::{Origin, Traced};
+use crate::solve::harmonic::branch::{Origin, POINT, Traced};
 use crate::solve::harmonic::response::{Request, Response, respond};
 use laval_num::continuation::End;
 use std::sync::atomic::AtomicBool;
@@ -72,6 +72,8 @@ pub struct Summary {
     pub orders: usize,
     /// Points computed.
     pub points: u64,
+    /// Work in points, the judging of machines with parts that have no time form included.
+    pub work: u64,
     /// Why stability of some states was not judged.
     pub unjudged: Option<String>,
     /// How it ended.
@@ -115,6 +117,7 @@ impl Summary {
             truncation: worst(&response, |p| p.truncation),
             orders: response.discretisation.harmonics,
             points: response.branches.iter().map(|b| b.points.len() as u64).sum(),
+            work: response.branches.iter().map(|b| b.points.len() as u64).sum::<u64>() + response.judging / POINT,
             unjudged: response.unjudged.as_ref().map(ToString::to_string),
             end: end(&response),
         })

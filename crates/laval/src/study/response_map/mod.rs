@@ -137,6 +137,7 @@ impl Study for ResponseMap {
         context.announce(rows as f64, 400.0, "responses to compute");
         let mut request = self.request;
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
+        request.work = request.work.min(context.work_limit);
         let spent = AtomicU64::new(0);
         let results = store::run(plan, context, |range, counter| {
             // the limit counts points of responses; a chunk that is begun is finished, whatever the number of threads
@@ -149,7 +150,7 @@ impl Study for ResponseMap {
                 }
                 let at = [values[0][row % values[0].len()], values[1][row / values[0].len()]];
                 let cell = self.cell(system, at, &request, context);
-                spent.fetch_add(cell.found.as_ref().map_or(0, |s| s.points), Ordering::Relaxed);
+                spent.fetch_add(cell.found.as_ref().map_or(0, |s| s.work), Ordering::Relaxed);
                 counter.add(1);
                 cell
             };
