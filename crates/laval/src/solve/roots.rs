@@ -29,7 +29,7 @@ pub const BESIDE: f64 = 0.02;
 pub const LEAST: f64 = 1e-3;
 /// Longest step over the distance of the poles beside the path: a zero on the other side of the path and a pole at that distance show in `f'/f` at the ends of any
 /// step up to 2.6 times that distance.
-const PAIR: f64 = 1.8;
+pub const PAIR: f64 = 1.8;
 /// Starts spread over the frequencies.
 const SPREAD: i32 = 16;
 /// Most evaluations of the characteristic matrix for one rectangle, and most terms of series in them.
@@ -37,7 +37,7 @@ const BUDGET: u64 = 400_000;
 const TERMS: u64 = 8_000_000;
 
 /// Relative distance of a zero of the rough function from the root it stands for.
-const SAME: f64 = 1e-6;
+pub const SAME: f64 = 1e-6;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, Default)]

@@ -36,9 +36,9 @@ impl State {
     pub fn unstable(&self) -> bool {
         self.exponents.as_ref().is_some_and(|e| !e.stable())
     }
-    /// Largest growth rate, 1/s; NaN when not judged.
+    /// Largest growth rate, 1/s; NaN when not judged, or where no exponent is known and none grows.
     pub fn growth(&self) -> f64 {
-        self.exponents.as_ref().map_or(f64::NAN, Exponents::growth)
+        self.exponents.as_ref().filter(|e| !e.values.is_empty()).map_or(f64::NAN, Exponents::growth)
     }
 }
 

@@ -13,7 +13,7 @@
 //! Exponents repeat with i w, so that one strip of the width w holds all of them. The number of those that grow is counted by the argument principle around the strip, right
 //! of the margin from which on the parts are analytic; orders are added until count and exponents settle. Of what decays only the exponents that starts lead to are known.
 
-use super::families::whole_period;
+use super::families::sampled_period;
 use super::floquet::{Exponents, Method, Unjudged};
 use super::problem::{Balance, Discretisation};
 use crate::model::blocks::Grid;
@@ -23,18 +23,20 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::pencil::Linearised;
-use crate::solve::roots::LEAST;
+use crate::solve::roots::{LEAST, PAIR, SAME};
 use laval_num::complex::{C64, Complex, c};
-use laval_num::contour::{NOISE, Region, Sample, newton, zeros};
+use laval_num::contour::{Region, Sample, newton, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::dual::Dual;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Coefficients of tangents below this part of the largest are left out.
-const SMALL: f64 = 1e-14;
+const SMALL: f64 = 1e-13;
 /// Exponents have settled when they change by no more than this part of the base frequency.
 const SETTLED: f64 = 1e-9;
+/// Orders beyond those of the machine's frequencies that a count begins with, at most.
+const BESIDE: usize = 4;
 /// Most orders on either side.
 const MOST_ORDERS: usize = 64;
 /// Most evaluations of the determinant for one count.
@@ -43,6 +45,10 @@ const BUDGET: u64 = 50_000;
 const MOST_TERMS: u64 = 12_000_000;
 /// Operations on complex numbers that cost as much as one term.
 const OPERATIONS: u64 = 128;
+/// Terms that cost as much as the solution of one order.
+const ORDER: u64 = 8;
+/// Why a count ended early.
+const SHORT: &str = "counting the exponents that grow takes more work than a motion or a response is given; axial_harmonics of a spatial liquid, or strip, makes it less";
 /// Place of the strip: real multipliers, which lie at multiples of half the base frequency, are not on its edge.
 const BELOW: f64 = 0.381_966;
 
@@ -72,6 +78,8 @@ impl Effort<'_> {
 /// Hill's determinant of one motion.
 struct Hill<'a, 'b> {
     system: &'a System,
+    /// To count with.
+    rough: &'a System,
     params: Vec<D1>,
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
@@ -99,10 +107,19 @@ impl Hill<'_, '_> {
         if order < 0 { t.conj() } else { t }
     }
 
-    fn at(&mut self, exponent: C64) -> Option<Sample> {
+    /// Classes of orders that no tangent couples: the greatest common divisor of the orders of tangents.
+    fn classes(&self) -> usize {
+        let coupled = |t: &[Mat<C64>; 2]| t.iter().any(|m| m.max_size() > 0.0);
+        let step = (1..self.tangents.len()).filter(|&k| coupled(&self.tangents[k])).fold(0, gcd);
+        if step == 0 { 2 * self.orders + 1 } else { step }
+    }
+
+    /// The determinant's phase and logarithmic derivative; `rough` is enough to count zeros by.
+    fn at(&mut self, exponent: C64, rough: bool) -> Option<Sample> {
         let (n, mu) = (self.orders as isize, self.rows.len());
-        let (count, size) = (2 * self.orders as u64 + 1, (2 * self.orders as u64 + 1) * mu as u64);
-        if !self.effort.spend(count * self.terms + size.pow(3) / OPERATIONS, self.floor) {
+        let (count, classes) = (2 * self.orders as u64 + 1, self.classes() as u64);
+        let size = count.div_ceil(classes) * mu as u64;
+        if !self.effort.spend(count * (self.terms + ORDER) + classes * size.pow(3) / OPERATIONS, self.floor) {
             self.short = true;
             return None;
         }
@@ -111,7 +128,8 @@ impl Hill<'_, '_> {
         for order in -n..=n {
             let s = exponent + c(0.0, order as f64 * self.base);
             let dual = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
-            self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, dual, &mut self.grid, &mut self.scratch);
+            let system = if rough { self.rough } else { self.system };
+            system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, dual, &mut self.grid, &mut self.scratch);
             let size = self.grid.rows();
             let mut y = Mat::from_fn(size, size, |i, j| c(self.grid[(i, j)].re.re, self.grid[(i, j)].im.re));
             let mut right = Mat::from_fn(size, size + mu, |i, j| {
@@ -143,36 +161,45 @@ impl Hill<'_, '_> {
             };
             flexibility.push([read(&spread), read(&|i, k| changed[(i, k)])]);
         }
-        let size = (2 * self.orders + 1) * mu;
-        let (mut whole, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
-        for (a, [g, dg]) in flexibility.iter().enumerate() {
-            for b in 0..flexibility.len() {
-                let s = exponent + c(0.0, (b as isize - n) as f64 * self.base);
-                let between = a as isize - b as isize;
-                for k in 0..mu {
-                    for l in 0..mu {
-                        let rate = self.tangent(between, 1, l, k);
-                        let mut t = self.tangent(between, 0, l, k) + s * rate;
-                        if a == b && k == l {
-                            t -= c(self.reference[l], 0.0);
-                        }
-                        for i in 0..mu {
-                            whole[(a * mu + i, b * mu + k)] += g[(i, l)] * t;
-                            slope[(a * mu + i, b * mu + k)] += dg[(i, l)] * t + g[(i, l)] * rate;
+        // orders that no tangent couples are classes of their own
+        for class in 0..self.classes() {
+            let members: Vec<usize> = (class..flexibility.len()).step_by(self.classes()).collect();
+            let size = members.len() * mu;
+            let (mut whole, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
+            for (a, &row) in members.iter().enumerate() {
+                let [g, dg] = &flexibility[row];
+                for (b, &col) in members.iter().enumerate() {
+                    let s = exponent + c(0.0, (col as isize - n) as f64 * self.base);
+                    let between = row as isize - col as isize;
+                    for k in 0..mu {
+                        for l in 0..mu {
+                            let rate = self.tangent(between, 1, l, k);
+                            let mut t = self.tangent(between, 0, l, k) + s * rate;
+                            if a == b && k == l {
+                                t -= c(self.reference[l], 0.0);
+                            }
+                            for i in 0..mu {
+                                whole[(a * mu + i, b * mu + k)] += g[(i, l)] * t;
+                                slope[(a * mu + i, b * mu + k)] += dg[(i, l)] * t + g[(i, l)] * rate;
+                            }
                         }
                     }
                 }
             }
+            for i in 0..size {
+                whole[(i, i)] += C64::one();
+            }
+            self.lu.factor(&whole).ok()?;
+            self.lu.solve_mat(&mut slope);
+            sample.phase += self.lu.det().arg();
+            sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + slope[(i, i)]);
         }
-        for i in 0..size {
-            whole[(i, i)] += C64::one();
-        }
-        self.lu.factor(&whole).ok()?;
-        self.lu.solve_mat(&mut slope);
-        sample.phase += self.lu.det().arg();
-        sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + slope[(i, i)]);
         (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
     }
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 /// Coefficients of the tangents of the motion last sampled over a whole period.
@@ -192,7 +219,10 @@ fn coefficients(balance: &Balance) -> Vec<[Mat<C64>; 2]> {
     };
     let mut all: Vec<[Mat<C64>; 2]> = (0..=(count - 1) / 2).map(|k| [one(k, 0), one(k, 1)]).collect();
     let largest = [0, 1].map(|d| all.iter().map(|t| t[d].max_size()).fold(0.0, f64::max));
-    while all.len() > 1 && all.last().is_some_and(|t| (0..2).all(|d| t[d].max_size() <= SMALL * largest[d])) {
+    for (d, largest) in largest.iter().enumerate() {
+        all.iter_mut().filter(|t| t[d].max_size() <= SMALL * largest).for_each(|t| t[d] = Mat::zeros(mu, mu));
+    }
+    while all.len() > 1 && all.last().is_some_and(|t| t.iter().all(|m| m.max_size() == 0.0)) {
         all.pop();
     }
     all
@@ -210,7 +240,7 @@ fn reach(domains: &[Domain], speed: f64, base: f64, s: C64) -> f64 {
         let gap = if d.gap.is_finite() { d.gap } else { continue };
         let away = (s.re + gap).abs();
         if d.crowded.is_some() || !d.except.is_empty() {
-            limit = limit.min(away.max(LEAST * speed.abs()));
+            limit = limit.min(PAIR * away.max(LEAST * speed.abs()));
         }
         for w in d.waves.iter().flat_map(|&w| [w, -w]) {
             let beside = (s.im - w) / base;
@@ -237,7 +267,7 @@ pub fn exponents(
     if system.slots().iter().filter(|s| !s.is_linear()).any(|s| s.uses.acceleration || !s.states.is_empty()) {
         return Err(failed("Hill's determinant is for machines whose nonlinear parts have neither mass nor states"));
     }
-    let (mut balance, x) = whole_period(system, d, x, speed).map_err(|d| Unjudged::Failed(d.message))?;
+    let (mut balance, x) = sampled_period(system, d, x, speed);
     if !balance.switches(&x, speed, (0.0, TAU)).0.is_empty() {
         return Err(failed("Hill's determinant is for motions along which no law switches"));
     }
@@ -257,8 +287,10 @@ pub fn exponents(
     let params: Vec<D1> = system.params().iter().map(|&x| Dual::lift(x)).collect();
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(&params, Dual::lift(speed), Form::Frequency, &mut model, &mut scratch);
+    let rough = system.rough();
     let mut hill = Hill {
         system,
+        rough: rough.as_ref().unwrap_or(system),
         params,
         model,
         scratch,
@@ -276,7 +308,7 @@ pub fn exponents(
                 }
             })
             .collect(),
-        orders: (1.2 * fastest / strip).ceil() as usize + tangents.len(),
+        orders: (1.2 * fastest / strip).ceil() as usize + tangents.len().min(BESIDE),
         tangents,
         base,
         lu: Lu::default(),
@@ -288,28 +320,24 @@ pub fn exponents(
     let margin = margin(&domains, speed);
     let limit = |s: C64| reach(&domains, speed, strip, s);
     let region =
-        Region { re: (margin, 2.0 * fastest), im: (-BELOW * strip, (1.0 - BELOW) * strip), mirrored: false, reach: &limit, noise: NOISE };
-    let mut before: Option<Vec<C64>> = None;
+        Region { re: (margin, 2.0 * fastest), im: (-BELOW * strip, (1.0 - BELOW) * strip), mirrored: false, reach: &limit, noise: SAME };
+    let starts: Vec<C64> = if starts.is_empty() {
+        own.iter().flat_map(|&z| [into(z), into(z.conj())]).collect()
+    } else {
+        starts.iter().copied().map(into).collect()
+    };
     while hill.orders <= MOST_ORDERS {
-        let found = zeros(|s| hill.at(s), &region, &[], BUDGET);
+        let found = zeros(|s| hill.at(s, true), &region, &[], BUDGET);
         if found.missing != Some(0) {
-            if hill.short {
-                return Err(failed(
-                    "counting the exponents that grow takes more work than a motion or a response is given; axial_harmonics of a spatial liquid, or strip, makes it less",
-                ));
-            }
-            return Err(failed("the exponents that grow could not be counted on Hill's determinant"));
+            return Err(failed(if hill.short { SHORT } else { "the exponents that grow could not be counted on Hill's determinant" }));
         }
-        let mut values = found.zeros;
-        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        let mut values: Vec<C64> = Vec::new();
+        for z in found.zeros.iter().copied() {
+            values.extend(newton(|s| hill.at(s, false), z, 1e-3 * strip, &[]));
+        }
         let count = values.len();
-        let led = starts.iter().copied().map(into).chain(if starts.is_empty() {
-            own.iter().flat_map(|&z| [into(z), into(z.conj())]).collect()
-        } else {
-            vec![]
-        });
-        for start in led {
-            let Some(z) = newton(|s| hill.at(s), start, 0.2 * strip, &[]).map(into) else { continue };
+        for &start in &starts {
+            let Some(z) = newton(|s| hill.at(s, false), start, 0.2 * strip, &[]).map(into) else { continue };
             let far = |k: &C64| {
                 (*k - z).abs() > 1e-7 * strip && (into(*k + c(0.0, 1e-6 * strip)) - into(z + c(0.0, 1e-6 * strip))).abs() > 1e-7 * strip
             };
@@ -317,14 +345,17 @@ pub fn exponents(
                 values.push(z);
             }
         }
-        let settled = before
-            .as_ref()
-            .is_some_and(|b: &Vec<C64>| b.len() == count && b.iter().zip(&values).all(|(a, b)| (*a - *b).abs() <= SETTLED * strip));
-        if settled {
+        hill.orders += hill.orders.div_ceil(3);
+        let settled = |z: &C64| newton(|s| hill.at(s, false), *z, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
+        // all that grow, and one at least
+        let looked_at = count.max(1).min(values.len());
+        if count == found.zeros.len() && values[..looked_at].iter().all(settled) {
+            values[..count].sort_by(|a, b| b.re.total_cmp(&a.re));
             return Ok(Exponents { values, error: margin.max(SETTLED * strip), method: Method::Determinant, span: TAU / strip });
         }
-        before = Some(values[..count].to_vec());
-        hill.orders += hill.orders.div_ceil(3);
+        if hill.short {
+            return Err(failed(SHORT));
+        }
     }
     Err(Unjudged::Failed(format!("Hill's determinant did not settle with {MOST_ORDERS} orders")))
 }

@@ -524,11 +524,25 @@ pub(super) fn whole_period<'a>(
     x: &[f64],
     speed: f64,
 ) -> Result<(Balance<'a>, Vec<f64>), Diagnostic> {
+    let balance = Balance::new(system, whole(d), (speed, speed), None)?;
+    let carried = carried(d, x, &balance);
+    Ok((balance, carried))
+}
+
+/// The same to sample the nonlinear parts with, which no part without a response at some order hinders.
+pub(super) fn sampled_period<'a>(system: &'a System, d: Discretisation, x: &[f64], speed: f64) -> (Balance<'a>, Vec<f64>) {
+    let balance = Balance::sampler(system, whole(d), speed);
+    let carried = carried(d, x, &balance);
+    (balance, carried)
+}
+
+fn whole(d: Discretisation) -> Discretisation {
     // of a circular motion the law is constant: a few orders hold it
     let harmonics = if d.symmetry == Symmetry::Circular { 3 * d.divisor } else { d.harmonics };
-    let whole = Discretisation { symmetry: Symmetry::None, harmonics, samples: d.samples.max(samples(harmonics, d.divisor)), ..d };
-    let balance = Balance::new(system, whole, (speed, speed), None)?;
+    Discretisation { symmetry: Symmetry::None, harmonics, samples: d.samples.max(samples(harmonics, d.divisor)), ..d }
+}
+
+fn carried(d: Discretisation, x: &[f64], balance: &Balance) -> Vec<f64> {
     let terms = Terms::new(&balance.nonlinear.kinds, d.symmetry, d.harmonics, d.divisor, d.samples);
-    let carried = Motion { terms: &terms, x }.carried(&balance.terms);
-    Ok((balance, carried))
+    Motion { terms: &terms, x }.carried(&balance.terms)
 }

@@ -183,6 +183,14 @@ impl<'a> Balance<'a> {
         Ok(balance)
     }
 
+    /// Without sizes of the unknowns: to sample the nonlinear parts along motions near a speed, not to be solved.
+    pub(super) fn sampler(system: &'a System, d: Discretisation, speed: f64) -> Self {
+        let nonlinear = Nonlinear::of(system);
+        let terms = Terms::new(&nonlinear.kinds, d.symmetry, d.harmonics, d.divisor, d.samples);
+        let reference = vec![1.0; nonlinear.basis.rows.len()];
+        Balance { speed_scale: speed.abs().max(1e-3), ..Balance::unscaled(system, nonlinear, terms, reference, None) }
+    }
+
     /// The same equations of a machine whose parts have other parameters, with the same sizes; `None` where its nonlinear coordinates are others.
     pub fn of_other<'b>(&self, system: &'b System) -> Option<Balance<'b>>
     where
