@@ -60,8 +60,8 @@ const WHOLE: f64 = 1e-3;
 pub const NOISE: f64 = 1e-10;
 /// Deepest subdivision.
 const DEPTH: usize = 40;
-/// Where a rectangle may be cut.
-const CUTS: [f64; 5] = [0.5, 0.4370, 0.5630, 0.3810, 0.6190];
+/// Where a rectangle may be cut: not in the middle, which of a rectangle about the imaginary axis is that axis with the roots that nothing damps.
+const CUTS: [f64; 6] = [0.4370, 0.5630, 0.3810, 0.6190, 0.4720, 0.5310];
 
 struct Search<'a, F> {
     f: F,
@@ -247,8 +247,10 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
         }
         for at in CUTS {
             let pieces = cell.cut(at);
-            let Some(first) = self.missing(&pieces[0]) else { continue };
-            let Some(second) = self.missing(&pieces[1]) else { continue };
+            let f = self.missing(&pieces[0]);
+            let Some(first) = f else { continue };
+            let f = self.missing(&pieces[1]);
+            let Some(second) = f else { continue };
             for (piece, n) in pieces.iter().zip([first, second]) {
                 if n > 0 {
                     // zeros found meanwhile may lie here

@@ -138,7 +138,7 @@ pub struct Judge {
 }
 
 /// Most terms of Hill's determinants for one branch.
-const MOST_TERMS: u64 = 1_000_000_000;
+const MOST_TERMS: u64 = 400_000_000;
 /// Terms of Hill's determinants that are as much work as a point of a branch.
 pub const POINT: u64 = 50_000;
 
