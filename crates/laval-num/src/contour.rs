@@ -205,7 +205,9 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
     fn newton(&mut self, start: C64, size: f64) -> Option<C64> {
         let (mut s, mut last) = (start, f64::INFINITY);
         for _ in 0..40 {
-            let step = self.at(s)?.rate.recip();
+            // exactly on a zero nothing can be divided by the value
+            let Some(here) = self.at(s) else { return (last <= self.noise * s.abs()).then_some(s) };
+            let step = here.rate.recip();
             let length = step.abs();
             // far from a zero the quotient points anywhere
             let step = if length > 0.5 * size { step.scale(0.5 * size / length) } else { step };

@@ -240,6 +240,10 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// A singularity may lie on the imaginary axis and is not taken away by [`Part::regular`].
+    pub fn touches_axis(&self) -> bool {
+        !self.axis || (!self.left && !self.waves.is_empty() && !(self.gap > 0.0))
+    }
     /// Of a part that only takes up energy: analytic for Re s >= 0.
     pub fn passive() -> Self {
         Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY, terms: 1 }

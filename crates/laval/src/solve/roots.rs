@@ -163,7 +163,7 @@ type Rectangle = ((f64, f64), (f64, f64));
 fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: bool, sector: Option<Sector>) -> (Vec<Rectangle>, f64) {
     let axial = sector == Some(Sector::Axial);
     let domains = if axial { &[] } else { domains };
-    let (left, axis) = (domains.iter().all(|d| d.left), domains.iter().all(|d| d.axis));
+    let (left, axis) = (domains.iter().all(|d| d.left), !domains.iter().any(Domain::touches_axis));
     let mirrored = sector != Some(Sector::Forward);
     let low = if mirrored { 0.0 } else { -reach };
     let margin = if axis { margin.max(if left { f64::NEG_INFINITY } else { 0.0 }) } else { margin.max(LEAST * speed.abs()) };

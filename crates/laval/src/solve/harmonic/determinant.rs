@@ -230,7 +230,7 @@ fn coefficients(balance: &Balance) -> Vec<[Mat<C64>; 2]> {
 
 /// Margin from which on all parts are analytic.
 fn margin(domains: &[Domain], speed: f64) -> f64 {
-    if domains.iter().all(|d| d.axis && d.except.is_empty()) { 0.0 } else { LEAST * speed.abs() }
+    if domains.iter().all(|d| !d.touches_axis() && d.except.is_empty()) { 0.0 } else { LEAST * speed.abs() }
 }
 
 /// Longest step: so short that nothing hides beside a wave of a part, which is at every order.
@@ -333,7 +333,7 @@ pub fn exponents(
         }
         let mut values: Vec<C64> = Vec::new();
         for z in found.zeros.iter().copied() {
-            values.extend(newton(|s| hill.at(s, false), z, 1e-3 * strip, &[]));
+            values.extend(newton(|s| hill.at(s, false), z + c(1e-6 * strip, 0.0), 1e-3 * strip, &[]));
         }
         let count = values.len();
         for &start in &starts {
@@ -346,7 +346,10 @@ pub fn exponents(
             }
         }
         hill.orders += hill.orders.div_ceil(3);
-        let settled = |z: &C64| newton(|s| hill.at(s, false), *z, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
+        // from beside it: on a zero the determinant cannot be divided by
+        let aside = c(1e-6 * strip, 0.0);
+        let settled =
+            |z: &C64| newton(|s| hill.at(s, false), *z + aside, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
         // all that grow, and one at least
         let looked_at = count.max(1).min(values.len());
         if count == found.zeros.len() && values[..looked_at].iter().all(settled) {
