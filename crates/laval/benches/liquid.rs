@@ -53,9 +53,12 @@ fn map(name: &str, text: &str, points: usize) {
         frequency: Some(1000.0),
     };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap_or_else(|e| panic!("{e}"));
-    let start = clock();
-    let out = pool.install(|| study.run(&system, &Context::quiet("map"))).unwrap_or_else(|d| panic!("{d}"));
-    let took = clock() - start;
+    // the clock is that of the thread that works
+    let (out, took) = pool.install(|| {
+        let start = clock();
+        let out = study.run(&system, &Context::quiet("map")).unwrap_or_else(|d| panic!("{d}"));
+        (out, clock() - start)
+    });
     let edges = out.special_points.iter().filter(|p| p.kind.starts_with("instability")).count();
     println!("map of {points} by {points}, {name}: {took:.1} s, {edges} points of the boundary");
     for f in out.findings.iter().filter(|f| f.id.contains("counted")) {

@@ -82,6 +82,27 @@ fn forward_thrice_synchronous() {
     }
 }
 
+/// What roots are counted with is the sum to eight digits, for less work where that counts: beside the axis among the inertial waves.
+#[test]
+fn the_rough_sum_is_the_sum() {
+    for name in ["G1", "G2", "G3"] {
+        let mut harmonics = [0; 2];
+        for k in 0..60 {
+            for decay in [1e-2, -1e-2, 0.1, 2.0] {
+                let w = c((-2.0 + 0.1 * f64::from(k)) * SPEED, decay * SPEED);
+                let [whole, rough] = [Truncation::None, Truncation::Rough].map(|t| cavity(name).tilt(w, SPEED, t));
+                assert!(apart(rough.value, whole.value) < 1e-7, "{name} {w:?}: {rough:?} {whole:?}");
+                assert!((rough.value - whole.value).abs() <= rough.error + whole.error, "{name} {w:?}: {rough:?} {whole:?}");
+                harmonics[0] += whole.harmonics;
+                harmonics[1] += rough.harmonics;
+                let [whole, rough] = [Truncation::None, Truncation::Rough].map(|t| cavity(name).tilt_viscous(w, SPEED, 1e-5, t).value);
+                assert!(apart(rough, whole) < 1e-7, "{name} {w:?}, viscous: {rough:?} {whole:?}");
+            }
+        }
+        assert!(2 * harmonics[1] < harmonics[0], "{name}: {harmonics:?}");
+    }
+}
+
 /// Flat cavities, whose surface waves lie on either side of the first harmonic, take the other branch of the closed sums.
 #[test]
 fn closed_sums_of_flat_and_full_cavities() {
