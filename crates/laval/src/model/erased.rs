@@ -35,6 +35,7 @@ macro_rules! erased {
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
             fn domain(&self, p: &[f64], speed: f64) -> Domain;
+            fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>);
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
             fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
             $(
@@ -94,6 +95,9 @@ macro_rules! erased {
             }
             fn domain(&self, p: &[f64], speed: f64) -> Domain {
                 Part::domain(self, &T::Family::from_slice(p), speed)
+            }
+            fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>) {
+                Part::grip(self, &T::Family::from_slice(p), at, out)
             }
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
                 Part::correction(self, &T::Family::from_slice(p), at)
