@@ -114,9 +114,10 @@ fn motions_told_early_end_there() {
     // cells that the study itself follows to their ends agree as well
     let agreement = o.findings.iter().find(|f| f.id == "agreement").unwrap();
     let of = |what: &str| agreement.evidence.iter().find(|e| e.what == what).unwrap().value;
-    assert_eq!(of("cells followed"), 300.0);
+    let followed = of("cells followed");
+    assert!(followed > 250.0 && followed <= 300.0, "{followed}");
     assert!(of("end elsewhere") <= 3.0 && of("of them with no neighbour that does") == 0.0, "{}", agreement.sentence());
-    assert_eq!(agreement.value.unwrap() + of("end elsewhere"), 300.0);
+    assert_eq!(agreement.value.unwrap() + of("end elsewhere"), followed);
     assert_eq!(o.find_table("disagreements").unwrap().rows() as f64, of("end elsewhere"));
     // what does not settle is counted
     let unsettled = early.iter().filter(|e| *e == "not settled").count() as f64;

@@ -10,13 +10,10 @@ use crate::outcome::{Finding, Outcome, Table};
 use crate::study::basins::rows::PLACE;
 use crate::study::support::inconsistent;
 use laval_num::sampling::Points;
-use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Seed of the choice of cells.
 const SEED: u32 = 37;
-/// Draws for each cell asked for.
-const DRAWS: usize = 20;
 
 /// A cell that ends elsewhere.
 struct Differs {
@@ -45,16 +42,10 @@ pub(super) fn check(fleet: &Fleet, names: &[String], words: &[String]) -> Option
         return None;
     }
     let at = |k: usize| ((Points::Random.at(SEED, k as u32, 0) * words.len() as f64) as usize).min(words.len() - 1);
-    // of a small map nearly all are chosen: some are drawn again and again
-    let mut chosen = BTreeSet::new();
-    let asked = fleet.study.check.min(words.len());
-    for k in 0..DRAWS * asked {
-        if chosen.len() == asked {
-            break;
-        }
-        chosen.insert(at(k));
-    }
-    let chosen: Vec<usize> = chosen.into_iter().collect();
+    let mut chosen: Vec<usize> = (0..fleet.study.check).map(at).collect();
+    chosen.sort_unstable();
+    // a cell drawn twice is followed once
+    chosen.dedup();
     let starts: Vec<_> = chosen.iter().map(|&c| fleet.start_at(fleet.place(c))).collect();
     let (progress, done) = (fleet.context.progress, AtomicU64::new(0));
     let courses = fleet.follow(&starts, false, &|| progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, chosen.len() as u64))?;
