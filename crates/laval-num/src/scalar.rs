@@ -55,6 +55,11 @@ pub trait Scalar:
     /// The number without its derivatives, to choose between ways of computing the same function (how many terms, which pivot), never for a
     /// branch of a law. NaN of lanes that differ.
     fn value(self) -> f64;
+    /// Zero in every lane and constant: terms that it multiplies may be left out.
+    #[inline(always)]
+    fn is_nothing(self) -> bool {
+        false
+    }
     /// Analytic functions of a complex argument.
     fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N];
     /// Multiplication by a constant, cheaper than lifting it.
@@ -100,6 +105,10 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    #[inline(always)]
+    fn is_nothing(self) -> bool {
+        self == 0.0
+    }
     #[inline(always)]
     fn cst(x: f64) -> Self {
         x

@@ -96,7 +96,7 @@ fn motions_told_early_end_there() {
         told(&o);
         (words(&o, "cells", "end"), o)
     };
-    let (early, o) = ends(66, "");
+    let (early, o) = ends(66, "check = 300");
     let (full, _) = ends(14, "recognise = \"never\"");
     // ends of one kind are numbered as they were met
     // and motions that few starts show beforehand have no name in a small map
@@ -111,6 +111,14 @@ fn motions_told_early_end_there() {
     for k in wrong {
         assert!(at_a_border(&early, 66, same(k), false), "{k}: {} {}", early[same(k)], full[k]);
     }
+    // cells that the study itself follows to their ends agree as well
+    let agreement = o.findings.iter().find(|f| f.id == "agreement").unwrap();
+    let of = |what: &str| agreement.evidence.iter().find(|e| e.what == what).unwrap().value;
+    let followed = of("cells followed");
+    assert!(followed > 250.0 && followed <= 300.0, "{followed}");
+    assert!(of("end elsewhere") <= 3.0 && of("of them with no neighbour that does") == 0.0, "{}", agreement.sentence());
+    assert_eq!(agreement.value.unwrap() + of("end elsewhere"), followed);
+    assert_eq!(o.find_table("disagreements").unwrap().rows() as f64, of("end elsewhere"));
     // what does not settle is counted
     let unsettled = early.iter().filter(|e| *e == "not settled").count() as f64;
     assert_eq!(o.findings.iter().find(|f| f.id == "not_settled").map_or(0.0, |f| f.value.unwrap()), unsettled);

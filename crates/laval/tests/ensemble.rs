@@ -296,6 +296,81 @@ fn balancers_follow_single_motions() {
     }
 }
 
+/// The same at constant speed on machines without internal states, where parts give their masses with their residual: tilting and planar bodies, balancers at the
+/// reference point and beside it, horizontal machines, members that differ.
+#[test]
+fn masses_with_the_residual_are_those_of_single_motions() {
+    let ring = BalancerBallParams {
+        ball_mass: 0.02,
+        track_radius: 0.1,
+        eccentricity: 1e-3,
+        eccentricity_phase: 0.4,
+        node_line: 1.0,
+        tilt: 0.05,
+        housing_mass: 0.3,
+        diametral_inertia: 2e-3,
+        polar_inertia: 3e-3,
+        drag: 1e-3,
+        dry_torque: 1e-3,
+        friction_rate: 20.0,
+        rolling_inertia: 0.4,
+        ..BalancerBallFamily::defaults()
+    };
+    let level =
+        BalancerBallParams { gravity: 0.0, tilt: 0.0, node_line: 0.0, eccentricity: 0.0, housing_mass: 0.0, dry_torque: 0.0, ..ring };
+    let sprung = BalancerBallParams { tilt_stiffness: 20.0, tilt_damping: 1e-3, ..ring };
+    let on = |z: f64| BallBalancer::new(Attach::at("wheel", z), 2).track(1, 0.8, 0.02, 0.3).masses(&[1.0, 1.2, 0.7]);
+    let disc = DiscParams { mass: 3.0, diametral_inertia: 0.02, polar_inertia: 0.035, eccentricity: 2e-4, ..DiscFamily::defaults() };
+    let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedFamily::defaults() };
+    let link = || Link::Between(Attach::on("wheel"), Attach::ground());
+    let cases = [
+        (on(0.0), ring, true, false),
+        (on(0.03).free(), sprung, true, false),
+        (on(-0.02), BalancerBallParams { gravity: 0.0, ..ring }, true, true),
+        (on(0.0).planar(), level, false, true),
+        (on(0.0).planar().free(), sprung, false, false),
+    ];
+    for (balancer, ring, tilts, horizontal) in cases {
+        let builder = Builder::new("wheel");
+        let builder = if tilts {
+            builder.part("wheel", Disc::tilting(), disc).part("shaft", ShaftLumped::with_tilt(link()).damped(), shaft)
+        } else {
+            builder.part("wheel", Disc::planar(), DiscParams { diametral_inertia: 0.0, ..disc }).part(
+                "shaft",
+                ShaftLumped::lateral(link()).damped(),
+                ShaftLumpedParams { tilt_stiffness: 0.0, ..shaft },
+            )
+        };
+        let builder = builder.part("balancer", balancer, ring);
+        let base = if horizontal { builder.horizontal() } else { builder }.build().unwrap();
+        assert_eq!(Form::of(&base, true), Form::Varying);
+        let member = |k: usize| {
+            let changes = [
+                ("balancer.drag", 1e-3 * (1 + k) as f64),
+                ("wheel.mass", 3.0 + 0.1 * k as f64),
+                ("balancer.ball_mass", 0.02 + 1e-3 * k as f64),
+            ];
+            let mut m = constant(base.with(&changes).unwrap(), 200.0 + 10.0 * k as f64, 0.05);
+            let n = m.system.n();
+            for (y, x) in m.y[n - 3..n].iter_mut().zip([0.5, 0.8 + 0.1 * k as f64, 2.0]) {
+                *y = x;
+            }
+            m
+        };
+        let members: Vec<Member> = (0..10).map(member).collect();
+        let rows = sail(&members, Form::Varying, 0, Settings::default());
+        let general = sail(&members, Form::Prescribed, 0, Settings::default());
+        for ((m, (end, y, _)), other) in members.iter().zip(&rows).zip(&general) {
+            assert_eq!(*end, LegEnd::Reached);
+            let (d, o) = (apart(&m.system, &alone(m, &[]).0, y), apart(&m.system, &other.1, y));
+            assert!(d < 1e-7 && o < 1e-7, "{d:e} {o:e}");
+        }
+        // the processor level changes no bit
+        let plain = sail(&members, Form::Varying, 0, Settings { level: Level::Base, ..Settings::default() });
+        assert!(rows.iter().zip(&plain).all(|(a, b)| a.1 == b.1));
+    }
+}
+
 /// Steps between crossings count: a contact that opens and closes does not give a member more of them.
 #[test]
 fn crossings_do_not_lengthen_the_work() {

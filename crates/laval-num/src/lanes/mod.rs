@@ -297,6 +297,16 @@ impl<R: Reg, const K: usize> Scalar for Lanes<R, K> {
         let a = self.plain();
         if a.iter().all(|x| *x == a[0]) { a[0] } else { f64::NAN }
     }
+    #[inline(always)]
+    fn is_nothing(self) -> bool {
+        let zero = R::splat(0.0);
+        let mut all = true;
+        for i in 0..K {
+            let both = R::mask_bits(self.0[i].le(zero)) & R::mask_bits(zero.le(self.0[i]));
+            all &= u32::from(both) + 1 == 1 << R::WIDTH;
+        }
+        all
+    }
     fn analytic<const N: usize, F: Analytic<N>>(z: Complex<Self>) -> [Complex<Self>; N] {
         let (re, im) = (z.re.plain(), z.im.plain());
         let mut f = [[[0.0; LANES]; 2]; N];

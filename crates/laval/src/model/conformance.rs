@@ -60,6 +60,8 @@ pub enum Promise {
     Tangents,
     /// Affine in accelerations and spin acceleration together.
     Affine,
+    /// The masses it gives are its derivatives in the accelerations, and the rows beside them its residual.
+    Inertia,
     /// What is not declared in [`Part::uses`] is not read.
     Uses,
     /// A linear part is its blocks, superposes, has symmetric M and skew G and N.
@@ -122,6 +124,7 @@ pub fn check<P: Part>(part: &P, params: &Params<P, f64>, options: &Options) -> V
     if bench.failures.is_empty() {
         bench.tangents();
         bench.affine();
+        bench.inertia();
         bench.blocks();
         bench.isotropy();
         bench.power();
@@ -346,6 +349,28 @@ impl<'a, P: Part> Bench<'a, P> {
             let mean: Vec<f64> = f.iter().zip(&g).map(|(f, g)| 0.5 * (f + g)).collect();
             let size = self.sizes(&h, &self.jacobian(&middle));
             self.compare(Promise::Affine, "halfway between two accelerations", &h, &mean, &size, 1e-12);
+        }
+    }
+
+    fn inertia(&mut self) {
+        for x in self.states() {
+            let (n, value, jacobian) = (self.n, self.eval(&x), self.jacobian(&x));
+            let (mut out, mut mass) = (vec![0.0; value.len()], vec![0.0; n * n]);
+            let (force, rest) = out.split_at_mut(n);
+            let (rate, spin) = rest.split_at_mut(self.m);
+            let rows = Rows { force, rate, spin: &mut spin[0] };
+            if !Part::inertial(self.part, &P::Family::from_slice(&self.params), &self.at(&x), &mut { rows }, &mut mass) {
+                return;
+            }
+            let size = self.sizes(&value, &jacobian);
+            self.compare(Promise::Inertia, "beside the masses", &out, &value, &size, 1e-12);
+            for j in 0..n {
+                let column: Vec<f64> = (0..n).map(|i| mass[i * n + j]).collect();
+                let scale = self.scale[2 * n + j];
+                let size: Vec<f64> = (0..n).map(|i| jacobian[2 * n + j][i].abs() + 1e-3 * size[i] / scale).collect();
+                let what = format!("mass of {}", self.input_name(2 * n + j));
+                self.compare(Promise::Inertia, &what, &column, &jacobian[2 * n + j][..n], &size, 1e-12);
+            }
         }
     }
 

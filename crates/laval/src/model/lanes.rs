@@ -34,6 +34,32 @@ impl<P: Part> Apply<P> for Residual {
     }
 }
 
+/// Arguments of [`Part::inertial`].
+pub struct InertialArgs<'a, S> {
+    /// Parameters.
+    pub p: &'a [S],
+    /// Point.
+    pub at: At<'a, S>,
+    /// Where the share is added.
+    pub out: Rows<'a, S>,
+    /// Where the masses are added.
+    pub mass: &'a mut [S],
+    /// What the part answered.
+    pub known: bool,
+}
+
+/// The residual of a nonlinear part with its masses.
+pub struct Inertial;
+impl Family for Inertial {
+    type Args<'a, S: Scalar> = InertialArgs<'a, S>;
+}
+impl<P: Part> Apply<P> for Inertial {
+    #[inline(always)]
+    fn apply<S: Scalar>(part: &P, args: &mut InertialArgs<'_, S>) {
+        args.known = part.inertial(&P::Family::from_slice(args.p), &args.at, &mut args.out, args.mass);
+    }
+}
+
 /// Arguments of [`Part::linear`].
 pub struct LinearArgs<'a, S> {
     /// Parameters.
@@ -57,5 +83,5 @@ impl<P: Part> Apply<P> for Linear {
 }
 
 /// A part that can be called in lanes: every [`Part`] can.
-pub trait InLanes: Slots<Residual> + Slots<Linear> {}
+pub trait InLanes: Slots<Residual> + Slots<Inertial> + Slots<Linear> {}
 impl<P: Part> InLanes for P {}

@@ -288,6 +288,8 @@ pub struct Correction {
     pub moment: [f64; 2],
     /// The largest moment they can have, kg m.
     pub capacity: f64,
+    /// Largest force (N; of angles N m) with which they push each other; zero where none touch.
+    pub contact: f64,
 }
 
 /// A circle by which a part with movable masses is drawn: a track, a ball.
@@ -336,6 +338,11 @@ pub trait Part: Send + Sync + Sized + 'static {
     }
     /// Adds its share; only for [`Physics::Nonlinear`].
     fn residual<S: Scalar>(&self, _p: &Params<Self, S>, _at: &At<S>, _out: &mut Rows<S>) {}
+    /// The same, and adds to `mass` what the force rows change by per acceleration of each local coordinate (row-major, symmetric). `false` leaves both to
+    /// [`residual`](Self::residual), whose differences tell the masses; a part whose mass depends on the configuration saves time by saying it.
+    fn inertial<S: Scalar>(&self, _p: &Params<Self, S>, _at: &At<S>, _out: &mut Rows<S>, _mass: &mut [S]) -> bool {
+        false
+    }
     /// Fills the blocks at a spin speed (rad/s); for [`Physics::Linear`] and for the time form of [`Physics::Frequency`].
     fn linear<S: Scalar>(&self, _p: &Params<Self, S>, _speed: S, _blocks: &mut Blocks<S>) {}
     /// Share in the spin row of a part with linear blocks, N m: `inertia spin_accel + ... - torque`.
@@ -389,6 +396,8 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
         Vec::new()
     }
+    /// Dry friction on own coordinates that rest: local coordinate, and the largest force (N; of an angle N m) that it holds.
+    fn grip(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<(usize, f64)>) {}
     /// Of a part that balances by itself.
     fn correction(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Option<Correction> {
         None

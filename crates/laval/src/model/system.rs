@@ -485,6 +485,15 @@ impl System {
     pub fn corrections(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Correction)> {
         self.each(at, ws, |slot, l, out| out.extend(slot.part.correction(&self.params[slot.params.clone()], l)))
     }
+    /// Coordinates that dry friction holds where they rest, as (coordinate, largest force): own coordinates of parts.
+    pub fn grips(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, f64)> {
+        let held = self.each(at, ws, |slot, l, out| slot.part.grip(&self.params[slot.params.clone()], l, out));
+        let own = |(k, (local, force)): (usize, (usize, f64))| match self.slots[k].map.get(local).map(|row| &row[..]) {
+            Some(&[(g, 1.0)]) if force > 0.0 => Some((g, force)),
+            _ => None,
+        };
+        held.into_iter().filter_map(own).collect()
+    }
     /// What the parts with movable masses look like at a point, as (part, circle).
     pub fn outlines(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Outline)> {
         self.each(at, ws, |slot, l, out| out.extend(slot.part.outlines(&self.params[slot.params.clone()], l)))

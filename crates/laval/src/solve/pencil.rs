@@ -192,6 +192,27 @@ impl Linearised {
         Ok(Self::of_time_forms(system, about))
     }
 
+    /// The same with some coordinates held: each by itself, with roots at minus once and twice `rate` (1/s).
+    pub fn holding(mut self, coordinates: &[usize], rate: f64) -> Self {
+        for &i in coordinates {
+            for m in [&mut self.mass, &mut self.damping, &mut self.stiffness] {
+                for j in 0..m.rows() {
+                    (m[(i, j)], m[(j, i)]) = (0.0, 0.0);
+                }
+            }
+            for j in 0..self.state_force.cols() {
+                self.state_force[(i, j)] = 0.0;
+            }
+            for m in &mut self.rates[..3] {
+                for j in 0..m.rows() {
+                    m[(j, i)] = 0.0;
+                }
+            }
+            (self.mass[(i, i)], self.damping[(i, i)], self.stiffness[(i, i)]) = (1.0, 3.0 * rate, 2.0 * rate * rate);
+        }
+        self
+    }
+
     /// About an equilibrium; parts that have no time form are left out.
     pub(super) fn of_time_forms(system: &System, about: &Equilibrium) -> Self {
         let coordinates = coordinate_sectors(system);

@@ -24,6 +24,8 @@ pub struct Unbalance {
     pub capacity: f64,
     /// Mass of the bodies that turn, kg.
     pub mass: f64,
+    /// Largest force (N; of angles N m) with which movable masses push each other.
+    pub contact: f64,
 }
 
 impl Unbalance {
@@ -69,10 +71,13 @@ pub fn unbalance(system: &System, at: &At<f64>, ws: &mut Workspace<f64>) -> Unba
     for x in (0..n).filter(|&i| accelerated[i] == 1.0) {
         mass += carried[x] - still[x];
     }
-    let (mut correction, mut capacity) = (C64::zero(), 0.0);
+    let (mut correction, mut capacity, mut contact) = (C64::zero(), 0.0, 0.0);
     for (_, part) in system.corrections(&At { q: &q, v: &zero, a: &zero, z: &states, phase: 0.0, ..*at }, ws) {
         correction += c(part.moment[0], part.moment[1]);
         capacity += part.capacity;
+        if !(part.contact <= contact) {
+            contact = part.contact;
+        }
     }
-    Unbalance { moment, correction, capacity, mass }
+    Unbalance { moment, correction, capacity, mass, contact }
 }

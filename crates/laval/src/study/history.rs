@@ -37,8 +37,9 @@ pub(super) const RELATIVE: Field = Field::optional(
 pub(super) const ABSOLUTE: Field = Field::optional(
     "absolute_tolerance",
     FieldKind::Quantity { unit: "", bounds: Bounds { min: 1e-18, max: 1e-2, min_open: false } },
-    "1e-9",
-    "tolerated error of a step over a typical size of each kind of state (1 mm, 10 mrad; velocities: times the spin speed)",
+    "",
+    "tolerated error of a step over a typical size of each kind of state (1 mm, 10 mrad; velocities: times the spin speed); a tenth of the relative one unless given, \
+        but at most 1e-9",
 );
 /// `points`.
 pub(super) const POINTS: Field =
@@ -59,10 +60,12 @@ pub(super) struct Settings {
 
 impl Settings {
     pub fn read(values: &Values) -> Self {
+        let relative = values.number("relative_tolerance").unwrap_or(1e-8);
         Settings {
             method: method(values),
-            relative: values.number("relative_tolerance").unwrap_or(1e-8),
-            absolute: values.number("absolute_tolerance").unwrap_or(1e-9),
+            relative,
+            // small motions would keep to the absolute one alone, however exact the relative one
+            absolute: values.number("absolute_tolerance").unwrap_or((0.1 * relative).min(1e-9)),
             points: values.integer("points").map_or(2000, |x| x.max(2) as usize),
             phase: values.number("phase").unwrap_or(0.0),
         }

@@ -32,6 +32,8 @@ enum Wrong {
     HidesNan,
     PassesNan,
     HalfPair,
+    HeavierThanSaid,
+    OtherBesideMasses,
 }
 
 struct Toy(Wrong);
@@ -61,6 +63,16 @@ impl Part for Toy {
             acceleration: matches!(self.0, SquareOfAcceleration | ProductWithSpinAcceleration),
             spin: self.0 == ProductWithSpinAcceleration,
         }
+    }
+    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) -> bool {
+        let tiny = S::cst(1e-9);
+        match self.0 {
+            Wrong::HeavierThanSaid => mass[3] += tiny,
+            Wrong::OtherBesideMasses => out.force[1] += tiny * p.stiffness * at.q[1],
+            _ => return false,
+        }
+        self.residual(p, at, out);
+        true
     }
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let k = p.stiffness;
@@ -114,6 +126,8 @@ fn every_wrong_part_is_caught_by_its_own_check() {
         (Wrong::Staircase, Promise::Tangents),
         (Wrong::SquareOfAcceleration, Promise::Affine),
         (Wrong::ProductWithSpinAcceleration, Promise::Affine),
+        (Wrong::HeavierThanSaid, Promise::Inertia),
+        (Wrong::OtherBesideMasses, Promise::Inertia),
         (Wrong::UndeclaredVelocity, Promise::Uses),
         (Wrong::UndeclaredSpeed, Promise::Uses),
         (Wrong::Lopsided, Promise::Isotropy),

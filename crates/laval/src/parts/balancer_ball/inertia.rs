@@ -36,7 +36,7 @@ impl<S: Scalar> Place<S> {
     fn ball(centre: Complex<S>, ring: &Ring<S>, angle: S, rate: S) -> Self {
         let (s, co) = angle.sin_cos();
         let (r, o) = (ring.radius, S::zero());
-        let line = Complex::cis(ring.line).scale(r);
+        let line = ring.line.scale(r);
         let (u, h) = (line * c(co, ring.cos * s), r * s * ring.sin);
         let (mixed, twice) = (line * c(o, -(ring.sin * co)), line * c(o, -(ring.cos * s)));
         let tilt = ring.tilt[1];
@@ -55,11 +55,11 @@ impl<S: Scalar> Place<S> {
     /// A unit vector of a ring: along the node line, or at an angle of this cosine and sine from the rotor's plane across it.
     #[inline(always)]
     fn along(ring: &Ring<S>) -> Self {
-        Place { carried: false, ..Self::centre(Complex::cis(ring.line)) }
+        Place { carried: false, ..Self::centre(ring.line) }
     }
     #[inline(always)]
     fn across(ring: &Ring<S>, cos: S, sin: S) -> Self {
-        let over = Complex::cis(ring.line).mul_i();
+        let over = ring.line.mul_i();
         let square = -(ring.tilt[1] * ring.tilt[1]);
         Place {
             at: (over.scale(cos), sin),
@@ -145,6 +145,40 @@ impl<S: Scalar> Carrier<S> {
         self.spin += (b.at.0.conj() * flat).im;
         [along(b.tilt, flat, up), along(b.angle, flat, up)]
     }
+    /// Adds `m J^T J` of a mass; J its place's derivatives in x, y, the body's tilts, the tilt of its ring and its own angle (`rows`, where they are coordinates).
+    #[inline(always)]
+    fn weigh(&self, mass: S, b: &Place<S>, rows: [Option<usize>; 2], out: &mut Masses<S>) {
+        let none = [S::zero(); 3];
+        let mut columns = [(0, none); 4];
+        let mut count = 0;
+        if let Some(t) = &self.tilt {
+            let place = vector(self.turn, b.at);
+            columns[0] = (2, t.over[0].apply(place));
+            columns[1] = (3, t.over[1].apply(place));
+            count = 2;
+        }
+        for (row, d) in rows.into_iter().zip([b.tilt, b.angle]) {
+            let Some(row) = row else { continue };
+            let flat = vector(self.turn, d);
+            columns[count] = (row, if let Some(t) = &self.tilt { sum(flat, t.turn.apply(flat)) } else { flat });
+            count += 1;
+        }
+        if b.carried {
+            out.add(0, 0, mass);
+            out.add(1, 1, mass);
+        }
+        for i in 0..count {
+            let (row, d) = columns[i];
+            let heavy = [mass * d[0], mass * d[1], mass * d[2]];
+            if b.carried {
+                out.add(row, 0, heavy[0]);
+                out.add(row, 1, heavy[1]);
+            }
+            for &(other, d) in &columns[..i + 1] {
+                out.add(row, other, dot(heavy, d));
+            }
+        }
+    }
     /// Velocity of a mass, and its height.
     #[inline(always)]
     fn velocity(&self, b: &Place<S>, at: &At<S>, tilt: S, angle: S) -> ([S; 3], S) {
@@ -158,24 +192,64 @@ impl<S: Scalar> Carrier<S> {
     }
 }
 
-impl BallBalancer {
-    /// Adds inertia and weight.
+/// Masses over the local coordinates.
+pub(super) struct Masses<'a, S> {
+    pub n: usize,
+    pub all: &'a mut [S],
+}
+
+impl<S: Scalar> Masses<'_, S> {
+    /// Adds to an entry and to its mirror image.
     #[inline(always)]
-    pub(super) fn add_inertia<S: Scalar>(&self, p: &BalancerBallParams<S>, at: &At<S>, out: &mut Rows<S>) {
+    pub fn add(&mut self, i: usize, j: usize, x: S) {
+        self.all[i * self.n + j] += x;
+        if i != j {
+            self.all[j * self.n + i] += x;
+        }
+    }
+}
+
+impl BallBalancer {
+    /// Adds inertia and weight, and the masses where they are asked for.
+    #[inline(always)]
+    pub(super) fn add_inertia<S: Scalar>(
+        &self,
+        p: &BalancerBallParams<S>,
+        at: &At<S>,
+        out: &mut Rows<S>,
+        mut masses: Option<&mut Masses<S>>,
+    ) {
         let mut carrier = Carrier::new(at, self.body_tilt);
         let centre = Self::centre(p);
         let still = [S::zero(); 2];
-        carrier.add(p.housing_mass, &Place::centre(centre), at, p.gravity, still, still);
+        if !p.housing_mass.is_nothing() {
+            let housing = Place::centre(centre);
+            carrier.add(p.housing_mass, &housing, at, p.gravity, still, still);
+            if let Some(m) = &mut masses {
+                carrier.weigh(p.housing_mass, &housing, [None; 2], m);
+            }
+        }
         for (k, track) in self.tracks.iter().enumerate() {
             let ring = self.ring(p, at, k);
             let tilt = [ring.tilt[1], ring.tilt[2]];
             let (jx, half) = (p.diametral_inertia, p.polar_inertia.scale(0.5));
             let mut moment = S::zero();
             if self.body_tilt {
-                carrier.add(half, &Place::along(&ring), at, p.gravity, tilt, still);
-                moment += carrier.add(half, &Place::across(&ring, ring.cos, ring.sin), at, p.gravity, tilt, still)[0];
-                moment += carrier.add(jx - half, &Place::across(&ring, -ring.sin, ring.cos), at, p.gravity, tilt, still)[0];
+                let ends = [
+                    (half, Place::along(&ring)),
+                    (half, Place::across(&ring, ring.cos, ring.sin)),
+                    (jx - half, Place::across(&ring, -ring.sin, ring.cos)),
+                ];
+                for (mass, end) in &ends {
+                    moment += carrier.add(*mass, end, at, p.gravity, tilt, still)[0];
+                    if let Some(m) = &mut masses {
+                        carrier.weigh(*mass, end, [ring.row, None], m);
+                    }
+                }
             } else {
+                if let (Some(m), Some(row)) = (&mut masses, ring.row) {
+                    m.add(row, row, jx);
+                }
                 let (w, unequal) = (at.speed, (jx - p.polar_inertia) * ring.sin * ring.cos);
                 let polar = jx * ring.sin * ring.sin + p.polar_inertia * ring.cos * ring.cos;
                 carrier.spin += polar * at.spin_accel + (unequal * tilt[0] * w).scale(2.0);
@@ -188,6 +262,9 @@ impl BallBalancer {
                 let [over, along] = carrier.add(mass, &ball, at, p.gravity, tilt, [at.v[row], at.a[row]]);
                 moment += over;
                 out.force[row] += along;
+                if let Some(m) = &mut masses {
+                    carrier.weigh(mass, &ball, [ring.row, Some(row)], m);
+                }
             }
             if let Some(row) = ring.row {
                 out.force[row] += moment;

@@ -7,9 +7,17 @@ use laval_num::scalar::Scalar;
 /// Drag and friction torque on a ball, N m, at a rate in its track; `inertia` m r^2.
 #[inline(always)]
 pub(super) fn drag<S: Scalar>(p: &BalancerBallParams<S>, inertia: S, speed: S, rate: S) -> S {
+    if p.dry_torque.is_nothing() && p.rolling_resistance.is_nothing() {
+        return p.drag * rate;
+    }
     let turning = speed + rate;
     let dry = p.dry_torque + p.rolling_resistance * inertia * turning * turning;
     p.drag * rate + dry * rate / (rate * rate + p.friction_rate * p.friction_rate).sqrt()
+}
+
+/// The largest torque with which friction holds a ball that rests in its track, N m.
+pub(super) fn grip(p: &BalancerBallParams, inertia: f64, speed: f64) -> f64 {
+    p.dry_torque + p.rolling_resistance * inertia * speed * speed
 }
 
 /// Two balls of one track.

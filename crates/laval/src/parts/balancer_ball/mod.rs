@@ -45,6 +45,7 @@ use crate::model::part::{At, Correction, Dof, Energy, Layout, Link, Observed, Ou
 use crate::model::system::Axis;
 use crate::params;
 use crate::units::format_si;
+use inertia::Masses;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
 use std::ops::Range;
@@ -113,8 +114,8 @@ struct Ring<S> {
     tilt: [S; 3],
     sin: S,
     cos: S,
-    /// Direction of the node line from the key mark, rad.
-    line: S,
+    /// Unit vector along the node line, in rotor axes.
+    line: Complex<S>,
     radius: S,
 }
 
@@ -164,13 +165,14 @@ impl BallBalancer {
         let track = &self.tracks[k];
         let row = self.port() + k;
         let tilt = if self.free { [at.q[row], at.v[row], at.a[row]] } else { [p.tilt + S::cst(track.tilt), S::zero(), S::zero()] };
-        let (sin, cos) = tilt[0].sin_cos();
+        // most tracks are level and have no node line of their own
+        let (sin, cos) = if tilt[0].is_nothing() { (S::zero(), S::one()) } else { tilt[0].sin_cos() };
         Ring {
             row: self.free.then_some(row),
             tilt,
             sin,
             cos,
-            line: p.node_line + S::cst(track.node_line),
+            line: direction(p.node_line + S::cst(track.node_line)),
             radius: p.track_radius.scale(track.radius),
         }
     }
@@ -182,7 +184,36 @@ impl BallBalancer {
     /// Ring centre from the shaft centre in rotor axes, m.
     #[inline(always)]
     fn centre<S: Scalar>(p: &BalancerBallParams<S>) -> Complex<S> {
-        Complex::cis(p.eccentricity_phase).scale(p.eccentricity)
+        if p.eccentricity.is_nothing() { Complex::zero() } else { direction(p.eccentricity_phase).scale(p.eccentricity) }
+    }
+    /// All rows, and the masses where they are asked for.
+    #[inline(always)]
+    fn rows<S: Scalar>(&self, p: &BalancerBallParams<S>, at: &At<S>, out: &mut Rows<S>, mut masses: Option<&mut Masses<S>>) {
+        self.add_inertia(p, at, out, masses.as_deref_mut());
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            if let Some(row) = ring.row {
+                out.force[row] += self.held(p, k, &ring);
+            }
+            for i in track.balls.clone() {
+                let row = self.row(i);
+                let inertia = p.ball_mass.scale(self.masses[i]) * ring.radius * ring.radius;
+                let rolling = inertia * p.rolling_inertia;
+                out.force[row] += rolling * at.a[row] + laws::drag(p, inertia, at.speed, at.v[row]);
+                if let Some(m) = &mut masses {
+                    m.add(row, row, rolling);
+                }
+            }
+            if self.contact {
+                for i in track.balls.clone() {
+                    for j in i + 1..track.balls.end {
+                        let c = laws::Contact::between(p, &ring, at, self.row(i), self.row(j));
+                        out.force[self.row(j)] -= c.side * c.force;
+                        out.force[self.row(i)] += c.side * c.force;
+                    }
+                }
+            }
+        }
     }
     /// Largest moment of the balls, sum of m r, kg m.
     pub fn capacity(&self, p: &BalancerBallParams) -> f64 {
@@ -196,12 +227,18 @@ impl BallBalancer {
             let ring = self.ring(p, at, k);
             for i in track.balls.clone() {
                 let (s, co) = at.q[self.row(i)].sin_cos();
-                let u = Complex { re: co, im: ring.cos * s } * Complex::cis(ring.line);
+                let u = Complex { re: co, im: ring.cos * s } * ring.line;
                 sum += u.scale(p.ball_mass * self.masses[i] * ring.radius);
             }
         }
         sum
     }
+}
+
+/// The unit vector in a direction, rad.
+#[inline(always)]
+fn direction<S: Scalar>(angle: S) -> Complex<S> {
+    if angle.is_nothing() { Complex::one() } else { Complex::cis(angle) }
 }
 
 /// Names of what is shown of ball or ring `k`.
@@ -321,27 +358,12 @@ impl Part for BallBalancer {
 
     #[inline(always)]
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
-        self.add_inertia(p, at, out);
-        for (k, track) in self.tracks.iter().enumerate() {
-            let ring = self.ring(p, at, k);
-            if let Some(row) = ring.row {
-                out.force[row] += self.held(p, k, &ring);
-            }
-            for i in track.balls.clone() {
-                let row = self.row(i);
-                let inertia = p.ball_mass.scale(self.masses[i]) * ring.radius * ring.radius;
-                out.force[row] += inertia * p.rolling_inertia * at.a[row] + laws::drag(p, inertia, at.speed, at.v[row]);
-            }
-            if self.contact {
-                for i in track.balls.clone() {
-                    for j in i + 1..track.balls.end {
-                        let c = laws::Contact::between(p, &ring, at, self.row(i), self.row(j));
-                        out.force[self.row(j)] -= c.side * c.force;
-                        out.force[self.row(i)] += c.side * c.force;
-                    }
-                }
-            }
-        }
+        self.rows(p, at, out, None);
+    }
+    #[inline(always)]
+    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) -> bool {
+        self.rows(p, at, out, Some(&mut Masses { n: at.q.len(), all: mass }));
+        true
     }
 
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
@@ -450,7 +472,30 @@ impl Part for BallBalancer {
 
     fn correction(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<Correction> {
         let m = self.moment(p, at);
-        Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p) })
+        let mut contact = 0.0;
+        for (k, track) in self.tracks.iter().enumerate().filter(|_| self.contact) {
+            let ring = self.ring(p, at, k);
+            for i in track.balls.clone() {
+                for j in i + 1..track.balls.end {
+                    let force = laws::Contact::between(p, &ring, at, self.row(i), self.row(j)).force;
+                    // not f64::max: what is not a number must show
+                    if !(force <= contact) {
+                        contact = force;
+                    }
+                }
+            }
+        }
+        Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p), contact })
+    }
+
+    fn grip(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<(usize, f64)>) {
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            for i in track.balls.clone() {
+                let inertia = p.ball_mass * self.masses[i] * ring.radius * ring.radius;
+                out.push((self.row(i), laws::grip(p, inertia, at.speed)));
+            }
+        }
     }
 
     fn outlines(&self, p: &Params<Self, f64>, at: &At<f64>) -> Vec<Outline> {
@@ -464,7 +509,7 @@ impl Part for BallBalancer {
             out.push(Outline { name: format!("track {}", k + 1), displacement, place: [0.0; 2], radius: ring.radius, movable: false });
             for i in track.balls.clone() {
                 let (s, co) = at.q[self.row(i)].sin_cos();
-                let u = turn * Complex::cis(ring.line) * Complex { re: co, im: ring.cos * s };
+                let u = turn * ring.line * Complex { re: co, im: ring.cos * s };
                 let radius = if p.ball_radius > 0.0 { p.ball_radius } else { DRAWN * ring.radius };
                 out.push(Outline {
                     name: format!("ball {}", i + 1),

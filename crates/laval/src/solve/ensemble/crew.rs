@@ -1,6 +1,7 @@
 //! The lanes of one thread: members in, rows out.
 
 use super::general::General;
+use super::varying::Varying;
 use super::{Ended, Form, Grid, Leg, LegEnd, Next, Voyage};
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
@@ -68,6 +69,7 @@ impl<V: Voyage> Hands for Riders<'_, V> {
 /// The equations in the form the ensemble allows.
 enum Equations<'a, S> {
     Constant(Constant<'a, S>),
+    Varying(Box<Varying<'a, S>>),
     General(Box<General<'a, S>>),
 }
 
@@ -109,6 +111,7 @@ impl<'a, S: LaneScalar> LaneCrew<'a, S> {
             hands,
             equations: match form {
                 Form::Constant => Equations::Constant(Constant::new(base)),
+                Form::Varying => Equations::Varying(Box::new(Varying::new(base))),
                 Form::Prescribed | Form::Free => Equations::General(Box::new(General::new(base, form == Form::Free))),
             },
             dim: core + if spin.is_some() { 2 } else { 0 },
@@ -153,6 +156,7 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
     fn room(&self) -> usize {
         match &self.equations {
             Equations::Constant(c) => c.room(self.dim),
+            Equations::Varying(v) => v.room(),
             Equations::General(_) => 0,
         }
     }
@@ -161,6 +165,7 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
     fn time(&mut self, t: S) {
         match &mut self.equations {
             Equations::Constant(c) => c.time(t),
+            Equations::Varying(v) => v.time(t),
             Equations::General(g) => g.time(t),
         }
     }
@@ -169,6 +174,7 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
     fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]) {
         match &mut self.equations {
             Equations::Constant(c) => c.rhs(t, y, dy),
+            Equations::Varying(v) => v.rhs(t, y, dy),
             Equations::General(g) => g.rhs(t, y, dy),
         }
     }
@@ -180,11 +186,10 @@ impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
                 // an angle that grows must not loosen its own tolerance
                 seat.relative[k] = 0.0;
             }
+            let known = if let SpinLaw::Programme(p) = &law { p.constant_speed().map(|s| (s, p.at(0.0).phase)) } else { None };
             let loaded = match &mut self.equations {
-                Equations::Constant(c) => {
-                    let known = if let SpinLaw::Programme(p) = &law { p.constant_speed().map(|s| (s, p.at(0.0).phase)) } else { None };
-                    known.is_some_and(|(speed, phase)| c.load(lane, &system, speed, phase).is_ok())
-                }
+                Equations::Constant(c) => known.is_some_and(|(speed, phase)| c.load(lane, &system, speed, phase).is_ok()),
+                Equations::Varying(v) => known.map(|(speed, phase)| v.load(lane, &system, speed, phase)).is_some(),
                 Equations::General(g) => {
                     g.load(lane, &system, law.clone());
                     true

@@ -10,10 +10,12 @@
 //! x' = A x + B n(C x) + u0 + uc cos(phase) + us sin(phase)
 //! ```
 //!
-//! with n the nonlinear parts only, one call for each and all lanes; any other motion is evaluated part by part.
+//! with n the nonlinear parts only, one call for each and all lanes. Where the mass depends on the configuration, such as that of balls in a ring, the linear
+//! parts are compiled and the others called with their masses ([`varying`]). Any other motion is evaluated part by part.
 
 mod crew;
 mod general;
+mod varying;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
@@ -128,6 +130,8 @@ impl Default for Settings {
 pub enum Form {
     /// Constant speeds, a mass matrix that depends on parameters only, no memory: compiled.
     Constant,
+    /// Constant speeds, a mass matrix that depends on the configuration, no internal states.
+    Varying,
     /// Any prescribed programme, any mass matrix.
     Prescribed,
     /// The spin is free.
@@ -141,6 +145,7 @@ impl Form {
         match system.machine.drive {
             Drive::Free => Form::Free,
             Drive::Prescribed if constant_speeds && !varying => Form::Constant,
+            Drive::Prescribed if constant_speeds && varying::serves(system) => Form::Varying,
             Drive::Prescribed => Form::Prescribed,
         }
     }

@@ -5,6 +5,7 @@
 
 mod continuum;
 mod found;
+mod grip;
 pub mod images;
 pub mod problem;
 
@@ -14,6 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::System;
 pub use found::{Change, Found, Located, Loose, Path, Progress, Request, Sample, Stability, State};
+pub use grip::Zone;
 use images::Images;
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Zero, cross, trace_both};

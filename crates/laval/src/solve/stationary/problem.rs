@@ -27,6 +27,8 @@ pub struct Stationary<'a> {
     pub system: &'a System,
     /// Typical size of a change of the speed, rad/s.
     pub speed_scale: f64,
+    /// Forces from outside: coordinate, force (N; of angles N m).
+    pub load: Vec<(usize, f64)>,
     cancel: &'a AtomicBool,
     params: Vec<D1>,
     /// Global indices of the states among the unknowns: those of linear parts, then those of nonlinear ones.
@@ -55,6 +57,7 @@ impl<'a> Stationary<'a> {
             all_states: Sectors::new(system.states().iter().map(|s| s.dof.kind)),
             params: system.params().iter().map(|&x| Dual::lift(x)).collect(),
             system,
+            load: Vec::new(),
             speed_scale,
             cancel,
             states,
@@ -208,6 +211,9 @@ impl Zero for Stationary<'_> {
     fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], mut jac: Option<&mut Mat>, mut dr_dp: Option<&mut [f64]>) -> Result<(), Failure> {
         self.linear(x, p, r, jac.as_deref_mut(), dr_dp.as_deref_mut());
         self.nonlinear(x, p, r, jac, dr_dp);
+        for &(i, force) in &self.load {
+            r[i] -= force;
+        }
         Ok(())
     }
     fn cancelled(&self) -> bool {

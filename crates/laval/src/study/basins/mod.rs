@@ -61,6 +61,8 @@ pub struct Basins {
     recognise: bool,
     /// The file says how exact steps are.
     exact: bool,
+    /// Cells that are followed to their ends although they were told before.
+    check: usize,
 }
 
 impl Study for Basins {
@@ -104,6 +106,12 @@ impl Study for Basins {
             "early",
             "machines with movable masses, such as the balls of a balancer: whether motions may be told before their end",
         ),
+        Field::optional(
+            "check",
+            FieldKind::Integer { min: 0, max: 100_000 },
+            "0",
+            "where motions are told before their end: so many cells, chosen by chance, are followed to their ends as well, to see whether they end there",
+        ),
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -142,6 +150,7 @@ impl Study for Basins {
             initial,
             recognise: values.choice("recognise") != Some("never"),
             exact,
+            check: values.integer("check").and_then(|n| usize::try_from(n).ok()).unwrap_or(0),
         })
     }
 

@@ -18,6 +18,8 @@ pub enum Class {
     PartlyBalanced,
     /// The masses lie apart and leave less than half of the unbalance, as on a track that is slightly tilted.
     Reduced,
+    /// Masses push each other.
+    Touching,
     /// All masses of each part lie at one angle.
     Together,
     /// They lie on one line, some of them opposite the others.
@@ -29,7 +31,7 @@ pub enum Class {
 }
 
 /// Words of the classes, in order.
-pub const WORDS: &[&str] = &["balanced", "partly_balanced", "reduced", "together", "opposed", "spread", "single"];
+pub const WORDS: &[&str] = &["balanced", "partly_balanced", "reduced", "touching", "together", "opposed", "spread", "single"];
 
 impl Class {
     /// The word in tables.
@@ -42,6 +44,7 @@ impl Class {
             Class::Balanced => "balanced",
             Class::PartlyBalanced => "partly balanced",
             Class::Reduced => "unbalance reduced",
+            Class::Touching => "masses touching",
             Class::Together => "masses together",
             Class::Opposed => "masses opposed",
             Class::Spread => "masses apart",
@@ -148,6 +151,11 @@ impl Seen {
         largest(self.bodies.iter().map(|b| b[0].hypot(b[1])))
     }
 
+    /// Largest force (N; of angles N m) with which movable masses push each other.
+    pub fn contact(&self) -> f64 {
+        self.unbalance.map_or(0.0, |u| u.contact)
+    }
+
     /// Unbalance over that without the movable masses; `None` where nothing is out of balance without them.
     pub fn share(&self) -> Option<f64> {
         let u = self.unbalance?;
@@ -175,6 +183,9 @@ impl Seen {
             };
         }
         let off = |g: &Vec<f64>, x: &f64| wrapped(x - g[0]).abs();
+        if self.contact() > 0.0 {
+            return if self.share().is_some_and(|share| share < HALF) { Class::Reduced } else { Class::Touching };
+        }
         if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL)) {
             Class::Together
         } else if several().all(|g| g.iter().all(|x| off(g, x) < EQUAL || PI - off(g, x) < EQUAL)) {

@@ -40,6 +40,7 @@ impl Report<'_> {
         out.extend(self.operating());
         out.extend(told.ranges.iter().map(|r| self.stable(r)));
         out.extend(self.continuum());
+        out.extend(super::zones::finding(&self.rows, &self.zones, self.operating));
         out.extend(self.unstable(told));
         if movable {
             out.extend(self.unbalanced(told));
@@ -125,7 +126,8 @@ impl Report<'_> {
                 .evidence("from", from, "rad/s")
                 .evidence("branches followed", self.found.paths.len() as f64, "")
         };
-        gaps.into_iter().map(say).collect()
+        // ends of two ranges at one change of stability are located each for itself
+        gaps.into_iter().filter(|(from, to)| speed(*from) != speed(*to)).map(say).collect()
     }
 
     /// Where there is no state that balances, and whether the masses suffice.
@@ -138,7 +140,7 @@ impl Report<'_> {
         let spans = self.continua.spans.iter().filter(|s| s.class.balances()).map(|s| (s.from, s.to));
         let width = self.range.1 - self.range.0;
         let exist = union(existing(&told.points).into_iter().chain(spans).collect(), GAP * width);
-        for (from, to) in rest(self.range, &exist, GAP * width) {
+        for (from, to) in rest(self.range, &exist, GAP * width).into_iter().filter(|(from, to)| speed(*from) != speed(*to)) {
             // at the edge of existence the masses stand together or have nothing left
             let near = |w: f64| (w - from).abs().min((w - to).abs());
             let edge = seen.clone().filter(|(p, _)| p.class.balances()).min_by(|a, b| near(a.0.speed).total_cmp(&near(b.0.speed)));

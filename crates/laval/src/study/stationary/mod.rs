@@ -19,6 +19,7 @@ mod findings;
 mod least;
 mod ranges;
 mod report;
+mod zones;
 
 use super::support::{SPEED, SPEED_RANGE, range};
 use super::{Context, Study};
@@ -66,9 +67,9 @@ const MOST_CELLS: usize = 100_000;
 impl Study for Stationary {
     const KIND: &'static str = "stationary";
     const DOC: &'static str = "Where a machine with movable masses, such as the balls of a balancer, balances itself: its states at rest in axes that turn with \
-        the rotor, all that are found from many starts, followed over the speed and classified (balanced, partly balanced, unbalance reduced, masses together, opposed, \
+        the rotor, all that are found from many starts, followed over the speed and classified (balanced, partly balanced, unbalance reduced, masses touching, together, opposed, \
         locked by a tilt), with eigenvalues, limits of existence and the speeds where stability changes. It says where states balance, where they make the unbalance \
-        larger, and where none is stable; on request the least value of a parameter, such as external damping, that makes the balanced state stable, a chart of \
+        larger, where none is stable, and in which ranges dry friction holds the masses; on request the least value of a parameter, such as external damping, that makes the balanced state stable, a chart of \
         its stability over speed and one parameter, and what errors of tilt or eccentricity cost.";
     const FIELDS: &'static [Field] = &[
         Field::required(
@@ -218,6 +219,7 @@ impl Study for Stationary {
             on
         };
         let continua = continua::continua(system, &mut search, &found, &speeds, &mut goes_on)?;
+        let zones = zones::zones(system, &mut search, &rows, &mut goes_on)?;
         let least = match &self.stabilise {
             Some(s) if goes_on(0) => Some(least::least(system, s, &request, context, &mut goes_on)?),
             _ => None,
@@ -244,6 +246,7 @@ impl Study for Stationary {
             found: &found,
             rows,
             continua,
+            zones,
             stabilise: self.stabilise.as_ref(),
             least,
             errors,

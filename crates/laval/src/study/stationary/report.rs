@@ -6,6 +6,7 @@ use super::continua::Continua;
 use super::errors::Errors;
 use super::least::Least;
 use super::ranges::{self, Range, Shown};
+use super::zones::{self, Zone};
 use super::{Context, Row, Study, Varied, unit_of};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -21,6 +22,7 @@ pub(super) struct Report<'a> {
     pub found: &'a Found,
     pub rows: Vec<Row>,
     pub continua: Continua,
+    pub zones: Vec<Zone>,
     pub stabilise: Option<&'a Varied>,
     pub least: Option<Least>,
     pub errors: Vec<Errors>,
@@ -85,6 +87,9 @@ impl Report<'_> {
         if !self.continua.sheets.is_empty() {
             all.push(self.continua()?);
         }
+        if !self.zones.is_empty() {
+            all.push(zones::table(self.system, &self.rows, &self.zones)?);
+        }
         if let (Some(least), Some(asked)) = (&self.least, self.stabilise) {
             all.push(self.parameter(least, asked)?);
         }
@@ -132,6 +137,10 @@ impl Report<'_> {
                 "unbalance without the masses; NaN as above",
                 of(&|s| s.unbalance.map(|u| u.without())),
             );
+            if seen.iter().any(|s| s.contact() > 0.0) {
+                let doc = "largest torque with which masses that touch push each other; 0 where none do";
+                t = t.float("contact", "N m", doc, seen.iter().map(|s| s.contact()).collect());
+            }
         }
         t
     }

@@ -13,14 +13,16 @@ const MOST_POINTS: usize = 300;
 const FARTHEST: f64 = 1.0;
 /// Share of the nearest approach of a motion that went elsewhere within which motions are told.
 const SHARE: f64 = 0.5;
+/// Share of its size and stir within which motions that swing are one.
+const ALIKE: f64 = 0.1;
 
 /// What it is.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kind {
     /// A state at rest in turning axes: class, largest growth rate (1/s), coordinates.
     Rest { class: Class, growth: f64, stable: bool, q: Vec<f64> },
-    /// Masses that go round or swing: mean slip rates over the speed, in rising order within each group.
-    Moving { slip: Vec<f64> },
+    /// Masses that go round or swing: mean slip rates over the speed, in rising order within each group; mean size and largest stir of its windows.
+    Moving { slip: Vec<f64>, size: f64, stir: f64 },
 }
 
 pub(super) struct Attractor {
@@ -58,13 +60,26 @@ impl Atlas {
     /// The motion with these slip rates.
     pub fn moving(&self, slip: &[f64]) -> Option<usize> {
         let off = |own: &[f64]| own.iter().zip(slip).map(|(a, b)| (a - b).abs()).fold(0.0, crate::study::support::larger);
-        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip: own } if off(own) <= SAME_SLIP))
+        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip: own, .. } if off(own) <= SAME_SLIP))
+    }
+
+    /// The motion without slip above `round` like which all these windows are (slip rates, size, stir).
+    pub fn swinging(&self, windows: &[(Vec<f64>, f64, f64)], round: f64) -> Option<usize> {
+        let near = |a: f64, b: f64| (a - b).abs() <= ALIKE * b;
+        let like = |own: &[f64], size: f64, stir: f64| {
+            let one = |w: &(Vec<f64>, f64, f64)| {
+                let slip = w.0.iter().zip(own).all(|(a, b)| (a - b).abs() <= round);
+                slip && near(w.1, size) && near(w.2, stir)
+            };
+            own.iter().all(|s| s.abs() <= round) && windows.iter().all(one)
+        };
+        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip, size, stir } if like(slip, *size, *stir)))
     }
 
     /// Adds what a motion that was followed to its end shows of what it moves on.
-    pub fn learn(&mut self, space: &Space, slip: &[f64], tail: &[Vec<f64>]) {
+    pub fn learn(&mut self, space: &Space, slip: &[f64], (size, stir): (f64, f64), tail: &[Vec<f64>]) {
         let k = self.moving(slip).unwrap_or_else(|| {
-            let kind = Kind::Moving { slip: slip.to_vec() };
+            let kind = Kind::Moving { slip: slip.to_vec(), size, stir };
             self.attractors.push(Attractor { kind, points: vec![], radius: 0.0, approach: f64::INFINITY });
             self.attractors.len() - 1
         });

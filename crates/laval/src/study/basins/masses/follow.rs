@@ -61,6 +61,8 @@ pub(super) struct Course {
     pub nearest: Vec<f64>,
     /// Mean slip rates over the speed in the last window, in rising order within each group; none before the first.
     pub slip: Vec<f64>,
+    /// Mean size and largest stir in the last window.
+    pub extent: (f64, f64),
     pub turns: u64,
     pub steps: u64,
     /// State (q, v, z) at its end.
@@ -135,6 +137,7 @@ impl Follow<'_> {
             told: log.told,
             nearest: std::mem::take(&mut log.nearest),
             slip: log.windows.last().map(|w| w.0.clone()).unwrap_or_default(),
+            extent: log.windows.last().map_or((f64::NAN, f64::NAN), |w| (w.1, w.2)),
             turns: log.turns,
             steps: log.steps,
             y: y.to_vec(),
@@ -170,6 +173,11 @@ impl Follow<'_> {
         }
         if recent.iter().all(|w| w.2 <= STILL) {
             return Some(log.last.iter().position(|d| *d <= AT).map_or(Goal::Resting, Goal::Known));
+        }
+        if self.early
+            && let Some(k) = self.atlas.swinging(recent, ROUND)
+        {
+            return Some(Goal::Known(k));
         }
         let alike = |w: &(Vec<f64>, f64, f64)| {
             w.0.iter().zip(&last.0).all(|(a, b)| (a - b).abs() <= ALIKE.0) && (w.1 - last.1).abs() <= ALIKE.1 * last.1

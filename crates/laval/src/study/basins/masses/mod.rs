@@ -4,11 +4,13 @@
 //! The states at rest in turning axes are those that `stationary` finds. A motion is followed until it has reached one of them, or goes on moving alike
 //! ([`follow`]). Large maps do not follow every cell so far: of starts spread over the grid some are followed to their ends and show what else there is
 //! ([`atlas`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
-//! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong.
+//! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong; cells of the
+//! map may be, too ([`check`]).
 //!
 //! Distances are those of [`space`].
 
 mod atlas;
+mod check;
 mod follow;
 mod report;
 mod space;
@@ -40,11 +42,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Most cells of a map.
 pub(super) const MOST_CELLS: usize = 1_000_000;
 /// Cells from which on motions are told before their end.
-const MANY: usize = 4000;
+const MANY: usize = 1200;
 /// Starts of the search for states at rest.
 const STARTS: usize = 200;
 /// Tolerated error of a step where the file gives none: where a motion ends does not depend on its last digits.
-const RELATIVE: f64 = 1e-7;
+const RELATIVE: f64 = 1e-6;
 /// Seed of the starts that are followed beforehand.
 const SEED: u32 = 31;
 
@@ -155,7 +157,7 @@ impl Fleet<'_> {
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
         for course in self.follow(&self.spread(0, learned), false, &done)? {
             if course.goal == Goal::Moving {
-                self.atlas.learn(&self.space, &course.slip, &course.tail);
+                self.atlas.learn(&self.space, &course.slip, course.extent, &course.tail);
             }
         }
         if !self.early {
@@ -185,6 +187,12 @@ impl Fleet<'_> {
         Seen::of(&self.system, &search, &State { branch: 0, speed, x, error: 0.0 }).class(&scale).words()
     }
 
+    /// What a motion comes to that ends in no attractor of the atlas, at the state `y`.
+    fn word(&self, goal: &Goal, y: &[f64]) -> String {
+        let class = (*goal == Goal::Resting && self.system.m() == 0).then(|| self.class(y));
+        told(goal, class).unwrap_or_default()
+    }
+
     fn rows(&self, range: std::ops::Range<usize>, counter: &store::Rows) -> Option<Vec<Row>> {
         let places: Vec<[f64; 2]> = range.map(|c| self.place(c)).collect();
         let starts: Vec<Begin> = places.iter().map(|&p| self.start_at(p)).collect();
@@ -205,6 +213,17 @@ const TURNS: &str = "turns";
 const STEPS: &str = "steps";
 const FAILURE: &str = "failure";
 
+/// A goal in words, with the class of the state where the motion rests; none of one that the atlas knows.
+fn told(goal: &Goal, class: Option<&'static str>) -> Option<String> {
+    match goal {
+        Goal::Known(_) => None,
+        Goal::Resting => Some(class.map_or("at rest".into(), |c| format!("at rest, {c}"))),
+        Goal::Moving => Some("moves on".into()),
+        Goal::Unsettled => Some("not settled".into()),
+        Goal::Failed(_) => Some("failed".into()),
+    }
+}
+
 fn columns(fleet: &Fleet) -> Vec<RowColumn<Row>> {
     let whole = |x: u64| i64::try_from(x).ok();
     let mut out: Vec<RowColumn<Row>> = Vec::new();
@@ -217,13 +236,7 @@ fn columns(fleet: &Fleet) -> Vec<RowColumn<Row>> {
             _ => None,
         }
     }));
-    out.push(word(GOAL, "what the motion comes to where it ends in no attractor of the table", |r: &Row| match &r.course.goal {
-        Goal::Known(_) => None,
-        Goal::Resting => Some(r.class.map_or("at rest".into(), |c| format!("at rest, {c}"))),
-        Goal::Moving => Some("moves on".into()),
-        Goal::Unsettled => Some("not settled".into()),
-        Goal::Failed(_) => Some("failed".into()),
-    }));
+    out.push(word(GOAL, "what the motion comes to where it ends in no attractor of the table", |r: &Row| told(&r.course.goal, r.class)));
     out.push(count(EARLY, "1 where the motion was told before its end", move |r: &Row| Some(i64::from(r.course.told.is_some()))));
     out.push(count(TURNS, "turns integrated", move |r: &Row| whole(r.course.turns)));
     out.push(count(STEPS, "integration steps", move |r: &Row| whole(r.course.steps)));

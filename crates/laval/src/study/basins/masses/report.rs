@@ -4,6 +4,7 @@ use super::super::Basins;
 use super::super::report::{share, upper};
 use super::super::rows::PLACE;
 use super::atlas::{Attractor, Kind};
+use super::check;
 use super::{EARLY, FAILURE, Fleet, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
@@ -23,8 +24,8 @@ fn names(all: &[Attractor]) -> Vec<String> {
     let kind = |a: &Attractor| match &a.kind {
         Kind::Rest { class, stable: true, .. } => class.words().to_string(),
         Kind::Rest { class, .. } => format!("{}, unstable", class.words()),
-        Kind::Moving { slip } if slip.iter().all(|s| s.abs() > ROUND) => "masses go round".into(),
-        Kind::Moving { slip } if slip.iter().any(|s| s.abs() > ROUND) => "some masses go round".into(),
+        Kind::Moving { slip, .. } if slip.iter().all(|s| s.abs() > ROUND) => "masses go round".into(),
+        Kind::Moving { slip, .. } if slip.iter().any(|s| s.abs() > ROUND) => "some masses go round".into(),
         Kind::Moving { .. } => "masses swing".into(),
     };
     let kinds: Vec<String> = all.iter().map(kind).collect();
@@ -48,11 +49,18 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     let goals = told::words(results, GOAL)?;
     let words: Vec<String> =
         states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
+    let checked = if fleet.early && complete { check::check(fleet, &names, &words) } else { None };
+    if fleet.early && complete && fleet.study.check > 0 && checked.is_none() {
+        outcome = outcome.end(context.end(false));
+    }
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
     outcome = shares(fleet, &counts, &names, words.len(), outcome);
     outcome = undecided(&counts, words.len(), results, outcome)?;
     outcome = early(fleet, seen, &results.numbers(EARLY)?, outcome);
+    if let Some(checked) = &checked {
+        outcome = checked.told(fleet, outcome)?;
+    }
     let turns = results.numbers(TURNS)?;
     let steps = results.numbers(STEPS)?.iter().sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64).work("turns", turns.iter().sum::<f64>() as u64);
@@ -87,7 +95,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
                         );
                     }
                 }
-                Kind::Moving { slip } => {
+                Kind::Moving { slip, .. } => {
                     let rates: Vec<String> = slip.iter().map(|s| quantity(s * fleet.study.speed, "rad/s")).collect();
                     text = format!("{} at mean rates of {}: reached from {{}} of the cells.", upper(word), rates.join(" and "));
                 }
@@ -193,7 +201,7 @@ fn tables(
         let name = &fleet.system.coordinates()[i].name;
         let slip = |a: &Attractor| match &a.kind {
             Kind::Rest { .. } => 0.0,
-            Kind::Moving { slip } => slip[k] * fleet.study.speed,
+            Kind::Moving { slip, .. } => slip[k] * fleet.study.speed,
         };
         let place = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[i] } else { f64::NAN };
         table = table.float(format!("angle.{name}"), "rad", "where it rests; NaN for motions", column(&place)).float(
