@@ -3,8 +3,14 @@
 #[path = "characteristic_roots/bands.rs"]
 mod bands;
 mod common;
+#[path = "characteristic_roots/criteria.rs"]
+mod criteria;
+#[path = "characteristic_roots/one_coordinate.rs"]
+mod one_coordinate;
 #[path = "characteristic_roots/orbits.rs"]
 mod orbits;
+#[path = "characteristic_roots/paths.rs"]
+mod paths;
 #[path = "characteristic_roots/spectra.rs"]
 mod spectra;
 #[path = "characteristic_roots/viscous.rs"]

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::field::Value;
+use crate::model::params::Family as _;
 
 pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
     LiquidParams {
@@ -10,8 +11,13 @@ pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
         density: 1000.0,
         free_surface_radius: 0.07 * free,
         wave_damping,
-        viscosity: 0.0,
+        ..LiquidFamily::defaults()
     }
+}
+
+/// A cavity off its shaft.
+pub(super) fn offset(skew: f64) -> LiquidParams {
+    LiquidParams { eccentricity: 2e-3, eccentricity_phase: 0.7, skew, skew_phase: -0.4, ..cavity(0.667, 0.0) }
 }
 
 pub(super) fn partial() -> Liquid {
@@ -89,4 +95,39 @@ fn without_spin_the_layer_is_outside_its_validity() {
         out[1].ratio
     };
     assert!(ratio(0.0) > 1.0 && ratio(5.0) > 1.0 && ratio(300.0) < 0.01);
+}
+
+/// The force on the rotor is `-ml (z + E)'' + mo eta''` at any speed and spin acceleration, eta measured from the middle of the cavity, that middle off the shaft or not.
+#[test]
+fn momentum_of_the_liquid_at_changing_speed() {
+    let p = offset(0.03);
+    let (z, a) = ([0.3, -0.2, 1.1e-3, 0.4e-3, 5.0, 3.0, 0.02, -0.01], [13.0, -7.0, 200.0, 90.0]);
+    let (phase, speed, spin_accel) = (0.8, 310.0, 5e3);
+    for (model, n, m) in [(Model::Planar, 2, 4), (Model::PlanarTilt, 4, 4), (Model::Strip, 4, 8)] {
+        let liquid = partial().flowing(model);
+        let p = if model == Model::Planar { LiquidParams { skew: 0.0, ..p } } else { p };
+        let mut b = Blocks::default();
+        b.reset(n, m, speed);
+        liquid.linear(&p, speed, &mut b);
+        let zero = [0.0; 4];
+        let at = At { q: &zero[..n], v: &zero[..n], a: &a[..n], z: &z[..m], phase, speed, spin_accel, t: 0.0 };
+        let (mut force, mut rate) = (vec![0.0; n], vec![0.0; m]);
+        b.residual(&at, &mut force, &mut rate);
+        let full = PI * 0.07 * 0.07 * 0.06 * 1000.0;
+        let void = full * 0.667 * 0.667;
+        for i in 0..m / 4 {
+            let slices = if i == 0 { 1.0 } else { 0.06f64.powi(2) / 12.0 };
+            let (e, angle) = [(p.eccentricity, p.eccentricity_phase), (p.skew, p.skew_phase)][i];
+            let e = Complex::cis(phase + angle).scale(e);
+            let pair = |x: &[f64], k: usize| c(x[k], x[k + 1]);
+            let turning = |z: Complex<f64>| z.mul_i().scale(speed);
+            // surface' = i W surface - beta once more, W changing
+            let (rise, flow) = (pair(&rate, 4 * i + 2), pair(&rate, 4 * i));
+            let bend = pair(&z, 4 * i + 2).mul_i().scale(spin_accel) + turning(rise) - flow;
+            let push = e.mul_i().scale(spin_accel) + turning(turning(e));
+            let eta = bend - push;
+            let should = ((pair(&a, 2 * i) + push).scale(full - void) - eta.scale(void)).scale(slices);
+            assert!((pair(&force, 2 * i) - should).abs() < 1e-12 * should.abs(), "{model:?} {i}: {force:?} {should:?}");
+        }
+    }
 }
