@@ -1,5 +1,7 @@
 //! Roots of machines with a liquid that has no time form: all of them, against tables computed by other methods.
 
+#[path = "characteristic_roots/approximation.rs"]
+mod approximation;
 #[path = "characteristic_roots/bands.rs"]
 mod bands;
 mod common;

@@ -31,7 +31,7 @@ fn flutter() {
     let out = run(&format!("{}{}", machine(0.0, 0.0, 0.5, 0.7), study("flutter", 40.0, 300.0, 80))).unwrap();
     assert!(words(&out).contains("two frequencies of the undamped machine have met"), "{:?}", out.findings);
     let table = out.tables.iter().find(|t| t.name() == "boundary").unwrap();
-    let edges: Vec<f64> = (0..table.rows()).map(|i| table.column("speed").unwrap().data.number(i).unwrap()).collect();
+    let edges: Vec<f64> = (0..table.rows()).map(|i| table.column("speed").unwrap().number(i).unwrap()).collect();
     let should = [102.744370186736, 170.445983733862];
     assert!(edges.len() == 2 && edges.iter().zip(should).all(|(a, b)| (a - b).abs() < 1e-9), "{edges:?}");
     let damped = run(&format!("{}{}", machine(0.05, 0.0, 0.5, 0.7), study("flutter", 40.0, 300.0, 8))).unwrap_err();
@@ -56,7 +56,7 @@ fn viscous() {
         let out = run(&format!("{}{}", machine(number(zeta), number(nu), 0.5, 0.7), study("viscous", from, to, own.len()))).unwrap();
         assert!(words(&out).contains("with viscosity in the liquid"), "{:?}", out.findings);
         let map = out.tables.iter().find(|t| t.name() == "map").unwrap();
-        let value = |name: &str, i: usize| map.column(name).unwrap().data.number(i).unwrap();
+        let value = |name: &str, i: usize| map.column(name).unwrap().number(i).unwrap();
         let growing: Vec<f64> = (0..map.rows()).filter(|&i| value("growth", i) > 0.0).map(|i| 0.01 * value("speed", i)).collect();
         for r in own {
             let speed = number(r[2]);
@@ -85,5 +85,5 @@ fn growth() {
     let out = run(&format!("{}{}", machine(0.01, 0.0, 0.5, 0.7), study("growth", 50.0, 400.0, 29))).unwrap();
     let map = out.tables.iter().find(|t| t.name() == "map").unwrap();
     let growth = map.column("growth").unwrap();
-    assert!((0..map.rows()).all(|i| growth.data.number(i).unwrap() > 0.0));
+    assert!((0..map.rows()).all(|i| growth.number(i).unwrap() > 0.0));
 }

@@ -86,7 +86,7 @@ fn a_planar_liquid_by_two_paths() {
         let timed = machine.builder().build().unwrap();
         let cavity = Cavity { radius: 0.07, free: 0.07 * fill, height: 0.06, density: 1000.0 };
         let dry: Builder = Planar { fill: 1.0, ..machine }.builder();
-        let spectral = dry.part("liquid", ByImpedance(cavity), NoParams).build().unwrap();
+        let spectral = dry.part("liquid", ByImpedance(cavity), ()).build().unwrap();
         let found = branch_of(&timed, speed, true);
         let (branch, state) =
             found.branches.iter().flat_map(|b| b.points.iter().map(move |p| (b, p))).find(|(_, p)| (p.speed - speed).abs() < 1e-9).unwrap();

@@ -442,6 +442,12 @@ impl Part for Liquid {
                 let ends = if self.model == Model::Strip { 0.5 * p.cavity_height * at.z[6].hypot(at.z[7]) } else { 0.0 };
                 out.push(Validity { what: "surface excursion over layer thickness", ratio: (at.z[2].hypot(at.z[3]) + ends) / layer });
             }
+            if matches!(self.physics(), Physics::Frequency(_)) && at.speed != 0.0 {
+                out.push(Validity {
+                    what: "surface excursion over layer thickness, at the spin frequency",
+                    ratio: self.steady_excursion(p, at) / layer,
+                });
+            }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall
             let ratio = if field == 0.0 { f64::INFINITY } else { at.a[0].hypot(at.a[1]) / field };

@@ -105,6 +105,19 @@ impl Liquid {
         }
     }
 
+    /// Largest displacement of the surface in the cavity in steady whirl with the speed and against it, m, from the point as the liquid sees it: with the speed the surface stays
+    /// round the axis, against it it moves by `1/(4 gamma + 3)` of the motion (of every slice, where the cavity tilts).
+    pub(super) fn steady_excursion(&self, p: &LiquidParams<f64>, at: &At<f64>) -> f64 {
+        let (r2, s2) = (p.cavity_radius * p.cavity_radius, p.free_surface_radius * p.free_surface_radius);
+        let backward = 1.0 / (4.0 * (r2 + s2) / (r2 - s2) + 3.0);
+        let one = |i: usize| {
+            let (z, rate) = (c(at.q[2 * i], at.q[2 * i + 1]), c(at.v[2 * i], at.v[2 * i + 1]));
+            let turned = rate.mul_i().scale(-1.0 / at.speed);
+            0.5 * ((z + turned).abs() + backward * (z - turned).abs())
+        };
+        one(0) + if at.q.len() > 2 { 0.5 * p.cavity_height * one(1) } else { 0.0 }
+    }
+
     /// What a cavity off the shaft adds to the spin row, from the point as the liquid sees it.
     #[inline(always)]
     pub(super) fn offset_torque<S: Scalar>(&self, p: &LiquidParams<S>, seen: &Seen<S>, at: &At<S>) -> S {

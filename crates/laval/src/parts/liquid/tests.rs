@@ -131,3 +131,26 @@ fn momentum_of_the_liquid_at_changing_speed() {
         }
     }
 }
+
+/// Without states the surface follows from the whirl: round the axis with the speed, hardly displaced against it; as the liquid with states has it.
+#[test]
+fn surface_of_a_liquid_without_states() {
+    let (speed, p) = (310.0, LiquidParams { skew: 0.0, eccentricity: 0.0, ..offset(0.0) });
+    let gamma = (1.0 + 0.667f64.powi(2)) / (1.0 - 0.667f64.powi(2));
+    for (rate, share) in [(speed, 1.0), (-speed, 1.0 / (4.0 * gamma + 3.0))] {
+        let (z, theta) = (c(3e-4, 1e-4), c(-2e-3, 1e-3));
+        let turn = |x: Complex<f64>| x.mul_i().scale(rate);
+        let pairs = |x: [Complex<f64>; 2]| [x[0].re, x[0].im, x[1].re, x[1].im];
+        let (q, v, a) = (pairs([z, theta]), pairs([turn(z), turn(theta)]), pairs([turn(turn(z)), turn(turn(theta))]));
+        let at = At { q: &q, v: &v, a: &a, z: &[], phase: 0.4, speed, spin_accel: 0.0, t: 0.0 };
+        let mut out = Vec::new();
+        partial().flowing(Model::Spatial).validity(&p, &at, &mut out);
+        let should = share * (z.abs() + 0.03 * theta.abs()) / (0.07 * 0.333);
+        assert!((out[0].ratio / should - 1.0).abs() < 1e-12, "{rate}: {:?} {should}", out[0]);
+        // an eccentric cavity moves under a surface that stays
+        let still = At { q: &[0.0; 4], v: &[0.0; 4], a: &[0.0; 4], ..at };
+        out.clear();
+        partial().flowing(Model::Spatial).validity(&LiquidParams { eccentricity: 2e-3, ..p }, &still, &mut out);
+        assert!((out[0].ratio - 2e-3 / (0.07 * 0.333)).abs() < 1e-12, "{:?}", out[0]);
+    }
+}
