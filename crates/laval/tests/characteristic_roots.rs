@@ -1,10 +1,18 @@
 //! Roots of machines with a liquid that has no time form: all of them, against tables computed by other methods.
 
+#[path = "characteristic_roots/approximation.rs"]
+mod approximation;
 #[path = "characteristic_roots/bands.rs"]
 mod bands;
 mod common;
+#[path = "characteristic_roots/criteria.rs"]
+mod criteria;
+#[path = "characteristic_roots/one_coordinate.rs"]
+mod one_coordinate;
 #[path = "characteristic_roots/orbits.rs"]
 mod orbits;
+#[path = "characteristic_roots/paths.rs"]
+mod paths;
 #[path = "characteristic_roots/spectra.rs"]
 mod spectra;
 #[path = "characteristic_roots/viscous.rs"]

@@ -187,7 +187,7 @@ fn tilting(horizontal: bool) -> Builder {
         density: 900.0,
         free_surface_radius: 0.07,
         wave_damping: 1.0,
-        viscosity: 0.0,
+        ..LiquidFamily::defaults()
     };
     let builder = Builder::new("overhung wheel")
         .part("wheel", Disc::tilting(), disc)

@@ -91,7 +91,9 @@ fn a_high_mode_does_not_press_the_others_together() {
     let system = b.build().unwrap();
     let campbell = |to: f64| {
         let speed = RangeValue { from: 10.0, to, points: Some(20) };
-        Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None }.run(&system, &Context::quiet("campbell")).unwrap()
+        Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None, compare: false }
+            .run(&system, &Context::quiet("campbell"))
+            .unwrap()
     };
     // excited up to 2000 rad/s; the high mode at 1e5 rad/s is said to be outside
     let o = campbell(2000.0);

@@ -204,8 +204,9 @@ fn one_line_map_and_campbell_tell_the_same_story() {
     let edges: Vec<f64> = map.special_points.iter().filter(|p| p.kind != "growth_peak").map(|p| p.at).collect();
     assert_eq!(edges.len(), 2);
     assert!(map.special_points.iter().all(|p| p.status == Status::Located));
-    let campbell =
-        Campbell { speed, orders: vec![1.0], threshold: 1.0, frequency: None }.run(&system, &Context::quiet("campbell")).unwrap();
+    let campbell = Campbell { speed, orders: vec![1.0], threshold: 1.0, frequency: None, compare: false }
+        .run(&system, &Context::quiet("campbell"))
+        .unwrap();
     let t = campbell.find_table("modes").unwrap();
     for k in 0..t.rows() {
         let number = |name: &str| t.column(name).unwrap().number(k).unwrap();

@@ -171,8 +171,13 @@ fn critical_speed_of_a_gyroscopic_tilt() {
         .part("lower", spring(-h), p)
         .build()
         .unwrap();
-    let study =
-        Campbell { speed: RangeValue { from: 0.0, to: 400.0, points: Some(30) }, orders: vec![1.0], threshold: 0.0, frequency: None };
+    let study = Campbell {
+        speed: RangeValue { from: 0.0, to: 400.0, points: Some(30) },
+        orders: vec![1.0],
+        threshold: 0.0,
+        frequency: None,
+        compare: false,
+    };
     let out = study.run(&system, &Context::quiet("campbell")).unwrap();
     let t = out.find_table("critical_speeds").unwrap();
     let speeds: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();

@@ -141,7 +141,7 @@ fn only_what_the_bearing_joins_must_be_held() {
             density: 1000.0,
             free_surface_radius: 0.05,
             wave_damping: 0.0,
-            viscosity: 0.0,
+            ..LiquidFamily::defaults()
         };
         hertz(true, 1e-4)(b).part("other", Disc::planar(), DiscParams { mass: M, ..DiscFamily::defaults() }).part(
             "liquid",

@@ -50,7 +50,7 @@ fn drum_with_liquid(ratio: f64, damping: f64) -> (System, f64) {
         density: 1000.0,
         free_surface_radius: 0.07 * ratio,
         wave_damping: damping,
-        viscosity: 0.0,
+        ..LiquidFamily::defaults()
     };
     let fill = match ratio {
         0.0 => Fill::Full,
@@ -159,7 +159,7 @@ fn liquid_keeps_its_momentum_at_varying_speed() {
             density: 1000.0,
             free_surface_radius: 0.07 * ratio,
             wave_damping: 0.0,
-            viscosity: 0.0,
+            ..LiquidFamily::defaults()
         };
         let p: Vec<D1> = LiquidFamily::to_vec(&p).into_iter().map(D1::lift).collect();
         let full = PI * 0.07 * 0.07 * 0.06 * 1000.0;

@@ -3,6 +3,8 @@
 mod common;
 #[path = "spatial_liquid/machine.rs"]
 mod machine;
+#[path = "spatial_liquid/offsets.rs"]
+mod offsets;
 #[path = "spatial_liquid/reactions.rs"]
 mod reactions;
 #[path = "spatial_liquid/viscosity.rs"]

@@ -426,7 +426,7 @@ fn liquid_keeps_its_momentum_while_the_speed_changes() {
         density: 1000.0,
         free_surface_radius: free,
         wave_damping: 0.0,
-        viscosity: 0.0,
+        ..LiquidFamily::defaults()
     };
     let system = Builder::new("free")
         .part("drum", Disc::planar(), disc)

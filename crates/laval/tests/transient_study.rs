@@ -84,7 +84,7 @@ fn linear(e: f64, fill: Option<f64>, chi: f64, chi0: f64) -> System {
             density: 1000.0,
             free_surface_radius: 0.07 * r,
             wave_damping: 0.0,
-            viscosity: 0.0,
+            ..LiquidFamily::defaults()
         };
         b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
     }

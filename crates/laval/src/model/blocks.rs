@@ -122,7 +122,7 @@ pub struct Memory<S> {
 ///
 /// ```text
 /// rows:  M a + (C + W G) v + (K + W N + W' K') q + (H + W' H') z = f0 + fc cos(phase) + fs sin(phase) + W' (gc cos(phase) + gs sin(phase))
-/// z' = A z + Aq q + Av v + Aa a + z0     (memory states, listed apart, come last in z)
+/// z' = A z + Aq q + Av v + Aa a + z0 + W' (hc cos(phase) + hs sin(phase))     (memory states, listed apart, come last in z)
 /// ```
 #[derive(Clone, Debug)]
 pub struct Blocks<S> {
@@ -166,6 +166,17 @@ pub struct Blocks<S> {
     pub spin_accel_cos: Vec<S>,
     /// gs: force per spin acceleration on sin(phase).
     pub spin_accel_sin: Vec<S>,
+    /// hc: rate per spin acceleration on cos(phase).
+    pub spin_accel_rate_cos: Vec<S>,
+    /// hs: rate per spin acceleration on sin(phase).
+    pub spin_accel_rate_sin: Vec<S>,
+}
+
+/// The rotating vector `amplitude exp(i (phase + offset))` as its factors on cos and sin of the phase, in x and in y.
+#[inline(always)]
+pub fn rotating<S: Scalar>(amplitude: S, offset: S) -> [[S; 2]; 2] {
+    let (s, co) = offset.sin_cos();
+    [[amplitude * co, -(amplitude * s)], [amplitude * s, amplitude * co]]
 }
 
 impl<S: Scalar> Default for Blocks<S> {
@@ -192,6 +203,8 @@ impl<S: Scalar> Default for Blocks<S> {
             force_sin: Vec::new(),
             spin_accel_cos: Vec::new(),
             spin_accel_sin: Vec::new(),
+            spin_accel_rate_cos: Vec::new(),
+            spin_accel_rate_sin: Vec::new(),
         }
     }
 }
@@ -218,11 +231,36 @@ impl<S: Scalar> Blocks<S> {
             g.reset(m, n);
         }
         self.memory.clear();
-        self.rate.clear();
-        self.rate.resize(m, S::zero());
+        for f in [&mut self.rate, &mut self.spin_accel_rate_cos, &mut self.spin_accel_rate_sin] {
+            f.clear();
+            f.resize(m, S::zero());
+        }
         for f in [&mut self.force, &mut self.force_cos, &mut self.force_sin, &mut self.spin_accel_cos, &mut self.spin_accel_sin] {
             f.clear();
             f.resize(n, S::zero());
+        }
+    }
+
+    /// Adds a force that turns with the rotor, `(k W^2 - i kappa W') r exp(i phase)`, on two rows with lever arms; `r` as [`rotating`] gives it.
+    #[inline(always)]
+    pub fn add_rotating(&mut self, rows: [(usize, S); 2], r: [[S; 2]; 2], k: S, kappa: S) {
+        let w2 = self.speed * self.speed;
+        for (axis, &(row, lever)) in rows.iter().enumerate() {
+            self.force_cos[row] += lever * k * w2 * r[axis][0];
+            self.force_sin[row] += lever * k * w2 * r[axis][1];
+            // -i times the vector: x takes +y, y takes -x
+            let (other, sign) = if axis == 0 { (1, 1.0) } else { (0, -1.0) };
+            self.spin_accel_cos[row] += (lever * kappa * r[other][0]).scale(sign);
+            self.spin_accel_sin[row] += (lever * kappa * r[other][1]).scale(sign);
+        }
+    }
+
+    /// Adds `-i g W' r exp(i phase)` to the rates of the pair of states that starts at `state`.
+    #[inline(always)]
+    pub fn add_rotating_rate(&mut self, state: usize, r: [[S; 2]; 2], g: S) {
+        for (axis, other, sign) in [(0, 1, 1.0), (1, 0, -1.0)] {
+            self.spin_accel_rate_cos[state + axis] += (g * r[other][0]).scale(sign);
+            self.spin_accel_rate_sin[state + axis] += (g * r[other][1]).scale(sign);
         }
     }
 
@@ -264,7 +302,8 @@ impl<S: Scalar> Blocks<S> {
                 + self.state_q.row_dot(i, at.q)
                 + self.state_v.row_dot(i, at.v)
                 + self.state_a.row_dot(i, at.a)
-                + self.rate[i];
+                + self.rate[i]
+                + at.spin_accel * (self.spin_accel_rate_cos[i] * cos + self.spin_accel_rate_sin[i] * sin);
         }
         for (k, mem) in self.memory.iter().enumerate() {
             let z = at.z[m + k];

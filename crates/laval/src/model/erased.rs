@@ -16,7 +16,7 @@ pub type D1 = Dual<f64, 1>;
 pub type D8 = Dual<f64, 8>;
 
 macro_rules! erased {
-    ($( $scalar:ty: $residual:ident $linear:ident $impedance:ident $regular:ident $energy:ident; )*) => {
+    ($( $scalar:ty: $residual:ident $linear:ident $load:ident $impedance:ident $regular:ident $energy:ident; )*) => {
         /// A part with its type forgotten. Parameters arrive as consecutive scalars.
         #[allow(missing_docs)]
         pub trait Erased: InLanes + Send + Sync {
@@ -34,6 +34,8 @@ macro_rules! erased {
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
+            fn lightens(&self, p: &[f64]) -> Option<String>;
+            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
@@ -43,6 +45,7 @@ macro_rules! erased {
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
+                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);
                 fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar>;
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>>;
@@ -92,6 +95,13 @@ macro_rules! erased {
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String> {
                 Part::refuses_axis(self, &T::Family::from_slice(p), axis)
             }
+            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
+                let (part, p) = Part::approximation(self, &T::Family::from_slice(p))?;
+                Some((Arc::new(part), T::Family::to_vec(&p)))
+            }
+            fn lightens(&self, p: &[f64]) -> Option<String> {
+                Part::lightens(self, &T::Family::from_slice(p))
+            }
             fn warnings(&self, p: &[f64]) -> Vec<String> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
@@ -117,6 +127,9 @@ macro_rules! erased {
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
                     Part::linear(self, &T::Family::from_slice(p), speed, blocks)
                 }
+                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
+                    Part::load(self, &T::Family::from_slice(p), speed, blocks)
+                }
                 fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
                     Part::impedance(self, &T::Family::from_slice(p), s, speed, out)
                 }
@@ -136,6 +149,9 @@ macro_rules! erased {
                 }
                 fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
                     part.$linear(p, speed, blocks)
+                }
+                fn load(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
+                    part.$load(p, speed, blocks)
                 }
                 fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]) {
                     part.$impedance(p, s, speed, out)
@@ -157,6 +173,8 @@ pub trait Evaluate: Scalar {
     fn residual(part: &dyn Erased, p: &[Self], at: &At<Self>, out: &mut Rows<Self>, blocks: &mut Blocks<Self>);
     /// [`Part::linear`]; the caller has reset the blocks to the part's size.
     fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
+    /// [`Part::load`]; the caller has reset the blocks to the part's size, without states.
+    fn load(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
     /// [`Part::impedance`].
     fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]);
     /// [`Part::regular`].
@@ -166,9 +184,9 @@ pub trait Evaluate: Scalar {
 }
 
 erased! {
-    f64: residual_f64 linear_f64 impedance_f64 regular_f64 energy_f64;
-    D1: residual_d1 linear_d1 impedance_d1 regular_d1 energy_d1;
-    D8: residual_d8 linear_d8 impedance_d8 regular_d8 energy_d8;
+    f64: residual_f64 linear_f64 load_f64 impedance_f64 regular_f64 energy_f64;
+    D1: residual_d1 linear_d1 load_d1 impedance_d1 regular_d1 energy_d1;
+    D8: residual_d8 linear_d8 load_d8 impedance_d8 regular_d8 energy_d8;
 }
 
 #[inline(always)]

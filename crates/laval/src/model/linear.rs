@@ -119,6 +119,8 @@ impl System {
             }
             for i in 0..m {
                 g.rate[row + i] += b.rate[i];
+                g.spin_accel_rate_cos[row + i] += b.spin_accel_rate_cos[i];
+                g.spin_accel_rate_sin[row + i] += b.spin_accel_rate_sin[i];
                 for j in 0..m {
                     g.state[(row + i, row + j)] += b.state[(i, j)];
                 }
@@ -136,6 +138,27 @@ impl System {
                 out.memory.push(SlotMemory { slot: k, first: slot.states.start + m, list: b.memory.clone() });
             }
             row += m;
+        }
+        if form == Form::Frequency {
+            self.add_loads(params, speed, &mut out.blocks, &mut scratch.local);
+        }
+    }
+
+    /// Adds the loads of the parts given in the frequency domain, and what their mass weighs.
+    fn add_loads<S: Evaluate>(&self, params: &[S], speed: S, out: &mut Blocks<S>, local: &mut Blocks<S>) {
+        for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
+            local.reset(slot.map.len(), 0, speed);
+            S::load(&*slot.part, &params[slot.params.clone()], speed, local);
+            for (i, &w) in slot.weight.iter().enumerate() {
+                for j in 0..slot.map.len() {
+                    local.force[j] -= local.mass[(j, i)].scale(w);
+                }
+            }
+            for (local, global) in
+                [(&local.force, &mut out.force), (&local.force_cos, &mut out.force_cos), (&local.force_sin, &mut out.force_sin)]
+            {
+                scatter(&slot.map, local, global);
+            }
         }
     }
 

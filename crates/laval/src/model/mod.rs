@@ -4,6 +4,7 @@ pub mod builder;
 pub mod conformance;
 pub mod erased;
 pub mod field;
+mod inertia;
 pub mod lanes;
 pub mod linear;
 pub mod params;

@@ -349,6 +349,9 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn spin_row<S: Scalar>(&self, _p: &Params<Self, S>, _at: &At<S>) -> S {
         S::zero()
     }
+    /// Loads of a part in the frequency domain: forces, constant and turning with the rotor, as [`Part::linear`] has them, and in `mass` what weight
+    /// sees; only for [`Physics::Frequency`].
+    fn load<S: Scalar>(&self, _p: &Params<Self, S>, _speed: S, _blocks: &mut Blocks<S>) {}
     /// Adds the dynamic stiffness (N/m, row-major over local coordinates) at `s` (1/s) and spin `speed`; only for [`Physics::Frequency`].
     /// `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S, _out: &mut [Complex<S>]) {}
@@ -390,6 +393,14 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
     /// Why it does not fit a machine with this axis, and what to change.
     fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<String> {
+        None
+    }
+    /// A form of the part with few roots where it has roots without number, and the parameters of that form, to be compared with.
+    fn approximation(&self, _p: &Params<Self, f64>) -> Option<(Self, Params<Self, f64>)> {
+        None
+    }
+    /// What inertia the part takes away from its body, as a sentence without a point; the machine is refused where too little is left.
+    fn lightens(&self, _p: &Params<Self, f64>) -> Option<String> {
         None
     }
     /// What keeps the part from doing what it is there for, although its model is right: sentences that begin with a small letter and end without a point.

@@ -189,6 +189,9 @@ impl System {
                     .help("add a part such as a disc: [[part]] with kind = \"disc\" and a mass"),
             );
         }
+        if !diagnostics.has_errors() {
+            super::inertia::check(&system, &mut diagnostics);
+        }
         if diagnostics.has_errors() { Err(diagnostics) } else { Ok(system) }
     }
 
@@ -391,6 +394,21 @@ impl System {
     /// As [`System::assemble`].
     pub fn with_extras(&self, extras: Vec<Extra>) -> Result<System, Diagnostics> {
         System::assemble(Machine { extras, ..self.machine.clone() }, self.inputs())
+    }
+    /// The machine with the approximations of its parts in their places ([`Part::approximation`](super::part::Part::approximation)); `None` where no part has one.
+    ///
+    /// # Errors
+    /// As [`System::assemble`].
+    pub fn approximation(&self) -> Option<Result<System, Diagnostics>> {
+        let mut inputs = self.inputs();
+        let mut any = false;
+        for input in &mut inputs {
+            if let Some((part, params)) = input.part.approximation(&input.params) {
+                (input.part, input.params) = (part, params);
+                any = true;
+            }
+        }
+        any.then(|| System::assemble(self.machine.clone(), inputs))
     }
     /// The diagnostic for a path that names no parameter.
     pub fn unknown_param(&self, path: &str) -> Diagnostic {

@@ -18,7 +18,7 @@
 //! Sources: `000_a291f7ede1484e56` sections 1.1 and 2.1 (planar rotor); tilt terms from the kinetic energy of a symmetric top to second order.
 
 use crate::diagnostic::Diagnostics;
-use crate::model::blocks::Blocks;
+use crate::model::blocks::{Blocks, rotating};
 use crate::model::field::{Bounds, Field, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
 use crate::params;
@@ -56,28 +56,7 @@ impl Disc {
     }
 }
 
-/// Rotating vector `amplitude exp(i (phase + offset))` as its factors on cos and sin of the phase, for the x row and the y row.
-#[inline(always)]
-fn rotating<S: Scalar>(amplitude: S, offset: S) -> [[S; 2]; 2] {
-    let (s, co) = offset.sin_cos();
-    [[amplitude * co, -(amplitude * s)], [amplitude * s, amplitude * co]]
-}
-
 impl Disc {
-    /// Adds a force that turns with the rotor, `(k W^2 - i kappa W') r exp(i phase)`, on two rows with lever arms.
-    #[inline(always)]
-    fn add_rotating<S: Scalar>(b: &mut Blocks<S>, rows: [(usize, S); 2], r: [[S; 2]; 2], k: S, kappa: S) {
-        let w2 = b.speed * b.speed;
-        for (axis, &(row, lever)) in rows.iter().enumerate() {
-            b.force_cos[row] += lever * k * w2 * r[axis][0];
-            b.force_sin[row] += lever * k * w2 * r[axis][1];
-            // -i times the vector: x takes +y, y takes -x
-            let (other, sign) = if axis == 0 { (1, 1.0) } else { (0, -1.0) };
-            b.spin_accel_cos[row] += (lever * kappa * r[other][0]).scale(sign);
-            b.spin_accel_sin[row] += (lever * kappa * r[other][1]).scale(sign);
-        }
-    }
-
     /// Centre-of-mass motion `x' + h beta', y' - h alpha'` of rates or accelerations.
     #[inline(always)]
     fn centre<S: Scalar>(&self, h: S, d: &[S]) -> Complex<S> {
@@ -114,7 +93,7 @@ impl Part for Disc {
         b.mass[(0, 0)] = p.mass;
         b.mass[(1, 1)] = p.mass;
         let static_unbalance = rotating(p.mass * p.eccentricity + p.unbalance, p.eccentricity_phase);
-        Self::add_rotating(b, [(0, one), (1, one)], static_unbalance, one, one);
+        b.add_rotating([(0, one), (1, one)], static_unbalance, one, one);
         if self.tilts {
             let (a, cp, h) = (p.diametral_inertia, p.polar_inertia, p.centre_of_mass);
             let mh = p.mass * h;
@@ -129,8 +108,8 @@ impl Part for Disc {
             b.gyroscopic[(3, 2)] = -cp;
             b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
             b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
-            Self::add_rotating(b, [(3, h), (2, -h)], static_unbalance, one, one);
-            Self::add_rotating(b, [(2, one), (3, one)], rotating(p.skew, p.skew_phase), a - cp, a - cp.scale(0.5));
+            b.add_rotating([(3, h), (2, -h)], static_unbalance, one, one);
+            b.add_rotating([(2, one), (3, one)], rotating(p.skew, p.skew_phase), a - cp, a - cp.scale(0.5));
         }
     }
 

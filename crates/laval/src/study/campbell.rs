@@ -8,6 +8,7 @@
 //!
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
+use super::approximation;
 use super::modes::THRESHOLD;
 use super::region;
 use super::support::{About, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
@@ -96,6 +97,8 @@ pub struct Campbell {
     pub threshold: f64,
     /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
     pub frequency: Option<f64>,
+    /// Draw the machine beside its approximation with few waves.
+    pub compare: bool,
 }
 
 /// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
@@ -114,16 +117,30 @@ impl Study for Campbell {
     const KIND: &'static str = "campbell";
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
         and the critical speeds where they cross.";
-    const FIELDS: &'static [Field] =
-        &[Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"), ORDERS, THRESHOLD, region::FREQUENCY_LIMIT];
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"),
+        ORDERS,
+        THRESHOLD,
+        region::FREQUENCY_LIMIT,
+        approximation::COMPARE,
+    ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
-        Some(Campbell { speed, orders: orders(values), threshold, frequency: values.number("frequency_limit") })
+        Some(Campbell {
+            speed,
+            orders: orders(values),
+            threshold,
+            frequency: values.number("frequency_limit"),
+            compare: approximation::wanted(values),
+        })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if self.compare {
+            approximation::admit(system)?;
+        }
         admit_roots(system, About::Rest, self.speed.from)
     }
 
@@ -244,13 +261,11 @@ impl Study for Campbell {
             beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
         );
         let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
-        outcome
-            .table(table)
-            .table(lines.build().map_err(inconsistent)?)
-            .table(critical_table(&crossings)?)
-            .figure(figure)
-            .checked()
-            .map_err(inconsistent)
+        outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
+        if self.compare {
+            outcome = approximation::add(outcome, system, &found, context)?;
+        }
+        outcome.checked().map_err(inconsistent)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Studies: what is asked of a machine. This file is the registry: the only place that names them all.
 
+mod approximation;
 pub mod backbone;
 mod balance;
 pub mod basins;

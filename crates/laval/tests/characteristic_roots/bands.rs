@@ -9,13 +9,21 @@ use laval::solve::roots::Request;
 use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
 
+/// Edges on a blocked foundation, by fill: roots of the 2 x 2 determinant of section 6 with Bessel functions of another library, the speed found by a secant. Those of the
+/// table differ by up to 0.021 rad/s to either side, as no finite mass of the foundation would have it (a heavy one moves all edges up): there its bisection met
+/// rounding.
+const BLOCKED: [(f64, &[f64]); 4] = [
+    (0.5, &[313.926070, 469.874496]),
+    (0.7, &[283.259011, 493.056186]),
+    (0.8, &[266.837255, 495.096138, 723.955870, 866.125810]),
+    (0.9, &[248.874961, 476.049871, 516.538047, 593.041421]),
+];
+
 #[test]
 fn bands_of_a_liquid_with_two_harmonics() {
     let table = rows(include_str!("../reference/spatial/band_edges_S1i_full.csv"));
     assert_eq!(table.len(), 12);
-    // a foundation of 250 kg at every fill
-    let chosen: Vec<_> = table.iter().enumerate().filter(|(k, _)| [1, 4, 7, 10].contains(k)).map(|(_, r)| r).collect();
-    let wrong: Vec<String> = chosen
+    let wrong: Vec<String> = table
         .par_iter()
         .flat_map(|r| {
             // the name of the model holds a comma
@@ -34,8 +42,13 @@ fn bands_of_a_liquid_with_two_harmonics() {
             let edges: Vec<f64> = found.edges.iter().map(|e| e.speed).collect();
             let should: Vec<f64> = r[2].split_whitespace().map(number).collect();
             let mut wrong = Vec::new();
+            let blocked = BLOCKED.iter().find(|b| r[1] == "rigid" && b.0 == number(r[0])).map(|b| b.1);
+            let off = |to: &[f64], room: f64| edges.len() != to.len() || edges.iter().zip(to).any(|(a, b)| !((a - b).abs() <= room));
+            if blocked.is_some_and(|b| off(b, 2e-6)) {
+                wrong.push(format!("{r:?}: {edges:?} {blocked:?}"));
+            }
             let uncounted = found.samples.iter().filter(|s| s.growing.is_none()).count();
-            if uncounted > 0 || edges.len() != should.len() || edges.iter().zip(&should).any(|(a, b)| (a - b).abs() > 1e-4) {
+            if uncounted > 0 || off(&should, if blocked.is_some() { 0.021 } else { 1e-4 }) {
                 wrong.push(format!("{r:?}: {edges:?}, {uncounted} not counted"));
             }
             let peak = found.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);

@@ -1,10 +1,12 @@
 //! Complete spectra.
 
-use super::{FILE, at, build, isotropic, truncated};
+use super::{FILE, at, build, isotropic, spatial, truncated};
 use crate::common::{number, rows};
+use laval::solve::characteristic::Characteristic;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::roots::{Area, Request};
+use laval::solve::sectors::Sector;
 use laval_num::complex::{C64, c};
 use rayon::prelude::*;
 
@@ -64,4 +66,51 @@ fn the_same_roots_as_an_eigenvalue_problem() {
             }
         }
     }
+}
+
+/// Every root of the tables, of S1 too, is a root with the series cut off alike; with all harmonics it moves by an amount that is shown, and what harmonics up to 9 and up to 41 leave of that
+/// falls as the third power of their number.
+#[test]
+fn few_harmonics_and_all() {
+    let table = rows(include_str!("../reference/spatial/eig_full.csv"));
+    let polish = |text: &str, speed: f64, start: C64, sector| {
+        let system = build(text);
+        let about = rest(&system, speed).unwrap();
+        Characteristic::new(&system, &about).polish(start, sector).map(|p| p.value)
+    };
+    let moved: Vec<(f64, f64, f64)> = table
+        .par_iter()
+        .filter_map(|r| {
+            let last: usize = r[1].rsplit('-').next().unwrap().parse().unwrap();
+            let (speed, should) = (number(r[2]), c(-number(r[4]), number(r[3])));
+            let (set, sector) = match r[0] {
+                "S1i" => (isotropic(FILE), Some(Sector::Forward)),
+                _ => (FILE.to_string(), None),
+            };
+            let off = |last: usize| polish(&truncated(&set, last), speed, should + c(1e-4, 1e-4), sector);
+            let same = off(last).unwrap();
+            assert!((same - should).abs() < 2e-9 * should.abs(), "{r:?}: {same:?}");
+            // of a root that decays or grows too slowly the whole series has no value
+            if r[0] != "S1" || should.re.abs() < 0.3 {
+                return None;
+            }
+            let whole = polish(&spatial(&set), speed, should, sector)?;
+            let left = [3, 9, 41].map(|last| off(last).map_or(f64::NAN, |z| (z - whole).abs()));
+            // followed to another root
+            (left[0] < 0.02 * should.abs()).then(|| {
+                println!("S1 at {speed}: {should:?} with k = 1, 3 moves by {:.2e} with all harmonics to {whole:?}, k <= 9 {:.1e}, k <= 41 {:.1e}", left[0], left[1], left[2]);
+                (left[0], left[1], left[2])
+            })
+        })
+        .collect();
+    assert!(moved.len() >= 20, "{}", moved.len());
+    let largest = |k: usize| moved.iter().map(|m| [m.0, m.1, m.2][k]).fold(0.0, f64::max);
+    println!("largest: {:e} {:e} {:e}", largest(0), largest(1), largest(2));
+    assert!(
+        largest(0) > 1e-3 && largest(1) < 0.3 * largest(0) && largest(2) < 0.05 * largest(1),
+        "{:e} {:e} {:e}",
+        largest(0),
+        largest(1),
+        largest(2)
+    );
 }

@@ -85,7 +85,7 @@ impl Base {
                 density: 1000.0 / (l * l * l),
                 free_surface_radius: 0.07 * r * l,
                 wave_damping: self.wave_damping,
-                viscosity: 0.0,
+                ..LiquidFamily::defaults()
             };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
         }

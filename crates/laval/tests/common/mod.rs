@@ -60,7 +60,7 @@ impl Planar {
                 density: 1000.0 / (l * l * l),
                 free_surface_radius: 0.07 * self.fill * l,
                 wave_damping: self.delta,
-                viscosity: 0.0,
+                ..LiquidFamily::defaults()
             };
             let fill = if self.fill > 0.0 { Fill::Partial } else { Fill::Full };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), fill), p);

@@ -27,7 +27,8 @@
 //!
 //! Validity: surface displacement well below the layer thickness, cavity always wetted (W^2 r0 above the local acceleration), no viscosity but
 //! delta or the viscosity given, spin-up slow against r0^2/(14.7 nu). planar: motion without tilt. planar_tilt is an approximation that takes tilt inertia
-//! away from a tall cavity. The cavity is straight and concentric with the shaft. Ends without friction: the Ekman layers of real ends are not in any model.
+//! away from a tall cavity. The cavity is straight; it may be off the shaft and skew to it ([offset]). Ends without friction: the Ekman layers of real ends are
+//! not in any model.
 //!
 //! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow; `001_352384e7bf252e35` equations (7)-(34),
 //! corrected.
@@ -44,6 +45,9 @@ use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
 
+mod offset;
+mod plane;
+
 params! {
     /// Parameters of a [`Liquid`].
     pub struct LiquidParams in LiquidFamily {
@@ -53,6 +57,10 @@ params! {
         free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
         wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
         viscosity: scalar, "m^2/s", Bounds::up_to(10.0), default 0.0, "kinematic viscosity nu; above 0 the force is exact in the frequency domain only";
+        eccentricity: scalar, "m", Bounds::up_to(1.0), default 0.0, "distance e of the middle of the cavity from the shaft";
+        eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
+        skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau by which the cavity's axis is turned out of the shaft; of a rotor that sits askew on its shaft the same as the disc's";
+        skew_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "angle phi_t from the key mark to the axis about which the skew turns";
     }
 }
 
@@ -135,12 +143,6 @@ impl Liquid {
         let column = p.cavity_height * p.density;
         Coefficients { full: (r2 * column).scale(PI), void: (s2 * column).scale(PI), g: (r2 - s2) / (r2 + s2) }
     }
-    /// Surface displacement and its rate, from the four states at `first`.
-    #[inline(always)]
-    fn surface<S: Scalar>(at: &At<S>, first: usize) -> (Complex<S>, Complex<S>) {
-        let (beta, eta) = (c(at.z[first], at.z[first + 1]), c(at.z[first + 2], at.z[first + 3]));
-        (eta, eta.mul_i().scale(at.speed) - beta)
-    }
     /// States of a surface wave.
     fn waves(&self) -> bool {
         self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen
@@ -148,68 +150,6 @@ impl Liquid {
     #[inline(always)]
     fn cavity<S: Scalar>(p: &LiquidParams<S>) -> Cavity<S> {
         Cavity { radius: p.cavity_radius, free: p.free_surface_radius, height: p.cavity_height, density: p.density }
-    }
-    /// Plane flow in coordinates and states from these on, its masses multiplied by `slices` where given.
-    #[inline(always)]
-    fn plane<S: Scalar>(&self, p: &LiquidParams<S>, w: S, b: &mut Blocks<S>, row: usize, state: usize, slices: Option<S>) {
-        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
-        if let Some(s) = slices {
-            full *= s;
-            void *= s;
-        }
-        let (zero, one) = (S::zero(), S::one());
-        match self.fill {
-            Fill::Empty => {}
-            Fill::Full => {
-                for i in row..row + 2 {
-                    b.mass[(i, i)] = full;
-                }
-            }
-            Fill::Partial => {
-                for i in row..row + 2 {
-                    b.mass[(i, i)] = full * g;
-                }
-                let outer = full * (one - g);
-                let (flow, surface) = (state, state + 2);
-                b.state_force.add_complex(row, flow, zero, (outer * w).scale(2.0));
-                b.state_force.add_complex(row, surface, outer * w * w, zero);
-                b.spin_accel_state_force.add_complex(row, surface, zero, -void);
-                b.state.add_complex(flow, flow, p.wave_damping.scale(-2.0), w + (g * w).scale(2.0));
-                b.state.add_complex(flow, surface, g * w * w, zero);
-                b.state.add_complex(surface, flow, -one, zero);
-                b.state.add_complex(surface, surface, zero, w);
-                b.state_a.add_complex(flow, row, -g, zero);
-            }
-        }
-    }
-    /// What the plane flow stores without spin, loses and gains, from the rate of its coordinates and its states.
-    #[inline(always)]
-    fn plane_energy<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>, row: usize, state: usize, slices: Option<S>) -> [S; 4] {
-        let Coefficients { mut full, mut void, g } = Self::coefficients(p);
-        if let Some(s) = slices {
-            full *= s;
-            void *= s;
-        }
-        let v = c(at.v[row], at.v[row + 1]);
-        let w = at.speed;
-        match self.fill {
-            Fill::Empty => [S::zero(); 4],
-            Fill::Full => [(full * v.norm_sqr()).scale(0.5), S::zero(), S::zero(), S::zero()],
-            Fill::Partial => {
-                let (eta, rate) = Self::surface(at, state);
-                let gamma = S::one() / g;
-                let wave = (gamma * rate.norm_sqr() - (gamma + S::one()) * w * w * eta.norm_sqr()).scale(0.5) - (v * rate.conj()).re;
-                let slip = rate - eta.mul_i().scale(w);
-                let loss = (rate.scale(gamma) - v) * slip.conj();
-                let spin_up = gamma * (rate.conj() * eta.mul_i()).re - (gamma + S::one()) * w * eta.norm_sqr();
-                [
-                    ((full - void) * v.norm_sqr()).scale(0.5),
-                    void * wave,
-                    (p.wave_damping * void * loss.re).scale(2.0),
-                    void * at.spin_accel * spin_up,
-                ]
-            }
-        }
     }
     /// A and C of what turns with the rotor as a rigid body would.
     #[inline(always)]
@@ -394,6 +334,15 @@ impl Part for Liquid {
             b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
             b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
         }
+        self.add_offsets(p, b);
+    }
+
+    fn load<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        for i in 0..2 {
+            b.mass[(i, i)] = full - void;
+        }
+        self.add_offsets(p, b);
     }
 
     fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
@@ -447,6 +396,12 @@ impl Part for Liquid {
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = self.polar_inertia(p) * at.spin_accel;
+        if matches!(self.physics(), Physics::Frequency(_)) {
+            return r;
+        }
+        let seen = self.seen(p, at);
+        let at = &seen.at(at);
+        r += self.offset_torque(p, &seen, at);
         if let Some([_, cp]) = self.rigid(p) {
             r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
         }
@@ -457,6 +412,8 @@ impl Part for Liquid {
         if matches!(self.physics(), Physics::Frequency(_)) {
             return None;
         }
+        let seen = self.seen(p, at);
+        let at = &seen.at(at);
         let w = at.speed;
         let spin = (self.polar_inertia(p) * w * w).scale(0.5);
         let frozen = self.model == Model::Frozen && self.fill != Fill::Empty;
@@ -480,18 +437,28 @@ impl Part for Liquid {
         Some(Energy { stored, dissipated, supplied })
     }
 
-    fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         if self.waves() {
+            let seen = self.seen(p, at);
+            let at = &seen.at(at);
             out.push(Observed { name: "surface displacement", unit: "m", value: at.z[2].hypot(at.z[3]) });
         }
     }
     fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         if self.fill == Fill::Partial && self.model != Model::Frozen {
             let layer = p.cavity_radius - p.free_surface_radius;
+            let seen = self.seen(p, at);
+            let at = &seen.at(at);
             if self.waves() {
                 // the surface is measured from the cavity centre; with tilt it is displaced most at the ends
                 let ends = if self.model == Model::Strip { 0.5 * p.cavity_height * at.z[6].hypot(at.z[7]) } else { 0.0 };
                 out.push(Validity { what: "surface excursion over layer thickness", ratio: (at.z[2].hypot(at.z[3]) + ends) / layer });
+            }
+            if matches!(self.physics(), Physics::Frequency(_)) && at.speed != 0.0 {
+                out.push(Validity {
+                    what: "surface excursion over layer thickness, at the spin frequency",
+                    ratio: self.steady_excursion(p, at) / layer,
+                });
             }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall
@@ -499,15 +466,17 @@ impl Part for Liquid {
             out.push(Validity { what: "wall acceleration over centrifugal acceleration of the layer", ratio });
         }
     }
+    fn approximation(&self, p: &Params<Self, f64>) -> Option<(Self, Params<Self, f64>)> {
+        let plain = Liquid { model: Model::PlanarTilt, viscous: false, harmonics: Truncation::None, attach: self.attach.clone(), ..*self };
+        (self.model == Model::Spatial).then_some((plain, LiquidParams { viscosity: 0.0, ..*p }))
+    }
+    fn lightens(&self, p: &Params<Self, f64>) -> Option<String> {
+        let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p)) else { return None };
+        let taken = format_si(-a, "kg m^2");
+        (a < 0.0).then(|| format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"))
+    }
     fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
-        let mut told = Vec::new();
-        if let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p))
-            && a < 0.0
-        {
-            let taken = format_si(-a, "kg m^2");
-            told.push(format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"));
-        }
-        told
+        self.lightens(p).into_iter().collect()
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let fill = if p.free_surface_radius == 0.0 {
@@ -529,6 +498,12 @@ impl Part for Liquid {
             return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
         }
         let mut wrong = Vec::new();
+        if self.model == Model::Planar && p.skew != 0.0 {
+            wrong.push((
+                "skew",
+                "planar knows no tilt of the cavity: give model = \"strip\" or \"spatial\" for a cavity that is skew".into(),
+            ));
+        }
         if (p.viscosity > 0.0) != self.viscous {
             wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
         }
@@ -581,6 +556,12 @@ crate::conformance! {
             Options { energy: false, ..Options::default() };
         spatial_truncated: tests::partial().flowing(Model::Spatial).truncated(3), tests::cavity(0.667, 0.0),
             Options { energy: false, ..Options::default() };
+        offset: tests::partial(), tests::offset(0.0), Options::default();
+        offset_full: Liquid::new(Attach::on("drum"), Fill::Full), LiquidParams { free_surface_radius: 0.0, ..tests::offset(0.0) }, Options::default();
+        offset_strip: tests::partial().flowing(Model::Strip), tests::offset(0.03), Options::default();
+        offset_planar_tilt: tests::partial().flowing(Model::PlanarTilt), tests::offset(0.03), Options::default();
+        offset_frozen: tests::partial().flowing(Model::Frozen), tests::offset(0.03), Options::default();
+        offset_spatial: tests::partial().flowing(Model::Spatial), tests::offset(0.03), Options { energy: false, ..Options::default() };
         viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_spatial: tests::partial().flowing(Model::Spatial).viscous(), tests::viscous(),

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::field::Value;
+use crate::model::params::Family as _;
 
 pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
     LiquidParams {
@@ -10,8 +11,13 @@ pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
         density: 1000.0,
         free_surface_radius: 0.07 * free,
         wave_damping,
-        viscosity: 0.0,
+        ..LiquidFamily::defaults()
     }
+}
+
+/// A cavity off its shaft.
+pub(super) fn offset(skew: f64) -> LiquidParams {
+    LiquidParams { eccentricity: 2e-3, eccentricity_phase: 0.7, skew, skew_phase: -0.4, ..cavity(0.667, 0.0) }
 }
 
 pub(super) fn partial() -> Liquid {
@@ -89,4 +95,62 @@ fn without_spin_the_layer_is_outside_its_validity() {
         out[1].ratio
     };
     assert!(ratio(0.0) > 1.0 && ratio(5.0) > 1.0 && ratio(300.0) < 0.01);
+}
+
+/// The force on the rotor is `-ml (z + E)'' + mo eta''` at any speed and spin acceleration, eta measured from the middle of the cavity, that middle off the shaft or not.
+#[test]
+fn momentum_of_the_liquid_at_changing_speed() {
+    let p = offset(0.03);
+    let (z, a) = ([0.3, -0.2, 1.1e-3, 0.4e-3, 5.0, 3.0, 0.02, -0.01], [13.0, -7.0, 200.0, 90.0]);
+    let (phase, speed, spin_accel) = (0.8, 310.0, 5e3);
+    for (model, n, m) in [(Model::Planar, 2, 4), (Model::PlanarTilt, 4, 4), (Model::Strip, 4, 8)] {
+        let liquid = partial().flowing(model);
+        let p = if model == Model::Planar { LiquidParams { skew: 0.0, ..p } } else { p };
+        let mut b = Blocks::default();
+        b.reset(n, m, speed);
+        liquid.linear(&p, speed, &mut b);
+        let zero = [0.0; 4];
+        let at = At { q: &zero[..n], v: &zero[..n], a: &a[..n], z: &z[..m], phase, speed, spin_accel, t: 0.0 };
+        let (mut force, mut rate) = (vec![0.0; n], vec![0.0; m]);
+        b.residual(&at, &mut force, &mut rate);
+        let full = PI * 0.07 * 0.07 * 0.06 * 1000.0;
+        let void = full * 0.667 * 0.667;
+        for i in 0..m / 4 {
+            let slices = if i == 0 { 1.0 } else { 0.06f64.powi(2) / 12.0 };
+            let (e, angle) = [(p.eccentricity, p.eccentricity_phase), (p.skew, p.skew_phase)][i];
+            let e = Complex::cis(phase + angle).scale(e);
+            let pair = |x: &[f64], k: usize| c(x[k], x[k + 1]);
+            let turning = |z: Complex<f64>| z.mul_i().scale(speed);
+            // surface' = i W surface - beta once more, W changing
+            let (rise, flow) = (pair(&rate, 4 * i + 2), pair(&rate, 4 * i));
+            let bend = pair(&z, 4 * i + 2).mul_i().scale(spin_accel) + turning(rise) - flow;
+            let push = e.mul_i().scale(spin_accel) + turning(turning(e));
+            let eta = bend - push;
+            let should = ((pair(&a, 2 * i) + push).scale(full - void) - eta.scale(void)).scale(slices);
+            assert!((pair(&force, 2 * i) - should).abs() < 1e-12 * should.abs(), "{model:?} {i}: {force:?} {should:?}");
+        }
+    }
+}
+
+/// Without states the surface follows from the whirl: round the axis with the speed, hardly displaced against it; as the liquid with states has it.
+#[test]
+fn surface_of_a_liquid_without_states() {
+    let (speed, p) = (310.0, LiquidParams { skew: 0.0, eccentricity: 0.0, ..offset(0.0) });
+    let gamma = (1.0 + 0.667f64.powi(2)) / (1.0 - 0.667f64.powi(2));
+    for (rate, share) in [(speed, 1.0), (-speed, 1.0 / (4.0 * gamma + 3.0))] {
+        let (z, theta) = (c(3e-4, 1e-4), c(-2e-3, 1e-3));
+        let turn = |x: Complex<f64>| x.mul_i().scale(rate);
+        let pairs = |x: [Complex<f64>; 2]| [x[0].re, x[0].im, x[1].re, x[1].im];
+        let (q, v, a) = (pairs([z, theta]), pairs([turn(z), turn(theta)]), pairs([turn(turn(z)), turn(turn(theta))]));
+        let at = At { q: &q, v: &v, a: &a, z: &[], phase: 0.4, speed, spin_accel: 0.0, t: 0.0 };
+        let mut out = Vec::new();
+        partial().flowing(Model::Spatial).validity(&p, &at, &mut out);
+        let should = share * (z.abs() + 0.03 * theta.abs()) / (0.07 * 0.333);
+        assert!((out[0].ratio / should - 1.0).abs() < 1e-12, "{rate}: {:?} {should}", out[0]);
+        // an eccentric cavity moves under a surface that stays
+        let still = At { q: &[0.0; 4], v: &[0.0; 4], a: &[0.0; 4], ..at };
+        out.clear();
+        partial().flowing(Model::Spatial).validity(&LiquidParams { eccentricity: 2e-3, ..p }, &still, &mut out);
+        assert!((out[0].ratio - 2e-3 / (0.07 * 0.333)).abs() < 1e-12, "{:?}", out[0]);
+    }
 }

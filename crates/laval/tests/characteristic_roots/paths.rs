@@ -1,0 +1,192 @@
+//! One liquid on nonlinear orbits by two paths: in time, and through its impedance alone.
+
+use super::{FILE, at, build, changed, isotropic, truncated, viscous};
+use crate::common::Planar;
+use laval::cavity::Cavity;
+use laval::diagnostic::Diagnostics;
+use laval::file::load;
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, Field, ParamValues, Values};
+use laval::model::params::NoParams;
+use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
+use laval::model::system::System;
+use laval::outcome::Outcome;
+use laval::solve::harmonic::determinant::exponents;
+use laval::solve::harmonic::orbit::Orbit;
+use laval::solve::harmonic::problem::Balance;
+use laval::solve::harmonic::response::{Request, Response, respond};
+use laval::solve::linear_response::response;
+use laval::solve::rest::rest;
+use laval::solve::roots;
+use laval::study::Context;
+use laval_num::complex::{C64, Complex, c};
+use laval_num::scalar::Scalar;
+use std::sync::atomic::AtomicBool;
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// The plane flow of the liquid in the drum, as nothing but its impedance.
+struct ByImpedance(Cavity<f64>);
+
+impl Part for ByImpedance {
+    const KIND: &'static str = "by_impedance";
+    const DOC: &'static str = "The plane flow of an ideal liquid without its time form.";
+    type Family = NoParams;
+    const FIELDS: &'static [Field] = &[];
+    fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        None
+    }
+    fn layout(&self) -> Layout {
+        Layout::point(Link::On(Attach::on("drum")))
+    }
+    fn physics(&self) -> Physics {
+        Physics::Frequency(TimeForm::None("for comparison"))
+    }
+    fn impedance<S: Scalar>(&self, _: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
+        let cavity = Cavity {
+            radius: S::cst(self.0.radius),
+            free: S::cst(self.0.free),
+            height: S::cst(self.0.height),
+            density: S::cst(self.0.density),
+        };
+        let forward = -cavity.planar(laval_num::complex::c(s.im, -s.re), speed);
+        let mirrored = s.conj();
+        let backward = (-cavity.planar(laval_num::complex::c(mirrored.im, -mirrored.re), speed)).conj();
+        let (mean, skew) = ((forward + backward).scale(S::cst(0.5)), (forward - backward).mul_i().scale(S::cst(0.5)));
+        for (i, x) in [mean, skew, -skew, mean].into_iter().enumerate() {
+            out[i] += x;
+        }
+    }
+    fn domain(&self, _: &Params<Self, f64>, speed: f64) -> Domain {
+        Domain { left: true, axis: false, waves: self.0.plane_waves(speed), gap: 0.0, ..Domain::passive() }
+    }
+}
+
+fn into_strip(z: C64, width: f64) -> C64 {
+    c(z.re, z.im - width * (z.im / width + 0.381_966).floor())
+}
+
+/// Distance modulo the width of the strip.
+fn apart(a: C64, b: C64, width: f64) -> f64 {
+    let turns = (a.im - b.im) / width;
+    (a.re - b.re).hypot((turns - turns.round()) * width)
+}
+
+fn branch_of(system: &System, speed: f64, stability: bool) -> Response {
+    respond(system, &Request { stability, ..Request::over(speed - 0.5, speed) }, &NEVER, &|_| {}).unwrap()
+}
+
+/// On orbits of a rotor on a cubic bearing that knows its directions: exponents of the map over the period with the liquid's states, zeros of Hill's determinant with these states, and
+/// zeros of Hill's determinant with the liquid's impedance in their place.
+#[test]
+fn a_planar_liquid_by_two_paths() {
+    let mut growing = 0;
+    for (speed, fill) in [(180.0, 0.667), (420.0, 0.667), (700.0, 0.8)] {
+        let machine = Planar { fill, ..Planar::default() };
+        let timed = machine.builder().build().unwrap();
+        let cavity = Cavity { radius: 0.07, free: 0.07 * fill, height: 0.06, density: 1000.0 };
+        let dry: Builder = Planar { fill: 1.0, ..machine }.builder();
+        let spectral = dry.part("liquid", ByImpedance(cavity), ()).build().unwrap();
+        let found = branch_of(&timed, speed, true);
+        let (branch, state) =
+            found.branches.iter().flat_map(|b| b.points.iter().map(move |p| (b, p))).find(|(_, p)| (p.speed - speed).abs() < 1e-9).unwrap();
+        let map = state.exponents.as_ref().unwrap();
+        // the same motion through the impedance
+        let mut by_states = Balance::new(&timed, branch.discretisation, (speed, speed), None).unwrap();
+        let mut by_impedance = Balance::new(&spectral, branch.discretisation, (speed, speed), None).unwrap();
+        let (a, b) = (Orbit::of(&mut by_states, &state.x, speed).unwrap(), Orbit::of(&mut by_impedance, &state.x, speed).unwrap());
+        for (a, b) in a.coordinates.iter().zip(&b.coordinates) {
+            for (a, b) in a.iter().zip(b) {
+                assert!((*a - *b).abs() < 1e-11 * 1e-3, "{a:?} {b:?}");
+            }
+        }
+        let margin = 1e-3 * speed;
+        for system in [&timed, &spectral] {
+            let judged = exponents(system, branch.discretisation, &state.x, speed, &map.values).unwrap();
+            for z in &judged.values {
+                let near = map.values.iter().map(|&m| apart(*z, m, speed)).fold(f64::INFINITY, f64::min);
+                assert!(near < 1e-8 * speed.max(z.abs()), "{speed}: {z:?} is {near:e} from {:?}", map.values);
+            }
+            let strong = |values: &[C64]| values.iter().filter(|z| z.re > 1.5 * margin).count();
+            assert_eq!(strong(&judged.values), strong(&map.values), "{speed}: {:?} {:?}", judged.values, map.values);
+            // from the exponents of the map every exponent is met that is no wave at rest: states and mirror images, but for those on the axis
+            let off = map.values.iter().filter(|z| z.re.abs() > 1.5 * margin && z.re > -0.2 * speed).count();
+            let met = |z: &C64| judged.values.iter().any(|&j| apart(j, *z, speed) < 1e-8 * speed.max(z.abs()));
+            let all = map.values.iter().filter(|z| z.re.abs() > 1.5 * margin && z.re > -0.2 * speed).filter(|z| met(z)).count();
+            assert!(all == off, "{speed}: {all} of {off}: {:?} {:?}", judged.values, map.values);
+            growing += strong(&judged.values);
+        }
+        assert!(into_strip(c(0.0, 1.5 * speed), speed).im < 0.7 * speed);
+    }
+    assert!(growing >= 4, "{growing}");
+}
+
+/// S1 with a bearing beside its shaft that hardly moves at these amplitudes.
+fn with_bearing(text: &str, eccentricity: &str) -> String {
+    let bearing = "\n[[part]]\nkind = \"bearing_cubic\"\nname = \"bearing\"\nbetween = [\"rotor\", \"base\"]\nlaw = \"per_axis\"\nstiffness = \"1e5 N/m\"\n\
+                   cubic_stiffness = \"1e10 N/m^3\"\n";
+    let text = text.split("\n[[study]]").next().unwrap();
+    changed(text, &[("eccentricity = \"50 um\"", &format!("eccentricity = \"{eccentricity}\""))]) + bearing
+}
+
+/// At small amplitude harmonic balance is the linear response, whatever the liquid, and the exponents that grow are the roots of the characteristic function.
+#[test]
+fn spatial_and_viscous_liquids_at_small_amplitude() {
+    let small = |text: &str| changed(&with_bearing(text, "5 nm"), &[("skew = 2e-4", "skew = 2e-8")]);
+    for (name, text, speed, judge) in [
+        ("spatial", truncated(FILE, 3).replace("\naxial_harmonics = 3", ""), 330.0, false),
+        ("spatial, three harmonics", truncated(FILE, 3), 330.0, true),
+        ("strip, viscous", viscous(FILE, "1e-4"), 420.0, true),
+        ("spatial, viscous", viscous(&truncated(FILE, 3), "1e-4"), 420.0, true),
+        ("isotropic", viscous(&isotropic(FILE), "1e-4"), 420.0, false),
+    ] {
+        let system = build(&small(&text));
+        let found = branch_of(&system, speed, false);
+        let (branch, state) =
+            found.branches.iter().flat_map(|b| b.points.iter().map(move |p| (b, p))).find(|(_, p)| (p.speed - speed).abs() < 1e-9).unwrap();
+        let mut balance = Balance::new(&system, branch.discretisation, (speed, speed), None).unwrap();
+        let orbit = Orbit::of(&mut balance, &state.x, speed).unwrap();
+        let linear = response(&system, &|w| rest(&system, w), speed).unwrap().unwrap();
+        for i in 0..3 {
+            let ((f, b), (lf, lb)) = (orbit.whirl(2 * i, 1), linear.circles(2 * i));
+            let off = (f - lf).abs() + (b.conj() - lb).abs().min((b - lb).abs());
+            assert!(off < 1e-8 * (lf.abs() + lb.abs()), "{name} {i}: {f:?} {lf:?} {b:?} {lb:?}");
+        }
+        if !judge {
+            continue;
+        }
+        let judged = exponents(&system, branch.discretisation, &state.x, speed, &[]).unwrap();
+        let margin = 1e-3 * speed;
+        let found = at(&system, speed, &roots::Request { margin, growing: true, ..roots::Request::default() });
+        let growing: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).filter(|z| z.re > margin).collect();
+        assert!(!growing.is_empty() && found.growing() == Some(growing.len()), "{name}: {:?}", found.areas);
+        let strong = judged.values.iter().filter(|z| z.re > margin).count();
+        assert_eq!(strong, 2 * growing.len(), "{name}: {:?} {growing:?}", judged.values);
+        for z in growing {
+            let near = judged.values.iter().map(|&j| apart(j, z, speed)).fold(f64::INFINITY, f64::min);
+            assert!(near < 1e-7 * z.abs(), "{name}: {z:?} {:?}", judged.values);
+        }
+    }
+}
+
+/// Orders among the inertial waves of an ideal liquid are told; odd orders are not among them, and viscosity has an answer.
+#[test]
+fn orders_inside_the_dense_range() {
+    let study = |symmetry: &str| {
+        format!(
+            "\n[[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = \"60 rad/s\", to = \"62 rad/s\" }}\nharmonics = 3\nsymmetry = \"{symmetry}\"\nstability = false\n"
+        )
+    };
+    let run = |text: &str| -> Outcome {
+        let machine = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+        machine.studies[0].study.run(&machine.system, &Context::quiet("study")).unwrap()
+    };
+    let told = |o: &Outcome| o.findings.iter().any(|f| f.id == "inside_dense_range");
+    let ideal = with_bearing(&truncated(FILE, 3).replace("\naxial_harmonics = 3", ""), "5 um");
+    let all = run(&format!("{ideal}{}", study("none")));
+    let finding = all.findings.iter().find(|f| f.id == "inside_dense_range");
+    assert!(finding.is_some_and(|f| f.text.contains("(2") && f.text.contains("dense inertial range")), "{:?}", all.findings);
+    assert!(!told(&run(&format!("{ideal}{}", study("half")))));
+    let thick = with_bearing(&viscous(&truncated(FILE, 3), "1e-4"), "5 um");
+    assert!(!told(&run(&format!("{thick}{}", study("none")))));
+}
