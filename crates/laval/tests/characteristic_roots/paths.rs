@@ -11,7 +11,7 @@ use laval::model::params::NoParams;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
 use laval::outcome::Outcome;
-use laval::solve::harmonic::determinant::exponents;
+use laval::solve::harmonic::determinant::{Effort, exponents};
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response::{Request, Response, respond};
@@ -57,8 +57,8 @@ impl Part for ByImpedance {
             out[i] += x;
         }
     }
-    fn domain(&self, _: &Params<Self, f64>, speed: f64) -> Domain {
-        Domain { left: true, axis: false, waves: self.0.plane_waves(speed), gap: 0.0, ..Domain::passive() }
+    fn domain(&self, _: &Params<Self, f64>, speed: f64) -> Option<Domain> {
+        Some(Domain { left: true, axis: false, waves: self.0.plane_waves(speed), gap: 0.0, ..Domain::passive() })
     }
 }
 
@@ -102,7 +102,7 @@ fn a_planar_liquid_by_two_paths() {
         }
         let margin = 1e-3 * speed;
         for system in [&timed, &spectral] {
-            let judged = exponents(system, branch.discretisation, &state.x, speed, &map.values).unwrap();
+            let judged = exponents(system, branch.discretisation, &state.x, speed, &map.values, &mut Effort::endless()).unwrap();
             for z in &judged.values {
                 let near = map.values.iter().map(|&m| apart(*z, m, speed)).fold(f64::INFINITY, f64::min);
                 assert!(near < 1e-8 * speed.max(z.abs()), "{speed}: {z:?} is {near:e} from {:?}", map.values);
@@ -155,7 +155,7 @@ fn spatial_and_viscous_liquids_at_small_amplitude() {
         if !judge {
             continue;
         }
-        let judged = exponents(&system, branch.discretisation, &state.x, speed, &[]).unwrap();
+        let judged = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless()).unwrap();
         let margin = 1e-3 * speed;
         let found = at(&system, speed, &roots::Request { margin, growing: true, ..roots::Request::default() });
         let growing: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).filter(|z| z.re > margin).collect();
