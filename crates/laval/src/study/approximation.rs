@@ -51,6 +51,9 @@ pub(super) fn admit(system: &System) -> Result<System, Diagnostic> {
     })
 }
 
+/// Branch, speed, mode of the approximation; its distance from the nearest root of the machine, and that root.
+type Row<'a> = (usize, f64, &'a MachineMode, f64, C64);
+
 /// How far a root of the approximation is from the nearest root of the machine that whirls alike.
 fn apart(mode: &MachineMode, whole: &Spectrum) -> (f64, C64) {
     let signed = |m: &MachineMode| if m.forward_share < 0.5 { m.value.conj() } else { m.value };
@@ -68,7 +71,7 @@ pub(super) fn add(outcome: Outcome, system: &System, whole: &Sweep, context: &Co
     let other = admit(system)?;
     let speeds: Vec<f64> = whole.points.iter().map(|p| p.0).collect();
     let found = sweep(&other, &|w| rest(&other, w), &speeds, f64::INFINITY, |_, solved| context.goes_on(solved))?;
-    let rows: Vec<(usize, f64, &MachineMode, f64, C64)> = found
+    let rows: Vec<Row> = found
         .branches
         .iter()
         .enumerate()
@@ -79,7 +82,7 @@ pub(super) fn add(outcome: Outcome, system: &System, whole: &Sweep, context: &Co
             Some((k, w, m, distance, nearest))
         })
         .collect();
-    let column = |f: &dyn Fn(&(usize, f64, &MachineMode, f64, C64)) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+    let column = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
     let table = Table::new("approximate_modes", "Modes of the approximation, each with the nearest root of the whole machine")
         .float("speed", "rad/s", "spin speed", column(&|r| r.1))
         .int("mode", "", "branch of the approximation", rows.iter().map(|r| r.0 as i64 + 1).collect())
