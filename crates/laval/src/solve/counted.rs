@@ -3,7 +3,7 @@
 
 use super::characteristic::Characteristic;
 use super::locate::{State, value_and_slope};
-use super::roots::{Request, Roots, roots};
+use super::roots::{LEAST, Request, Roots, roots};
 use super::scalar::root;
 use super::sectors::Sector;
 use super::stability::{Edge, Peak, Row, Sample};
@@ -12,6 +12,12 @@ use crate::model::system::System;
 use laval_num::complex::C64;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+/// Roots that may cross the threshold between two speeds, at most.
+const CROSSINGS: usize = 8;
+/// How far beside a root, over the speed, others are counted.
+const BESIDE: f64 = 1e-5;
+/// Growth over the largest frequency that is no growth.
+const SAME: f64 = 1e-9;
 /// Halvings of a step between two speeds along which a root is followed.
 const DEPTH: usize = 6;
 
@@ -93,7 +99,24 @@ pub fn row(
         if out.unstable(&a, threshold) == out.unstable(&b, threshold) {
             continue;
         }
-        out.edges.push(edge(system, state, a, b, threshold));
+        let mut found = edge(system, state, a, b, threshold);
+        // another root may have crossed before: then it is the edge
+        for _ in 0..CROSSINGS {
+            if !found.located || cancel.load(Ordering::Relaxed) {
+                break;
+            }
+            let starts = [a.value, b.value, found.value];
+            // the root that crosses here is not to lie on the edge of a rectangle
+            let aside = BESIDE * found.speed.abs();
+            let margin = if threshold - aside >= LEAST * found.speed.abs() { threshold - aside } else { threshold + aside };
+            let request = Request { margin, frequency, growing: true, starts: &starts, cancel: Some(cancel) };
+            let there = roots(system, &state(found.speed)?, &request)?;
+            out.evaluations += there.evaluations;
+            let Some(s) = sample(found.speed, &there).filter(|s| s.value.re > threshold + SAME * s.size) else { break };
+            let (from, to) = if found.onset { (a, s) } else { (s, b) };
+            found = Edge { bracket: (a.speed, b.speed), ..edge(system, state, from, to, threshold) };
+        }
+        out.edges.push(found);
     }
     for w in out.samples.windows(3) {
         let top = w[1].value.re;

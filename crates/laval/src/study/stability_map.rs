@@ -101,6 +101,7 @@ impl Study for StabilityMap {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
         let speeds = self.speed.linspace(200);
         let values: Vec<Option<f64>> = match &self.parameter {
             Some((_, r)) => r.linspace(40).into_iter().map(Some).collect(),

@@ -286,6 +286,13 @@ impl<'a> Balance<'a> {
     }
 
     fn drifts(&self, e: laval_num::dense::Singular) -> Diagnostic {
+        if let Some([a, b]) = self.system.domains(self.speed_scale).iter().find_map(|d| d.dense) {
+            let text = format!(
+                "an order of the motion lies inside the dense inertial range of an ideal liquid, from {a} to {b} rad/s, where there is no steady response"
+            );
+            return Diagnostic::error("harmonic.dense", text)
+                .help("with symmetry = \"half\", where the law has it, only odd orders move; viscosity, axial_harmonics or strip give the liquid a response at every order");
+        }
         Diagnostic::error("harmonic.singular", format!("the machine has no periodic motion at some order: {e}"))
             .help("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined")
     }

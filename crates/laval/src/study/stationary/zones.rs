@@ -9,12 +9,15 @@ use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
 use crate::study::support::larger;
 
+/// A coordinate that is held: which, where it rests without friction, how far below and above friction holds it, the largest force.
+pub type Held = (usize, f64, [f64; 2], f64);
+
 /// The range about one state of the table.
 pub struct Zone {
     /// State of the table, from 0.
     pub row: usize,
-    /// Of each coordinate held: which, where it rests without friction, how far below and above friction holds it, the largest force.
-    pub held: Vec<(usize, f64, [f64; 2], f64)>,
+    /// Coordinates that are held.
+    pub held: Vec<Held>,
     /// All ends were found.
     pub closed: bool,
     /// Largest growth rate with the masses held, 1/s.
@@ -54,8 +57,8 @@ pub fn zones(system: &System, search: &mut Search, rows: &[Row], goes_on: &mut d
 
 /// One line for each mass of each state.
 pub fn table(system: &System, rows: &[Row], zones: &[Zone]) -> Result<Table, OutcomeError> {
-    let lines: Vec<(&Zone, &(usize, f64, [f64; 2], f64))> = zones.iter().flat_map(|z| z.held.iter().map(move |h| (z, h))).collect();
-    let column = |f: &dyn Fn(&Zone, &(usize, f64, [f64; 2], f64)) -> f64| lines.iter().map(|l| f(l.0, l.1)).collect::<Vec<f64>>();
+    let lines: Vec<(&Zone, &Held)> = zones.iter().flat_map(|z| z.held.iter().map(move |h| (z, h))).collect();
+    let column = |f: &dyn Fn(&Zone, &Held) -> f64| lines.iter().map(|l| f(l.0, l.1)).collect::<Vec<f64>>();
     Table::new("dead_zone", "Ranges in which dry friction holds the masses where they are, about each state")
         .int("state", "", "number of the state", lines.iter().map(|l| l.0.row as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", column(&|z, _| rows[z.row].state.speed))
