@@ -10,7 +10,6 @@ use laval::model::field::{Attach, Field, ParamValues, Values};
 use laval::model::params::NoParams;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
-use laval::outcome::Outcome;
 use laval::solve::harmonic::determinant::{Effort, exponents};
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
