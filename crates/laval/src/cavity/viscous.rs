@@ -30,6 +30,8 @@ use std::f64::consts::PI;
 const ALIKE: f64 = 1.5;
 /// Below this `|mu R|^2` the value is the mean of two beside it.
 const LIMIT: f64 = 1e-8;
+/// Its tail moves so slowly with the joint that what it moves by says less of what is left.
+const SLOW: f64 = 1e-11;
 /// Relative rounding error of what six flows contribute.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -142,7 +144,7 @@ impl<S: Scalar> Cavity<S> {
                 let wave = if o > 0.0 { height * s * s * root / (PI * o * o * self.free.value()) } else { 0.0 };
                 // harmonics that viscosity damps within a turn
                 let damped = height / PI * (s.max(o) / nu0).sqrt();
-                let total = over_odd(2.0 * wave, damped, truncation.share(), |k| flow.harmonic(k));
+                let total = over_odd(2.0 * wave, damped, truncation.share().min(SLOW), |k| flow.harmonic(k));
                 (total.value, total.harmonics, total.error)
             }
         };

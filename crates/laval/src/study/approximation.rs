@@ -138,13 +138,13 @@ pub(super) fn add(outcome: Outcome, system: &System, whole: &Sweep, context: &Co
     }
     let top = 1.25 * speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
     let frequency = Panel::new(Axis::new("frequency", "rad/s").range(0.0, top))
-        .mark(Line::new("modes", "speed", "frequency").group("mode"))
+        .mark(Line::new("modes", "speed", "frequency").group("mode").reference())
         .mark(Points::new("approximate_modes", "speed", "frequency").name(format!("degree {degree}")));
     let growth = Panel::new(Axis::new("growth rate", "1/s"))
-        .mark(Line::new("modes", "speed", "growth").group("mode"))
+        .mark(Line::new("modes", "speed", "growth").group("mode").reference())
         .mark(Points::new("approximate_modes", "speed", "growth").name(format!("degree {degree}")));
     let alt = format!(
-        "Lines: frequencies and growth rates of the machine over spin speed. Points: those of its approximation of degree {degree}."
+        "Grey lines: frequencies and growth rates of the machine over spin speed. Points: those of its approximation of degree {degree}."
     );
     let figure = Figure::new("approximation", "The whole machine and its approximation", alt)
         .x(Axis::new("spin speed", "rad/s"))

@@ -123,6 +123,7 @@ impl Study for Modes {
             table = table.float(format!("amplitude.{}", body.name), "", doc, modes.iter().map(relative).collect());
         }
         let mut outcome = Outcome::new(Self::KIND, context.name)
+            .end(context.end(!context.cancelled()))
             .table(table.build().map_err(inconsistent)?)
             .work("eigenproblems", 1)
             .work("polished modes", spectrum.polished as u64);

@@ -60,8 +60,9 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     let mut out = Vec::new();
     if let Some([a, b]) = domains.iter().find_map(|d| d.dense) {
         let text = format!(
-            "Forward frequencies from {} to {} are the dense range of inertial waves of an ideal liquid: on the imaginary axis there are roots without number, and with \
+            "At {} forward frequencies from {} to {} are the dense range of inertial waves of an ideal liquid: on the imaginary axis there are roots without number, and with \
              damping outside the liquid some of them always grow, slowly. What counts is growth above a threshold; viscosity decides about the rest.",
+            quantity(speed, "rad/s"),
             quantity(a, "rad/s"),
             quantity(b, "rad/s")
         );
@@ -69,8 +70,12 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     }
     if let Some(e) = domains.iter().flat_map(|d| d.except.first()).next() {
         let (a, b) = (e - ACCUMULATION * speed.abs(), e + ACCUMULATION * speed.abs());
-        let text =
-            format!("Between {} and {} waves accumulate: slow roots there are not counted.", quantity(a, "rad/s"), quantity(b, "rad/s"));
+        let text = format!(
+            "At {} waves accumulate between {} and {}: slow roots there are not counted.",
+            quantity(speed, "rad/s"),
+            quantity(a, "rad/s"),
+            quantity(b, "rad/s")
+        );
         out.push(Finding::info("accumulation", text));
     }
     if domains.iter().any(|d| !d.left) {

@@ -45,7 +45,7 @@ impl Liquid {
     #[inline(always)]
     pub(super) fn seen<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>) -> Seen<S> {
         let offsets =
-            [(p.eccentricity, p.eccentricity_phase), (p.skew, p.skew_phase)].map(|(r, angle)| Complex::cis(at.phase + angle).scale(r));
+            [Complex::cis(at.phase + p.eccentricity_phase).scale(p.eccentricity), Complex::cis(at.phase + p.skew_phase).scale(p.skew)];
         let mut out = Seen { q: [S::zero(); 4], v: [S::zero(); 4], a: [S::zero(); 4], z: [S::zero(); 8], offsets };
         let (n, m) = (at.q.len(), at.z.len());
         out.q[..n].copy_from_slice(at.q);
@@ -121,31 +121,34 @@ impl Liquid {
     /// What a cavity off the shaft adds to the spin row, from the point as the liquid sees it.
     #[inline(always)]
     pub(super) fn offset_torque<S: Scalar>(&self, p: &LiquidParams<S>, seen: &Seen<S>, at: &At<S>) -> S {
-        let Coefficients { full, void, g } = Self::coefficients(p);
-        let (w, accel) = (at.speed, at.spin_accel);
-        let plane = |i: usize, scale: S| {
-            let a = c(at.a[2 * i], at.a[2 * i + 1]);
-            let row = match (self.model, self.fill) {
-                (_, Fill::Empty) => Complex::zero(),
-                (Model::Frozen, _) => a.scale(full - void),
-                (_, Fill::Full) => a.scale(full),
-                (_, Fill::Partial) => {
-                    let (flow, eta) = (c(at.z[4 * i], at.z[4 * i + 1]), c(at.z[4 * i + 2], at.z[4 * i + 3]));
-                    let turning = flow.mul_i().scale(w.scale(2.0)) + eta.scale(w * w);
-                    a.scale(full * g) + turning.scale(full * (S::one() - g)) - eta.mul_i().scale(accel * void)
-                }
-            };
-            (seen.offsets[i].mul_i().conj() * row).re * scale
-        };
-        let mut torque = plane(0, S::one());
+        let mut torque = (seen.offsets[0].mul_i().conj() * self.plane_row(p, at, 0)).re;
         if self.model == Model::Strip {
-            torque += plane(1, Self::cavity(p).slices());
+            torque += (seen.offsets[1].mul_i().conj() * self.plane_row(p, at, 1)).re * Self::cavity(p).slices();
         }
         if let Some([a, cp]) = self.rigid(p) {
+            let (w, accel) = (at.speed, at.spin_accel);
             let (theta, rate, bend) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]), c(at.a[2], at.a[3]));
             let row = bend.scale(a) - rate.mul_i().scale(cp * w) - theta.mul_i().scale((cp * accel).scale(0.5));
             torque += (seen.offsets[1].mul_i().conj() * row).re;
         }
         torque
+    }
+
+    /// The force row of plane flow: of the cavity's middle (0) or of slices that tilt (1).
+    #[inline(always)]
+    fn plane_row<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>, i: usize) -> Complex<S> {
+        let Coefficients { full, void, g } = Self::coefficients(p);
+        let (w, accel) = (at.speed, at.spin_accel);
+        let a = c(at.a[2 * i], at.a[2 * i + 1]);
+        match (self.model, self.fill) {
+            (_, Fill::Empty) => Complex::zero(),
+            (Model::Frozen, _) => a.scale(full - void),
+            (_, Fill::Full) => a.scale(full),
+            (_, Fill::Partial) => {
+                let (flow, eta) = (c(at.z[4 * i], at.z[4 * i + 1]), c(at.z[4 * i + 2], at.z[4 * i + 3]));
+                let turning = flow.mul_i().scale(w.scale(2.0)) + eta.scale(w * w);
+                a.scale(full * g) + turning.scale(full * (S::one() - g)) - eta.mul_i().scale(accel * void)
+            }
+        }
     }
 }
