@@ -244,6 +244,10 @@ impl Domain {
     pub fn touches_axis(&self) -> bool {
         !self.axis || (!self.left && !self.waves.is_empty() && !(self.gap > 0.0))
     }
+    /// It has waves that nothing inside it damps: with any damping outside some of them always grow, slowly.
+    pub fn undamped(&self) -> bool {
+        self.left && (self.dense.is_some() || !self.except.is_empty())
+    }
     /// Of a part that only takes up energy: analytic for Re s >= 0.
     pub fn passive() -> Self {
         Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY, terms: 1 }

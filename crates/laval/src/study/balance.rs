@@ -106,7 +106,7 @@ fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
     let near = near.filter(|f| *f > 0.0 && (f - rate.abs()).abs() <= HELD * f);
     let held = near.map_or(String::new(), |f| format!(", caught at the natural frequency of {}", quantity(f, "rad/s")));
     let text = format!(
-        "{} of the masses do not follow the rotor: at the end they go round at {{}} on average, the rotor at {}{held}.",
+        "Of the masses {} did not follow the rotor: in the end going round at {{}} on average, the rotor at {}{held}.",
         slips.len(),
         quantity(speed, "rad/s")
     );

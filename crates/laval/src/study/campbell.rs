@@ -15,12 +15,13 @@ use super::support::{About, SPEED_RANGE, admit_roots, inconsistent, range, remar
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::extrema::{Critical, criticals};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
-use crate::solve::roots::transcendental;
+use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::sweep::{Branch, Sweep, sweep};
 
 /// Field: multiples of the spin speed.
@@ -113,6 +114,9 @@ pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: 
     Ok((found, context.end(whole)))
 }
 
+/// Modes that are told apart in the figure, at most.
+const MOST_NAMED: usize = 40;
+
 impl Study for Campbell {
     const KIND: &'static str = "campbell";
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
@@ -164,7 +168,11 @@ impl Study for Campbell {
             };
             format!("{} {words}", k + 1)
         };
-        let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= self.threshold + m.error;
+        // waves that nothing inside a liquid damps grow slowly with any damping outside it: one limit for all speeds
+        let fastest = self.speed.from.abs().max(self.speed.to.abs());
+        let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
+        let threshold = if slow { self.threshold.max(LEAST * fastest) } else { self.threshold };
+        let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= threshold + m.error;
         let table = Table::new("modes", "Modes followed over the spin speed")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1.0).collect())
             .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| label(r.0)).collect())
@@ -246,14 +254,17 @@ impl Study for Campbell {
         let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));
         let axis = Axis::new("frequency", "rad/s");
         let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
-        let mut frequency = Panel::new(axis).mark(Line::new("modes", "speed", "frequency").group("mode").solid_where("stable"));
+        // a legend of more lines is a wall
+        let line = |y: &str| {
+            let line = Line::new("modes", "speed", y).group("mode").solid_where("stable");
+            if found.branches.len() > MOST_NAMED { line.reference() } else { line }
+        };
+        let mut frequency = Panel::new(axis).mark(line("frequency"));
         for k in &self.orders {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
-        let growth = Panel::new(Axis::new("growth rate", "1/s"))
-            .mark(Line::new("modes", "speed", "growth").group("mode").solid_where("stable"))
-            .mark(Rule::y(self.threshold, "threshold"));
+        let growth = Panel::new(Axis::new("growth rate", "1/s")).mark(line("growth")).mark(Rule::y(threshold, "threshold"));
         let alt = format!(
             "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
             found.branches.len(),

@@ -14,13 +14,13 @@ use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, hertz, inconsis
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
-use crate::model::part::DofKind;
+use crate::model::part::{DofKind, Domain};
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::exact::growing;
 use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
-use crate::solve::roots::{Request, roots, transcendental};
+use crate::solve::roots::{LEAST, Request, roots, transcendental};
 use laval_num::complex::C64;
 use laval_num::dense::Mat;
 
@@ -84,8 +84,11 @@ impl Study for Modes {
         // beside the largest eigenvalue, what is smaller than this is rounding
         let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
+        // waves that nothing inside a liquid damps grow slowly with any damping outside it
+        let slow = endless && system.domains(self.speed).iter().any(Domain::undamped);
+        let threshold = if slow { self.threshold.max(LEAST * self.speed.abs()) } else { self.threshold };
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| !(m.growth() <= self.threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
+        let unstable = |m: &MachineMode| !(m.growth() <= threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -168,17 +171,25 @@ impl Study for Modes {
         if !any_unstable {
             let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
             let zero = largest.abs() <= rounding;
-            let (at, limit) = (quantity(self.speed, "rad/s"), quantity(self.threshold, "1/s"));
-            let text = if zero {
+            let (at, limit) = (quantity(self.speed, "rad/s"), quantity(threshold, "1/s"));
+            let proven = found.as_ref().is_none_or(|f| f.growing().is_some());
+            let text = if !proven {
+                format!(
+                    "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
+                )
+            } else if slow {
+                format!("Stable at {at}: no mode grows faster than {limit}.")
+            } else if zero {
                 format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
             } else {
                 format!("Stable at {at}: no mode grows faster than {limit}; the largest growth rate is {{}}.")
             };
-            outcome = outcome.finding(Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s").evidence(
-                "rounding of the eigenvalues",
-                rounding,
-                "1/s",
-            ));
+            let finding = match (proven, slow) {
+                (false, _) => Finding::warning("stability_unknown", text),
+                (_, true) => Finding::info("stable", text),
+                _ => Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s"),
+            };
+            outcome = outcome.finding(finding.evidence("rounding of the eigenvalues", rounding, "1/s"));
         }
         if let Some(found) = &found {
             for f in region::findings(system, self.speed, found) {

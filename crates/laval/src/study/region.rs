@@ -36,10 +36,14 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
         );
         Finding::warning("roots_not_counted", text)
     } else {
-        let text = format!(
-            "By the argument principle the {found} roots found in the rectangles of the table are all there are: none that grows faster than {growth} at frequencies up to \
-             {frequency} is missed."
-        );
+        // beside places where waves accumulate slow roots are not in the rectangles
+        let all = if system.domains(speed).iter().all(|d| d.except.is_empty()) {
+            format!(": none that grows faster than {growth} at frequencies up to {frequency} is missed")
+        } else {
+            String::new()
+        };
+        let text =
+            format!("By the argument principle the {found} roots found in the rectangles of the table are all there are in them{all}.");
         Finding::info("all_roots", text)
     };
     out.push(finding.evidence("evaluations of the characteristic function", roots.evaluations as f64, ""));

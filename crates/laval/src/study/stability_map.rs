@@ -16,6 +16,7 @@ use super::support::{ABOUT, About, SPEED_RANGE, admit_roots, beyond_rounding, in
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
+use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
@@ -160,10 +161,10 @@ fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
 }
 
 impl StabilityMap {
-    /// The threshold, or, of a machine whose domain ends on a dense range, the least growth that can be counted at all these speeds.
+    /// The threshold, or, of a machine with waves that nothing inside it damps, the least growth that is told from theirs at all these speeds.
     fn least(&self, system: &System, speeds: &[f64]) -> f64 {
         let fastest = speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
-        if system.domains(fastest).iter().any(|d| !d.axis) { self.threshold.max(LEAST * fastest) } else { self.threshold }
+        if system.domains(fastest).iter().any(Domain::undamped) { self.threshold.max(LEAST * fastest) } else { self.threshold }
     }
 
     fn report(
@@ -188,10 +189,12 @@ impl StabilityMap {
         // the map keeps the grid; along one line the points between belong to it too
         let cells: Vec<(usize, &crate::solve::stability::Sample)> =
             rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
+        // roots that grow no faster are not all known
+        let unknown = |c: &(usize, &crate::solve::stability::Sample)| endless && !(c.1.value.re > threshold);
         // where all growth is rounding no mode is the strongest
         let frequency = |c: &(usize, &crate::solve::stability::Sample)| {
             let row = &rows[c.0];
-            if row.undamped && !row.unstable(c.1, 0.0) { f64::NAN } else { c.1.value.im }
+            if unknown(c) || row.undamped && !row.unstable(c.1, 0.0) { f64::NAN } else { c.1.value.im }
         };
         let mut map =
             Table::new("map", "Largest growth rate").float("speed", "rad/s", "spin speed", cells.iter().map(|c| c.1.speed).collect());
@@ -199,11 +202,20 @@ impl StabilityMap {
             map = map.float(name.clone(), unit, "parameter", cells.iter().map(|c| value(c.0)).collect());
         }
         let map = map
-            .float("growth", "1/s", "largest growth rate of all modes", cells.iter().map(|c| c.1.value.re).collect())
+            .float(
+                "growth",
+                "1/s",
+                if endless {
+                    "largest growth rate of all modes; NaN where none grows faster than the threshold"
+                } else {
+                    "largest growth rate of all modes"
+                },
+                cells.iter().map(|c| if unknown(c) { f64::NAN } else { c.1.value.re }).collect(),
+            )
             .float(
                 "frequency",
                 "rad/s",
-                "frequency of that mode; NaN where nothing damps or drives any",
+                "frequency of that mode; NaN where nothing damps or drives any, or none grows",
                 cells.iter().map(frequency).collect(),
             )
             .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect());
@@ -284,12 +296,25 @@ impl StabilityMap {
         let highest = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re));
         let limit = quantity(threshold, "1/s");
         let unstable = rows.iter().any(|r| r.samples.iter().any(|s| r.unstable(s, threshold)));
+        let open = cells.iter().filter(|c| endless && c.1.growing.is_none()).count();
         if let Some((k, speed, s)) = highest {
-            let finding = if unstable {
+            let finding = if !unstable && endless {
+                let computed = if complete { "" } else { " before the study stopped" };
+                if open == 0 {
+                    Finding::info("stable", format!("No mode grows faster than {limit} at any point computed{computed}."))
+                } else {
+                    let text = format!(
+                        "No mode was found that grows faster than {limit}, but at {open} of {} points some may be missing.",
+                        cells.len()
+                    );
+                    Finding::warning("stability_unknown", text)
+                }
+            } else if unstable {
                 Finding::warning(
                     "largest_growth",
                     format!(
-                        "The strongest instability grows at {{}}, at {}{}, whirling at {}.",
+                        "{} strongest instability grows at {{}}, at {}{}, whirling at {}.",
+                        if two { "Of the machines computed the" } else { "The" },
                         quantity(speed, "rad/s"),
                         with(k),
                         quantity(s.im, "rad/s")
@@ -302,9 +327,14 @@ impl StabilityMap {
                     format!("No mode grows faster than {limit} at any point computed{computed}; the largest growth rate is {largest}.");
                 Finding::info("stable", text)
             };
-            outcome = outcome.finding(
-                finding.value(if unstable { s.re } else { beyond_rounding(s.re, sizes) }, "1/s").evidence("speed", speed, "rad/s"),
-            );
+            let finding = if unstable {
+                finding.value(s.re, "1/s")
+            } else if endless {
+                finding
+            } else {
+                finding.value(beyond_rounding(s.re, sizes), "1/s")
+            };
+            outcome = outcome.finding(finding.evidence("speed", speed, "rad/s"));
         }
         if !two {
             let samples = rows.first().map_or(&[][..], |r| &r.samples);
@@ -339,7 +369,6 @@ impl StabilityMap {
             outcome = outcome.finding(self.criterion.finding(system, self.speed.to, threshold));
         }
         if endless {
-            let open = cells.iter().filter(|c| c.1.growing.is_none()).count();
             let evaluations: u64 = rows.iter().map(|r| r.evaluations).sum();
             let text = if open == 0 {
                 format!(
@@ -357,7 +386,7 @@ impl StabilityMap {
             outcome = outcome.finding(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
             if threshold > self.threshold {
                 let text = format!(
-                    "The liquid has roots without number on the imaginary axis: growth is judged against {{}} instead of {}, the least that can be counted.",
+                    "An ideal liquid has waves that any damping outside it makes grow slowly: growth is judged against {{}} instead of {}, the least that is told from theirs.",
                     quantity(self.threshold, "1/s")
                 );
                 outcome = outcome.finding(Finding::warning("threshold_raised", text).value(threshold, "1/s"));

@@ -275,6 +275,17 @@ impl Part for Liquid {
             Some(Value::Integer(k)) => usize::try_from(*k).map_or(Truncation::None, Truncation::At),
             _ => Truncation::None,
         };
+        if let Truncation::At(last) = harmonics
+            && last % 2 == 0
+        {
+            let (less, more) = (last.saturating_sub(1).max(1), last + 1);
+            diagnostics.push(
+                Diagnostic::error("liquid.axial_harmonics", "only odd harmonics act on a tilt, and the last one is to be odd")
+                    .at(values.span_of("axial_harmonics"))
+                    .help(format!("give axial_harmonics = {less} or {more}")),
+            );
+            return None;
+        }
         if harmonics != Truncation::None && model != Model::Spatial {
             diagnostics.push(
                 Diagnostic::error("liquid.axial_harmonics", format!("{word} has no axial harmonics"))

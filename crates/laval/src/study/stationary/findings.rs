@@ -117,7 +117,7 @@ impl Report<'_> {
         }
         let gaps = rest(self.range, &self.covered(told, false), GAP * (self.range.1 - self.range.0));
         let movable = !self.found.images.angles.is_empty();
-        let why = if movable { "the movable masses slip, or the machine whirls" } else { "the machine whirls" };
+        let why = if movable { "the movable masses slip, the machine whirls, or the starts met none" } else { "the machine whirls" };
         let say = |(from, to): (f64, f64)| {
             let text = format!("No stable state was found from {} to {{}}: {why}.", speed(from));
             Finding::warning("no_stable_state", text)
