@@ -147,7 +147,7 @@ impl Study for Modes {
         let least = modes
             .iter()
             .enumerate()
-            .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0)
+            .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0))
             .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()));
         if let Some((k, m)) = least {
             let undamped = m.growth().abs() <= rounding;
@@ -178,7 +178,7 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
-                format!("Stable at {at}: no mode grows faster than {limit}.")
+                format!("Stable at {at}: no mode grows faster than {limit}; waves of an ideal liquid that grow more slowly are not judged.")
             } else if zero {
                 format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
             } else {
