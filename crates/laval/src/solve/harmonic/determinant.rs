@@ -48,7 +48,8 @@ const OPERATIONS: u64 = 128;
 /// Terms that cost as much as the solution of one order.
 const ORDER: u64 = 8;
 /// Why a count ended early.
-const SHORT: &str = "counting the exponents that grow takes more work than a motion or a response is given; axial_harmonics of a spatial liquid, or strip, makes it less";
+const SHORT: &str =
+    "counting the exponents that grow takes more work than a motion or a response is given; parts with shorter series make it less";
 /// Place of the strip: real multipliers, which lie at multiples of half the base frequency, are not on its edge.
 const BELOW: f64 = 0.381_966;
 
@@ -308,7 +309,7 @@ pub fn exponents(
                 }
             })
             .collect(),
-        orders: (1.2 * fastest / strip).ceil() as usize + tangents.len().min(BESIDE),
+        orders: ((1.2 * fastest / strip).ceil() as usize).saturating_add(tangents.len().min(BESIDE)),
         tangents,
         base,
         lu: Lu::default(),
@@ -326,6 +327,8 @@ pub fn exponents(
     } else {
         starts.iter().copied().map(into).collect()
     };
+    // Newton's method begins beside a zero: on it the determinant cannot be divided by
+    let aside = c(1e-6 * strip, 0.0);
     while hill.orders <= MOST_ORDERS {
         let found = zeros(|s| hill.at(s, true), &region, &[], BUDGET);
         if found.missing != Some(0) {
@@ -333,7 +336,7 @@ pub fn exponents(
         }
         let mut values: Vec<C64> = Vec::new();
         for z in found.zeros.iter().copied() {
-            values.extend(newton(|s| hill.at(s, false), z + c(1e-6 * strip, 0.0), 1e-3 * strip, &[]));
+            values.extend(newton(|s| hill.at(s, false), z + aside, 1e-3 * strip, &[]));
         }
         let count = values.len();
         for &start in &starts {
@@ -346,8 +349,6 @@ pub fn exponents(
             }
         }
         hill.orders += hill.orders.div_ceil(3);
-        // from beside it: on a zero the determinant cannot be divided by
-        let aside = c(1e-6 * strip, 0.0);
         let settled =
             |z: &C64| newton(|s| hill.at(s, false), *z + aside, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
         // all that grow, and one at least
