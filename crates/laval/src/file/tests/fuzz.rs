@@ -1,4 +1,4 @@
-//! No input whatever makes the reader fall over, and what is written reads back. Edited files are the matter of `tests/fuzz.rs`.
+//! No input whatever makes the reader fall over, and what is written reads back. Edited files are the matter of `tests/fuzz`.
 
 use super::*;
 use proptest::prelude::*;

@@ -1,0 +1,13 @@
+//! Rotors balanced by movable balls: motions, stationary states, run-ups, basins.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod basins;
+mod motion;
+mod run_up;
+mod stationary;
+mod stationary_file;
+mod stationary_grip;
+mod stationary_machines;
+mod studies;

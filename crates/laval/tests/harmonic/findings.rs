@@ -1,0 +1,177 @@
+//! What the study of the nonlinear response says: its largest displacement against closed forms, wide ranges of speed, refusals.
+
+use crate::common;
+
+use common::base::Base;
+use laval::diagnostic::Diagnostic;
+use laval::model::builder::Builder;
+use laval::model::field::Attach;
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::outcome::{Data, Finding, Outcome};
+use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
+use laval::solve::harmonic::response::Request;
+use laval::study::nonlinear_response::NonlinearResponse;
+use laval::study::{Context, Study};
+
+const M: f64 = 2.0;
+const E: f64 = 1e-4;
+const K: f64 = 1e6;
+
+fn machine(cubic: f64, c: f64) -> Builder {
+    let link = || Link::Between(Attach::on("disc"), Attach::ground());
+    Builder::new("one disc")
+        .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+        .part(
+            "spring",
+            BearingCubic::isotropic(link()),
+            BearingCubicParams { stiffness: [K; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
+        )
+        .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
+}
+
+fn study(builder: Builder, request: Request) -> Result<Outcome, Diagnostic> {
+    let system = builder.build().unwrap_or_else(|d| panic!("{:?}", d.0));
+    NonlinearResponse::new(request).run(&system, &Context::quiet("response"))
+}
+
+fn said<'a>(o: &'a Outcome, id: &str) -> &'a Finding {
+    o.findings.iter().find(|f| f.id == id).unwrap_or_else(|| panic!("no {id} in {:?}", o.findings))
+}
+
+fn evidence(f: &Finding, what: &str) -> f64 {
+    f.evidence.iter().find(|e| e.what == what).unwrap_or_else(|| panic!("no {what} in {f:?}")).value
+}
+
+fn column(o: &Outcome, name: &str) -> Vec<f64> {
+    match &o.find_table("response").unwrap().column(name).unwrap().data {
+        Data::Float(v) => v.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[track_caller]
+fn near(a: f64, b: f64, relative: f64) {
+    assert!((a - b).abs() <= relative * b.abs(), "{a:.15e} {b:.15e}");
+}
+
+/// `|k + k3 r^2 - m W^2 + i c W| r = m e W^2` with dr/dW = 0: `W^2 = (2 m K - c^2) r^2 / (2 m^2 (r^2 - e^2))`, K = k + k3 r^2; one equation for r. Without k3,
+/// `r = e / (2 D sqrt(1 - D^2))`, `W = w0 / sqrt(1 - 2 D^2)`.
+#[test]
+fn largest_displacement_is_that_of_the_closed_form() {
+    for (cubic, c, range) in
+        [(0.0, 100.0, (100.0, 3000.0)), (0.0, 700.0, (100.0, 3000.0)), (3e10, 100.0, (100.0, 3000.0)), (-3e10, 400.0, (100.0, 3000.0))]
+    {
+        let square = |r: f64| (2.0 * M * (K + cubic * r * r) - c * c) * r * r / (2.0 * M * M * (r * r - E * E));
+        let rest = |r: f64| {
+            let (w2, k) = (square(r), K + cubic * r * r);
+            ((k - M * w2).powi(2) + c * c * w2) * r * r - (M * E * w2).powi(2)
+        };
+        // from the quasi-static estimate outwards to the first change of sign, then halved
+        let (mut lo, mut hi) = (1.001 * E, 1.001 * E);
+        while (rest(hi) < 0.0) == (rest(lo) < 0.0) {
+            (lo, hi) = (hi, hi * 1.01);
+        }
+        for _ in 0..80 {
+            let middle = 0.5 * (lo + hi);
+            if (rest(middle) < 0.0) == (rest(lo) < 0.0) { lo = middle } else { hi = middle }
+        }
+        let (r, w) = (lo, square(lo).sqrt());
+        if cubic == 0.0 {
+            let d = c / (2.0 * (K * M).sqrt());
+            near(r, E / (2.0 * d * (1.0 - d * d).sqrt()), 1e-12);
+            near(w, (K / M).sqrt() / (1.0 - 2.0 * d * d).sqrt(), 1e-12);
+        }
+        let o = study(machine(cubic, c), Request::over(range.0, range.1)).unwrap();
+        let f = said(&o, "largest_displacement");
+        near(f.value.unwrap(), r, 1e-9);
+        near(evidence(f, "speed"), w, 1e-7);
+        assert!(evidence(f, "scaled residual") < 1e-11 && evidence(f, "width of the bracket") < 1e-6 * w, "{f:?}");
+        assert!(evidence(f, "relative slope along the branch") < 1e-9, "{f:?}");
+    }
+}
+
+/// Over eight decades the points are bounded, the resonance is met, and that of the foundation, 1 rad/s wide, is not stepped over.
+#[test]
+fn wide_ranges_meet_their_resonances() {
+    let wide = Request::over(0.01, 1e6);
+    let c = 100.0;
+    let o = study(machine(0.0, c), wide).unwrap();
+    let d = c / (2.0 * (K * M).sqrt());
+    near(said(&o, "largest_displacement").value.unwrap(), E / (2.0 * d * (1.0 - d * d).sqrt()), 1e-9);
+    let points = |o: &Outcome| o.find_table("response").unwrap().rows();
+    assert!(points(&o) < 1500, "{}", points(&o));
+    let base = Base { e: 5e-5, ..Base::default() };
+    let o = study(base.builder(), wide).unwrap();
+    assert!(points(&o) < 1500, "{}", points(&o));
+    let narrow = study(base.builder(), Request::over(50.0, 200.0)).unwrap();
+    let highest = |o: &Outcome| {
+        let (w, a) = (column(o, "speed"), column(o, "base first order"));
+        w.iter().zip(a).filter(|(w, _)| (90.0..130.0).contains(*w)).fold((0.0, 0.0), |m, (&w, a)| if a > m.1 { (w, a) } else { m })
+    };
+    let (wide, narrow) = (highest(&o), highest(&narrow));
+    near(wide.1, narrow.1, 0.05);
+    near(wide.0, narrow.0, 0.005);
+}
+
+/// A stop with damping: its force jumps at the touch. States that touch during part of a turn are not judged, and it is said why; the others are.
+#[test]
+fn stability_is_not_judged_where_a_force_jumps() {
+    let link = || Link::Between(Attach::on("disc"), Attach::ground());
+    let with = |damping: f64| {
+        machine(0.0, 100.0)
+            .part(
+                "side",
+                BearingCubic::per_axis(link()),
+                BearingCubicParams { stiffness: [1e3, 2e5], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+            )
+            .part("stop", Stop::new(link()), StopParams { stiffness: 1e7, gap: 3e-4, damping })
+    };
+    let request = Request { harmonics: Some(9), ..Request::over(200.0, 3000.0) };
+    let o = study(with(1000.0), request).unwrap();
+    let f = said(&o, "stability_unknown");
+    assert!(f.text.contains("of") && f.text.contains("\"stop\" jumps when it touches"), "{}", f.text);
+    let (growth, largest) = (column(&o, "growth rate"), column(&o, "disc largest displacement"));
+    assert!(growth.iter().zip(&largest).all(|(g, r)| !g.is_nan() || *r > 2.9e-4));
+    assert!(growth.iter().any(|g| g.is_nan()) && growth.iter().any(|g| g.is_finite()));
+    // without damping the force has a kink only: every state is judged
+    let o = study(with(0.0), request).unwrap();
+    assert!(o.findings.iter().all(|f| f.id != "stability_unknown"), "{:?}", o.findings);
+    // used up points are said, whether a sweep jumps before or not
+    for max_points in [40, 150] {
+        let o = study(with(1000.0), Request { max_points, ..request }).unwrap();
+        assert_eq!(o.end, laval::outcome::End::MaxPoints);
+        assert!(o.findings.iter().any(|f| f.text.contains("the largest number of points was used up")), "{:?}", o.findings);
+    }
+}
+
+#[test]
+fn refusals_say_what_to_do() {
+    let text = |d: &Diagnostic| format!("{}: {}\n    {}\n", d.code, d.message, d.help.as_deref().unwrap_or("-"));
+    let refused = |b: Builder, r: Request| text(&study(b, r).map(|_| ()).unwrap_err());
+    let mut all = refused(machine(0.0, 100.0).free_spin(), Request::over(100.0, 1000.0));
+    let skew = machine(0.0, 100.0).part(
+        "side",
+        BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::ground())),
+        BearingCubicParams { stiffness: [1e3, 2e5], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+    );
+    all += &refused(skew, Request { symmetry: Some(laval::solve::symmetry::Symmetry::Quarter), ..Request::over(100.0, 1000.0) });
+    insta::assert_snapshot!(all);
+}
+
+#[test]
+fn the_other_sense_of_rotation_says_the_same() {
+    let told = |speeds: (f64, f64)| {
+        let o = study(machine(0.0, 20.0), Request::over(speeds.0, speeds.1)).expect("a response");
+        let ids: Vec<String> = o.findings.iter().map(|f| f.id.clone()).collect();
+        let largest = said(&o, "largest_displacement");
+        (ids, largest.value, evidence(largest, "speed"), said(&o, "no_jump_up").text.clone(), said(&o, "no_jump_down").text.clone())
+    };
+    let (ids, largest, at, up, down) = told((200.0, 2000.0));
+    let (mirrored, same, there, faster, slower) = told((-2000.0, -200.0));
+    assert_eq!(ids, mirrored);
+    near(same.expect("an amplitude"), largest.expect("an amplitude"), 1e-9);
+    near(there, -at, 1e-9);
+    assert!(up.contains("from 200 to 2000 rad/s") && down.contains("from 2000 to 200 rad/s"), "{up} {down}");
+    assert!(faster.contains("from −200 to −2000 rad/s") && slower.contains("from −2000 to −200 rad/s"), "{faster} {slower}");
+}

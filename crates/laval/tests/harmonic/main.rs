@@ -1,0 +1,22 @@
+//! Periodic motions by harmonic balance: branches, bifurcations, free whirls, maps of responses.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bifurcation_loci;
+mod branches;
+mod contact;
+mod duffing;
+mod findings;
+mod free_studies;
+mod free_whirls;
+mod limit_cycles;
+mod methods;
+mod open_gap;
+mod orders;
+mod planar;
+mod reference;
+mod response_map;
+mod response_starts;
+mod spectra;
+mod unbounded;

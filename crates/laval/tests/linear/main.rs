@@ -1,0 +1,16 @@
+//! Linear machines: modes, responses, stability, sensitivities; the physics of parts.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod memory;
+mod model_planar;
+mod modes;
+mod nonlinear_forces;
+mod optimum;
+mod parts_physics;
+mod response;
+mod sensitivity;
+mod stability;
+mod uncertainty;
+mod viscoelastic;

@@ -1,0 +1,306 @@
+//! Forced response: reference resonances, the Jeffcott rotor, critical speeds.
+
+use crate::common;
+
+use common::{Planar, number, rows};
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, RangeValue};
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::model::system::System;
+use laval::outcome::{Data, Outcome};
+use laval::parts::{bearing_cubic::*, damper::*, disc::*};
+use laval::solve::extrema::{curve, seeds};
+use laval::solve::rest::rest;
+use laval::study::forced_response::{ForcedResponse, at_speed};
+use laval::study::{Context, Study};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+fn run(system: &System, from: f64, to: f64) -> Outcome {
+    ForcedResponse { speed: RangeValue { from, to, points: None } }.run(system, &Context::quiet("response")).unwrap()
+}
+
+/// Speed and amplitude of the first extremum of a kind of a body.
+fn first(out: &Outcome, body: &str, kind: &str) -> (f64, f64) {
+    let t = out.find_table("extrema").unwrap();
+    let text = |name: &str| match &t.column(name).unwrap().data {
+        Data::Text(v) => v.clone(),
+        _ => unreachable!(),
+    };
+    let row = text("body").iter().zip(&text("kind")).position(|(b, k)| b == body && k == kind).unwrap();
+    (t.column("speed").unwrap().number(row).unwrap(), t.column("amplitude").unwrap().number(row).unwrap())
+}
+
+/// The table is that of one harmonic of the nonlinear bearing, stiffer by 3/4 c1 d^2 at the deflection d it has there: the linear machine with
+/// that stiffness has the same state. Speed of the extremum, amplitudes of drum and base.
+fn with_one_harmonic(system: &System, speed: f64, kind: &str) -> (f64, f64, f64) {
+    let x = at_speed(system, speed).unwrap().unwrap();
+    let d = (x.circles(0).0 - x.circles(2).0).abs();
+    let stiffer = system.with(&[("bearing.stiffness", 1.1e7 + 0.75 * 8.7e10 * d * d)]).unwrap();
+    let (speed, z1) = first(&run(&stiffer, 0.8 * speed, 1.2 * speed), "drum", kind);
+    (speed, z1, at_speed(&stiffer, speed).unwrap().unwrap().major(2))
+}
+
+#[test]
+fn first_resonance_and_antiresonance() {
+    for r in rows(include_str!("../reference/planar/first_resonance.csv")) {
+        let system = Planar { fill: number(r[0]), chi: number(r[1]), base: number(r[2]), ..Planar::default() }.build();
+        let out = run(&system, 25.0, 8000.0);
+        let (peak, dip) = (first(&out, "drum", "resonance").0, first(&out, "drum", "antiresonance").0);
+        // by itself the linear machine is 1e-6 off at the resonance and 3e-5 at the antiresonance
+        assert!((peak / number(r[3]) - 1.0).abs() < 1e-6 && (dip / number(r[7]) - 1.0).abs() < 5e-5, "{r:?}: {peak} {dip}");
+        let (speed, z1, z2) = with_one_harmonic(&system, peak, "resonance");
+        // a maximum is known to about the root of the rounding times its width (about 1 rad/s, or 20 with much damping)
+        assert!((speed - number(r[3])).abs() < 2e-6, "{r:?}: {speed}");
+        assert!((z1 / number(r[4]) - 1.0).abs() < 1e-9, "{r:?}: {z1}");
+        assert!((z2 / number(r[5]) - 1.0).abs() < 1e-6, "{r:?}: {z2}");
+        let (speed, z1, _) = with_one_harmonic(&system, dip, "antiresonance");
+        assert!((speed / number(r[7]) - 1.0).abs() < 1e-8, "{r:?}: {speed}");
+        // six digits are printed
+        assert!((z1 / number(r[8]) - 1.0).abs() < 2e-6, "{r:?}: {z1}");
+    }
+}
+
+#[test]
+fn jeffcott_rotor() {
+    let (m, e, k, d): (f64, f64, f64, f64) = (3.0, 2e-5, 4e6, 150.0);
+    let system = Builder::new("Jeffcott")
+        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part(
+            "shaft",
+            BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+            BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+        )
+        .part(
+            "air",
+            Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+            DamperParams { damping: [d; 2], tilt_damping: 0.0 },
+        )
+        .build()
+        .unwrap();
+    for w in [100.0, 1000.0, 1154.7, 3000.0] {
+        let r = at_speed(&system, w).unwrap().unwrap();
+        let (f, b) = r.circles(0);
+        let amplitude = m * e * w * w / (k - m * w * w).hypot(d * w);
+        assert!((f.abs() / amplitude - 1.0).abs() < 1e-12 && b.abs() < 1e-12 * amplitude);
+        assert!((f.arg() + (d * w).atan2(k - m * w * w)).abs() < 1e-12);
+    }
+    // peak of the unbalance response: w0 / sqrt(1 - 2 D^2)
+    let w0 = (k / m).sqrt();
+    let ratio = d / (2.0 * (k * m).sqrt());
+    let (peak, top) = first(&run(&system, 50.0, 4000.0), "disc", "resonance");
+    assert!((peak / (w0 / (1.0 - 2.0 * ratio * ratio).sqrt()) - 1.0).abs() < 1e-8);
+    assert!((top / (e / (2.0 * ratio * (1.0 - ratio * ratio).sqrt())) - 1.0).abs() < 1e-12);
+}
+
+/// The work does not depend on the size of the unbalance, down to amplitudes that have no digits left.
+#[test]
+fn small_unbalance_is_no_more_work() {
+    use laval::solve::{extrema::curve, rest::rest};
+    let rotor = |eccentricity: f64, stiffness: f64| {
+        Builder::new("rotor")
+            .part("disc", Disc::planar(), DiscParams { mass: 1.0, eccentricity, ..DiscFamily::defaults() })
+            .part(
+                "shaft",
+                BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
+                BearingCubicParams { stiffness: [stiffness; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+            )
+            .build()
+            .unwrap()
+    };
+    let solved = |eccentricity: f64, stiffness: f64| {
+        let system = rotor(eccentricity, stiffness);
+        let speeds = (1..10).map(|k| 100.0 * f64::from(k)).collect();
+        let mut work = 0;
+        let found = curve(&system, &|w| rest(&system, w), speeds, &[0], &mut |n| {
+            work = n;
+            n < 100_000
+        });
+        assert!(found.unwrap().complete, "{eccentricity} {stiffness}: {work} systems solved");
+        work
+    };
+    for stiffness in [2e5, 0.0] {
+        let usual = solved(1e-5, stiffness);
+        assert_eq!(solved(1e-5 * 2f64.powi(-960), stiffness), usual);
+        assert!(solved(5e-324, stiffness) <= usual);
+    }
+}
+
+#[test]
+fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
+    use laval::study::critical_speeds::CriticalSpeeds;
+    let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.build();
+    let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0, 2.0], margin: 0.1 };
+    let out = study.run(&system, &Context::quiet("critical")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    // forward and backward each
+    let expected = [109.06465573, 2241.53479433].map(|w| [w, w, w / 2.0, w / 2.0]).concat();
+    assert_eq!(t.rows(), expected.len());
+    let mut found: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    let mut expected = expected;
+    found.sort_by(f64::total_cmp);
+    expected.sort_by(f64::total_cmp);
+    for (f, e) in found.iter().zip(&expected) {
+        assert!((f / e - 1.0).abs() < 1e-10, "{f} {e}");
+    }
+}
+
+#[test]
+fn a_machine_at_rest_is_at_no_distance_from_its_critical_speeds() {
+    use laval::study::critical_speeds::CriticalSpeeds;
+    let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0], margin: 0.1 };
+    let told = |speed: f64| {
+        let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.builder().speed(speed).build().expect("a machine");
+        let out = study.run(&system, &Context::quiet("critical")).expect("critical speeds");
+        assert_eq!(out.find_table("critical_speeds").map(|t| t.rows()), Some(4), "{speed}");
+        out.findings.iter().any(|f| f.id == "margin")
+    };
+    assert!(told(100.0) && !told(0.0));
+}
+
+#[test]
+fn critical_speed_of_a_gyroscopic_tilt() {
+    use laval::study::campbell::Campbell;
+    // forward: A w^2 - C W w = k at w = W gives W^2 = k/(A - C); backward: W^2 = k/(A + C)
+    let (a, cp, k, h): (f64, f64, f64, f64) = (0.02, 0.008, 800.0, 0.1);
+    let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
+    let p = BearingCubicParams { stiffness: [k / (2.0 * h * h); 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
+    let system = Builder::new("gyro")
+        .part("disc", Disc::tilting(), DiscParams { mass: 4.0, diametral_inertia: a, polar_inertia: cp, ..DiscFamily::defaults() })
+        .part("upper", spring(h), p)
+        .part("lower", spring(-h), p)
+        .build()
+        .unwrap();
+    let study = Campbell {
+        speed: RangeValue { from: 0.0, to: 400.0, points: Some(30) },
+        orders: vec![1.0],
+        threshold: 0.0,
+        frequency: None,
+        compare: false,
+    };
+    let out = study.run(&system, &Context::quiet("campbell")).unwrap();
+    let t = out.find_table("critical_speeds").unwrap();
+    let speeds: Vec<f64> = (0..t.rows()).map(|k| t.column("speed").unwrap().number(k).unwrap()).collect();
+    for e in [(k / (a - cp)).sqrt(), (k / (a + cp)).sqrt(), (k / (h * h) / 4.0).sqrt()] {
+        let d = speeds.iter().map(|s| (s / e - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(d < 1e-12, "{e} in {speeds:?}");
+    }
+    assert_eq!(speeds.len(), 4);
+}
+
+/// The response, found in x and y, satisfies the characteristic equations, written apart in forward and backward coordinates.
+#[test]
+fn the_response_satisfies_the_characteristic_equations() {
+    use laval::solve::characteristic::Characteristic;
+    use laval::solve::rest::rest;
+    use laval_num::complex::c;
+    let system = Planar { fill: 0.6, delta: 3.0, ..Planar::default() }.build();
+    for speed in [60.0, 700.0, 2100.0] {
+        let found = at_speed(&system, speed).unwrap().unwrap();
+        let mut t = Characteristic::new(&system, &rest(&system, speed).unwrap());
+        let (mut m, mut d) = Default::default();
+        t.at(c(0.0, speed), &mut m, &mut d);
+        let (_, mut load) = t.loads();
+        t.sectors().polarise(&mut load);
+        let mut x = found.x.clone();
+        t.sectors().polarise(&mut x);
+        let size = load.iter().map(|f| f.abs()).fold(0.0, f64::max);
+        for (a, b) in m.mul_vec(&x).iter().zip(&load) {
+            assert!((*a - *b).abs() < 1e-9 * size, "{speed}: {a:?} {b:?}");
+        }
+    }
+}
+
+/// A pole is said to be one, and no number stands for it; a damping ratio of 1e-7 is a resonance like any other.
+#[test]
+fn an_undamped_resonance_has_no_amplitude() {
+    let rotor = |damping: f64| {
+        Builder::new("rotor")
+            .part("disc", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-5, ..DiscFamily::defaults() })
+            .part(
+                "spring",
+                BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::ground())),
+                BearingCubicParams { stiffness: [2e5; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 },
+            )
+            .part(
+                "air",
+                Damper::fixed(Link::Between(Attach::on("disc"), Attach::ground())),
+                DamperParams { damping: [damping; 2], tilt_damping: 0.0 },
+            )
+            .build()
+            .unwrap()
+    };
+    let (w, undamped) = (1e5f64.sqrt(), run(&rotor(0.0), 10.0, 600.0));
+    let f = undamped.findings.iter().find(|f| f.id == "undamped_resonance").unwrap();
+    assert!((f.value.unwrap() - w).abs() < 1e-7 * w, "{f:?}");
+    assert!(f.evidence.iter().all(|e| e.what != "amplitude"));
+    assert!(!undamped.findings.iter().any(|f| f.id == "largest_resonance"));
+    let (at, amplitude) = first(&undamped, "disc", "resonance");
+    assert!((at - w).abs() < 1e-7 * w && amplitude.is_nan());
+    let t = undamped.find_table("response").unwrap();
+    let largest = (0..t.rows()).filter_map(|k| t.column("amplitude.disc").unwrap().number(k)).fold(0.0, f64::max);
+    assert!(largest < 100.0, "{largest}");
+    // amplitude e/(2 D) at the resonance
+    let damped = run(&rotor(2.0 * 1e-7 * (2e5f64 * 2.0).sqrt()), 10.0, 600.0);
+    let (_, amplitude) = first(&damped, "disc", "resonance");
+    assert!((amplitude / (1e-5 / 2e-7) - 1.0).abs() < 1e-5, "{amplitude}");
+    assert!(!damped.findings.iter().any(|f| f.id == "undamped_resonance"));
+}
+
+/// Stopped early, a study claims only what it computed, and names the limit.
+#[test]
+fn stopped_early_nothing_is_claimed_of_the_rest() {
+    let system = Planar::default().build();
+    let context = Context { work_limit: 3, ..Context::quiet("response") };
+    let study = ForcedResponse { speed: RangeValue { from: 50.0, to: 4000.0, points: None } };
+    let out = study.run(&system, &context).unwrap();
+    assert_eq!(out.end, laval::outcome::End::WorkLimit);
+    assert!(out.end_in_words().contains("--work-limit"));
+    let f = out.findings.iter().find(|f| f.id == "no_resonance").unwrap();
+    assert!(f.text.contains("before the study stopped"), "{f:?}");
+}
+
+/// Twelve discs in a row: bodies share what the search for their extrema computes, and it ends where the amplitude is stationary.
+#[test]
+fn extrema_of_many_bodies_are_found_in_few_solutions() {
+    let mut text = String::from("[machine]\nname = \"row\"\n");
+    for i in 0..12 {
+        text += &format!(
+            "[[part]]\nkind = \"disc\"\nname = \"d{i}\"\nmass = {}\neccentricity = \"{} um\"\n",
+            2.0 + 0.1 * f64::from(i % 5),
+            10 + 3 * (i % 4)
+        );
+        text += &format!("[[part]]\nkind = \"damper\"\nname = \"c{i}\"\nbetween = [\"d{i}\", \"ground\"]\ndamping = 20\n");
+    }
+    for i in 0..=12 {
+        let (a, b) =
+            (if i == 0 { "ground".into() } else { format!("d{}", i - 1) }, if i == 12 { "ground".into() } else { format!("d{i}") });
+        text += &format!("[[part]]\nkind = \"shaft_lumped\"\nname = \"s{i}\"\nbetween = [\"{a}\", \"{b}\"]\nstiffness = 1e6\n");
+    }
+    let system = laval::file::load(&text).unwrap_or_else(|d| panic!("{d:?}")).system;
+    let states = AtomicU64::new(0);
+    let state = |w: f64| {
+        states.fetch_add(1, Ordering::Relaxed);
+        rest(&system, w)
+    };
+    let mut speeds = RangeValue { from: 10.0, to: 1600.0, points: Some(5) }.linspace(5);
+    speeds.extend(seeds(&system, &state, 10.0, 1600.0, &mut |_| true).unwrap());
+    states.store(0, Ordering::Relaxed);
+    let at: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
+    let found = curve(&system, &state, speeds, &at, &mut |_| true).unwrap();
+    let searched = states.load(Ordering::Relaxed) - found.solved;
+    assert!(found.extrema.len() > 100, "{}", found.extrema.len());
+    // golden section takes more than forty for each
+    assert!(searched < 10 * found.extrema.len() as u64, "{searched} solutions for {} extrema", found.extrema.len());
+    for e in &found.extrema {
+        let h = 1e-5 * e.speed;
+        let value = |w: f64| at_speed(&system, w).unwrap().unwrap().major(at[e.body]).ln();
+        let (before, here, after) = (value(e.speed - h), value(e.speed), value(e.speed + h));
+        assert!((here - e.value.ln()).abs() < 1e-10, "{e:?}");
+        let bend = 2.0 * here - before - after;
+        assert!(if e.maximum { bend > 0.0 } else { bend < 0.0 }, "{e:?}");
+        // distance of the vertex of the parabola through the three
+        let off = 0.5 * h * (after - before) / bend;
+        assert!(off.abs() < 1e-7 * e.speed, "{e:?}: {off}");
+    }
+}

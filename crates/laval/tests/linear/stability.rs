@@ -1,0 +1,102 @@
+//! Stability: band edges of the undamped machine, peaks and thresholds of the damped one.
+
+use crate::common;
+
+use common::{Planar, number, rows};
+use laval::model::field::RangeValue;
+use laval::outcome::Outcome;
+use laval::solve::rest::rest;
+use laval::solve::stability::row;
+use laval::study::{Context, Study, criterion::Criterion, stability_map::StabilityMap, support::About};
+
+fn grid(from: f64, to: f64, points: usize) -> Vec<f64> {
+    RangeValue { from, to, points: Some(points) }.linspace(points)
+}
+
+#[test]
+fn undamped_band_edges() {
+    let table = rows(include_str!("../reference/planar/instability_bands_undamped.csv"));
+    let (mut checked, mut worst) = (0, 0.0f64);
+    for four in table.chunks(4) {
+        let (base, fill) = (number(four[0][0]), number(four[0][1]));
+        assert!(four.iter().all(|r| r[0] == four[0][0] && r[1] == four[0][1]), "{four:?}");
+        let system = Planar { base, fill, chi: 0.0, chi0: 0.0, ..Planar::default() }.build();
+        let found = row(&system, &|w| rest(&system, w), &grid(20.0, 12000.0, 600), 0.0, |_| true).unwrap();
+        assert!(found.undamped);
+        assert_eq!(found.edges.len(), four.len(), "{base} {fill}: {:?}", found.edges.iter().map(|e| e.speed).collect::<Vec<_>>());
+        for (edge, r) in found.edges.iter().zip(four) {
+            let (speed, frequency) = (number(r[4]), number(r[5]));
+            assert_eq!(edge.onset, r[3] == "open");
+            assert!(edge.double && edge.located, "{r:?}: {edge:?}");
+            worst = worst.max((edge.speed / speed - 1.0).abs());
+            assert!((edge.speed / speed - 1.0).abs() < 1e-9, "{r:?}: {}", edge.speed);
+            assert!((edge.value.im / frequency - 1.0).abs() < 1e-9, "{r:?}: {}", edge.value.im);
+            checked += 1;
+        }
+    }
+    println!("{checked} edges, largest relative deviation {worst:.1e}");
+    assert_eq!(checked, table.len());
+}
+
+#[test]
+fn damped_peaks_and_thresholds() {
+    for r in rows(include_str!("../reference/planar/peak_growth.csv")) {
+        let system = Planar { fill: number(r[0]), ..Planar::default() }.build();
+        let (from, to) = if r[2] == "foundation" { (90.0, 300.0) } else { (1500.0, 6000.0) };
+        // 20 points: the search between them must find the peak
+        let found = row(&system, &|w| rest(&system, w), &grid(from, to, 20), 1.0, |_| true).unwrap();
+        let peak_speed = number(r[3]);
+        // below the threshold nothing is said
+        if number(r[4]) < 1.0 {
+            assert!(found.peaks.is_empty() && found.edges.is_empty());
+            continue;
+        }
+        let peak = found.peaks.iter().min_by(|a, b| (a.speed - peak_speed).abs().total_cmp(&(b.speed - peak_speed).abs())).unwrap();
+        assert!((peak.value.re / number(r[4]) - 1.0).abs() < 1e-10, "{r:?} {peak:?}");
+        // a maximum found by comparing values is known to the root of their rounding
+        assert!((peak.speed / peak_speed - 1.0).abs() < 1e-7, "{r:?} {peak:?}");
+        let edges: Vec<f64> = found.edges.iter().map(|e| e.speed).collect();
+        assert_eq!(edges.len(), 2, "{r:?} {edges:?}");
+        for (e, cell) in edges.iter().zip([r[6], r[7]]) {
+            assert!((e / number(cell) - 1.0).abs() < 1e-10, "{r:?} {e}");
+        }
+    }
+}
+
+#[test]
+fn critical_wave_damping_is_neutral() {
+    for r in rows(include_str!("../reference/planar/liquid_damping_threshold.csv")) {
+        let delta = number(r[3]);
+        if !delta.is_finite() {
+            continue;
+        }
+        let growth = |factor: f64| {
+            let system = Planar { fill: number(r[0]), delta: delta * factor, ..Planar::default() }.build();
+            let found = row(&system, &|w| rest(&system, w), &[number(r[1])], 0.0, |_| true).unwrap();
+            found.samples[0].value.re
+        };
+        assert!(growth(1.0 - 1e-6) > 0.0 && growth(1.0 + 1e-6) < 0.0, "{r:?}");
+    }
+}
+
+fn map(threads: usize) -> Outcome {
+    let system = Planar { fill: 0.8, ..Planar::default() }.build();
+    let study = StabilityMap {
+        speed: RangeValue { from: 1500.0, to: 6000.0, points: Some(30) },
+        parameter: Some(("liquid.free_surface_radius".into(), RangeValue { from: 0.03, to: 0.068, points: Some(6) })),
+        about: About::Rest,
+        criterion: Criterion::Growth,
+        threshold: 1.0,
+        frequency: None,
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| study.run(&system, &Context::quiet("map")).unwrap())
+}
+
+#[test]
+fn map_does_not_depend_on_threads_and_locates_its_boundary() {
+    let (one, two) = (map(1), map(2));
+    assert_eq!(one, two);
+    assert_eq!(one.find_table("map").unwrap().rows(), 180);
+    assert_eq!(one.find_table("boundary").unwrap().rows(), 12);
+}

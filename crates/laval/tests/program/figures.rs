@@ -1,0 +1,128 @@
+//! What figures and the page must show: narrow ranges, gaps, curves that coincide, modes beside a high one, sentences that studies share.
+
+use crate::common;
+
+use common::Planar;
+use laval::model::builder::Builder;
+use laval::model::field::{Attach, RangeValue};
+use laval::model::params::Family;
+use laval::model::part::Link;
+use laval::outcome::{Axis, Data, Figure, Finding, Line, Outcome, Panel, Table};
+use laval::parts::{disc::*, shaft_lumped::*};
+use laval::report::{Report, draw, html};
+use laval::study::{Context, Study, campbell::Campbell, criterion::Criterion, stability_map::StabilityMap, support::About};
+
+/// Path data of the elements of a class.
+fn paths<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {
+    let of = |tag: &&str| tag.starts_with("path ") && tag.split('"').nth(1).is_some_and(|c| c.split(' ').any(|w| w == class));
+    svg.split('<').filter(of).map(|tag| tag.rsplit(" d=\"").next().unwrap().split('"').next().unwrap()).collect()
+}
+
+fn map(system: &laval::model::system::System, from: f64, to: f64) -> Outcome {
+    let speed = RangeValue { from, to, points: Some(150) };
+    StabilityMap { speed, parameter: None, about: About::Rest, criterion: Criterion::Growth, threshold: 0.0, frequency: None }
+        .run(system, &Context::quiet("map"))
+        .unwrap()
+}
+
+/// The band of a foundation is 13 of 50000 rad/s wide: a fifth of a pixel.
+#[test]
+fn a_narrow_unstable_range_is_seen() {
+    let system = Planar { fill: 0.99, chi: 0.0, chi0: 0.0, ..Planar::default() }.build();
+    let o = map(&system, 20.0, 50_000.0);
+    let svg = draw(&o.figures[0], &o.tables).unwrap();
+    let strips = paths(&svg, "strip");
+    assert_eq!(strips.len(), 2, "{strips:?}");
+    for d in &strips {
+        let width: f64 = d.split('h').nth(1).unwrap().split('v').next().unwrap().parse().unwrap();
+        assert!(width >= 4.0, "{d}");
+    }
+    // instability_bands_undamped.csv
+    for words in ["unstable 113 to 126.2", "unstable 1972 to 2848"] {
+        assert!(svg.contains(words), "no {words}");
+    }
+}
+
+#[test]
+fn the_frequency_of_the_strongest_mode_has_gaps_where_the_mode_changes() {
+    let o = map(&Planar { fill: 0.667, ..Planar::default() }.build(), 20.0, 6000.0);
+    let t = o.find_table("map").unwrap();
+    let (Data::Float(f), Data::Flag(other)) = (&t.column("frequency").unwrap().data, &t.column("other_mode").unwrap().data) else {
+        panic!()
+    };
+    let jumps: Vec<f64> = f.windows(2).zip(&other[1..]).filter(|(_, o)| !**o).map(|(w, _)| (w[1] - w[0]).abs()).collect();
+    let largest = jumps.iter().fold(0.0, |m: f64, x| m.max(*x));
+    let changes = other.iter().filter(|o| **o).count();
+    // 40 rad/s between two speeds
+    assert!(changes > 0 && changes < 20 && largest < 120.0, "{changes} {largest}");
+    let svg = draw(&o.figures[0], &o.tables).unwrap();
+    let pieces = paths(&svg, "s").iter().map(|d| d.matches('M').count()).max().unwrap();
+    assert_eq!(pieces, changes + 1);
+}
+
+#[test]
+fn curves_that_coincide_are_both_seen() {
+    let t = Table::new("t", "").float("x", "", "", vec![0.0, 1.0, 0.0, 1.0]).float("y", "", "", vec![0.0, 1.0, 0.0, 1.0]).text(
+        "way",
+        "",
+        ["up", "up", "down", "down"].map(String::from).to_vec(),
+    );
+    let line = Line::new("t", "x", "y").group("way").nested();
+    let f = Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(Axis::new("y", "")).mark(line));
+    let svg = draw(&f, &[t.build().unwrap()]).unwrap();
+    let widths: Vec<f64> = svg
+        .split("<path class=\"s ")
+        .skip(1)
+        .map(|p| p.split("stroke-width=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap())
+        .collect();
+    assert!(widths.len() == 2 && widths[0] >= widths[1] + 2.0, "{widths:?}");
+}
+
+/// Two discs, one on a spring ten thousand times as stiff: its mode is a hundred times as high.
+#[test]
+fn a_high_mode_does_not_press_the_others_together() {
+    let link = |body: &str| Link::Between(Attach::on(body), Attach::ground());
+    let mut b = Builder::new("two");
+    for (body, k) in [("low", 1e6), ("high", 1e10)] {
+        let disc = DiscParams { mass: 1.0, ..DiscFamily::defaults() };
+        let spring = ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedFamily::defaults() };
+        b = b.part(body, Disc::planar(), disc).part(format!("{body} spring"), ShaftLumped::lateral(link(body)), spring);
+    }
+    let system = b.build().unwrap();
+    let campbell = |to: f64| {
+        let speed = RangeValue { from: 10.0, to, points: Some(20) };
+        Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None, compare: false }
+            .run(&system, &Context::quiet("campbell"))
+            .unwrap()
+    };
+    // excited up to 2000 rad/s; the high mode at 1e5 rad/s is said to be outside
+    let o = campbell(2000.0);
+    let f = &o.figures[0];
+    let near = |range: Option<(f64, f64)>, top: f64| range.is_some_and(|(lo, hi)| lo == 0.0 && (hi / top - 1.0).abs() < 1e-9);
+    assert!(near(f.panels[0].y.range, 2500.0), "{:?}", f.panels[0].y.range);
+    assert!(f.alt.contains("Above the axis, beyond 2500 rad/s"), "{}", f.alt);
+    // the table keeps it
+    let Data::Float(all) = &o.find_table("modes").unwrap().column("frequency").unwrap().data else { panic!() };
+    assert!(all.iter().any(|f| (f / 1e5 - 1.0).abs() < 1e-9));
+    // a range of speeds that ends below every mode shows the lowest
+    assert!(near(campbell(100.0).figures[0].panels[0].y.range, 1250.0));
+    // and one that reaches the high mode shows all
+    assert_eq!(campbell(2e5).figures[0].panels[0].y.range, None);
+}
+
+#[test]
+fn what_studies_say_in_the_same_words_stands_once() {
+    let said = |study: &str| Outcome::new("modes", study).finding(Finding::info("linearised", "Tangent <everywhere>."));
+    let own = said("third").finding(Finding::info("own", "Of its own."));
+    let report = Report { outcomes: vec![said("first"), said("second"), own], ..Report::default() };
+    let page = html(&report).unwrap();
+    let summary = page.split("<section class=\"summary\"").nth(1).unwrap().split("</section>").next().unwrap();
+    assert_eq!(summary.matches("Tangent").count(), 1, "{summary}");
+    let line = summary.lines().find(|l| l.contains("Tangent")).unwrap();
+    for study in ["first", "second", "third"] {
+        assert!(line.contains(study), "{line}");
+    }
+    assert!(summary.contains("Of its own."));
+    // each study keeps its own
+    assert_eq!(page.matches("Tangent").count(), 4);
+}

@@ -1,0 +1,12 @@
+//! What the program says and shows: mistakes, texts, figures, documents, the structure of the code.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod all_mistakes;
+mod architecture;
+mod docs;
+mod figures;
+mod texts;
+mod typical_mistakes;
+mod validation;

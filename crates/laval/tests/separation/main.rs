@@ -1,0 +1,10 @@
+//! Centrifugal separation: particles, recovery, operating windows.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod ensemble;
+mod motion;
+mod operating_window;
+mod recovery;
+mod window_edges;

@@ -1,0 +1,120 @@
+//! Why the window of a nonlinear machine without a duty ends where it ends: limits that are reached, jumps at folds, growth rates.
+
+use crate::common;
+
+use common::base::{Base, run};
+use laval::file::load;
+use laval::outcome::{Data, Finding, Outcome, Table};
+use laval::solve::harmonic::measure::Measure;
+use laval::solve::harmonic::orbit::Orbit;
+use laval::solve::harmonic::problem::Balance;
+use laval::solve::harmonic::response::Request;
+use laval::study::Context;
+use laval_num::newton::{Options, newton};
+
+const MACHINE: &str = r#"
+[machine]
+name = "planar set"
+[[part]]
+kind = "disc"
+name = "drum"
+mass = "2.4 kg"
+eccentricity = "0.05 mm"
+[[part]]
+kind = "foundation"
+name = "base"
+mass = "25 kg"
+stiffness = "3.26e5 N/m"
+damping = "6.59 N s/m"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["drum", "base"]
+stiffness = "1.1e7 N/m"
+cubic_stiffness = "8.7e10 N/m^3"
+law = "per_axis"
+[[part]]
+kind = "damper"
+name = "air"
+between = ["drum", "ground"]
+damping = "42 N s/m"
+"#;
+
+fn window(limits: &str, extra: &str) -> Outcome {
+    let text = format!(
+        "{MACHINE}{extra}\n[limits]\n{limits}\n[[study]]\nkind = \"operating_window\"\nspeed = {{ from = \"50 rad/s\", to = \"5000 rad/s\" }}\n"
+    );
+    let loaded = load(&text).unwrap_or_else(|d| panic!("{:?}", d.0));
+    loaded.studies[0].study.run(&loaded.system, &Context::quiet("window")).unwrap()
+}
+
+fn edges<'a>(o: &'a Outcome, side: &str) -> Vec<&'a Finding> {
+    o.findings.iter().filter(|f| f.id == "edge" && f.subject == side).collect()
+}
+
+fn evidence(f: &Finding, what: &str) -> f64 {
+    f.evidence.iter().find(|e| e.what == what).unwrap_or_else(|| panic!("no {what} in {f:?}")).value
+}
+
+fn words(t: &Table, name: &str) -> Vec<String> {
+    match &t.column(name).unwrap().data {
+        Data::Text(v) => v.clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// At the edge the state of small motions has just the displacement, or force, that is allowed; where the branch of large motions begins, the window of high speeds
+/// begins, at the fold of the reference.
+#[test]
+fn limits_are_reached_and_jumps_lie_at_folds() {
+    let base = Base { e: 5e-5, ..Base::default() };
+    let system = base.builder().build().unwrap();
+    let response = run(base.builder(), Request { stability: false, truncation: 1e-9, ..Request::over(25.0, 5000.0) });
+    let folds: Vec<f64> = response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed).collect();
+    let upper = folds.iter().copied().fold(0.0, f64::max);
+    assert!((upper - 2668.4586212391).abs() < 1e-6, "{folds:?}");
+    for (limits, measure, limit, unit) in [
+        ("displacement = { drum = \"0.3 mm\" }", Measure::Displacement(0), 3e-4, "300 µm"),
+        ("force = { bearing = \"2 kN\" }", Measure::Force(2), 2000.0, "2 kN"),
+    ] {
+        let o = window(limits, "");
+        let (ends, begins) = (edges(&o, "ends"), edges(&o, "begins"));
+        assert_eq!((ends.len(), begins.len()), (1, 1), "{:?}", o.findings);
+        let at = ends[0].value.unwrap();
+        assert!(ends[0].text.contains("reaches its limit") && ends[0].text.contains(unit), "{}", ends[0].text);
+        assert!(evidence(ends[0], "width of the bracket") < 1e-8);
+        let mut balance = Balance::new(&system, response.discretisation.whole(), (25.0, 5000.0), None).unwrap();
+        let below = response.branches[0].points.iter().take_while(|p| p.speed < at).last().unwrap();
+        let mut x = below.x.clone();
+        newton(&mut balance, &mut x, at, &Options { to_rounding: true, ..Options::default() }).unwrap();
+        let found = measure.largest(&system, &Orbit::of(&mut balance, &x, at).unwrap(), 1).0;
+        assert!((found - limit).abs() < 1e-9 * limit, "{found} {limit}");
+        let jump = begins[0].value.unwrap();
+        assert!((jump - upper).abs() < 1e-7, "{jump} {upper}");
+        assert!(evidence(begins[0], "difference from the fold by its extended system") < 1e-7);
+        assert!(begins[0].text.contains("2 stable states (a slow sweep can reach each of them"), "{}", begins[0].text);
+        let widest = o.findings.iter().find(|f| f.id == "widest_window").unwrap();
+        assert!((widest.value.unwrap() - (5000.0 - jump).max(at - 50.0)).abs() < 1e-9);
+        let t = o.find_table("window").unwrap();
+        assert!(words(t, "high reason")[0].contains("reaches its limit") && words(t, "low reason")[0] == "the range looked at ends");
+    }
+}
+
+/// With liquid, stability ends the window where a disturbance begins to grow faster than allowed.
+#[test]
+fn growth_ends_a_window() {
+    let liquid = r#"
+[[part]]
+kind = "liquid"
+name = "liquid"
+in = "drum"
+cavity_radius = "70 mm"
+cavity_height = "60 mm"
+density = "1000 kg/m^3"
+fill = { free_surface_radius = "46.7 mm" }
+wave_damping = "40 1/s"
+"#;
+    let o = window("growth_margin = \"0.1 1/s\"\ndisplacement = { drum = \"20 mm\" }", liquid);
+    let all: Vec<_> = edges(&o, "ends").into_iter().chain(edges(&o, "begins")).collect();
+    assert!(all.iter().any(|f| f.text.contains("passes the limit of −0.1 1/s")), "{:?}", o.findings);
+}
