@@ -39,6 +39,7 @@ macro_rules! erased {
             fn warnings(&self, p: &[f64]) -> Vec<String>;
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
+            fn places(&self, p: &[f64]) -> Vec<(usize, f64)>;
             fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>);
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
             fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
@@ -110,6 +111,9 @@ macro_rules! erased {
             }
             fn rough(&self) -> Option<Arc<dyn Erased>> {
                 Part::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
+            }
+            fn places(&self, p: &[f64]) -> Vec<(usize, f64)> {
+                Part::places(self, &T::Family::from_slice(p))
             }
             fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>) {
                 Part::grip(self, &T::Family::from_slice(p), at, out)

@@ -411,6 +411,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
         Vec::new()
     }
+    /// Where own coordinates are when a motion begins and nothing is said of them: local coordinate and value; others rest.
+    fn places(&self, _p: &Params<Self, f64>) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
     /// Dry friction on own coordinates that rest: local coordinate, and the largest force (N; of an angle N m) that it holds.
     fn grip(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<(usize, f64)>) {}
     /// Of a part that balances by itself.

@@ -506,11 +506,19 @@ impl System {
     /// Coordinates that dry friction holds where they rest, as (coordinate, largest force): own coordinates of parts.
     pub fn grips(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, f64)> {
         let held = self.each(at, ws, |slot, l, out| slot.part.grip(&self.params[slot.params.clone()], l, out));
-        let own = |(k, (local, force)): (usize, (usize, f64))| match self.slots[k].map.get(local).map(|row| &row[..]) {
-            Some(&[(g, 1.0)]) if force > 0.0 => Some((g, force)),
+        held.into_iter().filter(|h| h.1.1 > 0.0).filter_map(|(k, h)| self.own(k, h)).collect()
+    }
+    /// Where coordinates are when a motion begins and nothing is said of them, as (coordinate, value): own coordinates of parts.
+    pub fn places(&self) -> Vec<(usize, f64)> {
+        let all = self.slots.iter().enumerate();
+        all.flat_map(|(k, s)| s.part.places(&self.params[s.params.clone()]).into_iter().filter_map(move |x| self.own(k, x))).collect()
+    }
+    /// What a part says of a local coordinate, said of the machine's; `None` of a coordinate that is not its own.
+    fn own(&self, slot: usize, (local, value): (usize, f64)) -> Option<(usize, f64)> {
+        match self.slots[slot].map.get(local).map(|row| &row[..]) {
+            Some(&[(g, 1.0)]) => Some((g, value)),
             _ => None,
-        };
-        held.into_iter().filter_map(own).collect()
+        }
     }
     /// What the parts with movable masses look like at a point, as (part, circle).
     pub fn outlines(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Outline)> {

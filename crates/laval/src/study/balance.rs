@@ -11,6 +11,7 @@ use crate::solve::motion::flight::Flight;
 use crate::solve::pencil::modes_about;
 use crate::solve::rest::rest;
 use crate::solve::unbalance::{Unbalance, unbalance};
+use std::f64::consts::TAU;
 
 /// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
 const SETTLED: f64 = 0.05;
@@ -115,6 +116,20 @@ fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
         span,
         "s",
     ))
+}
+
+/// Turns of the rotor on either side of a time over which masses are watched, and turns in it that they make meanwhile when they go round.
+const WATCHED: f64 = 8.0;
+const ROUND: f64 = 0.5;
+
+/// Whether masses go round in the rotor about a time, which turns by `phase` (rad).
+pub(super) fn slips(system: &System, flight: &Flight, t: f64, phase: &dyn Fn(f64) -> f64) -> bool {
+    let dim = flight.state.len().max(1);
+    let mut near = (0..flight.times.len()).filter(|&k| (phase(flight.times[k]) - phase(t)).abs() <= TAU * WATCHED);
+    let (Some(first), Some(last)) = (near.next(), near.next_back()) else { return false };
+    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+    inside.map(|(i, _)| (state(last)[i] - state(first)[i]).abs()).any(|turned| turned > TAU * ROUND)
 }
 
 /// Unwrapped angles of what moves in the rotor, against time.

@@ -285,17 +285,35 @@ impl RunUp {
             }
             let spin = |t: f64| self.programme.at(t);
             let seen = envelope(windows, &spin);
+            let slips = |t: f64| balance::slips(system, flight, t, &|t| spin(t).phase);
+            let mut round: Vec<(f64, f64)> = Vec::new();
             for i in passages(&seen, &spin) {
                 let p = seen[i];
                 let speed = |k: usize| self.programme.at(seen[k].t).speed;
                 let beside = |mut k: Box<dyn Iterator<Item = usize>>| k.find(|&k| seen[k].t != p.t).map_or(speed(i), speed);
                 let (before, after) = (beside(Box::new((0..i).rev())), beside(Box::new(i + 1..seen.len())));
                 let at = self.programme.at(p.t).speed;
+                if before == at && after == at {
+                    // nothing is passed while the speed is held
+                    continue;
+                }
+                if slips(p.t) {
+                    round.push((p.amplitude, at));
+                    continue;
+                }
                 let text = format!("\"{}\" passes a resonance: its envelope peaks at {{}}.", b.name);
                 let finding = Finding::info("peak", text).of(&b.name).value(at, "rad/s").evidence("amplitude", p.amplitude, "m");
                 let point = SpecialPoint::new("peak", at, (before.min(after), before.max(after))).status(Status::Bracketed);
                 outcome =
                     outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, "m"));
+            }
+            if let Some(&(amplitude, at)) = round.iter().max_by(|a, b| a.0.total_cmp(&b.0)) {
+                let text = format!(
+                    "\"{}\" swings while masses go round in the rotor, which is no resonance of its own: its envelope peaks most at {{}}.",
+                    b.name
+                );
+                let finding = Finding::info("swings", text).of(&b.name).value(at, "rad/s").evidence("amplitude", amplitude, "m");
+                outcome = outcome.finding(finding.evidence("peaks", round.len() as f64, ""));
             }
         }
         outcome

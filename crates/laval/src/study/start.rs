@@ -14,8 +14,8 @@ pub(super) const INITIAL: Field = Field::optional(
     "initial",
     FieldKind::StateMap,
     "",
-    "start, by name: displacements (\"drum.x\", counted from the undeflected place), rates (\"drum.x'\") and internal states; everything else starts at \
-     rest, sagged under its weight when the axis is horizontal",
+    "start, by name: displacements (\"drum.x\", counted from the undeflected place), rates (\"drum.x'\") and internal states; balls that touch lie side by \
+     side from the node line on when nothing is said of them, everything else starts at rest, sagged under its weight when the axis is horizontal",
 );
 
 /// The start of a motion.
@@ -24,6 +24,8 @@ pub(super) struct Start {
     pub rest: Vec<f64>,
     /// Internal states at rest.
     states: Vec<f64>,
+    /// Coordinates that begin elsewhere, by the word of their parts.
+    places: Vec<(usize, f64)>,
     /// What must be said of it.
     pub finding: Option<Finding>,
 }
@@ -31,14 +33,16 @@ pub(super) struct Start {
 impl Start {
     /// At the static equilibrium at a spin speed; undeflected where there is none.
     pub fn new(system: &System, speed: f64) -> Self {
+        let places = system.places();
         match rest(system, speed) {
-            Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, finding: None },
+            Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, finding: None },
             Err(d) => {
                 let text = format!("The motion starts undeflected and is measured from there: {}.", d.message);
                 let loaded = system.machine.axis == Axis::Horizontal;
                 Start {
                     rest: vec![0.0; system.n()],
                     states: vec![0.0; system.m()],
+                    places,
                     finding: loaded.then(|| Finding::warning("start", text)),
                 }
             }
@@ -49,6 +53,7 @@ impl Start {
     pub fn write(&self, entries: &[(Entry, f64)], y: &mut [f64]) {
         let n = self.rest.len();
         y[..n].copy_from_slice(&self.rest);
+        self.places.iter().for_each(|&(i, x)| y[i] = x);
         y[2 * n..2 * n + self.states.len()].copy_from_slice(&self.states);
         for &(e, x) in entries {
             match e {

@@ -198,3 +198,80 @@ fn balls_that_touch_are_a_state_of_their_own() {
         assert_eq!(contact[i], 0.0);
     }
 }
+
+/// Of three balls that touch in a row the outer contacts carry what pulls the outer balls inwards.
+#[test]
+fn three_balls_touch_in_a_row() {
+    let (k, radius) = (0.5, 0.05f64);
+    let ring = format!("ball_radius = {radius}\ncontact_stiffness = {k}");
+    let o = run(&machine(0.5, 3, &ring, &stationary(0.4, 0.6)));
+    let (kinds, speeds, contact) = (words(&o, "states", "kind"), column(&o, "states", "speed"), column(&o, "states", "contact"));
+    let angles: Vec<Vec<f64>> = (1..=3).map(|i| column(&o, "states", &format!("ring.ball_{i}"))).collect();
+    let (stable, displaced) = (column(&o, "states", "stable"), column(&o, "states", "disc radius"));
+    let mut rows = 0;
+    for i in (0..kinds.len()).filter(|&i| kinds[i] == "touching") {
+        let mut balls = [angles[0][i], angles[1][i], angles[2][i]];
+        let (zeta, torque) = held(speeds[i], &balls);
+        // what each ball is pushed by the others must carry its torque; all together they carry nothing
+        let push = |a: f64, b: f64| {
+            let apart = (b - a).sin().atan2((b - a).cos());
+            let overlap = 2.0 * radius.asin() - apart.abs();
+            if overlap > 0.0 { k * overlap.powf(1.5) * apart.signum() } else { 0.0 }
+        };
+        let mut most = 0.0f64;
+        for a in 0..3 {
+            let from: Vec<f64> = (0..3).filter(|b| *b != a).map(|b| push(balls[a], balls[b])).collect();
+            // pushed back by a ball ahead, forth by one behind; torque is what the track must be given
+            let pushed: f64 = from.iter().sum();
+            assert!((pushed.abs() - torque[a].abs()).abs() < 1e-9 * contact[i], "{pushed} {}", torque[a]);
+            most = from.iter().fold(most, |m, f| m.max(f.abs()));
+        }
+        assert!(torque.iter().sum::<f64>().abs() < 1e-9 * most);
+        assert!((contact[i] - most).abs() < 1e-9 * most && (displaced[i] - zeta.abs()).abs() < 1e-9 * zeta.abs());
+        balls.sort_by(f64::total_cmp);
+        rows += usize::from(stable[i] == 1.0 && balls[2] - balls[0] < 4.0 * radius && balls[2] - balls[0] > 3.5 * radius);
+    }
+    assert_eq!(rows, 3, "three in a row at each of the speeds: {kinds:?} {stable:?}");
+}
+
+/// Three balls balance in a continuum: of all angles at which friction holds them, none within reach leaves much more than was met.
+#[test]
+fn friction_leaves_an_unbalance_about_a_continuum() {
+    let (w, friction) = (3.0, 2e-3);
+    let o = run(&machine(w, 3, &format!("dry_torque = {friction}"), &stationary(2.9, 3.1)));
+    let finding = o.findings.iter().find(|f| f.id == "dead_zone" && f.subject == "continuum").expect("a finding");
+    let met = finding.value.unwrap();
+    let (kinds, speeds) = (words(&o, "dead_zone_continua", "kind"), column(&o, "dead_zone_continua", "speed"));
+    let (angle, left) = (column(&o, "dead_zone_continua", "angle"), column(&o, "dead_zone_continua", "unbalance"));
+    let k = (0..kinds.len()).find(|&k| kinds[k] == "balanced" && speeds[k] == w).expect("the continuum");
+    assert!(left[k] == met && column(&o, "dead_zone_continua", "closed")[k] == 1.0);
+    // friction is just used up there
+    let moment = |x: &[f64]| x.iter().fold(c(UNBALANCE, 0.0), |u, a| u + C64::cis(*a).scale(MASS)).abs();
+    let worst = [angle[k], angle[k + 1], angle[k + 2]];
+    let share = held(w, &worst).1.iter().fold(0.0f64, |m, t| m.max(t.abs())) / friction;
+    assert!((share - 1.0).abs() < 1e-6 && (moment(&worst) / met - 1.0).abs() < 1e-9, "{share} {} {met}", moment(&worst));
+    // all angles on a grid that are joined to balanced ones by others that friction holds
+    const N: usize = 144;
+    let place = |i: usize| std::f64::consts::TAU * i as f64 / N as f64;
+    let at = |i: usize| [place(i / (N * N)), place(i / N % N), place(i % N)];
+    let holds: Vec<bool> = (0..N * N * N).map(|i| held(w, &at(i)).1.iter().all(|t| t.abs() <= friction)).collect();
+    let mut seen: Vec<bool> = (0..N * N * N).map(|i| holds[i] && moment(&at(i)) < 0.2 * met).collect();
+    let mut waiting: Vec<usize> = (0..N * N * N).filter(|&i| seen[i]).collect();
+    assert!(waiting.len() > 100);
+    let mut most = 0.0f64;
+    while let Some(i) = waiting.pop() {
+        most = most.max(moment(&at(i)));
+        let own = [i / (N * N), i / N % N, i % N];
+        for step in 0..27 {
+            let to: Vec<usize> = (0..3).map(|d| (own[d] + N + step / 3usize.pow(d as u32) % 3 - 1) % N).collect();
+            let j = (to[0] * N + to[1]) * N + to[2];
+            if holds[j] && !seen[j] {
+                seen[j] = true;
+                waiting.push(j);
+            }
+        }
+    }
+    assert!(met < 1.3 * most && met > 0.5 * most, "met {met}, on the grid {most}");
+    // without friction there is nothing to tell
+    assert!(run(&machine(w, 3, "", &stationary(2.9, 3.1))).find_table("dead_zone_continua").is_none());
+}

@@ -303,3 +303,50 @@ fn friction_and_contact_keep_account() {
     assert!(value(&o, "contacts") >= 2.0, "{:?}", o.findings);
     assert!(value(&o, "energy_balance") < 1e-6, "{}", value(&o, "energy_balance"));
 }
+
+/// Touching balls of which nothing is said begin side by side, and what is said of one goes before.
+#[test]
+fn balls_that_touch_begin_side_by_side() {
+    let touching = EXAMPLE
+        .replace("balls = 2", "tracks = { balls = [3, 2], radius = [1, 0.8] }\ncontact_stiffness = 20\nball_radius = \"8 mm\"");
+    let touching = touching.replace("duration = \"3 s\"", "duration = \"0.02 s\"");
+    let from = touching.find("initial = {").expect("the example says where its balls begin");
+    let to = from + touching[from..].find('\n').unwrap();
+    let said = format!("{}initial = {{ \"balancer.ball_2\" = 1.5 }}{}", &touching[..from], &touching[to..]);
+    let silent = format!("{}{}", &touching[..from], &touching[to..]);
+    let radius = 0.1f64;
+    let apart = |r: f64| 2.0 * (8e-3 / r).asin();
+    let want = [0.0, apart(radius), 2.0 * apart(radius), 0.0, apart(0.8 * radius)];
+    for (text, second) in [(&silent, want[1]), (&said, 1.5)] {
+        let o = run(text, 0);
+        for (k, want) in [want[0], second, want[2], want[3], want[4]].into_iter().enumerate() {
+            let angle = column(&o, "motion", &format!("balancer.ball_{}", k + 1))[0];
+            assert!((angle - want).abs() < 1e-12, "{k}: {angle} {want}");
+        }
+        assert!(value(&o, "energy_balance") < 1e-6);
+    }
+    assert!(!has(&run(&silent, 0), "validity"), "{:?}", run(&silent, 0).findings);
+}
+
+/// Balls that go round in the rotor make its envelope swing; that, and what happens while the speed is held, is no passage through a resonance.
+#[test]
+fn what_balls_do_is_no_resonance() {
+    let machine = |ball: f64| {
+        format!(
+            "[machine]\nname = \"planar\"\nspeed = 3\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 1\neccentricity = 0.01\n\
+             [[part]]\nkind = \"shaft_lumped\"\nname = \"shaft\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 1\n\
+             [[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"disc\", \"ground\"]\ndamping = 0.1\n\
+             [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"disc\"\nballs = 2\nbody_tilt = false\ngravity = 0\nball_mass = {ball}\n\
+             track_radius = 1\ndrag = 1e-4\n[[study]]\nkind = \"run_up\"\nduration = 300\nhold = 300\nfrom = 0.1\nto = 3\n\
+             initial = {{ \"ring.ball_2\" = 1 }}\n"
+        )
+    };
+    let slipping = run(&machine(0.05), 0);
+    assert!(has(&slipping, "masses_caught") && has(&slipping, "swings"), "{:?}", slipping.findings);
+    let peaks: Vec<f64> = slipping.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
+    assert!(peaks.len() <= 1 && peaks.iter().all(|w| *w < 1.5), "{peaks:?}");
+    // with balls that weigh nothing to speak of the critical speed is passed and told
+    let plain = run(&machine(1e-9), 0);
+    let peaks: Vec<f64> = plain.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
+    assert!(peaks.len() == 1 && (0.95..1.2).contains(&peaks[0]) && !has(&plain, "swings"), "{:?}", plain.findings);
+}

@@ -488,6 +488,15 @@ impl Part for BallBalancer {
         Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p), contact })
     }
 
+    fn places(&self, p: &Params<Self, f64>) -> Vec<(usize, f64)> {
+        let beside = |track: &Track| {
+            let angle = 2.0 * (p.ball_radius / (p.track_radius * track.radius)).asin();
+            let first = track.balls.start;
+            track.balls.clone().map(move |i| (self.row(i), (i - first) as f64 * angle)).collect::<Vec<_>>()
+        };
+        if self.contact { self.tracks.iter().flat_map(beside).collect() } else { Vec::new() }
+    }
+
     fn grip(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<(usize, f64)>) {
         for (k, track) in self.tracks.iter().enumerate() {
             let ring = self.ring(p, at, k);

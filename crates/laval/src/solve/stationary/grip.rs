@@ -5,18 +5,41 @@
 //! ```
 //!
 //! The ends of the range are sought where friction is used up: at the corners f_i = +T_i or -T_i, reached step by step from the state without friction.
+//! About the states of a continuum there are no such corners: there the masses are moved along straight ways until friction gives way.
 
 use super::{Search, State};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::Workspace;
+use crate::solve::characteristic::Equilibrium;
 use crate::solve::characteristic::coordinate_sectors;
 use crate::solve::pencil::{Linearised, time_forms};
+use laval_num::sampling::Points;
+use std::f64::consts::PI;
 
 /// Most coordinates all of whose corners are visited; of more only those at which all pull alike, and each alone.
 const MOST: usize = 6;
 /// Steps from the state to a corner.
 const STEPS: usize = 16;
+
+/// Ways from a state of a continuum: as many at random for each mass, beside those on which it moves alone.
+const WAYS: usize = 4;
+/// Step along a way, rad, and halvings of the last one.
+const STEP: f64 = 0.05;
+const HALVINGS: usize = 40;
+/// Steps of Newton's method for what is not held, and their length in typical sizes at which it rests.
+const SETTLING: (usize, f64) = (20, 1e-10);
+
+/// What friction holds about a state of a continuum.
+#[derive(Clone, Debug)]
+pub struct Slack {
+    /// Coordinates held, and the largest force on each (N; of angles N m).
+    pub held: Vec<(usize, f64)>,
+    /// Unknowns where friction is just used up, one for each way; where it holds half a turn on, those there.
+    pub ends: Vec<Vec<f64>>,
+    /// Friction gave way on all of them.
+    pub closed: bool,
+}
 
 /// A state with the range that friction makes of it.
 #[derive(Clone, Debug)]
@@ -39,10 +62,7 @@ impl Search<'_> {
     pub fn zone(&mut self, state: &State) -> Result<Option<Zone>, Diagnostic> {
         let system = self.problem.system;
         let about = self.problem.equilibrium(&state.x, state.speed);
-        let sectors = coordinate_sectors(system);
-        let (v, a) = (about.velocity(&sectors), about.acceleration(&sectors));
-        let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed: state.speed, spin_accel: 0.0, t: 0.0 };
-        let held = system.grips(&at, &mut Workspace::default());
+        let held = self.gripped(&about, state.speed);
         if held.is_empty() {
             return Ok(None);
         }
@@ -61,6 +81,81 @@ impl Search<'_> {
             out.growth = spectrum.ok().and_then(|s| s.least_stable().map(|m| m.value.re)).unwrap_or(f64::NAN);
         }
         Ok(Some(out))
+    }
+
+    /// Coordinates that friction holds, and how strongly.
+    fn gripped(&self, about: &Equilibrium, speed: f64) -> Vec<(usize, f64)> {
+        let system = self.problem.system;
+        let sectors = coordinate_sectors(system);
+        let (v, a) = (about.velocity(&sectors), about.acceleration(&sectors));
+        let at = At { q: &about.q, v: &v, a: &a, z: &about.z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.grips(&at, &mut Workspace::default())
+    }
+
+    /// How far from a state of a continuum friction holds the masses; `None` where nothing is held. `tried` numbers the ways.
+    pub fn slack(&mut self, state: &State, tried: u32) -> Option<Slack> {
+        let about = self.problem.equilibrium(&state.x, state.speed);
+        let held = self.gripped(&about, state.speed);
+        if held.is_empty() {
+            return None;
+        }
+        let n = held.len();
+        let alone = (0..2 * n).map(|k| (0..n).map(|i| if i == k / 2 { if k % 2 == 0 { 1.0 } else { -1.0 } } else { 0.0 }).collect());
+        let random = (0..WAYS * n).map(|k| {
+            let place = tried.wrapping_mul((WAYS * n) as u32).wrapping_add(k as u32);
+            (0..n).map(|i| 2.0 * Points::Random.at(10, place, i as u32) - 1.0).collect()
+        });
+        let ways: Vec<Vec<f64>> = alone.chain(random).collect();
+        let mut out = Slack { held, ends: Vec::new(), closed: true };
+        for way in ways {
+            let (end, gave) = self.way(state, &out.held, &way);
+            out.ends.push(end);
+            out.closed &= gave;
+        }
+        Some(out)
+    }
+
+    /// Along a straight way until friction is used up or half a turn is over: where, and whether friction gave way.
+    fn way(&mut self, state: &State, held: &[(usize, f64)], way: &[f64]) -> (Vec<f64>, bool) {
+        let longest = way.iter().fold(0.0f64, |m, w| m.max(w.abs()));
+        let mut last = state.x.clone();
+        let mut at = 0.0;
+        while at < PI {
+            let next = (at + STEP).min(PI);
+            let mut place = |s: f64, from: &[f64]| -> Option<Vec<f64>> {
+                let mut x = from.to_vec();
+                held.iter().zip(way).for_each(|(h, w)| x[h.0] = state.x[h.0] + s * w / longest);
+                self.holds(&mut x, state.speed, held).then_some(x)
+            };
+            let Some(x) = place(next, &last) else {
+                let (mut lo, mut hi) = (at, next);
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (lo + hi);
+                    match place(middle, &last) {
+                        Some(x) => (lo, last) = (middle, x),
+                        None => hi = middle,
+                    }
+                }
+                return (last, true);
+            };
+            (last, at) = (x, next);
+        }
+        (last, false)
+    }
+
+    /// Lets everything that is not held come to rest, and tells whether friction holds the rest.
+    fn holds(&mut self, x: &mut [f64], speed: f64, held: &[(usize, f64)]) -> bool {
+        let free: Vec<usize> = (0..x.len()).filter(|i| held.iter().all(|h| h.0 != *i)).collect();
+        for _ in 0..SETTLING.0 {
+            let Some((moved, r)) = self.yield_to(x, speed, &free) else { return false };
+            if !moved.is_finite() {
+                return false;
+            }
+            if moved <= SETTLING.1 {
+                return held.iter().all(|h| r[h.0].abs() <= h.1);
+            }
+        }
+        false
     }
 
     /// The state at which friction is used up in these directions.

@@ -15,7 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::System;
 pub use found::{Change, Found, Located, Loose, Path, Progress, Request, Sample, Stability, State};
-pub use grip::Zone;
+pub use grip::{Slack, Zone};
 use images::Images;
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Zero, cross, trace_both};
@@ -28,6 +28,8 @@ use std::sync::atomic::AtomicBool;
 
 /// Share of the turn within which a ring is nearly flat.
 const NEARLY_FLAT: f64 = 0.1;
+/// Widest angle between masses that lie side by side in a start, rad.
+const WIDEST: f64 = 0.5;
 /// Roots this many times as large as the speed drown slow growth in their rounding: the others are then solved for by themselves.
 const STIFF: f64 = 50.0;
 /// Two states are one within this many typical sizes.
@@ -77,13 +79,15 @@ impl<'a> Search<'a> {
     }
 
     /// A start: everything where it comes to rest with the angles held. Of four starts two have the angles spread over the turn, one has the masses of each part
-    /// together, one has them opposite each other in turn; every other one has rings that may turn over nearly flat. States with few masses apart attract few
-    /// starts of the first kind.
+    /// together or side by side, one has them opposite each other in turn; every other one has rings that may turn over nearly flat. States with few masses
+    /// apart attract few starts of the first kind.
     pub fn start(&mut self, index: usize, speed: f64) -> Option<Vec<f64>> {
         let n = self.problem.system.n();
         let free: Vec<usize> = (0..self.problem.dim()).filter(|i| !self.images.angles.contains(i)).collect();
         let mut x = vec![0.0; self.problem.dim()];
         let mut first: Vec<(usize, f64, bool)> = Vec::new();
+        // masses that touch lie side by side
+        let beside = if index % 8 == 6 { WIDEST * Points::Sobol.at(9, index as u32, 0) } else { 0.0 };
         for (d, &i) in self.images.angles.iter().enumerate() {
             let own = PI * (2.0 * Points::Sobol.at(7, index as u32, d as u32) - 1.0);
             if self.images.flips.iter().any(|f| f.0 == i) {
@@ -95,6 +99,7 @@ impl<'a> Search<'a> {
             match first.iter_mut().find(|f| f.0 == slot) {
                 Some(f) if index % 4 >= 2 => {
                     f.2 = !f.2 && index % 4 == 3;
+                    f.1 += beside;
                     x[i] = f.1 + if f.2 { PI } else { 0.0 };
                 }
                 Some(_) => {}
@@ -106,18 +111,22 @@ impl<'a> Search<'a> {
                 x[i] = self.scale[i] * (2.0 * Points::Random.at(8, index as u32, d as u32) - 1.0);
             }
         }
-        let size = x.len();
-        let (mut r, mut jac) = (vec![0.0; size], Mat::zeros(size, size));
         // nearly linear in what is left
         for _ in 0..3 {
-            r.fill(0.0);
-            jac.reset(size, size);
-            self.problem.eval(&x, speed, &mut r, Some(&mut jac), None).ok()?;
-            let mut step: Vec<f64> = free.iter().map(|&i| r[i]).collect();
-            Lu::new(&Mat::from_fn(free.len(), free.len(), |i, j| jac[(free[i], free[j])])).ok()?.solve(&mut step);
-            free.iter().zip(&step).for_each(|(&i, s)| x[i] -= s);
+            self.yield_to(&mut x, speed, &free)?;
         }
         x.iter().all(|x| x.is_finite()).then_some(x)
+    }
+
+    /// One step of Newton's method on these unknowns alone, the others held; its largest change in typical sizes, and the residual before it.
+    fn yield_to(&mut self, x: &mut [f64], speed: f64, free: &[usize]) -> Option<(f64, Vec<f64>)> {
+        let size = x.len();
+        let (mut r, mut jac) = (vec![0.0; size], Mat::zeros(size, size));
+        self.problem.eval(x, speed, &mut r, Some(&mut jac), None).ok()?;
+        let mut step: Vec<f64> = free.iter().map(|&i| r[i]).collect();
+        Lu::new(&Mat::from_fn(free.len(), free.len(), |i, j| jac[(free[i], free[j])])).ok()?.solve(&mut step);
+        free.iter().zip(&step).for_each(|(&i, s)| x[i] -= s);
+        Some((free.iter().zip(&step).map(|(&i, s)| (s / self.scale[i]).abs()).fold(0.0, f64::max), r))
     }
 
     /// The states of a branch at a speed.

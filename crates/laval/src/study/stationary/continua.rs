@@ -29,6 +29,8 @@ pub struct Sheet {
     pub radius: f64,
     /// Unbalance of the sample with most.
     pub unbalance: Option<Unbalance>,
+    /// Unknowns of the stable samples.
+    pub places: Vec<Vec<f64>>,
 }
 
 /// What holds of a continuum over a range of speeds.
@@ -71,13 +73,19 @@ fn sheets(system: &System, search: &mut Search, loose: &[Loose], speed: f64) -> 
         let (growth, stable) = (stability.growth(), usize::from(stability.growing == 0));
         let (share, radius, unbalance) = (seen.share().unwrap_or(f64::NAN), seen.radius(), seen.unbalance);
         match place {
-            None => out.push(Sheet { speed, class, free, samples: 1, stable, growth: (growth, growth), share, radius, unbalance }),
+            None => {
+                let places = if stable > 0 { vec![x] } else { Vec::new() };
+                out.push(Sheet { speed, class, free, samples: 1, stable, growth: (growth, growth), share, radius, unbalance, places });
+            }
             Some(k) => {
                 let s = &mut out[k];
                 s.samples += 1;
                 s.stable += stable;
                 s.growth = (if growth < s.growth.0 { growth } else { s.growth.0 }, larger(s.growth.1, growth));
                 s.radius = larger(s.radius, radius);
+                if stable > 0 {
+                    s.places.push(x);
+                }
                 if share > s.share {
                     (s.share, s.unbalance) = (share, unbalance);
                 }

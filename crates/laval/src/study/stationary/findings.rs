@@ -41,6 +41,7 @@ impl Report<'_> {
         out.extend(told.ranges.iter().map(|r| self.stable(r)));
         out.extend(self.continuum());
         out.extend(super::zones::finding(&self.rows, &self.zones, self.operating));
+        out.extend(super::slack::finding(&self.continua.sheets, &self.slack, self.operating));
         out.extend(self.unstable(told));
         if movable {
             out.extend(self.unbalanced(told));

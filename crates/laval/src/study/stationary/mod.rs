@@ -19,6 +19,7 @@ mod findings;
 mod least;
 mod ranges;
 mod report;
+mod slack;
 mod zones;
 
 use super::support::{SPEED, SPEED_RANGE, range};
@@ -220,6 +221,7 @@ impl Study for Stationary {
         };
         let continua = continua::continua(system, &mut search, &found, &speeds, &mut goes_on)?;
         let zones = zones::zones(system, &mut search, &rows, &mut goes_on)?;
+        let slack = slack::slack(system, &mut search, &continua.sheets, &mut goes_on);
         let least = match &self.stabilise {
             Some(s) if goes_on(0) => Some(least::least(system, s, &request, context, &mut goes_on)?),
             _ => None,
@@ -247,6 +249,7 @@ impl Study for Stationary {
             rows,
             continua,
             zones,
+            slack,
             stabilise: self.stabilise.as_ref(),
             least,
             errors,

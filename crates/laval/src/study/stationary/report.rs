@@ -6,6 +6,7 @@ use super::continua::Continua;
 use super::errors::Errors;
 use super::least::Least;
 use super::ranges::{self, Range, Shown};
+use super::slack::{self, Left};
 use super::zones::{self, Zone};
 use super::{Context, Row, Study, Varied, unit_of};
 use crate::diagnostic::Diagnostic;
@@ -23,6 +24,7 @@ pub(super) struct Report<'a> {
     pub rows: Vec<Row>,
     pub continua: Continua,
     pub zones: Vec<Zone>,
+    pub slack: Vec<Left>,
     pub stabilise: Option<&'a Varied>,
     pub least: Option<Least>,
     pub errors: Vec<Errors>,
@@ -89,6 +91,9 @@ impl Report<'_> {
         }
         if !self.zones.is_empty() {
             all.push(zones::table(self.system, &self.rows, &self.zones)?);
+        }
+        if !self.slack.is_empty() {
+            all.push(slack::table(self.system, &self.continua.sheets, &self.slack)?);
         }
         if let (Some(least), Some(asked)) = (&self.least, self.stabilise) {
             all.push(self.parameter(least, asked)?);
