@@ -87,6 +87,8 @@ fn example_value(f: &Field) -> String {
             format!("{{ {} }}", columns.join(", "))
         }
         FieldKind::Named { unit, bounds } => of(unit, &bounds),
+        // the lower ends of two
+        FieldKind::StateMap if f.name == "from" => "{ \"drum.x\" = \"-1 mm\", \"drum.x'\" = \"-0.1 m/s\" }".into(),
         FieldKind::StateMap => "{ \"drum.x\" = \"1 mm\", \"drum.x'\" = \"0.1 m/s\" }".into(),
         FieldKind::Study => "{ kind = \"modes\", speed = \"3000 rpm\" }".into(),
         FieldKind::ParameterRanges => "[{ parameter = \"drum.mass\", from = \"2 kg\", to = \"4 kg\" }]".into(),

@@ -122,10 +122,15 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
 /// Most speeds or values of a range at which a linear study solves an eigenproblem and keeps its modes.
 const MOST_POINTS: usize = 100_000;
 
+/// How to mend a range whose ends do not rise.
+pub fn apart(from: f64, to: f64) -> &'static str {
+    if from == to { "give two values that differ" } else { "exchange from and to" }
+}
+
 /// A range whose ends differ and whose number of points is at least `least`, and not beyond what memory can keep.
 pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
     let wrong = if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
-        Some((format!("{field} must go from a lower to a higher value"), "exchange from and to".to_string()))
+        Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
     } else if range.points.is_some_and(|p| p < least) {
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
     } else {

@@ -307,8 +307,8 @@ fn friction_and_contact_keep_account() {
 /// Touching balls of which nothing is said begin side by side, and what is said of one goes before.
 #[test]
 fn balls_that_touch_begin_side_by_side() {
-    let touching = EXAMPLE
-        .replace("balls = 2", "tracks = { balls = [3, 2], radius = [1, 0.8] }\ncontact_stiffness = 20\nball_radius = \"8 mm\"");
+    let touching =
+        EXAMPLE.replace("balls = 2", "tracks = { balls = [3, 2], radius = [1, 0.8] }\ncontact_stiffness = 20\nball_radius = \"8 mm\"");
     let touching = touching.replace("duration = \"3 s\"", "duration = \"0.02 s\"");
     let from = touching.find("initial = {").expect("the example says where its balls begin");
     let to = from + touching[from..].find('\n').unwrap();

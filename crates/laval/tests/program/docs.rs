@@ -1,4 +1,4 @@
-//! `docs/parts.md` and `docs/studies.md` say what the registries say. `LAVAL_WRITE_DOCS=1 cargo test -p laval --test docs` writes them anew.
+//! `docs/parts.md` and `docs/studies.md` say what the registries say. `LAVAL_WRITE_DOCS=1 cargo test -p laval --test program docs` writes them anew.
 
 use laval::file::{catalog, docs};
 use std::path::Path;
@@ -23,7 +23,7 @@ fn current(name: &str, text: &str) {
         std::fs::write(&path, text).unwrap();
     }
     let found = std::fs::read_to_string(&path).unwrap_or_default().replace('\r', "");
-    assert!(found == text, "docs/{name} is not what the registry says: run LAVAL_WRITE_DOCS=1 cargo test -p laval --test docs");
+    assert!(found == text, "docs/{name} is not what the registry says: run LAVAL_WRITE_DOCS=1 cargo test -p laval --test program docs");
 }
 
 #[test]

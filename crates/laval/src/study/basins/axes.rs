@@ -1,7 +1,7 @@
 //! The two initial values that are varied.
 
 use super::super::start::{self, Entry, state_names};
-use super::super::support::range;
+use super::super::support::{apart, range};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{RangeValue, Values};
 use crate::model::system::System;
@@ -81,7 +81,7 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
         let (name, unit) = names[index].clone();
         if !(from < to) {
             let message = format!("\"{name}\" must go from a lower to a higher value");
-            diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help("exchange from and to"));
+            diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help(apart(from, to)));
         }
         axes.push(Axis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
     }

@@ -43,6 +43,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub(super) const MOST_CELLS: usize = 1_000_000;
 /// Cells from which on motions are told before their end.
 const MANY: usize = 1200;
+/// So many starts followed beforehand are announced.
+const ANNOUNCED: f64 = 400.0;
 /// Starts of the search for states at rest.
 const STARTS: usize = 200;
 /// Tolerated error of a step where the file gives none: where a motion ends does not depend on its last digits.
@@ -153,7 +155,9 @@ impl Fleet<'_> {
         let (learned, witnessed) = ((cells / 8).clamp(16, 256), (cells / 10).clamp(400, 1024));
         let total = learned + if self.early { witnessed + witnessed / 2 } else { 0 };
         let (context, begun) = (self.context, AtomicU64::new(0));
-        let done = || context.progress.report(begun.fetch_add(1, Ordering::Relaxed) + 1, total as u64);
+        context.announce(total as f64, ANNOUNCED, "starts followed beforehand, then those of the map");
+        // one is never done: the map is still to come
+        let done = || context.progress.report(begun.fetch_add(1, Ordering::Relaxed), total as u64);
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
         for course in self.follow(&self.spread(0, learned), false, &done)? {
             if course.goal == Goal::Moving {
