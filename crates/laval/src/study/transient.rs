@@ -114,6 +114,13 @@ impl Study for Transient {
                     .help("at most 1000000 outputs"),
             );
         }
+        if step.is_some() && values.written("points") {
+            diagnostics.push(
+                Diagnostic::error("transient.output_step", "both output_step and points are given")
+                    .at(values.span_of("output_step"))
+                    .help("say one or the other"),
+            );
+        }
         if !(duration > 0.0 && duration.is_finite()) {
             diagnostics.push(Diagnostic::error("transient.duration", "the duration must be positive").at(values.span_of("duration")));
         }

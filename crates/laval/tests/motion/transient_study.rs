@@ -375,6 +375,16 @@ fn wrong_inputs_are_told() {
     assert!(with("initial", states(&[("drum.x", 1.0), ("drum.x", 2.0)])).contains("twice"));
     assert!(with("kick", states(&[("drum.x", 1.0)])).contains("rates only"));
     assert!(with("output_step", number(1e-9)).contains("too many"));
+    let mut both = Values::default();
+    for (name, x) in [("duration", 1.0), ("speed", 100.0), ("output_step", 0.1)] {
+        both.set(name, number(x), None);
+    }
+    both.set("points", Value::Integer(100), Some(0..3));
+    let mut told = Diagnostics::default();
+    assert!(
+        Transient::build(&both, &system, &mut told).is_none() && format!("{told:?}").contains("both output_step and points"),
+        "{told:?}"
+    );
     let late = [("duration", number(1.0)), ("speed", number(1.0)), ("kick", states(&[("drum.x'", 1.0)])), ("kick_time", number(2.0))];
     assert!(refused::<Transient>(&system, &late).contains("after the end"));
     assert!(refused::<Transient>(&system, &[("duration", number(1.0))]).contains("speed"));
