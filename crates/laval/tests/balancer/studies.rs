@@ -325,7 +325,7 @@ fn balls_that_touch_begin_side_by_side() {
         }
         assert!(value(&o, "energy_balance") < 1e-6);
     }
-    assert!(!has(&run(&silent, 0), "validity"), "{:?}", run(&silent, 0).findings);
+    assert!(value(&run(&silent, 0), "validity") < 1e-6);
 }
 
 /// Balls that go round in the rotor make its envelope swing; that, and what happens while the speed is held, is no passage through a resonance.
