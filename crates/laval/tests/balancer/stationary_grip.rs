@@ -92,6 +92,14 @@ fn a_ball_stays_where_the_track_pulls_less_than_friction_holds() {
         let most = [from[k], to[k], rests[k]].map(|a| (c(UNBALANCE, 0.0) + C64::cis(a).scale(MASS)).abs()).into_iter().fold(0.0, f64::max);
         assert!((left[k] - most).abs() < 1e-9 * most);
     }
+    // rolling resistance holds in proportion to the centrifugal load
+    let o = run(&machine(2.0, 1, "rolling_resistance = 4e-3", &stationary(1.9, 2.1)));
+    let (torque, speeds, ends) = (column(&o, "dead_zone", "friction"), column(&o, "dead_zone", "speed"), column(&o, "dead_zone", "to"));
+    assert_eq!(torque.len(), 6);
+    for k in 0..torque.len() {
+        assert!((torque[k] - 4e-3 * MASS * speeds[k] * speeds[k]).abs() < 1e-15);
+        assert!((held(speeds[k], &[ends[k]]).1[0].abs() / torque[k] - 1.0).abs() < 1e-9);
+    }
     // friction above the largest pull holds the ball anywhere
     let o = run(&machine(2.0, 1, "dry_torque = 3e-3", &stationary(1.9, 2.1)));
     assert!(column(&o, "dead_zone", "closed").iter().all(|x| *x == 0.0));

@@ -325,7 +325,15 @@ fn balls_that_touch_begin_side_by_side() {
         }
         assert!(value(&o, "energy_balance") < 1e-6);
     }
-    assert!(value(&run(&silent, 0), "validity") < 1e-6);
+    let o = run(&silent, 0);
+    assert!(value(&o, "validity") < 1e-6);
+    // all on one side they do harm, and that is said
+    let left = o.findings.iter().find(|f| f.id == "residual_unbalance").unwrap();
+    assert!(left.value.unwrap() > evidence(&o, "residual_unbalance", "without the balls"));
+    assert!(left.sentence().contains("make the unbalance larger"), "{}", left.sentence());
+    let o = run(EXAMPLE, 0);
+    let left = o.findings.iter().find(|f| f.id == "residual_unbalance").unwrap();
+    assert!(left.sentence().contains("leave an unbalance"), "{}", left.sentence());
 }
 
 /// Balls that go round in the rotor make its envelope swing; that, and what happens while the speed is held, is no passage through a resonance.
@@ -349,4 +357,19 @@ fn what_balls_do_is_no_resonance() {
     let plain = run(&machine(1e-9), 0);
     let peaks: Vec<f64> = plain.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
     assert!(peaks.len() == 1 && (0.95..1.2).contains(&peaks[0]) && !has(&plain, "swings"), "{:?}", plain.findings);
+}
+
+/// The absolute tolerance that is not given follows the relative one: the energy is accounted for as sharply as it was asked.
+#[test]
+fn a_sharper_tolerance_keeps_a_sharper_account() {
+    let sharp = EXAMPLE.replace("duration = \"3 s\"", "duration = \"0.5 s\"").replacen(
+        "relative_tolerance = 1e-10",
+        "relative_tolerance = 1e-12",
+        1,
+    );
+    let open = sharp.replacen("absolute_tolerance = 1e-11\n", "", 1);
+    let blunt = sharp.replacen("absolute_tolerance = 1e-11", "absolute_tolerance = 1e-9", 1);
+    assert!(open != sharp && blunt != sharp);
+    let (open, blunt) = (value(&run(&open, 0), "energy_balance"), value(&run(&blunt, 0), "energy_balance"));
+    assert!(open < 0.2 * blunt && open < 1e-10, "{open} {blunt}");
 }
