@@ -15,7 +15,7 @@ use laval::solve::stationary::{Request, Search};
 use laval::study::Context;
 use laval_num::complex::{C64, c};
 use laval_num::scalar::Scalar;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::AtomicBool;
 
 const EXAMPLE: &str = include_str!("../../../../examples/04-ball-balancer/machine.toml");
@@ -460,4 +460,35 @@ fn internal_states_turn_with_the_rotor() {
             assert!((own - closed).abs() < 1e-12 * at.abs(), "{w}: {own:?} {closed:?}");
         }
     }
+}
+
+/// Five balls on a disc that tilts under their weight: what holds them in place is too small to hold them, and the study says that they balance.
+#[test]
+fn five_heavy_balls_on_a_tilting_disc_balance() {
+    let (m, r, moment): (f64, f64, f64) = (0.03, 0.22, 12.0 * 0.0008);
+    let text = |study: &str| {
+        format!(
+            "[machine]\nname = \"drum\"\nspeed = \"1200 rpm\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 12\npolar_inertia = 0.45\n\
+             diametral_inertia = 0.35\neccentricity = 0.0008\n[[part]]\nkind = \"shaft_lumped\"\nname = \"springs\"\n\
+             between = [\"drum\", \"ground\"]\nstiffness = 9000\ntilt_stiffness = 900\n[[part]]\nkind = \"damper\"\nname = \"struts\"\n\
+             between = [\"drum\", \"ground\"]\ndamping = 80\ntilt_damping = 6\n[[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\n\
+             on = \"drum\"\nballs = 5\nball_mass = {m}\ntrack_radius = {r}\ndrag = 2e-3\n[[study]]\n{study}\n"
+        )
+    };
+    let o = run(&text("kind = \"stationary\"\nspeed = { from = \"600 rpm\", to = \"1400 rpm\", points = 3 }"));
+    let (speed, free, stable) = (column(&o, "continua", "speed"), whole(&o, "continua", "free"), whole(&o, "continua", "stable"));
+    let kinds = words(&o, "continua", "kind");
+    for w in [600.0, 1000.0, 1400.0].map(|n: f64| n * PI / 30.0) {
+        let k = (0..kinds.len()).find(|&k| (speed[k] - w).abs() < 1e-9 && kinds[k] == "reduced" && free[k] == 3);
+        assert!(k.is_some_and(|k| stable[k] > 0), "{w}: {kinds:?} {speed:?} {free:?} {stable:?}");
+    }
+    assert!(!o.findings.iter().any(|f| f.id == "no_stable_state" || f.id == "no_balance"), "{:?}", o.findings);
+    // in time: balls put where they cancel the unbalance stay there, all but
+    // two balls at right angles cancel each other, one lies opposite the unbalance, and a pair carries what it lacks
+    let front = ((moment / (m * r) - 1.0) / 2.0).acos();
+    let angles = [PI - front, PI + front, FRAC_PI_2, -FRAC_PI_2, PI].map(|a| format!("{a:.15}"));
+    let initial: Vec<String> = angles.iter().enumerate().map(|(i, a)| format!("\"ring.ball_{}\" = {a}", i + 1)).collect();
+    let o = run(&text(&format!("kind = \"transient\"\nduration = 10\ninitial = {{ {} }}", initial.join(", "))));
+    let left = o.findings.iter().find(|f| f.id == "residual_unbalance").unwrap().value.unwrap();
+    assert!(left < 1e-3 * moment, "{left}");
 }

@@ -272,6 +272,13 @@ fn dry_friction_has_a_dead_zone() {
     let y = after(&bench(BallBalancer::new(Attach::on("disc"), 1).planar(), p), &[0.0, 5.0], 3.0);
     // phi'' = -f phi'^2
     assert!((y[5] - 5.0 / (1.0 + 0.01 * 5.0 * 3.0)).abs() < 1e-6, "{y:?}");
+    // on a rotor that turns the load is that of both together: phi'' = -f (W + phi')^2 while the ball runs ahead
+    let system = bench(BallBalancer::new(Attach::on("disc"), 1).planar(), BalancerBallParams { gravity: 0.0, friction_rate: 1e-6, ..p });
+    let mut motion = Motion::new(&system, SpinLaw::Programme(Programme::constant(10.0, 0.0))).unwrap();
+    let mut y = vec![0.0; motion.dim()];
+    y[5] = 5.0;
+    integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, 2.0, &Control::new(1e-11, 1e-13), &mut ());
+    assert!((y[5] - (15.0 / (1.0 + 0.01 * 15.0 * 2.0) - 10.0)).abs() < 1e-6, "{y:?}");
 }
 
 /// Equal balls exchange their rates; damping leaves the share 1 - 2/3 chi v to first order.
@@ -351,6 +358,9 @@ fn what_balls_do_is_no_resonance() {
     };
     let slipping = run(&machine(0.05), 0);
     assert!(has(&slipping, "masses_caught") && has(&slipping, "swings"), "{:?}", slipping.findings);
+    // they go round at the natural frequency of the disc, which carries them: nearly sqrt(k/(m + 2 m_b))
+    let (rate, own) = (value(&slipping, "masses_caught"), (1.0f64 / 1.1).sqrt());
+    assert!((rate / own - 1.0).abs() < 0.1 && (evidence(&slipping, "masses_caught", "mean slip") - (rate - 3.0)).abs() < 0.02, "{rate}");
     let peaks: Vec<f64> = slipping.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
     assert!(peaks.len() <= 1 && peaks.iter().all(|w| *w < 1.5), "{peaks:?}");
     // with balls that weigh nothing to speak of the critical speed is passed and told

@@ -93,3 +93,19 @@ pub fn errors(
     }
     Ok(Errors { asked: asked.clone(), costs })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_and_the_largest_are_kept() {
+        let mut pair = (f64::NAN, f64::NAN);
+        for (x, want) in [(2.0, (2.0, 2.0)), (3.0, (2.0, 3.0)), (1.0, (1.0, 3.0)), (2.5, (1.0, 3.0))] {
+            widen(&mut pair, x);
+            assert_eq!(pair, want);
+        }
+        widen(&mut pair, f64::NAN);
+        assert!(pair.1.is_nan());
+    }
+}
