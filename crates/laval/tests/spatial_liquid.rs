@@ -7,6 +7,8 @@ mod machine;
 mod offsets;
 #[path = "spatial_liquid/reactions.rs"]
 mod reactions;
+#[path = "spatial_liquid/time_form.rs"]
+mod time_form;
 #[path = "spatial_liquid/viscosity.rs"]
 mod viscosity;
 
