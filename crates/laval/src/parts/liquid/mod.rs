@@ -257,8 +257,8 @@ impl Part for Liquid {
         Field::optional(
             "time_error",
             FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-6, 0.1) },
-            "1e-4",
-            "with spatial: relative error of the reaction on tilt that its finite number of waves may make in time",
+            "",
+            "with spatial: relative error of the reaction on tilt that its finite number of waves may make in time; 1e-4 when absent",
         ),
         Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
     ];
