@@ -150,6 +150,8 @@ fn growth_in_time() {
     let near = unstable.unwrap();
     let exact = Characteristic::new(&system, &rest(&system, speed).unwrap()).polish(near.value, near.sector).unwrap().value;
     assert!(exact.re > 20.0 && (near.value - exact).abs() < 1e-4 * speed, "{exact:?} {:?}", near.value);
+    // of harmonics 1 and 3, in the table
+    assert!((exact - c(28.33957, 263.17580928)).abs() < 1e-3, "{exact:?}");
     let study = "[[study]]\nkind = \"transient\"\nduration = \"0.6 s\"\ninitial = { \"rotor.x\" = \"1e-3 mm\" }\n";
     let head = text.split("[[study]]").next().unwrap();
     let outcome = run(&format!("{head}{study}"));
