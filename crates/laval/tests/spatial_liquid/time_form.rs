@@ -1,6 +1,6 @@
 //! The ideal liquid in time: a sum over waves against the exact reaction, its roots, and motions with it.
 
-use super::machine::{FILE, build, changed, model};
+use super::machine::{FILE, build, changed, model, without};
 use super::{cavity, named};
 use crate::common::{number, rows};
 use laval::cavity::waves::{BAND, MARGIN, MOST_WAVES};
@@ -181,6 +181,40 @@ fn steady_motion() {
     }
 }
 
+/// Without damping, below the critical speed, nothing feeds a motion: it stays as large as it was given, over a hundred turns.
+#[test]
+fn a_stable_machine_stays_bounded() {
+    let text = changed(
+        &without(&model(FILE, "spatial"), &["air", "material"]),
+        &[("damping = \"3000 N s/m\"", "damping = 0"), ("skew = 2e-4", "skew = 0"), ("eccentricity = \"50 um\"", "eccentricity = 0")],
+    );
+    let head = text.split("[[study]]").next().unwrap();
+    let study = "[[study]]\nkind = \"transient\"\nspeed = \"60 rad/s\"\nduration = \"10.5 s\"\ninitial = { \"rotor.x\" = \"0.1 mm\", \"rotor.tilt_y\" = 1e-4 }\n";
+    let outcome = run(&format!("{head}{study}"));
+    let largest = outcome.findings.iter().find(|f| f.id == "largest_displacement" && f.subject == "rotor").unwrap().value.unwrap();
+    println!("largest displacement {largest}");
+    assert!(largest >= 1e-4 && largest < 4e-4, "{largest}");
+    assert!(!outcome.findings.iter().any(|f| f.id == "unbounded"));
+}
+
+/// Studies of motion take the liquid, say by what and how well; while the speed changes too.
+#[test]
+fn studies_of_motion() {
+    let head = model(FILE, "spatial");
+    let head = head.split("[[study]]").next().unwrap();
+    let up = run(&format!("{head}[[study]]\nkind = \"run_up\"\nfrom = \"300 rad/s\"\nto = \"310 rad/s\"\nduration = \"0.3 s\"\n"));
+    let find = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| (f.text.clone(), f.value));
+    let (text, error) = find(&up, "time_form").unwrap();
+    assert!(text.starts_with("\"water\" is integrated by a rational form of") && error.unwrap() <= 1e-4, "{text}");
+    assert!(find(&up, "time_form_roots").unwrap().1.is_some_and(|moved| moved < 1e-4 * 310.0));
+    let change = up.findings.iter().any(|f| f.id == "validity" && f.text.contains("change of the speed within a turn"));
+    assert!(change, "{:?}", up.findings);
+    let sweep = run(&format!(
+        "{head}[[study]]\nkind = \"sweep\"\nspeed = {{ from = \"60 rad/s\", to = \"70 rad/s\", points = 2 }}\nstart = \"rest\"\nmost_periods = 20\n"
+    ));
+    assert!(find(&sweep, "time_form").is_some(), "{:?}", sweep.findings);
+}
+
 /// What cannot be had is refused by name, with what to change.
 #[test]
 fn refusals() {
@@ -195,6 +229,7 @@ fn refusals() {
     };
     assert!(told("axial_harmonics = 301", transient).contains("up to axial_harmonics = 161"));
     assert!(told("time_error = 1e-6", transient).contains("allow a larger time_error"));
+    assert!(told("viscosity = 1e-5", transient).contains("\"water\" has no form in the time domain: the layer of a viscous liquid"));
     assert!(told("time_error = 1e-9", transient).contains("time_error"));
     let strip = changed(FILE, &[("model = \"strip\"", "model = \"strip\"\ntime_error = 1e-3")]);
     assert!(format!("{:?}", load(&strip).err().unwrap()).contains("strip is no sum over waves in time"));
