@@ -193,7 +193,7 @@ fn a_stable_machine_stays_bounded() {
     let outcome = run(&format!("{head}{study}"));
     let largest = outcome.findings.iter().find(|f| f.id == "largest_displacement" && f.subject == "rotor").unwrap().value.unwrap();
     println!("largest displacement {largest}");
-    assert!(largest >= 1e-4 && largest < 4e-4, "{largest}");
+    assert!((1e-4..4e-4).contains(&largest), "{largest}");
     assert!(!outcome.findings.iter().any(|f| f.id == "unbounded"));
 }
 
