@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `A x = s x` | [`eigenvalues`], [`Spectrum`] (reusable, fast for small real matrices), [`modes`] |
 //! | `A x = s E x`, E possibly singular | [`Pencil`] |
+//! | `A x = s E x`, real symmetric, E positive definite | [`definite`] |
 //! | `(s^2 M + s C + K) x = 0`, M possibly singular | [`Quadratic`] |
 //! | modes along a parameter | [`Track`] |
 //!
@@ -24,6 +25,7 @@ mod pencil;
 mod quadratic;
 mod small;
 mod standard;
+mod symmetric;
 #[cfg(test)]
 mod tests;
 mod track;
@@ -33,6 +35,7 @@ pub use number::Number;
 pub use pencil::{Modes, Pencil};
 pub use quadratic::Quadratic;
 pub use standard::{Spectrum, derivative, eigenvalues, modes};
+pub use symmetric::definite;
 pub use track::{Match, Track, assign};
 
 /// Why a spectrum could not be computed.

@@ -120,6 +120,20 @@ fn svd_with<T: Number, F: faer::traits::ComplexField>(
     })
 }
 
+/// Eigenvalues of a real symmetric matrix, ascending, and orthonormal vectors as columns.
+pub(super) fn symmetric(a: &Mat) -> Result<(Vec<f64>, Mat), EigError> {
+    if !is_finite(a) {
+        return Err(EigError::NotFinite);
+    }
+    let n = a.rows();
+    let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
+    let (mut s, mut u) = (faer::diag::Diag::zeros(n), faer::Mat::zeros(n, n));
+    let mut buffer = MemBuffer::new(evd::self_adjoint_evd_scratch::<f64>(n, YES, Par::Seq, Spec::default()));
+    evd::self_adjoint_evd(f.as_ref(), s.as_mut(), Some(u.as_mut()), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+        .map_err(|_| EigError::NoConvergence)?;
+    Ok(((0..n).map(|i| s[i]).collect(), Mat::from_fn(n, n, |i, j| u[(i, j)])))
+}
+
 impl Number for f64 {
     const REAL: bool = true;
     fn conj(self) -> f64 {

@@ -16,8 +16,10 @@
 //! Sources: `001_352384e7bf252e35` equations (7)-(34), corrected.
 
 mod ideal;
+pub mod rational;
 mod sum;
 mod viscous;
+pub mod waves;
 
 pub use ideal::Truncation;
 pub use sum::Total;

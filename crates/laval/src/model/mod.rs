@@ -11,3 +11,4 @@ pub mod params;
 pub mod part;
 pub mod system;
 pub mod tangent;
+pub mod timed;

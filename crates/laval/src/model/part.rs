@@ -4,6 +4,7 @@ use super::blocks::Blocks;
 use super::field::{Attach, Field, ParamValues, Values};
 use super::params::Family;
 use super::system::Axis;
+use super::timed::Speeds;
 use crate::diagnostic::Diagnostics;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
@@ -217,6 +218,19 @@ pub enum TimeForm {
     Fit(f64),
 }
 
+/// A time form in the place of an exact part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fitted {
+    /// Its largest relative error.
+    pub error: f64,
+    /// For which motions that is so, as a phrase: `of motions that ...`.
+    pub scope: &'static str,
+    /// Growth or decay over the speed from which on it holds.
+    pub margin: f64,
+    /// Internal states.
+    pub states: usize,
+}
+
 /// Where in the plane of s the dynamic stiffness of a part in the frequency domain is analytic, and where it is large because the part has waves of its
 /// own. Frequencies are those of the forward sector, in fixed axes; the backward sector is the mirror image.
 #[derive(Clone, Debug, PartialEq)]
@@ -359,6 +373,15 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Adds the dynamic stiffness (N/m, row-major over local coordinates) at `s` (1/s) and spin `speed`; only for [`Physics::Frequency`].
     /// `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S, _out: &mut [Complex<S>]) {}
+    /// Of a part in the frequency domain without time form: the same part with a rational one for motions at such speeds, as linear blocks, or why there is none for
+    /// them. It stands for the part in motions only, never in spectra.
+    fn timed(&self, _p: &Params<Self, f64>, _speeds: Speeds) -> Option<Result<Self, String>> {
+        None
+    }
+    /// Of such a time form.
+    fn fitted(&self) -> Option<Fitted> {
+        None
+    }
     /// Where the dynamic stiffness of a part in the frequency domain is analytic, at a spin speed: what a count of roots rests on. Nothing is counted with a part that
     /// does not say it.
     fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Option<Domain> {

@@ -335,6 +335,19 @@ pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Find
     Some(finding.evidence("largest missing energy", balance.missing, "J").evidence("energy exchanged", balance.exchanged, "J"))
 }
 
+/// What the rational forms that stand for exact parts are worth.
+pub(super) fn time_forms(system: &System, mut outcome: Outcome) -> Outcome {
+    for slot in system.slots() {
+        let Some(f) = slot.part.fitted() else { continue };
+        let text = format!(
+            "\"{}\" is integrated by a rational form of {} states, with a relative error of at most {{}} {}.",
+            slot.name, f.states, f.scope
+        );
+        outcome = outcome.finding(Finding::info("time_form", text).of(&slot.name).value(f.error, ""));
+    }
+    outcome
+}
+
 /// Findings on validity, time forms and contacts.
 pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Outcome) -> Outcome {
     let system = motion.system();
@@ -358,6 +371,7 @@ pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Out
         };
         outcome = outcome.finding(finding.value(u.ratio, "").evidence("reached at", u.t, "s"));
     }
+    outcome = time_forms(system, outcome);
     for slot in system.slots() {
         if let Physics::Frequency(TimeForm::Fit(error)) = slot.physics {
             let text = format!("\"{}\" is integrated by a rational fit of its frequency form with relative error {{}}.", slot.name);

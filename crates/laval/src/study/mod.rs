@@ -18,6 +18,7 @@ pub mod limits;
 pub mod methods;
 pub mod modes;
 pub mod motion_map;
+mod moved_roots;
 pub mod nonlinear_response;
 pub mod operating_window;
 pub mod optimum;

@@ -12,6 +12,7 @@
 use super::balance;
 use super::drive;
 use super::history::{self, ABSOLUTE, Columns, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::moved_roots::moved_roots;
 use super::passages::{envelope, passages};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
@@ -24,6 +25,7 @@ use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
 use crate::model::system::{Drive, System};
 use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::timed::Speeds;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
 use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::motion::flight::{Flight, Plan, fly};
@@ -51,7 +53,8 @@ const TABLE: &[(&str, &str, bool, &str)] =
 impl Study for RunUp {
     const KIND: &'static str = "run_up";
     const DOC: &'static str = "Motion while the spin speed follows a programme: from one speed to another, coasting down, or through a table of \
-        speeds. Reports the envelope against speed beside the quasi-static linear response, the peaks, and the torque and power of the drive.";
+        speeds. Reports the envelope against speed beside the quasi-static linear response, the peaks, and the torque and power of the drive. A spatial \
+        liquid has at every moment the waves of its speed, with an error that is stated; viscous liquids are refused.";
     const FIELDS: &'static [Field] = &[
         Field::optional("from", FieldKind::Quantity { unit: "rad/s", bounds: Bounds::within(1e7) }, "0 rad/s", "speed at the start"),
         Field::optional(
@@ -135,17 +138,20 @@ impl Study for RunUp {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        let motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
+        let timed = system.timed(Speeds::Changing)?;
+        let motion = Motion::new(&timed, SpinLaw::Programme(self.programme.clone()))?;
         history::admit(&motion, self.settings.method)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
+        let (exact, timed) = (system, system.timed(Speeds::Changing)?);
+        let system: &System = &timed;
         let mut motion = Motion::new(system, SpinLaw::Programme(self.programme.clone()))?;
         let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         let start = Start::new(system, self.programme.at(0.0).speed);
-        start.write(&self.initial, &mut y);
+        start.write(&start::renumbered(&self.initial, exact, system), &mut y);
         let still = history::negligible(s, &start);
         let last = self.programme.at(self.t_end);
         history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
@@ -190,6 +196,7 @@ impl Study for RunUp {
             }
             None => outcome = self.peaks(system, &flight, still, outcome),
         }
+        outcome = moved_roots(exact, &timed, last.speed, context).into_iter().fold(outcome, Outcome::finding);
         outcome = self.drive(&mut motion, &flight, outcome)?;
         let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
         outcome = self.envelope(system, &flight, outcome)?;

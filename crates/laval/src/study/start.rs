@@ -108,6 +108,15 @@ pub(super) enum Entry {
     State(usize),
 }
 
+/// Entries of a machine in the numbers of its form in time, which has more internal states.
+pub(super) fn renumbered(entries: &[(Entry, f64)], system: &System, timed: &System) -> Vec<(Entry, f64)> {
+    let same = |e: Entry| match e {
+        Entry::State(i) => timed.states().iter().position(|s| s.name == system.states()[i].name).map(Entry::State),
+        other => Some(other),
+    };
+    entries.iter().filter_map(|&(e, x)| Some((same(e)?, x))).collect()
+}
+
 impl Entry {
     /// Place in the state (q, v, z).
     pub fn index(self, system: &System) -> usize {

@@ -11,6 +11,7 @@
 use super::balance;
 use super::drive;
 use super::history::{self, ABSOLUTE, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::moved_roots::moved_roots;
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::turns::Turns;
@@ -18,10 +19,16 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
+use crate::model::timed::Speeds;
 use crate::outcome::{Finding, Outcome};
 use crate::solve::motion::envelope::{Growth, Window, growth};
 use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
+
+/// Speeds of a motion that starts at this one.
+fn speeds(system: &System, speed: f64) -> Speeds {
+    if system.machine.drive == Drive::Free { Speeds::Changing } else { Speeds::One(speed) }
+}
 
 /// Windows of the envelope.
 const WINDOWS: usize = 200;
@@ -42,7 +49,8 @@ pub struct Transient {
 impl Study for Transient {
     const KIND: &'static str = "transient";
     const DOC: &'static str = "Motion in time from a given start at constant speed, or with the spin free to move by itself when the machine's drive \
-        is free. Reports the motion, the energy balance, the largest displacements and whether the motion grows.";
+        is free. Reports the motion, the energy balance, the largest displacements and whether the motion grows. A spatial \
+        liquid is a sum over waves in time: its error is stated, and how far it moves the roots; viscous liquids are refused.";
     const FIELDS: &'static [Field] = &[
         Field::required("duration", FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) }, "time to compute"),
         Field::optional(
@@ -142,17 +150,20 @@ impl Study for Transient {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        let motion = Motion::new(system, Motion::law_of(system, self.speed, self.settings.phase))?;
+        let timed = system.timed(speeds(system, self.speed))?;
+        let motion = Motion::new(&timed, Motion::law_of(&timed, self.speed, self.settings.phase))?;
         history::admit(&motion, self.settings.method)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
+        let (exact, timed) = (system, system.timed(speeds(system, self.speed))?);
+        let system: &System = &timed;
         let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
         let no_account = history::keep_account(&mut motion);
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         let start = Start::new(system, self.speed);
-        start.write(&self.initial, &mut y);
+        start.write(&start::renumbered(&self.initial, exact, system), &mut y);
         if let Some(k) = motion.spin_start() {
             (y[k], y[k + 1]) = (s.phase, self.speed);
         }
@@ -193,6 +204,7 @@ impl Study for Transient {
         for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &flight, &start)) {
             outcome = outcome.finding(finding);
         }
+        outcome = moved_roots(exact, &timed, self.speed, context).into_iter().fold(outcome, Outcome::finding);
         let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;

@@ -5,6 +5,7 @@ mod common;
 mod machine;
 mod offsets;
 mod reactions;
+mod time_form;
 mod viscosity;
 
 use laval::cavity::Cavity;

@@ -19,6 +19,8 @@
 //! frozen       a rigid ring: ml, A = ml [(R^2 + r0^2)/4 + h^2/12], C = ml (R^2 + r0^2)/2
 //! ```
 //!
+//! In time spatial is a sum over waves with a stated error: [timed].
+//!
 //! With viscosity the plane flow (of every slice) has its exact force in the frequency domain, and spatial its tilt reaction with ends without friction.
 //!
 //! Symbols: R cavity radius, r0 radius of the undisturbed free surface, h height, m; rho density, kg/m^3; mL = pi R^2 h rho the full cavity,
@@ -37,16 +39,20 @@ use crate::cavity::{Cavity, Tilt, Truncation};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Value, Values};
-use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
+use crate::model::part::{At, Dof, DofKind, Domain, Energy, Fitted, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
+use crate::model::timed::Speeds;
 use crate::params;
 use crate::units::{format_number, format_si};
 use laval_num::analytic::value;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
+mod check;
 mod offset;
 mod plane;
+mod timed;
 
 params! {
     /// Parameters of a [`Liquid`].
@@ -101,6 +107,8 @@ const MODELS: [(&str, Model); 5] = [
 const MOST_HARMONICS: i64 = 999;
 /// Harmonics that the sum of all of them evaluates, roughly.
 const WHOLE_SERIES: usize = 100;
+/// Relative error of a time form where none is given.
+const TIME_ERROR: f64 = 1e-4;
 /// Largest share of the tilt reaction that its estimated error may be.
 const ACCURACY: f64 = 1e-6;
 
@@ -112,6 +120,11 @@ pub struct Liquid {
     model: Model,
     viscous: bool,
     harmonics: Truncation,
+    /// Relative error that a time form may have.
+    accuracy: f64,
+    /// Reactions in time, where they are no closed forms.
+    time: Option<Arc<timed::Rationals>>,
+    memo: timed::Memo,
 }
 
 struct Coefficients<S> {
@@ -123,7 +136,20 @@ struct Coefficients<S> {
 impl Liquid {
     /// Ideal liquid in plane flow in the cavity of a body; the case must agree with the free-surface radius.
     pub fn new(attach: Attach, fill: Fill) -> Self {
-        Liquid { attach, fill, model: Model::Planar, viscous: false, harmonics: Truncation::None }
+        Liquid {
+            attach,
+            fill,
+            model: Model::Planar,
+            viscous: false,
+            harmonics: Truncation::None,
+            accuracy: TIME_ERROR,
+            time: None,
+            memo: timed::Memo::default(),
+        }
+    }
+    /// The same with this relative error of its time form allowed.
+    pub fn accurate(self, accuracy: f64) -> Self {
+        Liquid { accuracy, ..self }
     }
     /// The same with another flow.
     pub fn flowing(self, model: Model) -> Self {
@@ -145,7 +171,7 @@ impl Liquid {
     }
     /// States of a surface wave.
     fn waves(&self) -> bool {
-        self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen
+        self.fill == Fill::Partial && self.physics() == Physics::Linear && self.model != Model::Frozen && !self.viscous
     }
     #[inline(always)]
     fn cavity<S: Scalar>(p: &LiquidParams<S>) -> Cavity<S> {
@@ -205,7 +231,8 @@ impl Part for Liquid {
     const KIND: &'static str = "liquid";
     const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
         rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
-        lets every slice flow by itself and spatial adds flow along the axis; spatial and viscous liquids are known in the frequency domain only.";
+        lets every slice flow by itself and spatial adds flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Viscous liquids are \
+        known in the frequency domain only.";
     type Family = LiquidFamily;
     const FIELDS: &'static [Field] = &[
         Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills, at the middle of the cavity's height"),
@@ -215,7 +242,7 @@ impl Part for Liquid {
                 ("planar", "plane flow, driven by the motion of the cavity centre; no reaction on tilt"),
                 ("planar_tilt", "plane flow, and of the reaction on tilt what needs no axial flow: an approximation"),
                 ("strip", "plane flow in every slice, driven by the motion of that slice"),
-                ("spatial", "flow in three dimensions; in the frequency domain only"),
+                ("spatial", "flow in three dimensions; exact in the frequency domain, in time a sum over waves"),
                 ("frozen", "a rigid ring: for bounds only"),
             ]),
             "planar",
@@ -226,6 +253,12 @@ impl Part for Liquid {
             FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS },
             "auto",
             "with spatial: highest axial harmonic k of the series that is taken (1, 3, 5, ...); auto takes all",
+        ),
+        Field::optional(
+            "time_error",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-6, 0.1) },
+            "",
+            "with spatial: relative error of the reaction on tilt that its finite number of waves may make in time; 1e-4 when absent",
         ),
         Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
     ];
@@ -294,7 +327,18 @@ impl Part for Liquid {
             );
             return None;
         }
-        Some(Liquid { attach, fill, model, viscous: params.get("viscosity").is_some_and(|nu| nu > 0.0), harmonics })
+        let accuracy = values.number("time_error");
+        if accuracy.is_some() && model != Model::Spatial {
+            diagnostics.push(
+                Diagnostic::error("liquid.time_error", format!("{word} is no sum over waves in time"))
+                    .at(values.span_of("time_error"))
+                    .help("leave time_error out; with model = \"spatial\" it sets the number of waves"),
+            );
+            return None;
+        }
+        let viscous = params.get("viscosity").is_some_and(|nu| nu > 0.0);
+        let accuracy = accuracy.unwrap_or(TIME_ERROR);
+        Some(Liquid { model, viscous, harmonics, accuracy, ..Liquid::new(attach, fill) })
     }
 
     fn layout(&self) -> Layout {
@@ -309,9 +353,13 @@ impl Part for Liquid {
                 layout.states.extend(Dof::pair("tilt_surface_", DofKind::TiltX, "rad", 1e-2));
             }
         }
+        layout.states.extend(self.time_states());
         layout
     }
     fn physics(&self) -> Physics {
+        if self.time.is_some() {
+            return Physics::Linear;
+        }
         match (self.fill, self.model, self.viscous) {
             (Fill::Empty, ..) | (_, Model::Frozen, _) => Physics::Linear,
             (_, _, true) => Physics::Frequency(TimeForm::None("the layer of a viscous liquid at the wall remembers its whole past")),
@@ -330,6 +378,7 @@ impl Part for Liquid {
                 }
             }
             Model::Planar | Model::PlanarTilt if !self.viscous => self.plane(p, w, b, 0, 0, None),
+            Model::Spatial if !self.viscous && self.time.is_some() => self.plane(p, w, b, 0, 0, None),
             Model::Strip if !self.viscous => {
                 self.plane(p, w, b, 0, 0, None);
                 self.plane(p, w, b, 2, 4, Some(Self::cavity(p).slices()));
@@ -345,6 +394,7 @@ impl Part for Liquid {
             b.spin_accel_stiffness[(2, 3)] = cp.scale(0.5);
             b.spin_accel_stiffness[(3, 2)] = cp.scale(-0.5);
         }
+        self.add_time_form(p, w, b, self.plane_states());
         self.add_offsets(p, b);
     }
 
@@ -404,23 +454,31 @@ impl Part for Liquid {
         }
     }
 
+    fn timed(&self, p: &Params<Self, f64>, speeds: Speeds) -> Option<Result<Self, String>> {
+        matches!(self.physics(), Physics::Frequency(_)).then(|| self.in_time(p, speeds))
+    }
+    fn fitted(&self) -> Option<Fitted> {
+        self.fit()
+    }
+
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = self.polar_inertia(p) * at.spin_accel;
-        if matches!(self.physics(), Physics::Frequency(_)) {
+        if self.viscous || matches!(self.physics(), Physics::Frequency(_)) {
             return r;
         }
         let seen = self.seen(p, at);
         let at = &seen.at(at);
         r += self.offset_torque(p, &seen, at);
-        if let Some([_, cp]) = self.rigid(p) {
+        let turning = self.time.as_ref().map(|_| self.polar_inertia(p)).or(self.rigid(p).map(|[_, cp]| cp));
+        if let Some(cp) = turning {
             r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
         }
         r
     }
 
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        if matches!(self.physics(), Physics::Frequency(_)) {
+        if self.time.is_some() || matches!(self.physics(), Physics::Frequency(_)) {
             return None;
         }
         let seen = self.seen(p, at);
@@ -465,11 +523,16 @@ impl Part for Liquid {
                 let ends = if self.model == Model::Strip { 0.5 * p.cavity_height * at.z[6].hypot(at.z[7]) } else { 0.0 };
                 out.push(Validity { what: "surface excursion over layer thickness", ratio: (at.z[2].hypot(at.z[3]) + ends) / layer });
             }
-            if matches!(self.physics(), Physics::Frequency(_)) && at.speed != 0.0 {
+            if self.hidden_surface() && at.speed != 0.0 {
                 out.push(Validity {
                     what: "surface excursion over layer thickness, at the spin frequency",
                     ratio: self.steady_excursion(p, at) / layer,
                 });
+            }
+            if self.time.is_some() && at.spin_accel != 0.0 {
+                // the waves are those of the speed at the moment
+                let turn = 2.0 * PI * at.spin_accel.abs() / (at.speed * at.speed);
+                out.push(Validity { what: "change of the speed within a turn over a tenth of it", ratio: turn / 0.1 });
             }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall
@@ -478,7 +541,7 @@ impl Part for Liquid {
         }
     }
     fn approximation(&self, p: &Params<Self, f64>) -> Option<(Self, Params<Self, f64>)> {
-        let plain = Liquid { model: Model::PlanarTilt, viscous: false, harmonics: Truncation::None, attach: self.attach.clone(), ..*self };
+        let plain = Liquid { model: Model::PlanarTilt, viscous: false, harmonics: Truncation::None, ..self.clone() };
         (self.model == Model::Spatial).then_some((plain, LiquidParams { viscosity: 0.0, ..*p }))
     }
     fn lightens(&self, p: &Params<Self, f64>) -> Option<String> {
@@ -490,62 +553,7 @@ impl Part for Liquid {
         self.lightens(p).into_iter().collect()
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
-        let fill = if p.free_surface_radius == 0.0 {
-            Fill::Full
-        } else if p.free_surface_radius < p.cavity_radius {
-            Fill::Partial
-        } else {
-            Fill::Empty
-        };
-        if p.free_surface_radius > p.cavity_radius {
-            let text = format!(
-                "the free surface (radius {}) lies outside the cavity (radius {})",
-                format_si(p.free_surface_radius, "m"),
-                format_si(p.cavity_radius, "m")
-            );
-            return vec![("fill", text)];
-        }
-        if fill != self.fill {
-            return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
-        }
-        let mut wrong = Vec::new();
-        if self.model == Model::Planar && p.skew != 0.0 {
-            wrong.push((
-                "skew",
-                "planar knows no tilt of the cavity: give model = \"strip\" or \"spatial\" for a cavity that is skew".into(),
-            ));
-        }
-        if (p.viscosity > 0.0) != self.viscous {
-            wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
-        }
-        if self.viscous {
-            if matches!(self.model, Model::PlanarTilt | Model::Frozen) {
-                wrong.push(("viscosity", "this model knows no viscosity: planar, strip and spatial do".into()));
-            } else if self.fill == Fill::Full {
-                wrong.push((
-                    "viscosity",
-                    "a full cavity with viscosity is not among the models: leave viscosity out, or a little air in".into(),
-                ));
-            }
-            if p.wave_damping != 0.0 {
-                wrong.push(("wave_damping", "the viscosity damps the wave by itself: give one of the two".into()));
-            }
-        } else if p.wave_damping != 0.0 && matches!(self.model, Model::Spatial | Model::Frozen) {
-            wrong.push(("wave_damping", "this model knows no wave damping: spatial takes a viscosity".into()));
-        }
-        wrong
-    }
-}
-
-impl Liquid {
-    #[inline(always)]
-    fn polar_inertia<S: Scalar>(&self, p: &LiquidParams<S>) -> S {
-        let Coefficients { full, void, .. } = Self::coefficients(p);
-        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
-        match self.fill {
-            Fill::Empty => S::zero(),
-            _ => ((full - void) * (r2 + s2)).scale(0.5),
-        }
+        self.wrong(p)
     }
 }
 
@@ -573,6 +581,13 @@ crate::conformance! {
         offset_planar_tilt: tests::partial().flowing(Model::PlanarTilt), tests::offset(0.03), Options::default();
         offset_frozen: tests::partial().flowing(Model::Frozen), tests::offset(0.03), Options::default();
         offset_spatial: tests::partial().flowing(Model::Spatial), tests::offset(0.03), Options { energy: false, ..Options::default() };
+        timed: tests::timed(tests::partial(), &tests::cavity(0.667, 0.0)), tests::cavity(0.667, 0.0),
+            Options { energy: false, ..Options::default() };
+        timed_full: tests::timed(Liquid::new(Attach::on("drum"), Fill::Full), &tests::cavity(0.0, 0.0)), tests::cavity(0.0, 0.0),
+            Options { energy: false, ..Options::default() };
+        timed_truncated: tests::timed(tests::partial().truncated(3), &tests::cavity(0.667, 0.0)), tests::cavity(0.667, 0.0),
+            Options { energy: false, ..Options::default() };
+        timed_offset: tests::timed(tests::partial(), &tests::offset(0.0)), tests::offset(0.0), Options { energy: false, ..Options::default() };
         viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_spatial: tests::partial().flowing(Model::Spatial).viscous(), tests::viscous(),

@@ -27,6 +27,7 @@ pub(super) struct Seen<S> {
     v: [S; 4],
     a: [S; 4],
     z: [S; 8],
+    states: usize,
     /// E and T.
     pub offsets: [Complex<S>; 2],
 }
@@ -34,7 +35,7 @@ pub(super) struct Seen<S> {
 impl<S: Scalar> Seen<S> {
     /// The point.
     pub fn at(&self, at: &At<S>) -> At<'_, S> {
-        let (n, m) = (at.q.len(), at.z.len());
+        let (n, m) = (at.q.len(), self.states);
         let At { phase, speed, spin_accel, t, .. } = *at;
         At { q: &self.q[..n], v: &self.v[..n], a: &self.a[..n], z: &self.z[..m], phase, speed, spin_accel, t }
     }
@@ -46,12 +47,14 @@ impl Liquid {
     pub(super) fn seen<S: Scalar>(&self, p: &LiquidParams<S>, at: &At<S>) -> Seen<S> {
         let offsets =
             [Complex::cis(at.phase + p.eccentricity_phase).scale(p.eccentricity), Complex::cis(at.phase + p.skew_phase).scale(p.skew)];
-        let mut out = Seen { q: [S::zero(); 4], v: [S::zero(); 4], a: [S::zero(); 4], z: [S::zero(); 8], offsets };
-        let (n, m) = (at.q.len(), at.z.len());
+        // waves of axial flow see the motion of the shaft
+        let (n, m) = (at.q.len(), self.plane_states());
+        let zero = S::zero();
+        let mut out = Seen { q: [zero; 4], v: [zero; 4], a: [zero; 4], z: [zero; 8], states: m, offsets };
         out.q[..n].copy_from_slice(at.q);
         out.v[..n].copy_from_slice(at.v);
         out.a[..n].copy_from_slice(at.a);
-        out.z[..m].copy_from_slice(at.z);
+        out.z[..m].copy_from_slice(&at.z[..m]);
         for (i, e) in offsets.into_iter().enumerate().take(n / 2) {
             let rate = e.mul_i().scale(at.speed);
             let accel = e.mul_i().scale(at.spin_accel) - e.scale(at.speed * at.speed);
@@ -81,7 +84,7 @@ impl Liquid {
         let push = rotating(p.eccentricity, p.eccentricity_phase);
         b.add_rotating([(0, one), (1, one)], push, plane.0, plane.1);
         // a part in the frequency domain has no states
-        let states = b.state.rows();
+        let states = self.plane_states();
         if states > 0 {
             b.add_rotating_rate(0, push, g);
         }

@@ -75,4 +75,14 @@ impl Liquid {
             }
         }
     }
+    /// Moment of inertia of the liquid about the axis, kg m^2.
+    #[inline(always)]
+    pub(super) fn polar_inertia<S: Scalar>(&self, p: &LiquidParams<S>) -> S {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        let (r2, s2) = (p.cavity_radius.square(), p.free_surface_radius.square());
+        match self.fill {
+            Fill::Empty => S::zero(),
+            _ => ((full - void) * (r2 + s2)).scale(0.5),
+        }
+    }
 }

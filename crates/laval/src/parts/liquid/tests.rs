@@ -24,6 +24,11 @@ pub(super) fn partial() -> Liquid {
     Liquid::new(Attach::on("drum"), Fill::Partial)
 }
 
+/// A spatial liquid in time.
+pub(super) fn timed(liquid: Liquid, p: &LiquidParams<f64>) -> Liquid {
+    liquid.flowing(Model::Spatial).accurate(1e-2).in_time(p, Speeds::Several).unwrap()
+}
+
 pub(super) fn viscous() -> LiquidParams {
     LiquidParams { viscosity: 2e-5, ..cavity(0.667, 0.0) }
 }
@@ -153,4 +158,55 @@ fn surface_of_a_liquid_without_states() {
         partial().flowing(Model::Spatial).validity(&LiquidParams { eccentricity: 2e-3, ..p }, &still, &mut out);
         assert!((out[0].ratio - 2e-3 / (0.07 * 0.333)).abs() < 1e-12, "{:?}", out[0]);
     }
+}
+
+/// The blocks in time, solved for a motion as exp(s t), are the exact reaction to the stated error; at any speed, with the plane flow among them.
+#[test]
+fn blocks_in_time_are_the_reaction() {
+    let p = cavity(0.667, 0.0);
+    for exact in [partial(), partial().truncated(5), Liquid::new(Attach::on("drum"), Fill::Full)] {
+        let exact = exact.flowing(Model::Spatial).accurate(1e-3);
+        let p = if exact.fill == Fill::Full { cavity(0.0, 0.0) } else { p };
+        let liquid = exact.in_time(&p, Speeds::Changing).unwrap();
+        let stated = liquid.fit().unwrap().error;
+        let m = liquid.layout().states.len();
+        assert_eq!(m, liquid.fit().unwrap().states + liquid.plane_states());
+        for (speed, s) in [(120.0, c(9.0, 310.0)), (300.0, c(-25.0, -140.0)), (55.0, c(6.0, 20.0))] {
+            let mut b = Blocks::default();
+            b.reset(4, m, speed);
+            liquid.linear(&p, speed, &mut b);
+            let entry = |i: usize, j: usize| c(f64::from(i == j), 0.0) * s - c(b.state[(i, j)], 0.0);
+            let lu = laval_num::dense::Lu::new(&laval_num::dense::Mat::from_fn(m, m, entry)).unwrap();
+            let mut whole = vec![Complex::zero(); 16];
+            exact.impedance(&p, s, speed, &mut whole);
+            let size = |i: usize| whole[4 * i..4 * i + 4].iter().map(|z| z.abs()).fold(0.0, f64::max);
+            for j in 0..4 {
+                let mut z: Vec<Complex<f64>> =
+                    (0..m).map(|i| c(b.state_q[(i, j)], 0.0) + s.scale(b.state_v[(i, j)]) + (s * s).scale(b.state_a[(i, j)])).collect();
+                lu.solve(&mut z);
+                for i in 0..4 {
+                    let damping = b.damping[(i, j)] + speed * b.gyroscopic[(i, j)];
+                    let own = (s * s).scale(b.mass[(i, j)]) + s.scale(damping) + c(b.stiffness[(i, j)], 0.0);
+                    let is = (0..m).fold(own, |sum, k| sum + z[k].scale(b.state_force[(i, k)]));
+                    let limit = if i < 2 { 1e-12 } else { 4.0 * stated } * size(i);
+                    assert!((is - whole[4 * i + j]).abs() <= limit, "{speed} {s:?} {i} {j}: {is:?} {:?}", whole[4 * i + j]);
+                }
+            }
+        }
+    }
+}
+
+/// A form made for one cavity does not serve another, and says so; one already made is not made again.
+#[test]
+fn a_form_belongs_to_its_cavity() {
+    let (p, liquid) = (cavity(0.667, 0.0), partial().flowing(Model::Spatial).accurate(1e-2));
+    let first = liquid.in_time(&p, Speeds::Several).unwrap();
+    assert!(first.check(&p).is_empty());
+    let other = LiquidParams { cavity_height: 0.061, ..p };
+    assert!(first.check(&other)[0].1.contains("made for another cavity"));
+    let again = liquid.in_time(&p, Speeds::One(3.0)).unwrap();
+    assert!(std::sync::Arc::ptr_eq(first.time.as_ref().unwrap(), again.time.as_ref().unwrap()));
+    assert!(liquid.in_time(&other, Speeds::Several).unwrap().check(&other).is_empty());
+    assert!(liquid.in_time(&offset(0.03), Speeds::Changing).err().unwrap().contains("skew"));
+    assert!(partial().viscous().in_time(&viscous(), Speeds::One(3.0)).is_err());
 }

@@ -17,7 +17,7 @@ mod masses;
 mod report;
 mod rows;
 
-use super::history::METHOD;
+use super::history::{METHOD, time_forms};
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, neutral, slowest_decay};
@@ -27,6 +27,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::system::{Body, Drive, System};
+use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
@@ -159,7 +160,12 @@ impl Study for Basins {
             return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        ensemble::admit(system, method(system, self.rules.method, self.speed))
+        let timed = system.timed(Speeds::One(self.speed))?;
+        if matches!(timed, Timed::Fitted(_)) && masses::has(system, self.speed) {
+            // states at rest in turning axes are those of the exact machine
+            return ensemble::admit(system, Method::Stiff);
+        }
+        ensemble::admit(&timed, method(&timed, self.rules.method, self.speed))
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
@@ -167,7 +173,14 @@ impl Study for Basins {
         if masses::has(system, self.speed) {
             return masses::run(self, system, context);
         }
-        let own = system.with(&[]).map_err(Diagnostics::into_error)?;
+        let own = system.timed(Speeds::One(self.speed))?.with(&[]).map_err(Diagnostics::into_error)?;
+        // internal states have other numbers in time
+        let moved = |i: usize| match i.checked_sub(2 * system.n()) {
+            Some(z) => start::renumbered(&[(Entry::State(z), 0.0)], system, &own).first().map(|e| e.0.index(&own)),
+            None => Some(i),
+        };
+        let varied = self.axes.each_ref().map(|a| a.index.and_then(moved));
+        let initial = start::renumbered(&self.initial, system, &own);
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
             study: self,
@@ -176,7 +189,9 @@ impl Study for Basins {
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
             values: self.axes.each_ref().map(Axis::values),
-            method: method(system, self.rules.method, self.speed),
+            method: method(&own, self.rules.method, self.speed),
+            varied,
+            initial,
             system: Arc::new(own),
         };
         let columns = rows::columns(self, &fleet);
@@ -191,7 +206,7 @@ impl Study for Basins {
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        report::report(&fleet, &results, context)
+        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
     }
 }
 
@@ -199,6 +214,9 @@ impl Study for Basins {
 struct Fleet<'a> {
     budget: Budget,
     study: &'a Basins,
+    /// Start, by entries of the machine in time, and the places of the two initial values in its state.
+    initial: Vec<(Entry, f64)>,
+    varied: [Option<usize>; 2],
     system: Arc<System>,
     method: Method,
     start: Start,
@@ -215,7 +233,7 @@ impl Fleet<'_> {
     /// Start from rest and what the file says of it.
     fn undisturbed(&self) -> Vec<f64> {
         let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
-        self.start.write(&self.study.initial, &mut y);
+        self.start.write(&self.initial, &mut y);
         y
     }
 
@@ -224,9 +242,9 @@ impl Fleet<'_> {
         let mut y = self.undisturbed();
         if let Some(cell) = row.checked_sub(1) {
             let width = self.values[0].len();
-            let [x, v] = &self.study.axes;
-            for (axis, value) in [(x, self.values[0][cell % width]), (v, self.values[1][cell / width])] {
-                if let Some(i) = axis.index {
+            let [x, v] = self.varied;
+            for (index, value) in [(x, self.values[0][cell % width]), (v, self.values[1][cell / width])] {
+                if let Some(i) = index {
                     y[i] = value;
                 }
             }
@@ -252,7 +270,7 @@ impl Fleet<'_> {
         };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
-        let place = |y: &[f64]| self.study.axes.each_ref().map(|a| a.index.map_or(f64::NAN, |i| y[i]));
+        let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));
         let list = members.iter().zip(settled).map(|(m, settled)| rows::Row { place: place(&m.y), settled }).collect();
         // a motion that the budget cut short is none
         (!self.budget.used_up()).then_some(list)

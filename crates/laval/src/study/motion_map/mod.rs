@@ -10,7 +10,7 @@
 
 mod report;
 
-use super::history::METHOD;
+use super::history::{METHOD, time_forms};
 use super::settled::columns::{self, RowColumn, body, cells, number, word};
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
@@ -20,6 +20,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
+use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
@@ -142,16 +143,19 @@ impl Study for MotionMap {
             )
             .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        ensemble::admit(system, self.method(system))
+        let timed = system.timed(Speeds::Several)?;
+        ensemble::admit(&timed, self.method(&timed))
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let own = system.with(&[]).map_err(Diagnostics::into_error)?;
+        let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
+        let initial = start::renumbered(&self.initial, system, &own);
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
             study: self,
-            method: self.method(system),
+            initial,
+            method: self.method(&own),
             values: self.axes.each_ref().map(Axis::values),
             system: Arc::new(own),
         };
@@ -166,7 +170,7 @@ impl Study for MotionMap {
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        report::report(&fleet, &results, context)
+        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
     }
 }
 
@@ -230,6 +234,8 @@ impl MotionMap {
 struct Fleet<'a> {
     budget: Budget,
     study: &'a MotionMap,
+    /// Start, by entries of the machine in time.
+    initial: Vec<(Entry, f64)>,
     system: Arc<System>,
     method: Method,
     /// Values along both axes.
@@ -280,7 +286,7 @@ impl Fleet<'_> {
         let system = Arc::new(self.study.machine(&self.system, at)?);
         let start = Start::new(&system, speed);
         let mut y = vec![0.0; 2 * system.n() + system.m()];
-        start.write(&self.study.initial, &mut y);
+        start.write(&self.initial, &mut y);
         Ok(Member { speed, y, rest: start.rest, rate: slowest_decay(&system, speed), system })
     }
 

@@ -7,6 +7,7 @@ use super::coupling::loaded;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::Attach;
 use crate::model::system::System;
+use crate::model::timed::Speeds;
 use crate::separation::load::Ring;
 use crate::solve::motion::flight::{Choice, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
@@ -157,6 +158,8 @@ fn both_ways(
     context: &Context,
     told: &dyn Fn(f64),
 ) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
+    let timed = system.timed(Speeds::Changing)?;
+    let system: &System = &timed;
     let mut ways = [vec![], vec![]];
     let mut steps = 0;
     let mut state: Option<(Vec<f64>, f64)> = None;

@@ -16,7 +16,7 @@ mod lyapunov;
 mod report;
 mod rows;
 
-use super::history::METHOD;
+use super::history::{METHOD, time_forms};
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
@@ -26,6 +26,7 @@ use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::system::{Body, Drive, System};
+use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
@@ -171,17 +172,20 @@ impl Study for Sweep {
             return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        ensemble::admit(system, method(system, self.rules.method, self.fastest()))
+        let timed = system.timed(Speeds::Several)?;
+        ensemble::admit(&timed, method(&timed, self.rules.method, self.fastest()))
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let own = system.with(&[]).map_err(Diagnostics::into_error)?;
+        let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
+        let initial = start::renumbered(&self.initial, system, &own);
         let fleet = Fleet {
             budget: Budget::new(context.work_limit),
             study: self,
+            initial,
+            method: method(&own, self.rules.method, self.fastest()),
             system: Arc::new(own),
-            method: method(system, self.rules.method, self.fastest()),
             speeds: self.speed.linspace(DEFAULT_POINTS),
             bodies: system.bodies(),
         };
@@ -203,7 +207,7 @@ impl Study for Sweep {
             let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
             Ok(computed.map(|list| cells(&rows, &list)))
         })?;
-        report::report(&fleet, &results, context)
+        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
     }
 }
 
@@ -231,6 +235,8 @@ impl Sweep {
 struct Fleet<'a> {
     budget: Budget,
     study: &'a Sweep,
+    /// Start, by entries of the machine in time.
+    initial: Vec<(Entry, f64)>,
     system: Arc<System>,
     method: Method,
     speeds: Vec<f64>,
@@ -252,7 +258,7 @@ impl Fleet<'_> {
         let start = Start::new(&self.system, speed);
         let y = carried.cloned().unwrap_or_else(|| {
             let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
-            start.write(&self.study.initial, &mut y);
+            start.write(&self.initial, &mut y);
             y
         });
         Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed), system: self.system.clone() }

@@ -1,0 +1,54 @@
+//! Relations between the parameters of a liquid.
+
+use super::{Fill, Liquid, LiquidParams, Model};
+use crate::units::format_si;
+
+impl Liquid {
+    /// What is wrong with its parameters, and which.
+    pub(super) fn wrong(&self, p: &LiquidParams<f64>) -> Vec<(&'static str, String)> {
+        let fill = if p.free_surface_radius == 0.0 {
+            Fill::Full
+        } else if p.free_surface_radius < p.cavity_radius {
+            Fill::Partial
+        } else {
+            Fill::Empty
+        };
+        if p.free_surface_radius > p.cavity_radius {
+            let text = format!(
+                "the free surface (radius {}) lies outside the cavity (radius {})",
+                format_si(p.free_surface_radius, "m"),
+                format_si(p.cavity_radius, "m")
+            );
+            return vec![("fill", text)];
+        }
+        if fill != self.fill {
+            return vec![("fill", "an empty, a partly filled and a full cavity are different machines: build each by itself".into())];
+        }
+        let mut wrong: Vec<(&'static str, String)> = self.outdated(p).map(|text| ("fill", text)).into_iter().collect();
+        if self.model == Model::Planar && p.skew != 0.0 {
+            wrong.push((
+                "skew",
+                "planar knows no tilt of the cavity: give model = \"strip\" or \"spatial\" for a cavity that is skew".into(),
+            ));
+        }
+        if (p.viscosity > 0.0) != self.viscous {
+            wrong.push(("viscosity", "a liquid with viscosity and one without are different machines: build each by itself".into()));
+        }
+        if self.viscous {
+            if matches!(self.model, Model::PlanarTilt | Model::Frozen) {
+                wrong.push(("viscosity", "this model knows no viscosity: planar, strip and spatial do".into()));
+            } else if self.fill == Fill::Full {
+                wrong.push((
+                    "viscosity",
+                    "a full cavity with viscosity is not among the models: leave viscosity out, or a little air in".into(),
+                ));
+            }
+            if p.wave_damping != 0.0 {
+                wrong.push(("wave_damping", "the viscosity damps the wave by itself: give one of the two".into()));
+            }
+        } else if p.wave_damping != 0.0 && matches!(self.model, Model::Spatial | Model::Frozen) {
+            wrong.push(("wave_damping", "this model knows no wave damping: spatial takes a viscosity".into()));
+        }
+        wrong
+    }
+}
