@@ -220,19 +220,21 @@ impl Judge {
         }
         let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
         let mut changes = Vec::new();
-        for (i, pair) in points.windows(2).enumerate() {
-            let (Some(a), Some(b)) = (&pair[0].exponents, &pair[1].exponents) else { continue };
-            let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
+        let judged: Vec<usize> = (0..points.len()).filter(|&i| points[i].exponents.is_some()).collect();
+        for pair in judged.windows(2) {
+            let (i, j) = (pair[0], pair[1]);
+            let (Some(a), Some(b)) = (&points[i].exponents, &points[j].exponents) else { continue };
             // at a fold on a corner the point between belongs to either side
-            let corner = folds.iter().any(|f| f.corner && (f.after == i || f.after + 1 == i));
+            let corner = folds.iter().any(|f| f.corner && f.after + 1 >= i && f.after < j);
             if corner || balance.cancelled() {
                 continue;
             }
             // the exponents that decay are not all known: none can be numbered
             if a.method == Method::Determinant {
-                on_determinant::changes_between(self, balance, (&branch, &points), i, settings, &mut changes);
-            } else {
-                let ends = [(&branch.points[i], a), (&branch.points[i + 1], b)];
+                on_determinant::changes_between(self, balance, (&branch, &points), (i, j), settings, &mut changes);
+            } else if j == i + 1 {
+                let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
+                let ends = [(&branch.points[i], a), (&branch.points[j], b)];
                 changes_between(self, balance, ends, i, fold, settings, &mut changes);
             }
         }

@@ -219,6 +219,15 @@ impl Hill<'_, '_> {
     }
 }
 
+impl Hill<'_, '_> {
+    /// The zero that Newton's method leads to from a start, steps no longer than half of `size`; its error is measured by the base frequency, so that a zero at the origin is one
+    /// like any other.
+    fn root(&mut self, start: C64, size: f64) -> Option<C64> {
+        let away = c(self.base.abs(), 0.0);
+        newton(|s| self.at(s - away, false), start + away, size, &[]).map(|z| z - away)
+    }
+}
+
 fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
@@ -371,11 +380,11 @@ pub fn exponents(
         }
         let mut values: Vec<C64> = Vec::new();
         for z in found.zeros.iter().copied() {
-            values.extend(newton(|s| hill.at(s, false), z + aside, 1e-3 * strip, &[]));
+            values.extend(hill.root(z + aside, 1e-3 * strip));
         }
         let count = values.len();
         for &start in &starts {
-            let Some(z) = newton(|s| hill.at(s, false), start, 0.2 * strip, &[]).map(into) else { continue };
+            let Some(z) = hill.root(start, 0.2 * strip).map(into) else { continue };
             let far = |k: &C64| {
                 (*k - z).abs() > 1e-7 * strip && (into(*k + c(0.0, 1e-6 * strip)) - into(z + c(0.0, 1e-6 * strip))).abs() > 1e-7 * strip
             };
@@ -384,8 +393,7 @@ pub fn exponents(
             }
         }
         hill.orders += hill.orders.div_ceil(3);
-        let settled =
-            |z: &C64| newton(|s| hill.at(s, false), *z + aside, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
+        let settled = |z: &C64| hill.root(*z + aside, 1e-3 * strip).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
         // all that grow, and one at least
         let looked_at = count.max(1).min(values.len());
         if count == found.zeros.len() && values[..looked_at].iter().all(settled) {
@@ -412,10 +420,10 @@ pub(super) fn followed(
     let mut hill = hill(system, d, x, speed, effort).ok()?;
     let strip = hill.base.abs();
     let aside = c(1e-6 * strip, 0.0);
-    let mut z = newton(|s| hill.at(s, false), start + aside, within, &[])?;
+    let mut z = hill.root(start + aside, within)?;
     while hill.orders <= MOST_ORDERS {
         hill.orders += hill.orders.div_ceil(3);
-        let next = newton(|s| hill.at(s, false), z + aside, 1e-3 * strip, &[])?;
+        let next = hill.root(z + aside, 1e-3 * strip)?;
         if (next - z).abs() <= SETTLED * strip {
             return ((next - start).abs() <= within).then_some(next);
         }

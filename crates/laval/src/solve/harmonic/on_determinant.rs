@@ -103,6 +103,8 @@ impl Search<'_, '_, '_> {
         let (judge, settings) = (&mut *self.judge, self.settings);
         let size = ends[0].abs().max(ends[1].abs());
         let mut last = None;
+        // on the axis nothing can be counted: no reason to call the branch unjudged
+        let unjudged = judge.unjudged.clone();
         let special = zero_between(self.balance, [a, b], ends, settings, &mut |balance, point| {
             let Some(e) = judge.state(balance, &point.x, point.p).exponents else { return f64::NAN };
             // where it decays only that is known
@@ -111,14 +113,15 @@ impl Search<'_, '_, '_> {
                 z.re
             })
         });
+        self.judge.unjudged = unjudged;
         let special = special.ok()?;
         let exponent = last.and_then(|z| self.followed(&special.point, z)).or(last)?;
         Some(Place { special: Special { status: Status::Bracketed, ..special }, exponent, after: i })
     }
 
-    /// Where the `k`-th exponent `z`, which grows at the one of points `i` and `i + 1` that is `many`, begins to.
-    fn place(&mut self, i: usize, many: usize, k: usize, z: C64) -> Option<Place> {
-        let ascending = many == i + 1;
+    /// Where the `k`-th exponent `z`, which grows at the latter of points `i` and `j` (`ascending`) or the former, begins to.
+    fn place(&mut self, (i, j): (usize, usize), ascending: bool, k: usize, z: C64) -> Option<Place> {
+        let many = if ascending { j } else { i };
         let mut here = (many, z);
         for _ in 0..=FURTHER {
             let next = if ascending { here.0.checked_sub(1)? } else { here.0 + 1 };
@@ -199,17 +202,17 @@ fn frequency(balance: &Balance, shape: Option<&Shape>, z: C64, speed: f64) -> f6
     most.map_or(f64::NAN, |(order, _)| (z.im + *order as f64 * signed).abs())
 }
 
-/// Changes between points `i` and `i + 1` of a branch.
+/// Changes between points `i` and `j` of a branch, neighbours among those that could be judged.
 pub(super) fn changes_between(
     judge: &mut Judge,
     balance: &mut Balance,
     (branch, states): (&Branch, &[State]),
-    i: usize,
+    (i, j): (usize, usize),
     settings: &Settings,
     out: &mut Vec<Change>,
 ) {
-    let (Some(a), Some(b)) = (&states[i].exponents, &states[i + 1].exponents) else { return };
-    let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
+    let (Some(a), Some(b)) = (&states[i].exponents, &states[j].exponents) else { return };
+    let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| (i..j).contains(&s.after));
     let width = base(balance, states[i].speed);
     let sides = [growing(a), growing(b)];
     let [before, then] = if fold.is_some() { without_folds(sides, width) } else { sides };
@@ -231,7 +234,7 @@ pub(super) fn changes_between(
             }
             continue;
         }
-        let Some(place) = search.place(i, if ascending { i + 1 } else { i }, k, many[k]) else { continue };
+        let Some(place) = search.place((i, j), ascending, k, many[k]) else { continue };
         let point = place.special.point.clone();
         search.balance.sample(&point.x, point.p);
         let slack = search.balance.truncation();
