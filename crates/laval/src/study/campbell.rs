@@ -279,7 +279,10 @@ impl Study for Campbell {
             crossings.len(),
             beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
         );
-        let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
+        // lines without names do not span the axis by themselves
+        let speeds = Axis::new("spin speed", "rad/s");
+        let speeds = if found.branches.len() > MOST_NAMED { speeds.range(from, to) } else { speeds };
+        let figure = Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth);
         outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
         if self.compare {
             outcome = approximation::add(outcome, system, &found, context)?;

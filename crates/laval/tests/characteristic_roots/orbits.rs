@@ -99,14 +99,6 @@ fn motions_with_the_symmetry_of_a_quarter_turn_change_their_stability_alike() {
     located_alike(&wave("per_axis"), Request { harmonics: Some(5), ..Request::over(80.0, 240.0) }, Event::SymmetryBreaking);
 }
 
-#[test]
-fn motions_with_the_symmetry_of_half_a_turn_change_their_stability_alike() {
-    let plane = "[machine]\nname = \"plane\"\nspeed = 100\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 1\neccentricity = 4e-3\n\
-        [[part]]\nkind = \"bearing_cubic\"\nname = \"spring\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"per_axis\"\nstiffness = { x = 0, y = 2e4 }\n\
-        cubic_stiffness = { x = 1e10, y = 0 }\n[[part]]\nkind = \"damper\"\nname = \"air\"\nbetween = [\"drum\", \"ground\"]\ndamping = { x = 20, y = 200 }\n";
-    located_alike(plane, Request { harmonics: Some(9), ..Request::over(130.0, 280.0) }, Event::SymmetryBreaking);
-}
-
 /// Small circular motions of a viscous machine lose their stability where its roots about the state at rest do; with larger ones on a bearing that stiffens that place
 /// moves up with the square of the deflection.
 #[test]
