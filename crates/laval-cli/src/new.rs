@@ -56,6 +56,11 @@ pub const TEMPLATES: &[Template] = &[
         text: include_str!("../../../examples/05-oil-desludging/machine.toml"),
     },
     Template {
+        name: "spatial-liquid",
+        about: "a rotor that tilts, with liquid that flows along its axis, on a frame that differs in x and y",
+        text: include_str!("../../../examples/06-spatial-liquid/machine.toml"),
+    },
+    Template {
         name: "viscoelastic-shaft",
         about: "a disc on a plastic shaft whose material remembers, and whirls above the critical speed",
         text: include_str!("../../../examples/07-viscoelastic-shaft/machine.toml"),

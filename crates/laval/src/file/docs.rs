@@ -2,7 +2,7 @@
 
 use super::numbers::bounds_text;
 use super::writer::quoted;
-use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
+use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo, MOST_POINTS};
 use crate::units::{describe, examples, write_number, write_si};
 use std::fmt::Write as _;
 
@@ -139,11 +139,15 @@ pub fn takes(f: &Field) -> String {
         FieldKind::Attach { ground: true } => "a point: \"drum\", { body = \"drum\", at = \"40 mm\" } or \"ground\"".into(),
         FieldKind::Attach { ground: false } => "a point: \"drum\" or { body = \"drum\", at = \"40 mm\" }".into(),
         FieldKind::Between => "two points: [\"drum\", \"base\"]; one of them may be \"ground\", each may be { body = .., at = .. }".into(),
-        FieldKind::Range { unit, bounds } => format!("{{ from = .., to = .., points = .. }}, points optional; {}", number(unit, &bounds)),
+        FieldKind::Range { unit, bounds } => {
+            format!("{{ from = .., to = .., points = .. }}, points optional, at most {MOST_POINTS}; {}", number(unit, &bounds))
+        }
         FieldKind::List { unit, bounds } => format!("a list; {}", number(unit, &bounds)),
         FieldKind::ParameterPath => "the path of a parameter: \"drum.mass\"".into(),
         FieldKind::ParameterRange => {
-            "{ parameter = \"drum.mass\", from = .., to = .., points = .. }, in the unit of the parameter; points optional".into()
+            format!(
+                "{{ parameter = \"drum.mass\", from = .., to = .., points = .. }}, in the unit of the parameter; points optional, at most {MOST_POINTS}"
+            )
         }
         FieldKind::Coordinate => "the name of a coordinate: \"drum.x\"".into(),
         FieldKind::Columns(list) => {

@@ -2,12 +2,9 @@
 
 use super::tree::{Data, Node, get};
 use super::values::{Context, clip, subject};
-use crate::model::field::{Bounds, RangeValue, Value};
+use crate::model::field::{Bounds, MOST_POINTS, RangeValue, Value};
 use crate::units;
 use std::collections::BTreeMap;
-
-/// Most points of a range.
-const MAX_POINTS: i64 = 1_000_000;
 
 type Alternative = (&'static str, &'static str, Bounds, &'static str);
 type Column = (&'static str, &'static str, bool, &'static str);
@@ -196,7 +193,7 @@ impl Context<'_> {
         let (from, to) = (end(self, "from"), end(self, "to"));
         let mut points = None;
         if let Some(e) = get(table, "points") {
-            match self.integer(&format!("{field}.points"), &e.node, 2, MAX_POINTS, false) {
+            match self.integer(&format!("{field}.points"), &e.node, 2, MOST_POINTS as i64, false) {
                 Some(Value::Integer(n)) => points = Some(n as usize),
                 _ => fine = false,
             }

@@ -2,7 +2,7 @@
 
 use super::docs::takes;
 use super::{Catalog, MACHINE_FIELDS};
-use crate::model::field::{AMOUNTS, Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo};
+use crate::model::field::{AMOUNTS, Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo, MOST_POINTS};
 use crate::units::{describe, examples};
 use serde_json::{Map, Value as Json, json};
 
@@ -128,7 +128,7 @@ fn range(extra: &[(&str, Json)], end: Json) -> Json {
     }
     o.insert("from".into(), end.clone());
     o.insert("to".into(), end);
-    o.insert("points".into(), json!({ "type": "integer", "minimum": 2, "maximum": 1_000_000 }));
+    o.insert("points".into(), json!({ "type": "integer", "minimum": 2, "maximum": MOST_POINTS }));
     let mut required: Vec<&str> = extra.iter().map(|e| e.0).collect();
     required.extend(["from", "to"]);
     table(o, &required)

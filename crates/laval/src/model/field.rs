@@ -193,6 +193,9 @@ impl Attach {
     }
 }
 
+/// Most points of a range: as many speeds or values as a study keeps the modes of.
+pub const MOST_POINTS: usize = 100_000;
+
 /// `{ from, to, points }` in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RangeValue {

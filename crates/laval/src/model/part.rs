@@ -249,8 +249,47 @@ pub struct Domain {
     pub waves: Vec<f64>,
     /// Rate, 1/s: how far the nearest singularity is from the imaginary axis, roughly and not above it.
     pub gap: f64,
+    /// Range of frequencies, rad/s, in which the part answers by the few waves of a truncated series where the whole series has no answer.
+    pub truncated: Option<[f64; 2]>,
     /// Terms of a series that one evaluation adds up, roughly; limits of work are counted in them.
     pub terms: usize,
+    /// What there is to say of all this.
+    pub words: Words,
+}
+
+/// A part's own words for where its dynamic stiffness is not analytic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// What the part is, with an article: `an ideal liquid`.
+    pub name: &'static str,
+    /// Its waves without number: `inertial waves`.
+    pub waves: &'static str,
+    /// What of it decides about growth that is too slow to be told from that of its waves.
+    pub decides: &'static str,
+    /// What gives it an answer at every order, as the beginning of a sentence without its stop.
+    pub remedy: &'static str,
+    /// What its answer in a truncated range is, as the end of a sentence without its stop.
+    pub kept: &'static str,
+    /// What takes up energy in it, where something does: `viscosity in the liquid`.
+    pub loss: &'static str,
+    /// What that means for its stability, a whole sentence with a leading space.
+    pub verdict: &'static str,
+    /// What dies out at the rates of the branch cut left of the axis.
+    pub layer: &'static str,
+}
+
+impl Words {
+    /// Of a part without words of its own.
+    pub const PLAIN: Words = Words {
+        name: "a part",
+        waves: "waves",
+        decides: "damping in the part",
+        remedy: "Damping in the part gives it an answer",
+        kept: "what is computed there are the few waves kept",
+        loss: "damping in the parts",
+        verdict: "",
+        layer: "what it remembers",
+    };
 }
 
 impl Domain {
@@ -264,7 +303,18 @@ impl Domain {
     }
     /// Of a part that only takes up energy: analytic for Re s >= 0.
     pub fn passive() -> Self {
-        Domain { left: false, axis: true, except: Vec::new(), dense: None, crowded: None, waves: Vec::new(), gap: f64::INFINITY, terms: 1 }
+        Domain {
+            left: false,
+            axis: true,
+            except: Vec::new(),
+            dense: None,
+            crowded: None,
+            waves: Vec::new(),
+            gap: f64::INFINITY,
+            truncated: None,
+            terms: 1,
+            words: Words::PLAIN,
+        }
     }
 }
 

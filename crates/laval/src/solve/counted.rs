@@ -6,7 +6,7 @@ use super::locate::{State, value_and_slope};
 use super::roots::{LEAST, Request, Roots, roots};
 use super::scalar::root;
 use super::sectors::Sector;
-use super::stability::{Edge, Peak, Row, Sample};
+use super::stability::{Edge, Row, Sample, peak};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -99,6 +99,10 @@ pub fn row(
         if out.unstable(&a, threshold) == out.unstable(&b, threshold) {
             continue;
         }
+        if !each(out.solved) {
+            out.stopped = true;
+            return Ok(out);
+        }
         let mut found = edge(system, state, a, b, threshold);
         // another root may have crossed before: then it is the edge
         for _ in 0..CROSSINGS {
@@ -123,14 +127,15 @@ pub fn row(
         if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
             continue;
         }
-        let (near, sector) = ((w[1].speed, w[1].value), w[1].sector);
-        let slope = |speed: f64| value_and_slope(system, state, speed, carried(system, state, near, speed, sector, DEPTH)?, sector);
-        let bracket = (w[0].speed, w[2].speed);
-        let (Some(a), Some(b)) = (slope(bracket.0), slope(bracket.1)) else { continue };
-        let place = root(|x| slope(x).map(|s| s.1.re), (bracket.0, a.1.re), (bracket.1, b.1.re), 1e-9 * bracket.1.abs());
-        if let Some((speed, (value, _))) = place.and_then(|x| Some((x, slope(x)?))) {
-            out.peaks.push(Peak { speed, value, bracket });
+        if !each(out.solved) {
+            out.stopped = true;
+            return Ok(out);
         }
+        let (near, sector) = ((w[1].speed, w[1].value), w[1].sector);
+        let value = |speed: f64| carried(system, state, near, speed, sector, DEPTH);
+        let slope = |speed: f64| value_and_slope(system, state, speed, value(speed)?, sector);
+        let found = peak(&out.edges, w, slope, value);
+        out.peaks.extend(found);
     }
     Ok(out)
 }

@@ -11,6 +11,7 @@ use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Complex amplitudes `X` of the motion `Re(X exp(i phase))` over the unknowns of the characteristic matrix, in x and y.
 #[derive(Clone, Debug)]
@@ -33,7 +34,21 @@ impl Response {
         let (f, b) = self.circles(i);
         f.abs() + b.abs()
     }
+    /// Direction of the major axis, the angle from x in rad, above -pi/2 and at most pi/2: there the circles meet, at the mean of their phases. NaN of a circle, which has none.
+    pub fn direction(&self, i: usize) -> f64 {
+        let (f, b) = self.circles(i);
+        let less = f.abs().min(b.abs());
+        if !(less > CIRCLE * self.major(i)) {
+            return f64::NAN;
+        }
+        let angle = 0.5 * (f * b).arg();
+        // a line along y is one direction, not two
+        if angle <= -FRAC_PI_2 { angle + PI } else { angle }
+    }
 }
+
+/// The smaller of two circles over the orbit below which the orbit is a circle itself, to rounding.
+const CIRCLE: f64 = 1e-9;
 
 /// Response at a speed; `None` where T is singular (an undamped resonance).
 ///

@@ -64,6 +64,10 @@ impl Whirl {
             Whirl::None => "none",
         }
     }
+    /// At a spin speed: at standstill there is nothing to whirl with or against.
+    pub fn at(self, speed: f64) -> Whirl {
+        if speed == 0.0 { Whirl::None } else { self }
+    }
     /// In a sentence, before or behind a noun: `forward whirl`; where neither direction leads with the forward share of the squared amplitudes.
     pub fn of(self, noun: &str, forward_share: f64) -> String {
         let straight = (1.0 + FLAT).powi(2) / (1.0 + (1.0 + FLAT).powi(2)) - 0.5;
@@ -72,6 +76,7 @@ impl Whirl {
                 format!("straight (mixed) {noun} with forward share {forward_share:.3}")
             }
             Whirl::Mixed => format!("mixed {noun} with forward share {forward_share:.3}"),
+            Whirl::None => format!("{noun} of no direction"),
             _ => format!("{} {noun}", self.word()),
         }
     }

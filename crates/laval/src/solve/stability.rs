@@ -5,7 +5,7 @@
 
 use super::locate::{State, double_root, value_and_slope};
 use super::pencil::Spectrum;
-use super::scalar::root;
+use super::scalar::{maximum, root};
 use super::sectors::Sector;
 use super::sweep::{spectrum, sweep};
 use crate::diagnostic::Diagnostic;
@@ -189,19 +189,43 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
         if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
             continue;
         }
-        let bracket = (w[0].speed, w[2].speed);
-        let slope = |speed: f64| -> Option<(C64, C64)> {
+        let strongest = |speed: f64| -> Option<(C64, Option<Sector>)> {
             let s = spectrum(system, state, speed).ok()?.1;
-            let m = s.least_stable()?;
-            value_and_slope(system, state, speed, m.value, m.sector)
+            s.least_stable().map(|m| (m.value, m.sector))
         };
-        let (Some(a), Some(b)) = (slope(bracket.0), slope(bracket.1)) else { continue };
-        let place = root(|x| slope(x).map(|s| s.1.re), (bracket.0, a.1.re), (bracket.1, b.1.re), 1e-11 * bracket.1.abs());
-        if let Some((speed, (value, _))) = place.and_then(|x| Some((x, slope(x)?))) {
-            out.peaks.push(Peak { speed, value, bracket });
-        }
+        let slope = |speed: f64| {
+            let (value, sector) = strongest(speed)?;
+            value_and_slope(system, state, speed, value, sector)
+        };
+        let found = peak(&out.edges, w, slope, |speed| strongest(speed).map(|s| s.0));
+        out.peaks.extend(found);
     }
     Ok(out)
+}
+
+/// The largest growth between the neighbours of the middle one of three samples, or the ends of the unstable range where these are nearer: where its `slope` vanishes, and
+/// where that leads to less than the sample itself, as where growth begins like a square root or modes change places, by golden section on the `value`.
+pub(super) fn peak(
+    edges: &[Edge],
+    w: &[Sample],
+    slope: impl Fn(f64) -> Option<(C64, C64)>,
+    value: impl Fn(f64) -> Option<C64>,
+) -> Option<Peak> {
+    let top = w[1];
+    let within = |a: f64, b: f64| edges.iter().filter(move |e| e.located && e.speed > a && e.speed < b).map(|e| e.speed);
+    let bracket = (within(w[0].speed, top.speed).fold(w[0].speed, f64::max), within(top.speed, w[2].speed).fold(w[2].speed, f64::min));
+    let smooth = bracket == (w[0].speed, w[2].speed);
+    let by_slope = || {
+        let (a, b) = (slope(bracket.0)?, slope(bracket.1)?);
+        let speed = root(|x| slope(x).map(|s| s.1.re), (bracket.0, a.1.re), (bracket.1, b.1.re), 1e-11 * bracket.1.abs())?;
+        slope(speed).map(|s| Peak { speed, value: s.0, bracket })
+    };
+    let found = smooth.then(by_slope).flatten().filter(|p| p.value.re >= top.value.re);
+    let searched = || {
+        let (speed, _) = maximum(|x| value(x).map(|z| z.re), bracket.0, bracket.1, 1e-9 * bracket.1.abs())?;
+        value(speed).map(|value| Peak { speed, value, bracket }).filter(|p| p.value.re >= top.value.re)
+    };
+    Some(found.or_else(searched).unwrap_or(Peak { speed: top.speed, value: top.value, bracket }))
 }
 
 /// The strongest mode at one speed is the strongest at the next: of all modes there the nearest one, seen from either side.

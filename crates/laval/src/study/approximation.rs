@@ -1,7 +1,7 @@
 //! A machine whose parts have waves without number beside the same machine with parts in their place that have few: what the approximation gets right.
 //!
-//! Equations: both characteristic equations, `det T(s, W) = 0` of the machine and the eigenvalue problem of finite size that stands for it. Of a liquid in three dimensions it keeps
-//! the plane flow and of the reaction on tilt what needs no axial flow: twelve states of rotor and foundation and four of the plane wave, a polynomial of degree sixteen.
+//! Equations: both characteristic equations, `det T(s, W) = 0` of the machine and the eigenvalue problem of finite size that stands for it. Which waves are kept the part says
+//! ([`Part::approximation`](crate::model::part::Part::approximation)).
 //!
 //! Symbols: W spin speed, rad/s; s = growth + i frequency.
 //!
@@ -25,7 +25,10 @@ pub(super) const COMPARE: Field = Field::optional(
     "compare",
     FieldKind::Choice(&[
         ("nothing", "only the machine as it is"),
-        ("approximation", "the machine with few waves in place of waves without number: of a spatial liquid planar_tilt, degree sixteen"),
+        (
+            "approximation",
+            "the machine with few waves in place of waves without number, of parts that have such a form: of a liquid in three dimensions planar_tilt",
+        ),
     ]),
     "nothing",
     "what the roots are drawn beside",
@@ -43,7 +46,7 @@ pub(super) fn wanted(values: &Values) -> bool {
 pub(super) fn admit(system: &System) -> Result<System, Diagnostic> {
     let made = system.approximation().ok_or_else(|| {
         Diagnostic::error("study.compare", "no part of this machine has an approximation to be compared with")
-            .help("a liquid with model = \"spatial\" has one; leave compare out otherwise")
+            .help("parts with waves without number have one; leave compare out otherwise")
     })?;
     made.map_err(|d| {
         let why = d.0.first().map_or_else(String::new, |d| d.message.clone());

@@ -11,7 +11,7 @@
 use super::approximation;
 use super::modes::THRESHOLD;
 use super::region;
-use super::support::{About, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
+use super::support::{About, COUNTS, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -105,7 +105,11 @@ pub struct Campbell {
 /// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
 pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
     let total = speeds.len() as u64;
-    context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+    if transcendental(system) {
+        context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+    } else {
+        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+    }
     let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
         context.progress.report(k as u64, total);
         context.goes_on(solved)
@@ -158,7 +162,7 @@ impl Study for Campbell {
         let label = |k: usize| {
             // a mode may change its direction on the way
             let mut words: Vec<&str> =
-                found.branches[k].points.iter().map(|p| p.1.whirl).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
+                found.branches[k].points.iter().map(|p| p.1.whirl.at(p.0)).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
             words.dedup();
             let words = match words.as_slice() {
                 [] => "aperiodic".to_string(),
@@ -168,7 +172,7 @@ impl Study for Campbell {
             };
             format!("{} {words}", k + 1)
         };
-        // waves that nothing inside a liquid damps grow slowly with any damping outside it: one limit for all speeds
+        // waves that nothing inside a part damps grow slowly with any damping outside it: one limit for all speeds
         let fastest = self.speed.from.abs().max(self.speed.to.abs());
         let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
         let threshold = if slow { self.threshold.max(LEAST * fastest) } else { self.threshold };
@@ -179,7 +183,11 @@ impl Study for Campbell {
             .float("frequency", "rad/s", "frequency", column(&|m| m.frequency()))
             .float("growth", "1/s", "growth rate", column(&|m| m.growth()))
             .float("damping_ratio", "", "damping ratio", column(&|m| m.damping_ratio()))
-            .text("whirl", "direction of whirl", rows.iter().map(|r| r.1.1.whirl.word().into()).collect())
+            .text(
+                "whirl",
+                "direction of whirl; none without oscillation across the axis, and at standstill",
+                rows.iter().map(|r| r.1.1.whirl.at(r.1.0).word().into()).collect(),
+            )
             .flag("stable", "growth not above the threshold", rows.iter().map(|r| limit(&r.1.1)).collect())
             .build()
             .map_err(inconsistent)?;
@@ -271,7 +279,10 @@ impl Study for Campbell {
             crossings.len(),
             beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
         );
-        let figure = Figure::new("campbell", "Campbell diagram", alt).x(Axis::new("spin speed", "rad/s")).panel(frequency).panel(growth);
+        // lines without names do not span the axis by themselves
+        let speeds = Axis::new("spin speed", "rad/s");
+        let speeds = if found.branches.len() > MOST_NAMED { speeds.range(from, to) } else { speeds };
+        let figure = Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth);
         outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
         if self.compare {
             outcome = approximation::add(outcome, system, &found, context)?;

@@ -1,12 +1,13 @@
-//! What "unstable" means: a growth that is felt, flutter of a machine without damping, or any growth with viscosity.
+//! What "unstable" means: a growth that is felt, flutter of a machine without damping, or any growth where a part inside the rotor takes up energy.
 //!
-//! An ideal liquid whirls slower than the rotor with negative energy in fixed axes: with any damping outside the liquid it is unstable at every speed, mostly so slowly that nobody
-//! would notice. A viscous liquid without damping outside is unstable at every speed above the critical speed of the filled rotor. Both together leave a finite range. So the sign
-//! of the growth alone says little of a machine with an ideal liquid.
+//! Waves that nothing inside a part damps have negative energy in fixed axes where they travel slower than the rotor turns: with any damping outside they grow at every speed, mostly so
+//! slowly that nobody would notice. With losses inside and none outside the machine is unstable at every speed above a critical one. Both together leave a finite range. So the sign of
+//! the growth alone says little of a machine with such waves; what a part has to say of itself it says in its [`Words`].
 
 use super::support::About;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Field, FieldKind, Values, Word};
+use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Finding, quantity};
 use crate::solve::pencil::modes_about;
@@ -14,7 +15,7 @@ use crate::solve::pencil::modes_about;
 const WORDS: &[Word] = &[
     ("growth", "growth above growth_threshold"),
     ("flutter", "two frequencies of a machine without damping meet; refused where something damps or drives"),
-    ("viscous", "any growth, with viscosity in the liquid; refused where no part has a layer that takes up energy"),
+    ("viscous", "any growth, with what takes up energy inside the parts that turn; refused where no part has a layer that does"),
 ];
 /// Field: what counts as unstable.
 pub(super) const CRITERION: Field = Field::optional("criterion", FieldKind::Choice(WORDS), "growth", "what counts as unstable");
@@ -29,8 +30,13 @@ pub enum Criterion {
     Growth,
     /// Two frequencies of an undamped machine meet.
     Flutter,
-    /// Any growth with viscosity.
+    /// Any growth, with losses inside the parts.
     Viscous,
+}
+
+/// A part whose waves die out by what it takes up itself.
+fn lossy(d: &Domain) -> bool {
+    !d.left && d.gap.is_finite()
 }
 
 impl Criterion {
@@ -46,7 +52,7 @@ impl Criterion {
     /// The machine is one for which this means something.
     ///
     /// # Errors
-    /// A machine with damping for flutter, one without viscosity for the growth with it.
+    /// A machine with damping for flutter, one without losses inside its parts for the growth with them.
     pub(super) fn admit(self, system: &System, about: About, speed: f64) -> Result<(), Diagnostic> {
         match self {
             Criterion::Growth => Ok(()),
@@ -63,28 +69,33 @@ impl Criterion {
                 )
                 .help("set all damping to 0, or take criterion = \"growth\" with a growth_threshold"))
             }
-            Criterion::Viscous if system.domains(speed).iter().any(|d| !d.left && d.gap.is_finite()) => Ok(()),
-            Criterion::Viscous => {
-                Err(Diagnostic::error("stability_map.criterion", "no part of this machine has the viscosity that this criterion is about")
-                    .help("give the liquid a viscosity, or take criterion = \"growth\" with a growth_threshold"))
-            }
+            Criterion::Viscous if system.domains(speed).iter().any(lossy) => Ok(()),
+            Criterion::Viscous => Err(Diagnostic::error(
+                "stability_map.criterion",
+                "no part of this machine has losses like the viscosity that this criterion is about",
+            )
+            .help("give one a viscosity, or take criterion = \"growth\" with a growth_threshold")),
         }
     }
 
     /// What was meant, in words.
     pub(super) fn finding(self, system: &System, speed: f64, threshold: f64) -> Finding {
-        let ideal = system.domains(speed).iter().any(|d| d.dense.is_some());
+        let domains = system.domains(speed);
+        let dense = domains.iter().find(|d| d.dense.is_some()).map(|d| d.words);
+        let Words { loss, verdict, .. } = domains.iter().find(|d| lossy(d)).map_or(Words::PLAIN, |d| d.words);
         let text = match self {
-            Criterion::Growth if ideal => format!(
-                "Unstable means: growth above {}. With an ideal liquid and damping outside it the sign of the growth says nothing: slow waves of the liquid always grow, most of them too \
-                 slowly to be felt.",
-                quantity(threshold, "1/s")
-            ),
-            Criterion::Growth => format!("Unstable means: growth above {}.", quantity(threshold, "1/s")),
+            Criterion::Growth => {
+                let slow = dense.map_or(String::new(), |w| {
+                    format!(
+                        " With {} and damping outside it the sign of the growth says nothing: its slow waves always grow, most of them too slowly to be felt.",
+                        w.name
+                    )
+                });
+                format!("Unstable means: growth above {}.{slow}", quantity(threshold, "1/s"))
+            }
             Criterion::Flutter => "Unstable means: two frequencies of the undamped machine have met. Close to the edge growth rises with the square root of the distance.".into(),
             Criterion::Viscous => format!(
-                "Unstable means: growth above {} with viscosity in the liquid. Without damping outside the liquid that is every speed above the critical speed of the filled rotor; damping \
-                 leaves a finite range, which little viscosity makes wide.",
+                "Unstable means: growth above {} with {loss}.{verdict}",
                 quantity(threshold, "1/s")
             ),
         };

@@ -1,7 +1,7 @@
 //! Linear response to unbalance over the spin speed: orbits, phases and forces of all bodies, resonances and antiresonances.
 //!
 //! Equations: `T(i W, W) X = F` with the forces that turn with the rotor; frequency-domain parts and memory states enter exactly. The motion of a
-//! point is `x + i y = f exp(i phase) + b exp(-i phase)`; its orbit has the semi-axes `|f| + |b|` and `||f| - |b||`.
+//! point is `x + i y = f exp(i phase) + b exp(-i phase)`; its orbit has the semi-axes `|f| + |b|` and `||f| - |b||`, the longer at the angle `(arg f + arg b)/2` from x.
 //!
 //! Symbols: W spin speed, rad/s; X complex amplitudes; f, b forward and backward amplitude, m.
 //!
@@ -89,6 +89,12 @@ impl Study for ForcedResponse {
                         f.abs() - b.abs()
                     }),
                 )
+                .float(
+                    format!("direction.{n}"),
+                    "rad",
+                    "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
+                    column(&|r| r.direction(b.x)),
+                )
                 .float(format!("forward.{n}"), "m", told("forward amplitude"), column(&|r| r.circles(b.x).0.abs()))
                 .float(
                     format!("phase.{n}"),
@@ -120,7 +126,13 @@ impl Study for ForcedResponse {
                 Finding::info("largest_resonance", text)
             };
             let finding = finding.value(e.speed, "rad/s").evidence("amplitude", e.value, "m").evidence("residual", residual, "");
-            outcome = outcome.finding(finding);
+            let there = if e.unbounded { None } else { response(system, &state, e.speed)? };
+            let direction = there.map_or(f64::NAN, |r| r.direction(bodies[e.body].x));
+            outcome = outcome.finding(if direction.is_nan() {
+                finding
+            } else {
+                finding.evidence("angle of the major axis of the orbit from x", direction, "rad")
+            });
         } else {
             let text = if found.complete {
                 "No body has a resonance inside the range of speeds."

@@ -14,7 +14,7 @@ use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, hertz, inconsis
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
-use crate::model::part::{DofKind, Domain};
+use crate::model::part::{DofKind, Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
 use crate::solve::characteristic::Characteristic;
@@ -84,8 +84,9 @@ impl Study for Modes {
         // beside the largest eigenvalue, what is smaller than this is rounding
         let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
         let column = |f: fn(&MachineMode) -> f64| modes.iter().map(f).collect::<Vec<f64>>();
-        // waves that nothing inside a liquid damps grow slowly with any damping outside it
-        let slow = endless && system.domains(self.speed).iter().any(Domain::undamped);
+        // waves that nothing inside a part damps grow slowly with any damping outside it
+        let undamped = system.domains(self.speed).into_iter().find(Domain::undamped).map(|d| d.words).filter(|_| endless);
+        let (slow, undamped) = (undamped.is_some(), undamped.unwrap_or(Words::PLAIN));
         let threshold = if slow { self.threshold.max(LEAST * self.speed.abs()) } else { self.threshold };
         // growth below the rounding of the eigenvalue is no growth
         let unstable = |m: &MachineMode| !(m.growth() <= threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
@@ -95,7 +96,11 @@ impl Study for Modes {
             .float("frequency", "rad/s", "whirl frequency", column(MachineMode::frequency))
             .float("frequency_hz", "Hz", "whirl frequency", column(|m| hertz(m.frequency())))
             .float("damping_ratio", "", "-growth over the modulus of the eigenvalue", column(MachineMode::damping_ratio))
-            .text("whirl", "direction of whirl with respect to the spin", modes.iter().map(|m| m.whirl.word().into()).collect())
+            .text(
+                "whirl",
+                "direction of whirl with respect to the spin; none without oscillation across the axis, and at standstill",
+                modes.iter().map(|m| m.whirl.at(self.speed).word().into()).collect(),
+            )
             .flag("stable", "growth not above the threshold", modes.iter().map(|m| !unstable(m)).collect())
             .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
             .float("error", "1/s", "estimated error of the eigenvalue; NaN when there is no estimate", column(|m| m.error))
@@ -132,7 +137,7 @@ impl Study for Modes {
             .work("polished modes", spectrum.polished as u64);
         for (k, m) in modes.iter().enumerate().filter(|(_, m)| unstable(m)) {
             let what = if m.frequency() > 0.0 {
-                format!("whirls {} at {}", direction(m), quantity(m.frequency(), "rad/s"))
+                format!("whirls{} at {}", direction(m.whirl.at(self.speed)), quantity(m.frequency(), "rad/s"))
             } else {
                 "moves away without oscillation".into()
             };
@@ -156,7 +161,7 @@ impl Study for Modes {
                 if any_unstable { "stable " } else { "" },
                 k + 1,
                 quantity(m.frequency(), "rad/s"),
-                m.whirl.of("whirl", m.forward_share),
+                m.whirl.at(self.speed).of("whirl", m.forward_share),
                 if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
             let ratio = if undamped { 0.0 } else { m.damping_ratio() };
@@ -178,7 +183,10 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
-                format!("Stable at {at}: no mode grows faster than {limit}; waves of an ideal liquid that grow more slowly are not judged.")
+                format!(
+                    "Stable at {at}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
+                    undamped.name
+                )
             } else if zero {
                 format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
             } else {
@@ -273,10 +281,10 @@ fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
 /// Directions of whirl as classes of figures.
 pub(super) const WHIRLS: &[&str] = &["forward", "backward", "mixed", "none"];
 
-fn direction(m: &MachineMode) -> &'static str {
-    match m.whirl {
-        Whirl::Forward => "forward",
-        Whirl::Backward => "backward",
+fn direction(whirl: Whirl) -> &'static str {
+    match whirl {
+        Whirl::Forward => " forward",
+        Whirl::Backward => " backward",
         Whirl::Mixed | Whirl::None => "",
     }
 }

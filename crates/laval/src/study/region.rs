@@ -3,9 +3,10 @@
 use super::support::inconsistent;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind};
-use crate::model::part::Domain;
+use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Finding, Table, quantity};
+use crate::solve::harmonic::refused::among_waves;
 use crate::solve::roots::{ACCUMULATION, Area, Roots};
 
 /// Field: largest frequency of the region in which roots are counted.
@@ -62,10 +63,10 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
 /// What the domain of the parts leaves out.
 pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     let mut out = Vec::new();
-    if let Some([a, b]) = domains.iter().find_map(|d| d.dense) {
+    if let Some(([a, b], Words { name, waves, decides, .. })) = domains.iter().find_map(|d| Some((d.dense?, d.words))) {
         let text = format!(
-            "At {} forward frequencies from {} to {} are the dense range of inertial waves of an ideal liquid: on the imaginary axis there are roots without number, and with \
-             damping outside the liquid some of them always grow, slowly. What counts is growth above a threshold; viscosity decides about the rest.",
+            "At {} forward frequencies from {} to {} are the dense range of {waves} of {name}: on the imaginary axis there are roots without number, and with \
+             damping outside it some of them always grow, slowly. What counts is growth above a threshold; {decides} decides about the rest.",
             quantity(speed, "rad/s"),
             quantity(a, "rad/s"),
             quantity(b, "rad/s")
@@ -82,32 +83,31 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
         );
         out.push(Finding::info("accumulation", text));
     }
-    if domains.iter().any(|d| !d.left) {
-        let text = "Roots that decay are found from starts only, beside the branch of rates at which a layer at the wall dies out; the count is that of the roots that grow.";
+    if let Some(d) = domains.iter().find(|d| !d.left) {
+        let text = format!(
+            "Roots that decay are found from starts only, beside the branch of rates at which {} dies out; the count is that of the roots that grow.",
+            d.words.layer
+        );
         out.push(Finding::info("half_plane", text));
     }
     out
 }
 
-/// That orders of a response, multiples of the speed with their direction of whirl, fall among the inertial waves of an ideal liquid, where it has no steady answer.
+/// That orders of a response, multiples of the speed with their direction of whirl, fall among the waves of a part, where it has no steady answer.
 pub(super) fn dense_orders(system: &System, speed: f64, orders: &[f64]) -> Option<Finding> {
-    let domains = system.domains(speed);
-    let [a, b] = domains.iter().find_map(|d| d.dense)?;
-    // at standstill nothing moves, with the speed the liquid stands still in its cavity, and the ends of the range have closed forms
-    let room = 1e-9 * speed.abs();
-    let inside = |w: f64| w > a + room && w < b - room && w.abs() > room && (w - speed).abs() > room;
-    let mut among: Vec<f64> = orders.iter().copied().filter(|n| inside(n * speed)).collect();
-    among.sort_by(f64::total_cmp);
-    let first = *among.first()?;
-    let list = among.iter().take(6).map(|n| format!("{n}")).collect::<Vec<_>>().join(", ");
-    let text = format!(
-        "Orders ({list}{}) of the motion lie inside the dense inertial range, from {} to {} at {{}}: there an ideal liquid has no steady response, and where these orders move it the \
-         equations have no solution. Viscosity, or strip, has one.",
-        if among.len() > 6 { ", ..." } else { "" },
-        quantity(a, "rad/s"),
-        quantity(b, "rad/s"),
-    );
-    Some(Finding::warning("inside_dense_range", text).value(speed, "rad/s").evidence("first of these orders", first, ""))
+    let among = among_waves(system, speed, orders.iter().copied())?;
+    let [a, b] = among.range.map(|w| quantity(w, "rad/s"));
+    let Words { name, waves, remedy, kept, .. } = among.words;
+    let one = among.orders.len() == 1;
+    let (which, lie, these) = if one { ("Order", "lies", "this order moves") } else { ("Orders", "lie", "these orders move") };
+    let there = if among.dense {
+        format!("there {name} has no steady response, and where {these} it the equations have no solution. {remedy}.")
+    } else {
+        format!("there {name} has no steady response; {kept}.")
+    };
+    let text = format!("{which} {} of the motion {lie} inside the dense range of {waves}, from {a} to {b} at {{}}: {there}", among.list());
+    let finding = Finding::warning("inside_dense_range", text).value(speed, "rad/s");
+    Some(among.orders.iter().take(6).fold(finding, |f, n| f.evidence("order", *n, "")))
 }
 
 /// Rectangles with their counts.

@@ -12,11 +12,11 @@
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
 use super::region;
-use super::support::{ABOUT, About, SPEED_RANGE, admit_roots, beyond_rounding, inconsistent, range, remarks};
+use super::support::{ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, beyond_rounding, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
-use crate::model::part::Domain;
+use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity, significant,
@@ -53,7 +53,12 @@ impl Study for StabilityMap {
         judges the motion that unbalance drives, whose ranges differ where that motion is not small.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds; 200 points unless given"),
-        Field::optional("parameter", FieldKind::ParameterRange, "", "a parameter to vary as well; 40 points unless given"),
+        Field::optional(
+            "parameter",
+            FieldKind::ParameterRange,
+            "",
+            "a parameter to vary as well; 40 points unless given, at most 1000000 in all with those of the speed",
+        ),
         ABOUT,
         CRITERION,
         THRESHOLD,
@@ -109,7 +114,11 @@ impl Study for StabilityMap {
             None => vec![None],
         };
         let total = (values.len() * speeds.len()) as u64;
-        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+        if transcendental(system) {
+            context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+        } else {
+            context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+        }
         let done = AtomicU64::new(0);
         // rows that the limit cannot reach are not begun
         let within = usize::try_from(context.work_limit.div_ceil(speeds.len() as u64)).unwrap_or(usize::MAX).clamp(1, values.len());
@@ -385,8 +394,10 @@ impl StabilityMap {
             };
             outcome = outcome.finding(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
             if threshold > self.threshold {
+                let words = system.domains(self.speed.to).into_iter().find(Domain::undamped).map_or(Words::PLAIN, |d| d.words);
                 let text = format!(
-                    "An ideal liquid has waves that any damping outside it makes grow slowly: growth is judged against {{}} instead of {}, the least that is told from theirs.",
+                    "Waves of {} grow slowly with any damping outside it: growth is judged against {{}} instead of {}, the least that is told from theirs.",
+                    words.name,
                     quantity(self.threshold, "1/s")
                 );
                 outcome = outcome.finding(Finding::warning("threshold_raised", text).value(threshold, "1/s"));

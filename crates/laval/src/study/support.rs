@@ -1,7 +1,7 @@
 //! What the linear studies share: where to linearise, how to say it, columns and sentences.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values, Word};
+use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Values, Word};
 use crate::model::part::At;
 use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Finding, OutcomeError, quantity};
@@ -119,8 +119,8 @@ pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) ->
     found
 }
 
-/// Most speeds or values of a range at which a linear study solves an eigenproblem and keeps its modes.
-const MOST_POINTS: usize = 100_000;
+/// Speeds at which roots are counted that are worth a word beforehand: one may take seconds.
+pub const COUNTS: f64 = 20.0;
 
 /// How to mend a range whose ends do not rise.
 pub fn apart(from: f64, to: f64) -> &'static str {

@@ -4,8 +4,10 @@ use super::{FILE, at, build, changed, filled, isotropic, spatial, truncated, vis
 use crate::common::{number, rows};
 use laval::model::field::RangeValue;
 use laval::solve::counted::row;
+use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::roots::Request;
+use laval::solve::stability::row as undamped_row;
 use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
 
@@ -77,4 +79,33 @@ fn band_of_the_inertial_wave() {
         let room = if nu > 0.0 { 2e-2 } else { 1e-5 };
         assert!(growth.abs() < room && frequency.abs() < room, "{r:?}: {best:?}");
     });
+}
+
+/// The largest growth inside the bands of a machine without damping, wherever the speeds of the grid lie, against a fine scan of the roots.
+#[test]
+fn the_largest_growth_of_a_band_is_found_between_the_speeds_of_any_grid() {
+    let still = |text: &str| changed(&without(&without(text, "air"), "material"), &[("damping = \"3000 N s/m\"", "damping = 0")]);
+    for (text, bands) in [
+        (still(&isotropic(FILE)), vec![(129.777, 166.257), (330.898, 531.833)]),
+        (changed(&still(&isotropic(FILE)), &[("mass = \"250 kg\"", "mass = \"100 kg\"")]), vec![(163.889, 237.458), (412.430, 604.938)]),
+    ] {
+        let system = build(&text);
+        let state = |w: f64| rest(&system, w);
+        let growth = |w: f64| modes_about(&system, &state(w).unwrap(), false).unwrap().least_stable().unwrap().value.re;
+        for (from, to) in bands {
+            let scan: Vec<(f64, f64)> = (0..400).map(|k| from + (to - from) * f64::from(k) / 400.0).map(|w| (w, growth(w))).collect();
+            let top = scan.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+            for points in [3, 4, 5, 7, 10, 16, 33] {
+                let speeds = RangeValue { from: from - 7.0, to: to + 9.0, points: Some(points) }.linspace(points);
+                let found = undamped_row(&system, &state, &speeds, 0.0, |_| true).unwrap();
+                let best = found.peaks.iter().max_by(|a, b| a.value.re.total_cmp(&b.value.re));
+                let best = best.unwrap_or_else(|| panic!("{points} {from}: {:?}", found.edges));
+                // no less than the scan, and no more than the curve
+                assert!(best.value.re >= top.1 * (1.0 - 1e-9), "{points} {from}: {best:?} {top:?}");
+                assert!((best.speed - top.0).abs() <= 1.01 * (to - from) / 400.0, "{points} {from}: {best:?} {top:?}");
+                assert!((growth(best.speed) / best.value.re - 1.0).abs() < 1e-9, "{points} {from}: {best:?}");
+                assert!(best.bracket.0 <= best.speed && best.speed <= best.bracket.1);
+            }
+        }
+    }
 }

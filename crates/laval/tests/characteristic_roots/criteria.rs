@@ -72,7 +72,7 @@ fn viscous() {
         }
     }
     let ideal = run(&format!("{}{}", machine(0.05, 0.0, 0.5, 0.7), study("viscous", 40.0, 300.0, 8))).unwrap_err();
-    assert!(ideal.contains("no part of this machine has the viscosity") && ideal.contains("give the liquid a viscosity"), "{ideal}");
+    assert!(ideal.contains("no part of this machine has losses like the viscosity") && ideal.contains("give one a viscosity"), "{ideal}");
 }
 
 /// With an ideal liquid and damping the sign of the growth says nothing, and the default says so; the slow wave grows at every speed.

@@ -1,6 +1,6 @@
 //! One liquid on nonlinear orbits by two paths: in time, and through its impedance alone.
 
-use super::{FILE, at, build, changed, isotropic, truncated, viscous};
+use super::{FILE, at, build, changed, isotropic, spatial, truncated, viscous};
 use crate::common::Planar;
 use laval::cavity::Cavity;
 use laval::diagnostic::Diagnostics;
@@ -182,8 +182,36 @@ fn orders_inside_the_dense_range() {
     };
     let ideal = with_bearing(&truncated(FILE, 3).replace("\naxial_harmonics = 3", ""), "5 um");
     let refused = run(&format!("{ideal}{}", study("none"))).unwrap_err();
-    assert!(refused.message.contains("dense inertial range") && refused.help.as_ref().is_some_and(|h| h.contains("half")), "{refused}");
-    assert!(run(&format!("{ideal}{}", study("half"))).is_ok());
+    let says = |text: &str| refused.message.contains(text);
+    // the speeds at which it is tried lie inside the range, the first one tells
+    assert!(says("order 2 of the motion") && says("dense range of inertial waves of an ideal liquid") && says("from -60.1"), "{refused}");
+    assert!(
+        ["half", "viscosity", "axial_harmonics", "strip"].iter().all(|w| refused.help.as_ref().is_some_and(|h| h.contains(w))),
+        "{refused}"
+    );
+    let told = |text: &str| run(text).unwrap().findings.into_iter().find(|f| f.id == "inside_dense_range");
+    assert!(told(&format!("{ideal}{}", study("half"))).is_none());
+    // of the waves of a few harmonics there is a response, and it is said to be that of these waves
+    let few = with_bearing(&truncated(FILE, 3), "5 um");
+    let finding = told(&format!("{few}{}", study("none"))).unwrap();
+    assert!(
+        finding.sentence().contains("Order 2 of the motion lies inside") && finding.sentence().contains("axial harmonics kept"),
+        "{}",
+        finding.sentence()
+    );
+    assert_eq!(finding.value, Some(62.0));
+    assert!(told(&format!("{few}{}", study("half"))).is_none());
+    // of a motion of three turns of the rotor there are more, of one sign and the other
+    let thrice = study("half").replace("harmonics = 3", "harmonics = 7\nsubharmonic = 3");
+    let finding = told(&format!("{few}{thrice}")).unwrap();
+    let orders: Vec<f64> = finding.evidence.iter().filter(|e| e.what == "order").map(|e| e.value).collect();
+    let should = [-1.0 / 3.0, 1.0 / 3.0, 5.0 / 3.0, 7.0 / 3.0];
+    assert!(orders.len() == 4 && orders.iter().zip(should).all(|(a, b)| (a - b).abs() < 1e-12), "{orders:?}");
+    let refused = run(&format!("{ideal}{thrice}")).unwrap_err();
+    assert!(refused.code == "harmonic.dense" && refused.message.contains("-0.3333, 0.3333, 1.6667, 2.3333"), "{refused}");
+    // the linear response has the orders 1 and -1 alone, where all is known in closed form
+    let linear = "\n[[study]]\nkind = \"forced_response\"\nspeed = { from = \"60 rad/s\", to = \"62 rad/s\", points = 5 }\n";
+    assert!(told(&format!("{}{linear}", spatial(FILE))).is_none());
     let thick = with_bearing(&viscous(&truncated(FILE, 3), "1e-4"), "5 um");
-    assert!(run(&format!("{thick}{}", study("none"))).is_ok());
+    assert!(told(&format!("{thick}{}", study("none"))).is_none());
 }

@@ -304,3 +304,46 @@ fn extrema_of_many_bodies_are_found_in_few_solutions() {
         assert!(off.abs() < 1e-7 * e.speed, "{e:?}: {off}");
     }
 }
+
+/// The major axis of an orbit against the orbit itself: its farthest point, and the principal axis of its points.
+#[test]
+fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
+    let text = include_str!("../reference/spatial/s1.toml");
+    let read = |text: &str| laval::file::load(text).unwrap().system;
+    let (system, other) =
+        (read(text), read(&text.replace("x = \"3e6", "u = \"3e6").replace("y = \"4e6", "x = \"4e6").replace("u = ", "y = ")));
+    let turn = |a: f64| (a - std::f64::consts::PI * (a / std::f64::consts::PI).round()).abs();
+    for speed in [90.0, 110.0, 250.0, 300.0, 420.0, 800.0] {
+        let r = at_speed(&system, speed).unwrap().unwrap();
+        for b in system.bodies() {
+            let (x, y) = (r.x[b.x], r.x[b.x + 1]);
+            let count = 7200;
+            let orbit = (0..count).map(|k| {
+                let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / f64::from(count)).sin_cos();
+                [x.re * cos - x.im * sin, y.re * cos - y.im * sin]
+            });
+            let far = orbit.clone().max_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1]))).unwrap();
+            let of = |f: &dyn Fn([f64; 2]) -> f64| orbit.clone().map(f).sum::<f64>();
+            let (xx, yy, xy) = (of(&|p| p[0] * p[0]), of(&|p| p[1] * p[1]), of(&|p| p[0] * p[1]));
+            let principal = 0.5 * (2.0 * xy).atan2(xx - yy);
+            let told = r.direction(b.x);
+            assert!(told > -std::f64::consts::FRAC_PI_2 && told <= std::f64::consts::FRAC_PI_2, "{told}");
+            assert!(turn(told - principal) < 1e-9, "{speed} {}: {told} {principal}", b.name);
+            assert!(turn(told - far[1].atan2(far[0])) < 0.02, "{speed} {}: {told} {far:?}", b.name);
+            assert!(turn(told) > 1e-4, "{speed} {}: {told}", b.name);
+        }
+        // the study hands on the same
+        let out = run(&system, speed, speed + 2.0);
+        let column = out.find_table("response").unwrap().column("direction.base").unwrap().number(0).unwrap();
+        assert_eq!(column, r.direction(system.bodies()[1].x));
+        // another machine has another axis
+        let o = at_speed(&other, speed).unwrap().unwrap();
+        assert!(turn(o.direction(other.bodies()[1].x) - column) > 1e-4);
+    }
+    // a circle has none, a line along y has one
+    let system = Planar::default().build();
+    let mut r = at_speed(&system, 300.0).unwrap().unwrap();
+    assert!(r.direction(0).is_nan() && r.major(0) > 0.0);
+    (r.x[0], r.x[1]) = (laval_num::complex::C64::zero(), laval_num::complex::c(0.3, -0.4));
+    assert_eq!(r.direction(0), std::f64::consts::FRAC_PI_2);
+}

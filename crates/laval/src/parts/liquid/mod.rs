@@ -53,6 +53,7 @@ mod check;
 mod offset;
 mod plane;
 mod timed;
+mod words;
 
 params! {
     /// Parameters of a [`Liquid`].
@@ -435,12 +436,12 @@ impl Part for Liquid {
         if self.viscous {
             // a layer of thickness sqrt(nu/W) at the wall takes its energy from a wave; what it takes is more where the liquid is shallow
             let gap = 0.1 * (p.viscosity * speed.abs()).sqrt() / p.cavity_radius;
-            return Some(Domain { crowded: all, waves, gap, terms, ..Domain::passive() });
+            return Some(Domain { crowded: all, waves, gap, terms, words: words::VISCOUS, ..Domain::passive() });
         }
-        let domain = Domain { left: true, waves, gap: 0.0, terms, ..Domain::passive() };
+        let domain = Domain { left: true, waves, gap: 0.0, terms, words: words::IDEAL, ..Domain::passive() };
         Some(match self.harmonics {
             Truncation::None | Truncation::Rough => Domain { axis: false, dense: Some(inertial), crowded: all, ..domain },
-            Truncation::At(_) => Domain { except: vec![speed], ..domain },
+            Truncation::At(_) => Domain { except: vec![speed], truncated: Some(inertial), ..domain },
         })
     }
     fn rough(&self) -> Option<Self> {

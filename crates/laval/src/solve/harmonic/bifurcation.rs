@@ -10,6 +10,8 @@
 //! | -1, motion symmetric | +1 | symmetry breaking: a pair of less symmetric states branches off |
 //! | -1, motion without symmetry | -1 | period doubling: a motion of twice the period branches off |
 //! | a complex pair | a complex pair | Neimark-Sacker: a second frequency appears beside the spin |
+//!
+//! Branches judged on Hill's determinant, whose decaying exponents are not all known: [`super::on_determinant`].
 
 use super::branch::Judge;
 use super::floquet::{Exponents, Method};
@@ -72,7 +74,7 @@ pub struct Change {
 }
 
 /// Changes located on a branch at most: where exponents are rounding they cross without end.
-const MOST_CHANGES: usize = 40;
+pub(super) const MOST_CHANGES: usize = 40;
 
 /// A multiplier this near to the real axis, in rad, is real.
 const REAL: f64 = 1e-6;
@@ -230,7 +232,7 @@ fn described(
 }
 
 /// The same point but for what location leaves open, and a relative `slack`.
-fn near(a: &Point, b: &Point, balance: &Balance, slack: f64) -> bool {
+pub(super) fn near(a: &Point, b: &Point, balance: &Balance, slack: f64) -> bool {
     let scaled = |x: &[f64]| x.iter().zip(balance.scales()).map(|(x, s)| x / s).collect::<Vec<f64>>();
     let (x, y) = (scaled(&a.x), scaled(&b.x));
     let size = x.iter().fold(1.0, |m: f64, x| m.max(x.abs()));

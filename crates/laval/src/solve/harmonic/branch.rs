@@ -1,8 +1,9 @@
 //! A branch of the response with its points judged: states, folds, other changes of stability, where it comes from.
 
 use super::bifurcation::{Change, changes_between};
-use super::determinant::{self, Effort};
+use super::determinant::{self, Effort, Shape};
 use super::floquet::{Exponents, Method, Stability, Unjudged};
+use super::on_determinant;
 use super::problem::{Balance, Discretisation};
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -143,16 +144,33 @@ const MOST_TERMS: u64 = 400_000_000;
 pub const POINT: u64 = 50_000;
 
 impl Judge {
-    /// With `wanted`, of stability too; `work` in points.
-    pub fn new(system: &System, wanted: bool, work: u64) -> Judge {
+    /// With `wanted`, of stability too; `work` in points. Everything on Hill's determinant where `determinant` says so.
+    pub fn new(system: &System, (wanted, determinant): (bool, bool), work: u64) -> Judge {
         let given = work.saturating_mul(POINT).min(MOST_TERMS);
         let judge = Judge { stability: None, exponents: None, terms: given, given, unjudged: None };
         match wanted.then(|| Stability::new(system)) {
             None => judge,
+            _ if determinant && system.undeclared().is_none() => Judge { exponents: Some(Vec::new()), ..judge },
             Some(Ok(s)) => Judge { stability: Some(s), ..judge },
             Some(Err(Unjudged::NoTimeForm(..))) if system.undeclared().is_none() => Judge { exponents: Some(Vec::new()), ..judge },
             Some(Err(why)) => Judge { unjudged: Some(why), ..judge },
         }
+    }
+
+    /// The exponent of a motion that a start leads to, no further from it than `within`; `None` where there is none or the work is used up.
+    pub(super) fn followed(&mut self, balance: &Balance, x: &[f64], speed: f64, start: (C64, f64)) -> Option<C64> {
+        let mut effort = Effort { terms: self.terms, cancel: balance.cancel };
+        let found = determinant::followed(balance.system, balance.discretisation(), x, speed, start, &mut effort);
+        self.terms = effort.terms;
+        found
+    }
+
+    /// How the machine moves at an exponent of a motion.
+    pub(super) fn shape(&mut self, balance: &Balance, x: &[f64], speed: f64, exponent: C64) -> Option<Shape> {
+        let mut effort = Effort { terms: self.terms, cancel: balance.cancel };
+        let found = determinant::shape(balance.system, balance.discretisation(), x, speed, exponent, &mut effort);
+        self.terms = effort.terms;
+        found
     }
 
     /// Terms of Hill's determinants that were added up.
@@ -202,17 +220,21 @@ impl Judge {
         }
         let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
         let mut changes = Vec::new();
-        for (i, pair) in points.windows(2).enumerate() {
-            let (Some(a), Some(b)) = (&pair[0].exponents, &pair[1].exponents) else { continue };
-            // the exponents that decay are not all known: none can be numbered
-            if a.method == Method::Determinant {
+        let judged: Vec<usize> = (0..points.len()).filter(|&i| points[i].exponents.is_some()).collect();
+        for pair in judged.windows(2) {
+            let (i, j) = (pair[0], pair[1]);
+            let (Some(a), Some(b)) = (&points[i].exponents, &points[j].exponents) else { continue };
+            // at a fold on a corner the point between belongs to either side
+            let corner = folds.iter().any(|f| f.corner && f.after + 1 >= i && f.after < j);
+            if corner || balance.cancelled() {
                 continue;
             }
-            let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
-            // at a fold on a corner the point between belongs to either side
-            let corner = folds.iter().any(|f| f.corner && (f.after == i || f.after + 1 == i));
-            if !corner && !balance.cancelled() {
-                let ends = [(&branch.points[i], a), (&branch.points[i + 1], b)];
+            // the exponents that decay are not all known: none can be numbered
+            if a.method == Method::Determinant {
+                on_determinant::changes_between(self, balance, (&branch, &points), (i, j), settings, &mut changes);
+            } else if j == i + 1 {
+                let fold = branch.of(Kind::Fold).chain(branch.of(Kind::ParameterExtremum)).find(|s| s.after == i);
+                let ends = [(&branch.points[i], a), (&branch.points[j], b)];
                 changes_between(self, balance, ends, i, fold, settings, &mut changes);
             }
         }

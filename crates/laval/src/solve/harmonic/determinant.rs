@@ -79,8 +79,8 @@ impl Effort<'_> {
 /// Hill's determinant of one motion.
 struct Hill<'a, 'b> {
     system: &'a System,
-    /// To count with.
-    rough: &'a System,
+    /// To count with, where that is another.
+    rough: Option<System>,
     params: Vec<D1>,
     model: LinearModel<D1>,
     scratch: LinearScratch<D1>,
@@ -93,6 +93,12 @@ struct Hill<'a, 'b> {
     base: f64,
     orders: usize,
     lu: Lu<C64>,
+    /// Domains of the parts.
+    domains: Vec<Domain>,
+    /// Roots of the machine at rest, of its parts that have a time form.
+    own: Vec<C64>,
+    /// The highest frequency, rad/s, that counts.
+    fastest: f64,
     /// Terms of one dynamic stiffness.
     terms: u64,
     effort: &'a mut Effort<'b>,
@@ -115,8 +121,8 @@ impl Hill<'_, '_> {
         if step == 0 { 2 * self.orders + 1 } else { step }
     }
 
-    /// The determinant's phase and logarithmic derivative; `rough` is enough to count zeros by.
-    fn at(&mut self, exponent: C64, rough: bool) -> Option<Sample> {
+    /// The flexibility `B Y^-1 B^T` at every order with its derivative, and phase and logarithmic derivative of the product of all `det Y`.
+    fn flexibilities(&mut self, exponent: C64, rough: bool) -> Option<(Sample, Vec<[Mat<C64>; 2]>)> {
         let (n, mu) = (self.orders as isize, self.rows.len());
         let (count, classes) = (2 * self.orders as u64 + 1, self.classes() as u64);
         let size = count.div_ceil(classes) * mu as u64;
@@ -129,7 +135,7 @@ impl Hill<'_, '_> {
         for order in -n..=n {
             let s = exponent + c(0.0, order as f64 * self.base);
             let dual = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
-            let system = if rough { self.rough } else { self.system };
+            let system = self.rough.as_ref().filter(|_| rough).unwrap_or(self.system);
             system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, dual, &mut self.grid, &mut self.scratch);
             let size = self.grid.rows();
             let mut y = Mat::from_fn(size, size, |i, j| c(self.grid[(i, j)].re.re, self.grid[(i, j)].im.re));
@@ -162,40 +168,63 @@ impl Hill<'_, '_> {
             };
             flexibility.push([read(&spread), read(&|i, k| changed[(i, k)])]);
         }
-        // orders that no tangent couples are classes of their own
-        for class in 0..self.classes() {
-            let members: Vec<usize> = (class..flexibility.len()).step_by(self.classes()).collect();
-            let size = members.len() * mu;
-            let (mut whole, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
-            for (a, &row) in members.iter().enumerate() {
-                let [g, dg] = &flexibility[row];
-                for (b, &col) in members.iter().enumerate() {
-                    let s = exponent + c(0.0, (col as isize - n) as f64 * self.base);
-                    let between = row as isize - col as isize;
-                    for k in 0..mu {
-                        for l in 0..mu {
-                            let rate = self.tangent(between, 1, l, k);
-                            let mut t = self.tangent(between, 0, l, k) + s * rate;
-                            if a == b && k == l {
-                                t -= c(self.reference[l], 0.0);
-                            }
-                            for i in 0..mu {
-                                whole[(a * mu + i, b * mu + k)] += g[(i, l)] * t;
-                                slope[(a * mu + i, b * mu + k)] += dg[(i, l)] * t + g[(i, l)] * rate;
-                            }
+        Some((sample, flexibility))
+    }
+
+    /// `1 + G (T - S)` of one class of orders with its derivative; the orders are `class`, and every `classes`-th after it.
+    fn coupled(&self, class: usize, exponent: C64, flexibility: &[[Mat<C64>; 2]]) -> (Mat<C64>, Mat<C64>) {
+        let (n, mu) = (self.orders as isize, self.rows.len());
+        let members: Vec<usize> = (class..flexibility.len()).step_by(self.classes()).collect();
+        let size = members.len() * mu;
+        let (mut whole, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        for (a, &row) in members.iter().enumerate() {
+            let [g, dg] = &flexibility[row];
+            for (b, &col) in members.iter().enumerate() {
+                let s = exponent + c(0.0, (col as isize - n) as f64 * self.base);
+                let between = row as isize - col as isize;
+                for k in 0..mu {
+                    for l in 0..mu {
+                        let rate = self.tangent(between, 1, l, k);
+                        let mut t = self.tangent(between, 0, l, k) + s * rate;
+                        if a == b && k == l {
+                            t -= c(self.reference[l], 0.0);
+                        }
+                        for i in 0..mu {
+                            whole[(a * mu + i, b * mu + k)] += g[(i, l)] * t;
+                            slope[(a * mu + i, b * mu + k)] += dg[(i, l)] * t + g[(i, l)] * rate;
                         }
                     }
                 }
             }
-            for i in 0..size {
-                whole[(i, i)] += C64::one();
-            }
+        }
+        for i in 0..size {
+            whole[(i, i)] += C64::one();
+        }
+        (whole, slope)
+    }
+
+    /// The determinant's phase and logarithmic derivative; `rough` is enough to count zeros by.
+    fn at(&mut self, exponent: C64, rough: bool) -> Option<Sample> {
+        let (mut sample, flexibility) = self.flexibilities(exponent, rough)?;
+        // orders that no tangent couples are classes of their own
+        for class in 0..self.classes() {
+            let (whole, mut slope) = self.coupled(class, exponent, &flexibility);
+            let size = whole.rows();
             self.lu.factor(&whole).ok()?;
             self.lu.solve_mat(&mut slope);
             sample.phase += self.lu.det().arg();
             sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + slope[(i, i)]);
         }
         (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
+    }
+}
+
+impl Hill<'_, '_> {
+    /// The zero that Newton's method leads to from a start, steps no longer than half of `size`; its error is measured by the base frequency, so that a zero at the origin is one
+    /// like any other.
+    fn root(&mut self, start: C64, size: f64) -> Option<C64> {
+        let away = c(self.base.abs(), 0.0);
+        newton(|s| self.at(s - away, false), start + away, size, &[]).map(|z| z - away)
     }
 }
 
@@ -230,7 +259,7 @@ fn coefficients(balance: &Balance) -> Vec<[Mat<C64>; 2]> {
 }
 
 /// Margin from which on all parts are analytic.
-fn margin(domains: &[Domain], speed: f64) -> f64 {
+pub(super) fn margin(domains: &[Domain], speed: f64) -> f64 {
     if domains.iter().all(|d| !d.touches_axis() && d.except.is_empty()) { 0.0 } else { LEAST * speed.abs() }
 }
 
@@ -251,19 +280,14 @@ fn reach(domains: &[Domain], speed: f64, base: f64, s: C64) -> f64 {
     limit
 }
 
-/// Exponents of a motion `x` of a discretisation at a speed: all that grow, and those that decay to which `starts` lead. The error of the result is at least the margin from
-/// which on growth can be counted.
-///
-/// # Errors
-/// Why the motion cannot be judged.
-pub fn exponents(
-    system: &System,
+/// Hill's determinant of a motion `x` of a discretisation at a speed, with as many orders as a count begins with.
+fn hill<'a, 'b>(
+    system: &'a System,
     d: Discretisation,
     x: &[f64],
     speed: f64,
-    starts: &[C64],
-    effort: &mut Effort,
-) -> Result<Exponents, Unjudged> {
+    effort: &'a mut Effort<'b>,
+) -> Result<Hill<'a, 'b>, Unjudged> {
     let failed = |why: &str| Unjudged::Failed(why.into());
     if system.slots().iter().filter(|s| !s.is_linear()).any(|s| s.uses.acceleration || !s.states.is_empty()) {
         return Err(failed("Hill's determinant is for machines whose nonlinear parts have neither mass nor states"));
@@ -282,16 +306,14 @@ pub fn exponents(
         Linearised::of_time_forms(system, &rest).spectrum().map_or(Vec::new(), |s| s.modes.iter().map(|m| m.value).collect());
     let waves = domains.iter().flat_map(|d| d.waves.iter().map(|w| w.abs()));
     let fastest = own.iter().map(|s| s.abs()).chain(waves).filter(|x| x.is_finite()).fold(2.0 * speed.abs(), f64::max);
-    let into = |z: C64| z - c(0.0, strip * (z.im / strip + BELOW).floor());
     let mean: Vec<f64> = (0..balance.terms.coordinates).map(|i| tangents[0][0][(i, i)].re.abs()).collect();
     let size = mean.iter().fold(0.0f64, |a, &b| a.max(b));
     let params: Vec<D1> = system.params().iter().map(|&x| Dual::lift(x)).collect();
     let (mut model, mut scratch) = (LinearModel::default(), LinearScratch::default());
     system.linear(&params, Dual::lift(speed), Form::Frequency, &mut model, &mut scratch);
-    let rough = system.rough();
-    let mut hill = Hill {
+    Ok(Hill {
         system,
-        rough: rough.as_ref().unwrap_or(system),
+        rough: system.rough(),
         params,
         model,
         scratch,
@@ -314,10 +336,32 @@ pub fn exponents(
         base,
         lu: Lu::default(),
         terms: domains.iter().map(|d| d.terms as u64).sum(),
+        domains,
+        own,
+        fastest,
         floor: effort.terms.saturating_sub(MOST_TERMS),
         effort,
         short: false,
-    };
+    })
+}
+
+/// Exponents of a motion `x` of a discretisation at a speed: all that grow, and those that decay to which `starts` lead. The error of the result is at least the margin from
+/// which on growth can be counted.
+///
+/// # Errors
+/// Why the motion cannot be judged.
+pub fn exponents(
+    system: &System,
+    d: Discretisation,
+    x: &[f64],
+    speed: f64,
+    starts: &[C64],
+    effort: &mut Effort,
+) -> Result<Exponents, Unjudged> {
+    let failed = |why: &str| Unjudged::Failed(why.into());
+    let mut hill = hill(system, d, x, speed, effort)?;
+    let (domains, own, fastest, strip) = (hill.domains.clone(), hill.own.clone(), hill.fastest, hill.base.abs());
+    let into = |z: C64| z - c(0.0, strip * (z.im / strip + BELOW).floor());
     let margin = margin(&domains, speed);
     let limit = |s: C64| reach(&domains, speed, strip, s);
     let region =
@@ -336,11 +380,11 @@ pub fn exponents(
         }
         let mut values: Vec<C64> = Vec::new();
         for z in found.zeros.iter().copied() {
-            values.extend(newton(|s| hill.at(s, false), z + aside, 1e-3 * strip, &[]));
+            values.extend(hill.root(z + aside, 1e-3 * strip));
         }
         let count = values.len();
         for &start in &starts {
-            let Some(z) = newton(|s| hill.at(s, false), start, 0.2 * strip, &[]).map(into) else { continue };
+            let Some(z) = hill.root(start, 0.2 * strip).map(into) else { continue };
             let far = |k: &C64| {
                 (*k - z).abs() > 1e-7 * strip && (into(*k + c(0.0, 1e-6 * strip)) - into(z + c(0.0, 1e-6 * strip))).abs() > 1e-7 * strip
             };
@@ -349,8 +393,7 @@ pub fn exponents(
             }
         }
         hill.orders += hill.orders.div_ceil(3);
-        let settled =
-            |z: &C64| newton(|s| hill.at(s, false), *z + aside, 1e-3 * strip, &[]).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
+        let settled = |z: &C64| hill.root(*z + aside, 1e-3 * strip).is_some_and(|n| (n - *z).abs() <= SETTLED * strip);
         // all that grow, and one at least
         let looked_at = count.max(1).min(values.len());
         if count == found.zeros.len() && values[..looked_at].iter().all(settled) {
@@ -362,4 +405,59 @@ pub fn exponents(
         }
     }
     Err(Unjudged::Failed(format!("Hill's determinant did not settle with {MOST_ORDERS} orders")))
+}
+
+/// The exponent that a start leads to, without a count: by Newton's method, again with a third more orders. `None` where none is so near as `within`, where it does not
+/// settle, or where the work that may be done is used up.
+pub(super) fn followed(
+    system: &System,
+    d: Discretisation,
+    x: &[f64],
+    speed: f64,
+    (start, within): (C64, f64),
+    effort: &mut Effort,
+) -> Option<C64> {
+    let mut hill = hill(system, d, x, speed, effort).ok()?;
+    let strip = hill.base.abs();
+    let aside = c(1e-6 * strip, 0.0);
+    let mut z = hill.root(start + aside, within)?;
+    while hill.orders <= MOST_ORDERS {
+        hill.orders += hill.orders.div_ceil(3);
+        let next = hill.root(z + aside, 1e-3 * strip)?;
+        if (next - z).abs() <= SETTLED * strip {
+            return ((next - start).abs() <= within).then_some(next);
+        }
+        z = next;
+    }
+    None
+}
+
+/// What moves at an exponent: order, and the amplitudes of the nonlinear coordinates there.
+pub(super) type Shape = Vec<(isize, Vec<C64>)>;
+
+/// The disturbance of an exponent, by inverse iteration in the class of orders that has it.
+pub(super) fn shape(system: &System, d: Discretisation, x: &[f64], speed: f64, exponent: C64, effort: &mut Effort) -> Option<Shape> {
+    let mut hill = hill(system, d, x, speed, effort).ok()?;
+    let exponent = exponent + c(1e-9 * hill.base.abs(), 0.0);
+    let (_, flexibility) = hill.flexibilities(exponent, false)?;
+    let (mu, n) = (hill.rows.len(), hill.orders as isize);
+    let mut best: Option<(f64, Shape)> = None;
+    for class in 0..hill.classes() {
+        let (whole, _) = hill.coupled(class, exponent, &flexibility);
+        let lu = Lu::new(&whole).ok()?;
+        let mut v: Vec<C64> = (0..whole.rows()).map(|i| c(1.0 + 0.3 * (1.7 * i as f64).sin(), 0.2 * (2.3 * i as f64).cos())).collect();
+        let mut size = 0.0;
+        for _ in 0..4 {
+            let before = v.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
+            v.iter_mut().for_each(|z| *z = z.scale(1.0 / before));
+            lu.solve(&mut v);
+            size = v.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
+        }
+        if size.is_finite() && best.as_ref().is_none_or(|b| size > b.0) {
+            let step = hill.classes() as isize;
+            let orders = v.chunks(mu).enumerate().map(|(k, x)| (class as isize + k as isize * step - n, x.to_vec())).collect();
+            best = Some((size, orders));
+        }
+    }
+    best.map(|b| b.1)
 }

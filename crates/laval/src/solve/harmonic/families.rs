@@ -286,7 +286,7 @@ impl<'a> Search<'a, '_> {
             if branch.points.len() < 2 {
                 break;
             }
-            let mut judge = Judge::new(self.system, false, 0);
+            let mut judge = Judge::new(self.system, (false, false), 0);
             let balance = &mut self.balances[at];
             let step = (branch.points.len() / 40).max(1);
             let dropped = branch.points.iter().step_by(step).map(|p| judge.state(balance, &p.x, p.p).truncation);
@@ -306,7 +306,7 @@ impl<'a> Search<'a, '_> {
         if self.is_known_throughout(at, &branch)? {
             return Ok(());
         }
-        let mut judge = Judge::new(self.system, self.request.stability, self.request.work);
+        let mut judge = Judge::new(self.system, (self.request.stability, self.request.determinant), self.request.work);
         let mut traced = judge.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
         finish(self.system, self.request, &mut traced);
         self.response.judging += judge.spent();

@@ -3,9 +3,12 @@
 //! Every fold and every change of stability of these responses that no known locus passes through starts a new one. A locus that lies between the values and
 //! meets none of them is not found.
 
+pub use super::locus::{Corner, Locus, LocusKind, LocusPoint};
+
 use super::bifurcation::{Event, frequency};
 use super::branch::Judge;
 use super::crossing_locus::{CrossingLocus, angle, exponents, nearest, span};
+use super::existence::existence;
 use super::families::whole_period;
 use super::floquet::{Exponents, Stability, Unjudged};
 use super::fold_locus::FoldLocus;
@@ -30,8 +33,6 @@ pub const MOST_LOCI: usize = 24;
 const RAISES: usize = 3;
 /// Most unknowns to which orders are raised.
 const MOST_UNKNOWNS: usize = 96;
-/// Part of the range kept from a value beyond which the machine does not exist.
-const INSIDE: f64 = 1e-6;
 /// Points of a locus of stability that are judged again.
 const JUDGED_AGAIN: usize = 3;
 
@@ -58,72 +59,6 @@ pub struct Request {
     pub max_points: usize,
     /// Most points in all.
     pub work: u64,
-}
-
-/// What happens on a locus.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LocusKind {
-    /// Two states meet and vanish.
-    Fold,
-    /// Stability changes otherwise.
-    Change(Event),
-}
-
-impl LocusKind {
-    /// The field's term.
-    pub fn name(self) -> &'static str {
-        match self {
-            LocusKind::Fold => "fold",
-            LocusKind::Change(event) => event.name(),
-        }
-    }
-}
-
-/// One point of a locus.
-#[derive(Clone, Debug)]
-pub struct LocusPoint {
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// The parameter.
-    pub value: f64,
-    /// Harmonics of the motion.
-    pub x: Vec<f64>,
-    /// Scaled residual.
-    pub residual: f64,
-    /// Dropped force harmonics over kept ones.
-    pub truncation: f64,
-    /// Of a change of stability: growth rate left there, 1/s; frequency of the disturbance, rad/s; exponents that grow beside the one that crosses.
-    pub crossing: Option<(f64, f64, usize)>,
-}
-
-/// A place where a locus turns back in the parameter.
-#[derive(Clone, Debug)]
-pub struct Corner {
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Harmonics of the motion.
-    pub x: Vec<f64>,
-    /// The same seen along the locus.
-    pub turn: Turn,
-    /// Change of speed and parameter with four more orders; NaN when that did not converge.
-    pub harmonics_change: [f64; 2],
-}
-
-/// A locus.
-#[derive(Clone, Debug)]
-pub struct Locus {
-    /// What happens on it.
-    pub kind: LocusKind,
-    /// Points in order along it.
-    pub points: Vec<LocusPoint>,
-    /// Places where it turns back in the parameter: for folds cusps, or places where two folds meet.
-    pub corners: Vec<Corner>,
-    /// How it ends.
-    pub ends: [PathEnd; 2],
-    /// Largest difference of the growth rate at points judged again by Hill's method, 1/s, and their number.
-    pub judged_again: (f64, usize),
-    /// Speed, rad/s, and value of the bifurcation it was started from.
-    pub start: (f64, f64),
 }
 
 /// A response that was computed to find starts.
@@ -176,43 +111,6 @@ struct Start {
     x: Vec<f64>,
     discretisation: Discretisation,
     kind: LocusKind,
-}
-
-/// A range, and why the machine does not exist below and above it.
-type Existence = ((f64, f64), [Option<String>; 2]);
-
-/// Values at which the machine exists: the part of the range about those values at which it was assembled, its ends by halving.
-fn existence(system: &System, request: &Request) -> Result<Existence, Diagnostic> {
-    let path = request.parameter.as_str();
-    let refusal = |x: f64| match system.with(&[(path, x)]) {
-        Ok(_) => None,
-        Err(d) => Some(d.0.into_iter().next().map(|d| d.message).unwrap_or_default()),
-    };
-    let inside: Vec<f64> = request.values.iter().copied().filter(|&x| refusal(x).is_none()).collect();
-    let (Some(&first), Some(&last)) = (inside.first(), inside.last()) else {
-        let why = refusal(request.range.0).unwrap_or_default();
-        return Err(Diagnostic::error("loci.parameter", format!("the machine does not exist at any value tried of {path}: {why}"))
-            .help("choose another range of the parameter"));
-    };
-    let wide = request.range.1 - request.range.0;
-    let edge = |mut good: f64, end: f64| match refusal(end) {
-        None => (end, None),
-        Some(why) => {
-            let mut bad = end;
-            for _ in 0..60 {
-                let middle = 0.5 * (good + bad);
-                if refusal(middle).is_none() { good = middle } else { bad = middle }
-            }
-            // what ends there may have no limit there
-            (good + INSIDE * (if end > good { -wide } else { wide }), Some(why))
-        }
-    };
-    let ((lo, below), (hi, above)) = (edge(first, request.range.0), edge(last, request.range.1));
-    if !(hi > lo) {
-        return Err(Diagnostic::error("loci.parameter", format!("the machine exists at a single value of {path} in this range"))
-            .help("choose another range of the parameter"));
-    }
-    Ok(((lo, hi), [below, above]))
 }
 
 /// Follows the loci of a machine.
@@ -526,7 +424,7 @@ impl<'s> Search<'s> {
             y.push(angle(*own, &seen, start.speed));
         }
         let Some(path) = self.follow(&mut problem, &y, start.value, n, settings)? else { return Ok(None) };
-        let mut judge = Judge::new(&self.machines[start.machine].1, true, self.request.work);
+        let mut judge = Judge::new(&self.machines[start.machine].1, (true, false), self.request.work);
         let mut points = Vec::with_capacity(path.points.len());
         let mut judged_again = (0.0, 0);
         let every = path.points.len().div_ceil(JUDGED_AGAIN);

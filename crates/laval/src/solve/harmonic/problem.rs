@@ -7,16 +7,18 @@
 //! x are the terms of the nonlinear coordinates u, L and p the linear parts condensed exactly at every order, f the nonlinear forces sampled over the
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
 
-use super::condense::{Basis, Condenser, Order, lossy};
+pub use super::coordinates::Nonlinear;
+
+use super::condense::{Condenser, Order, lossy};
 use super::fourier::Into;
 use super::nonlinear::{Member, Sampled};
 use super::pace::{Pace, Parameter};
+use super::refused::refused;
+use super::sizes::{reference_stiffness, resonances};
 use super::switching::Switching;
 use super::terms::{Term, Terms};
 use crate::diagnostic::Diagnostic;
-use crate::model::part::{At, DofKind};
-use crate::model::system::{Axis, Slot, System};
-use crate::model::tangent::{Tangent, TangentScratch};
+use crate::model::system::{Axis, System};
 use crate::solve::rest::rest;
 use crate::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
@@ -46,81 +48,6 @@ impl Discretisation {
             parts => self.samples.next_multiple_of(parts),
         };
         Discretisation { symmetry, samples, ..self }
-    }
-}
-
-/// The nonlinear coordinates of a machine: what its nonlinear parts see, without repetition.
-#[derive(Clone, Debug)]
-pub struct Nonlinear {
-    /// Rows over global coordinates.
-    pub basis: Basis,
-    /// Kinds of these coordinates, then of the nonlinear parts' states.
-    pub kinds: Vec<DofKind>,
-    /// Typical sizes.
-    pub typical: Vec<f64>,
-    /// Global state of each state coordinate.
-    pub states: Vec<usize>,
-    /// The nonlinear parts.
-    pub members: Vec<Member>,
-    /// Vectors come with both components, so that a turn of the machine maps the coordinates onto themselves.
-    pub paired: bool,
-}
-
-impl Nonlinear {
-    /// Of a machine. A linear machine is seen through its first pair of coordinates.
-    pub fn of(system: &System) -> Nonlinear {
-        let n = system.n();
-        let mut basis = Basis::default();
-        let (mut kinds, mut typical) = (Vec::new(), Vec::new());
-        let mut members = Vec::new();
-        let mut note = |basis: &Basis, local_kind: DofKind, size: f64, kinds: &mut Vec<DofKind>| {
-            if basis.rows.len() > kinds.len() {
-                kinds.push(local_kind);
-                typical.push(size);
-            }
-        };
-        for (k, slot) in system.slots().iter().enumerate().filter(|(_, s)| !s.is_linear()) {
-            let mut map = Vec::new();
-            for (row, kind) in slot.map.iter().zip(slot.layout.kinds()) {
-                map.push(basis.express(row, n));
-                // the size of what the row combines: a tilt may be a difference of displacements over a length
-                let size = row.iter().map(|&(g, c)| c.abs() * system.coordinates()[g].dof.typical).fold(0.0, f64::max);
-                note(&basis, kind, if size > 0.0 { size } else { 1.0 }, &mut kinds);
-            }
-            members.push(Member { slot: k, map, states: 0..0, uses: slot.uses });
-        }
-        if basis.rows.is_empty() {
-            let dofs = system.coordinates();
-            let pair = (1..n).find(|&g| dofs[g - 1].dof.kind.leads_pair() && dofs[g].dof.kind.ends_pair());
-            for (g, coordinate) in dofs.iter().enumerate().skip(pair.map_or(0, |g| g - 1)).take(2) {
-                basis.express(&[(g, 1.0)], n);
-                note(&basis, coordinate.dof.kind, coordinate.dof.typical, &mut kinds);
-            }
-        }
-        // a vector's component without the other is expanded like a scalar
-        let together = |kinds: &[DofKind], i: usize| {
-            (kinds[i].leads_pair() && kinds.get(i + 1).is_some_and(|k| k.ends_pair()))
-                || (i > 0 && kinds[i].ends_pair() && kinds[i - 1].leads_pair())
-        };
-        let kinds_before = kinds.clone();
-        let mut paired = true;
-        for (i, kind) in kinds.iter_mut().enumerate() {
-            if (kind.leads_pair() || kind.ends_pair()) && !together(&kinds_before, i) {
-                (*kind, paired) = (DofKind::Scalar, false);
-            }
-        }
-        let mut states = Vec::new();
-        for member in &mut members {
-            let slot = &system.slots()[member.slot];
-            let first = basis.rows.len() + states.len();
-            for g in slot.states.clone() {
-                states.push(g);
-                kinds.push(system.states()[g].dof.kind);
-                typical.push(system.states()[g].dof.typical);
-            }
-            member.states = first..basis.rows.len() + states.len();
-        }
-        Nonlinear { basis, kinds, typical, states, members, paired }
     }
 }
 
@@ -257,7 +184,7 @@ impl<'a> Balance<'a> {
         let points = 8;
         for i in 0..points {
             let speed = lo + (hi - lo) * (i as f64 + 0.5) / points as f64;
-            self.set_speed(speed).map_err(|e| self.drifts(e))?;
+            self.set_speed(speed).map_err(|e| refused(self.system, &self.terms, speed, &e))?;
             let mut u = vec![0.0f64; mu];
             for order in &self.orders {
                 for ((u, p), k) in u.iter_mut().zip(&order.load).zip(&self.condenser.reference) {
@@ -283,18 +210,6 @@ impl<'a> Balance<'a> {
             self.scale[at..at + width].fill(10.0 * c);
         }
         Ok(())
-    }
-
-    fn drifts(&self, e: laval_num::dense::Singular) -> Diagnostic {
-        if let Some([a, b]) = self.system.domains(self.speed_scale).iter().find_map(|d| d.dense) {
-            let text = format!(
-                "an order of the motion lies inside the dense inertial range of an ideal liquid, from {a} to {b} rad/s, where there is no steady response"
-            );
-            return Diagnostic::error("harmonic.dense", text)
-                .help("with symmetry = \"half\", where the law has it, only odd orders move; viscosity, axial_harmonics or strip give the liquid a response at every order");
-        }
-        Diagnostic::error("harmonic.singular", format!("the machine has no periodic motion at some order: {e}"))
-            .help("a body without any spring drifts; a coordinate without mass, damping and stiffness is undetermined")
     }
 
     /// Seeks motions that no unbalance forces, at this pace: the rotating load is left out, and a speed given elsewhere is not looked at.
@@ -539,72 +454,6 @@ fn add_operator(terms: &Terms, k: usize, mu: usize, matrix: &Mat<C64>, force: &m
             }
         }
     }
-}
-
-/// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
-fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
-    use super::floquet::{MOST_STATES, first_order};
-    let (n, m) = (system.n(), system.m());
-    if 2 * n + m > MOST_STATES {
-        return Vec::new();
-    }
-    let (q, z) = (vec![0.0; n], vec![0.0; m]);
-    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
-    let mut found: Vec<(f64, f64)> = Vec::new();
-    let points = 12;
-    let spacing = (hi - lo) / points as f64;
-    for i in 0..points {
-        let speed = lo + spacing * (i as f64 + 0.5);
-        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-        let Ok(values) = first_order(&tangent).map_err(|_| ()).and_then(|a| laval_num::eig::eigenvalues(&a).map_err(|_| ())) else {
-            continue;
-        };
-        for z in values {
-            // trusted only near the speed it was computed at; the synchronous wave of a liquid is no resonance of the unbalance
-            let (centre, half_width) = (z.im.abs(), z.re.abs().max(1e-4 * z.im.abs()));
-            if (centre - speed.abs()).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
-                found.push((centre, half_width));
-            }
-        }
-    }
-    found
-}
-
-/// Stiffnesses of the size of the nonlinear parts' on each nonlinear coordinate, for [`Condenser`]; the same for all of one kind.
-fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> Vec<f64> {
-    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
-    let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 }).collect();
-    let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
-    let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
-    let rows = &nonlinear.basis.rows;
-    let class = |k: DofKind| match k {
-        DofKind::VectorX | DofKind::VectorY => 0,
-        DofKind::TiltX | DofKind::TiltY => 1,
-        DofKind::Axial => 2,
-        DofKind::Scalar => 3,
-    };
-    // of what a row combines, the softest: K_gg / B_g^2
-    let mut largest = |which: &dyn Fn(&Slot) -> bool, inertia: f64| {
-        system.tangent(&at, false, &mut tangent, &mut scratch, which);
-        let mut size = [0.0f64; 4];
-        for (row, &kind) in rows.iter().zip(&nonlinear.kinds) {
-            let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
-            let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
-            if softest.is_finite() {
-                size[class(kind)] = size[class(kind)].max(softest);
-            }
-        }
-        size
-    };
-    let (nonlinear_parts, all) = (largest(&|s| !s.is_linear(), 0.0), largest(&|_| true, 1.0));
-    let lateral = [nonlinear_parts[0], all[0]].into_iter().find(|k| *k > 0.0);
-    nonlinear
-        .kinds
-        .iter()
-        .take(rows.len())
-        .map(|&kind| [nonlinear_parts[class(kind)], all[class(kind)]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
-        .collect()
 }
 
 impl Zero for Balance<'_> {

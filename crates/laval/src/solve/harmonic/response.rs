@@ -44,6 +44,8 @@ pub struct Request {
     pub truncation: f64,
     /// Judge stability.
     pub stability: bool,
+    /// Judge it on Hill's determinant also where all parts have a time form.
+    pub determinant: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
     /// Points, and starts tried, after which no further states are looked for.
@@ -77,6 +79,7 @@ impl Request {
             divisor: 1,
             truncation: 1e-7,
             stability: true,
+            determinant: false,
             max_points: 2_000,
             work: u64::MAX,
             states: States::Main,
@@ -247,7 +250,7 @@ fn attempt<'a>(
         return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
             .help("start the range at a lower speed, where the unbalance force is small"));
     }
-    let mut judge = Judge::new(system, request.stability, request.work);
+    let mut judge = Judge::new(system, (request.stability, request.determinant), request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;
     let mut work = [("points", 0), ("Newton iterations", 0), ("factorisations", 0), ("maps over the period", 0)];
     let mut traced = Vec::new();

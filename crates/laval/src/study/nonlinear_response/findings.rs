@@ -43,7 +43,12 @@ impl Shown<'_> {
         } else if let Some(l) = self.most() {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
-            let end = if l.at_end { ", an end of the range" } else { "" };
+            let end = match l.left {
+                _ if l.at_end => ", an end of the range".to_string(),
+                Some(left) if left == speed => ", where its branch was left: beyond it nothing is known".into(),
+                Some(left) => format!(" (of what was followed: its branch was left at {} rad/s)", significant(left, 6)),
+                None => String::new(),
+            };
             let of = |f: &dyn Fn(&Peak) -> f64| peak.map_or(f64::NAN, f);
             out.push(
                 Finding::info(

@@ -16,6 +16,8 @@ pub(super) struct Largest {
     pub(super) refined: Option<Peak>,
     /// It lies where a branch meets the end of the range of speeds.
     pub(super) at_end: bool,
+    /// Speed, rad/s, at which its branch was left inside the range: beyond it nothing is known.
+    pub(super) left: Option<f64>,
 }
 
 impl Largest {
@@ -74,8 +76,9 @@ impl Shown<'_> {
         let (body, x) = self.bodies[k].clone();
         let s = self.summit(response, request, Measure::Displacement(x), values)?;
         let (branch, i) = (&response.branches[s.at.0], s.at.1);
-        let at_end = s.refined.is_none() && (i == 0 || i + 1 == branch.points.len());
-        Some(Largest { body, displacement: s.value, speed: branch.points[i].speed, refined: s.refined, at_end })
+        let left = (!matches!(branch.end, End::Reached | End::Closed)).then(|| branch.points.last().map(|p| p.speed)).flatten();
+        let at_end = s.refined.is_none() && (i == 0 || i + 1 == branch.points.len() && left.is_none());
+        Some(Largest { body, displacement: s.value, speed: branch.points[i].speed, refined: s.refined, at_end, left })
     }
 
     /// Largest stable displacement of each body, and one that rises above all of them where a branch was left: what rises to such an end is no maximum.

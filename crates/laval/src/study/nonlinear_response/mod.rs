@@ -209,6 +209,7 @@ pub(super) fn request(values: &Values, diagnostics: &mut Diagnostics) -> Option<
         divisor,
         truncation: values.number("truncation").unwrap_or(1e-7),
         stability: values.flag("stability").unwrap_or(true),
+        determinant: false,
         max_points: whole("max_points", 2_000),
         states: if values.choice("states") == Some("all") { States::All } else { States::Main },
         work: u64::MAX,

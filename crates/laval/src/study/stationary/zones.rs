@@ -9,8 +9,17 @@ use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
 use crate::study::support::larger;
 
-/// A coordinate that is held: which, where it rests without friction, how far below and above friction holds it, the largest force.
-pub type Held = (usize, f64, [f64; 2], f64);
+/// A coordinate that is held.
+pub struct Held {
+    /// Which.
+    coordinate: usize,
+    /// Where it rests without friction, rad.
+    rest: f64,
+    /// How far below and above friction holds it, rad.
+    reach: [f64; 2],
+    /// The largest torque that friction holds, N m.
+    friction: f64,
+}
 
 /// The range about one state of the table.
 pub struct Zone {
@@ -37,7 +46,8 @@ pub fn zones(system: &System, search: &mut Search, rows: &[Row], goes_on: &mut d
         let Some(zone) = search.zone(&r.state)? else { continue };
         let ends: Vec<&Vec<f64>> = zone.corners.iter().chain([&r.state.x]).collect();
         let reach = |i: usize| ends.iter().map(|x| x[i] - r.state.x[i]).fold([0.0f64; 2], |[lo, hi], d| [lo.min(d), hi.max(d)]);
-        let held = zone.held.iter().map(|&(i, force)| (i, r.state.x[i], reach(i), force)).collect();
+        let held = zone.held.iter();
+        let held = held.map(|&(i, friction)| Held { coordinate: i, rest: r.state.x[i], reach: reach(i), friction }).collect();
         let (mut unbalance, mut grade) = (f64::NAN, f64::NAN);
         for x in &ends {
             let state = State { x: x.to_vec(), ..r.state.clone() };
@@ -63,11 +73,16 @@ pub fn table(system: &System, rows: &[Row], zones: &[Zone]) -> Result<Table, Out
         .int("state", "", "number of the state", lines.iter().map(|l| l.0.row as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", column(&|z, _| rows[z.row].state.speed))
         .text("kind", "what kind of state it is without friction", lines.iter().map(|l| rows[l.0.row].class.word().into()).collect())
-        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.0)).collect())
-        .float("friction", "N m", "largest torque that friction holds", column(&|_, h| h.3))
-        .float("angle", "rad", "where it rests without friction, not wrapped", column(&|_, h| h.1))
-        .float("from", "rad", "lowest angle at which friction holds it, the others anywhere in their ranges", column(&|_, h| h.1 + h.2[0]))
-        .float("to", "rad", "highest angle", column(&|_, h| h.1 + h.2[1]))
+        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
+        .float("friction", "N m", "largest torque that friction holds", column(&|_, h| h.friction))
+        .float("angle", "rad", "where it rests without friction, not wrapped", column(&|_, h| h.rest))
+        .float(
+            "from",
+            "rad",
+            "lowest angle at which friction holds it, the others anywhere in their ranges",
+            column(&|_, h| h.rest + h.reach[0]),
+        )
+        .float("to", "rad", "highest angle", column(&|_, h| h.rest + h.reach[1]))
         .flag("closed", "both ends were found; else friction holds the masses farther on", lines.iter().map(|l| l.0.closed).collect())
         .float("growth_held", "1/s", "largest growth rate with the masses held; NaN where it cannot be told", column(&|z, _| z.growth))
         .float("unbalance", "kg m", "largest at the ends of the ranges; NaN where nothing balances", column(&|z, _| z.unbalance))
@@ -89,12 +104,12 @@ pub fn finding(rows: &[Row], zones: &[Zone], operating: f64) -> Option<Finding> 
     if !best.closed {
         let text =
             format!("At {at} dry friction of {{}} holds the masses so far from where they balance that no end of the range was found.");
-        return Some(Finding::warning("dead_zone", text).value(best.held[0].3, "N m").evidence("speed", speed, "rad/s"));
+        return Some(Finding::warning("dead_zone", text).value(best.held[0].friction, "N m").evidence("speed", speed, "rad/s"));
     }
-    let widest = best.held.iter().map(|h| h.2[1] - h.2[0]).fold(0.0, larger);
+    let widest = best.held.iter().map(|h| h.reach[1] - h.reach[0]).fold(0.0, larger);
     let text = format!(
         "At {at} dry friction holds masses up to {} from where they balance ({}): it may leave an unbalance of {{}}.",
-        quantity(best.held.iter().map(|h| larger(-h.2[0], h.2[1])).fold(0.0, larger), "rad"),
+        quantity(best.held.iter().map(|h| larger(-h.reach[0], h.reach[1])).fold(0.0, larger), "rad"),
         row.class.words()
     );
     let make = if best.unbalance <= without { Finding::info } else { Finding::warning };
