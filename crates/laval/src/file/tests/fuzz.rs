@@ -66,7 +66,7 @@ fn value_of(kind: FieldKind) -> BoxedStrategy<Value> {
             .prop_map(|(b, z)| if z == 0.0 { Attach::on(b) } else { Attach::at(b, z) })
     };
     let range = |b: Bounds| {
-        (number(b), number(b), prop::option::of(2usize..1_000_000))
+        (number(b), number(b), prop::option::of(2usize..=crate::model::field::MOST_POINTS))
             .prop_filter("differ", |(a, b, _)| a != b)
             .prop_map(|(from, to, points)| RangeValue { from, to, points })
     };
