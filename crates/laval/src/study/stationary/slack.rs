@@ -14,12 +14,23 @@ use crate::study::support::larger;
 /// Samples of a continuum from which ways are gone.
 const SAMPLES: usize = 6;
 
+/// A mass that is held where most is left.
+#[derive(Clone, Copy)]
+pub struct Mass {
+    /// Its coordinate.
+    coordinate: usize,
+    /// The largest torque that friction holds, N m.
+    friction: f64,
+    /// Where it is, rad.
+    angle: f64,
+}
+
 /// What was met about one continuum at one speed.
 pub struct Left {
     /// Of the continua, from 0.
     pub sheet: usize,
-    /// Masses held, the largest torque on each (N m), and their angles where most is left, rad.
-    pub held: Vec<(usize, f64, f64)>,
+    /// Masses held.
+    pub held: Vec<Mass>,
     /// Friction gave way on all ways.
     pub closed: bool,
     /// Ways gone.
@@ -46,7 +57,8 @@ pub fn slack(system: &System, search: &mut Search, sheets: &[Sheet], goes_on: &m
                 if !(u.moment.abs() <= here.unbalance) {
                     (here.unbalance, here.without) = (u.moment.abs(), u.without());
                     here.grade = u.grade(here.unbalance, s.speed);
-                    here.held = found.held.iter().map(|&(i, force)| (i, force, end.x[i])).collect();
+                    here.held =
+                        found.held.iter().map(|&(coordinate, friction)| Mass { coordinate, friction, angle: end.x[coordinate] }).collect();
                 }
             }
             if !goes_on(here.ways as u64) {
@@ -62,19 +74,22 @@ pub fn slack(system: &System, search: &mut Search, sheets: &[Sheet], goes_on: &m
 
 /// One line for each mass of each continuum.
 pub fn table(system: &System, sheets: &[Sheet], left: &[Left]) -> Result<Table, OutcomeError> {
-    let lines: Vec<(&Left, &Sheet, &(usize, f64, f64))> =
-        left.iter().flat_map(|l| l.held.iter().map(move |h| (l, &sheets[l.sheet], h))).collect();
-    let column = |f: &dyn Fn(&Left, &Sheet, &(usize, f64, f64)) -> f64| lines.iter().map(|l| f(l.0, l.1, l.2)).collect::<Vec<f64>>();
+    let lines: Vec<(&Left, &Mass)> = left.iter().flat_map(|l| l.held.iter().map(move |h| (l, h))).collect();
+    let column = |f: &dyn Fn(&Left, &Mass) -> f64| lines.iter().map(|l| f(l.0, l.1)).collect::<Vec<f64>>();
     Table::new("dead_zone_continua", "The most unbalance met that dry friction holds about states of a continuum")
-        .float("speed", "rad/s", "spin speed", column(&|_, s, _| s.speed))
-        .text("kind", "what kind of states they are without friction", lines.iter().map(|l| l.1.class.word().into()).collect())
-        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.2.0)).collect())
-        .float("friction", "N m", "largest torque that friction holds", column(&|_, _, h| h.1))
-        .float("angle", "rad", "where it is held and most unbalance is left, not wrapped", column(&|_, _, h| h.2))
+        .float("speed", "rad/s", "spin speed", column(&|l, _| sheets[l.sheet].speed))
+        .text(
+            "kind",
+            "what kind of states they are without friction",
+            lines.iter().map(|l| sheets[l.0.sheet].class.word().into()).collect(),
+        )
+        .text("mass", "which mass", lines.iter().map(|l| column_of(system, l.1.coordinate)).collect())
+        .float("friction", "N m", "largest torque that friction holds", column(&|_, h| h.friction))
+        .float("angle", "rad", "where it is held and most unbalance is left, not wrapped", column(&|_, h| h.angle))
         .flag("closed", "friction gave way on all ways; else it holds the masses farther on", lines.iter().map(|l| l.0.closed).collect())
         .int("ways", "", "ways that were gone", lines.iter().map(|l| l.0.ways as i64).collect())
-        .float("unbalance", "kg m", "largest met; NaN where nothing balances", column(&|l, _, _| l.unbalance))
-        .float("grade", "m/s", "grade number there (ISO 21940-11); NaN as above", column(&|l, _, _| l.grade))
+        .float("unbalance", "kg m", "largest met; NaN where nothing balances", column(&|l, _| l.unbalance))
+        .float("grade", "m/s", "grade number there (ISO 21940-11); NaN as above", column(&|l, _| l.grade))
         .build()
 }
 
@@ -90,7 +105,7 @@ pub fn finding(sheets: &[Sheet], left: &[Left], operating: f64) -> Option<Findin
         sheet.class.words()
     );
     let make = if nearest.unbalance <= 0.5 * nearest.without { Finding::info } else { Finding::warning };
-    let friction = nearest.held.iter().map(|h| h.1).fold(0.0, larger);
+    let friction = nearest.held.iter().map(|h| h.friction).fold(0.0, larger);
     Some(
         make("dead_zone", text)
             .of("continuum")
