@@ -31,7 +31,7 @@ pub fn isotropic(system: &System, speed: f64) -> Result<(), Diagnostic> {
             format!("the machine has no state that turns with the rotor: {}", reason(system, slot, speed)),
         )
         .at(slot.span.clone())
-        .help("use about = \"rest\", a study by harmonics, or a transient")),
+        .help("studies about rest (about = \"rest\"), by harmonics, and in time (transient, run_up) take such a machine")),
     }
 }
 

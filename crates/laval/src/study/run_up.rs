@@ -340,6 +340,7 @@ impl RunUp {
             supplied.push(motion.powers(t, y).map_or(0.0, |p| p.supplied));
         }
         let speeds: Vec<f64> = spins.iter().map(|s| s.speed).collect();
+        let beyond = if supplied.iter().any(|p| *p != 0.0) { "Beyond its motors the drive" } else { "The drive" };
         let short = drive::short(&speeds, &torque, &supplied);
         let largest =
             |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
@@ -363,12 +364,12 @@ impl RunUp {
         }
         let outcome = short.into_iter().fold(outcome, Outcome::finding);
         Ok(outcome
-            .finding(Finding::info("largest_torque", "The drive must bring up to {}.").value(most, "N m").evidence(
+            .finding(Finding::info("largest_torque", format!("{beyond} must bring up to {{}}.")).value(most, "N m").evidence(
                 "at speed",
                 speed(at),
                 "rad/s",
             ))
-            .finding(Finding::info("largest_power", "The drive must bring up to {}.").value(strongest, "W").evidence(
+            .finding(Finding::info("largest_power", format!("{beyond} must bring up to {{}}.")).value(strongest, "W").evidence(
                 "at speed",
                 speed(when),
                 "rad/s",

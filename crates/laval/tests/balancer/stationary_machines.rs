@@ -492,3 +492,13 @@ fn five_heavy_balls_on_a_tilting_disc_balance() {
     let left = o.findings.iter().find(|f| f.id == "residual_unbalance").unwrap().value.unwrap();
     assert!(left < 1e-3 * moment, "{left}");
 }
+
+/// Balls that touch beside the states that balance are no states of their own: what a stiff contact hides is no rest.
+#[test]
+fn stiff_contact_hides_no_pull() {
+    let ring = [("balls = 2", "balls = 3\nball_radius = 0.0045\ncontact_stiffness = 3e4")];
+    let o = run(&machine(&ring, "", SPEEDS));
+    let kinds: Vec<&String> = words(&o, "continua", "kind").iter().collect();
+    assert!(!kinds.is_empty() && kinds.iter().all(|k| *k == "balanced" || *k == "partly_balanced"), "{kinds:?}");
+    assert!(!o.findings.iter().any(|f| f.id == "coexistence"), "{:?}", o.findings);
+}

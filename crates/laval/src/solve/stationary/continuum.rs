@@ -20,6 +20,8 @@ struct Freedom {
 }
 const EXACTLY: Freedom = Freedom { rank: 1e-8, lift: 1e-11, step: 1e-11, residual: 1e-10 };
 const NEARLY: Freedom = Freedom { rank: 1e-4, lift: 1e-4, step: 1e-5, residual: 1e-5 };
+/// Places at which the masses are held for comparison.
+const PULLS: usize = 6;
 /// Most steps, and the longest of them in typical sizes.
 const STEPS: usize = 60;
 const LONGEST: f64 = 0.5;
@@ -55,12 +57,34 @@ impl Search<'_> {
         }
         x.copy_from_slice(&start);
         let free = self.settle_within(x, speed, &NEARLY).filter(|free| *free > 0)?;
+        if !(self.pull(x, speed)? <= NEARLY.residual * self.usual_pull(speed)?) {
+            return None;
+        }
         let mut isolated = x.to_vec();
         if self.settle(&mut isolated, speed).is_ok() && self.freedom(&isolated, speed) == Some(0) {
             x.copy_from_slice(&isolated);
             return Some(0);
         }
         Some(free)
+    }
+
+    /// Largest force (of angles N m) on what moves in the rotor.
+    fn pull(&mut self, x: &[f64], speed: f64) -> Option<f64> {
+        let mut r = vec![0.0; x.len()];
+        self.problem.eval(x, speed, &mut r, None, None).ok()?;
+        Some(self.images.angles.iter().map(|&i| r[i].abs()).fold(0.0, |m, r| if r <= m { m } else { r }))
+    }
+
+    /// The same where it is held anywhere: the least of some places, as masses that happen to touch push each other hard.
+    fn usual_pull(&mut self, speed: f64) -> Option<f64> {
+        let mut least = f64::INFINITY;
+        for k in 0..PULLS {
+            // the first two of four starts are spread over the turn
+            if let Some(x) = self.start(k / 2 * 4 + k % 2, speed) {
+                least = least.min(self.pull(&x, speed)?);
+            }
+        }
+        least.is_finite().then_some(least)
     }
 
     fn settle_within(&mut self, x: &mut [f64], speed: f64, limits: &Freedom) -> Option<usize> {

@@ -64,6 +64,11 @@ impl<'a> Search<'a> {
         self.request.range
     }
 
+    /// Typical sizes of the unknowns.
+    pub fn scale(&self) -> &[f64] {
+        &self.scale
+    }
+
     /// What counts as the same state.
     pub fn images(&self) -> &Images {
         &self.images

@@ -56,6 +56,10 @@ impl Report<'_> {
             Line::new("branches", "speed", column).group("kind").begins_where("begins").solid_where("stable").meaning("stable", "unstable")
         };
         let changes = self.found.paths.iter().any(|p| !p.special.is_empty());
+        // of several bodies the table of continua tells the largest distance only
+        let sheets = !self.continua.sheets.is_empty();
+        let alone = sheets && self.system.bodies().len() == 1;
+        let continua = |column: &str| Points::new("continua", "speed", column).name("continuum, the sample with most");
         for body in self.system.bodies() {
             let column = format!("{} radius", body.name);
             let mut panel =
@@ -63,11 +67,15 @@ impl Report<'_> {
             if changes {
                 panel = panel.mark(Points::new("changes", "speed", column).group("change"));
             }
+            if alone {
+                panel = panel.mark(continua("radius"));
+            }
             panels.push(panel);
         }
         if told.points.iter().any(|p| p.seen.unbalance.is_some()) {
             let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance".into()));
-            panels.push(panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the masses")));
+            let panel = panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the masses"));
+            panels.push(if sheets { panel.mark(continua("unbalance")) } else { panel });
         }
         if !self.found.images.angles.is_empty() {
             let mut panel = Panel::new(Axis::new("angles of the masses", "rad").range(-3.3, 3.3));

@@ -242,6 +242,13 @@ impl Report<'_> {
                 column(&|s| s.growth.0),
             )
             .float("growth_largest", "1/s", "of the one that grows most; NaN as above", column(&|s| s.growth.1))
+            .float("radius", "m", "largest distance of a body from the axis", column(&|s| s.radius))
+            .float(
+                "unbalance",
+                "kg m",
+                "unbalance of the sample with most; NaN where nothing balances",
+                column(&|s| s.unbalance.map_or(f64::NAN, |u| u.moment.abs())),
+            )
             .build()
     }
 

@@ -43,6 +43,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub(super) const MOST_CELLS: usize = 1_000_000;
 /// Cells from which on motions are told before their end.
 const MANY: usize = 1200;
+/// Typical sizes between the end of a motion and the state it has come to.
+const AT: f64 = 1e-2;
 /// So many starts followed beforehand are announced.
 const ANNOUNCED: f64 = 400.0;
 /// Starts of the search for states at rest.
@@ -187,7 +189,12 @@ impl Fleet<'_> {
         let request = Request { range: (speed - width, speed + width), starts: 1, seeds: vec![speed], max_points: 2, work: u64::MAX };
         let mut search = Search::new(&self.system, &request, self.context.cancel);
         let scale = Scale::at(&self.system, &mut search, speed);
-        let x = y[..self.system.n()].to_vec();
+        let mut x = y[..self.system.n()].to_vec();
+        // a motion comes near its state only: which one that is tells the state itself
+        let came = x.clone();
+        if search.settle_freely(&mut x, speed).is_none() || search.images().distance(&came, &x, search.scale()) > AT {
+            x = came;
+        }
         Seen::of(&self.system, &search, &State { branch: 0, speed, x, error: 0.0 }).class(&scale).words()
     }
 
