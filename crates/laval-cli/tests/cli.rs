@@ -7,7 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-const TEMPLATES: [&str; 6] = ["rigid-rotor", "oil-separator", "overhung-disc", "ball-balancer", "cup-separator", "viscoelastic-shaft"];
+const TEMPLATES: [&str; 7] =
+    ["rigid-rotor", "oil-separator", "overhung-disc", "ball-balancer", "cup-separator", "spatial-liquid", "viscoelastic-shaft"];
 
 /// A machine with one mode pair, and a quick study.
 const SMALL: &str = r#"
