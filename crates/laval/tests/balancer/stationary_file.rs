@@ -340,3 +340,86 @@ fn charts_of_the_planar_balancer() {
     }
     println!("growth over two parameters: {worst:.1e}");
 }
+
+/// Over speed and tilt: the stable states of the reference at one speed, and at every cell those of a machine of its own.
+#[test]
+fn chart_over_speed_and_tilt() {
+    let table = rows(include_str!("../reference/balancer/tilt_locking.csv"));
+    let ring = |tilt: f64| {
+        format!(
+            "ball_mass = 0.0036\ntrack_radius = 0.2\neccentricity = 50e-6\neccentricity_phase = {}\ntilt = {tilt}\nnode_line = {}\n\
+             drag = 1e-3\ngravity = 9.81",
+            PI / 40.0,
+            PI / 3.0
+        )
+    };
+    let file = |tilt: f64, study: String| File { stiffness: 2e6, damping: 100.0, housing: 1.5, ring: ring(tilt), study };
+    let speeds = "speed = { from = 600, to = 900, points = 3 }\nstarts = 60";
+    let (mut known, mut met) = (0, [0usize; 4]);
+    for (from, to, points) in [(0.005, 0.02, 4), (0.05, PI / 20.0, 2)] {
+        let chart = format!("{speeds}\nchart = {{ parameter = \"ring.tilt\", from = {from}, to = {to}, points = {points} }}");
+        let o = file(0.01, chart).run();
+        let (speed, tilt, worst) = (column(&o, "chart", "speed"), column(&o, "chart", "ring.tilt"), column(&o, "chart", "worst"));
+        assert_eq!(speed.len(), 3 * points);
+        for k in 0..speed.len() {
+            let count = whole(&o, "chart", "stable")[k] as usize;
+            met[count.min(3)] += 1;
+            let own = file(tilt[k], at_speed(speed[k], 120)).run();
+            let calm: Vec<usize> = here(&own, speed[k]).into_iter().filter(|&i| whole(&own, "states", "growing")[i] == 0).collect();
+            assert_eq!(count, calm.len(), "{} {}", speed[k], tilt[k]);
+            let share = |i: usize| column(&own, "states", "unbalance")[i] / column(&own, "states", "without")[i];
+            let most = calm.iter().map(|&i| share(i)).fold(f64::NAN, f64::max);
+            assert!(
+                (worst[k] - most).abs() < 1e-9 * most || count == 0 && worst[k].is_nan(),
+                "{} {}: {} {most}",
+                speed[k],
+                tilt[k],
+                worst[k]
+            );
+            let balances =
+                calm.iter().any(|&i| ["balanced", "partly_balanced", "reduced"].contains(&words(&own, "states", "kind")[i].as_str()));
+            assert_eq!(words(&o, "chart", "verdict")[k].starts_with("balanced"), balances, "{} {}", speed[k], tilt[k]);
+            let wanted: Vec<f64> = table.iter().filter(|r| (number(r[0]) - tilt[k]).abs() < 1e-12).map(|r| number(r[8])).collect();
+            if speed[k] == 750.0 && !wanted.is_empty() {
+                known += 1;
+                let most = wanted.iter().copied().fold(0.0, f64::max);
+                assert_eq!(count, wanted.len(), "{}", tilt[k]);
+                let without = column(&own, "states", "without")[calm[0]];
+                assert!((worst[k] * without - most).abs() < 1e-5 * most, "{}: {} {most}", tilt[k], worst[k] * without);
+            }
+        }
+    }
+    assert_eq!(known, 6, "rows of the table in the chart");
+    assert!(met[1] > 0 && met[3] > 0, "{met:?}");
+}
+
+/// Five unequal masses on two tracks: what they are together is stable up to a fold just above the lowest speed. There the moment of the balls, the unbalance
+/// and the angle by which the displacement lags behind its force, 180 deg - arg D, meet in sin(lag) = unbalance / moment.
+#[test]
+fn a_state_that_ends_near_the_lowest_speed_is_met() {
+    let text = "[machine]\nname = \"drum\"\n\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 12\nunbalance = 0.03\n\n\
+        [[part]]\nkind = \"foundation\"\nname = \"tub\"\nmass = 30\nstiffness = 14e3\ndamping = 350\n\n\
+        [[part]]\nkind = \"shaft_lumped\"\nname = \"shaft\"\nbetween = [\"drum\", \"tub\"]\nstiffness = 4e6\n\n\
+        [[part]]\nkind = \"damper\"\nname = \"seal\"\nbetween = [\"drum\", \"tub\"]\ndamping = 300\n\n\
+        [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"drum\"\ntracks = { balls = [3, 2], radius = [1.0, 0.9] }\n\
+        mass_ratios = [1, 1, 1.3, 0.8, 1.2]\nball_mass = 0.06\ntrack_radius = 0.22\ndrag = 5e-2\nbody_tilt = false\n\n[[study]]\nkind = \"stationary\"\n";
+    let moment = 0.06 * 0.22 * (1.0 + 1.0 + 1.3 + 0.9 * (0.8 + 1.2));
+    // (D_tub + K) z_tub = K z,  D z = w^2 (unbalance + moments)
+    let lag = |w: f64| {
+        let (tub, between) = (c(14e3 - 30.0 * w * w, 350.0 * w), c(4e6, 300.0 * w));
+        let d = between * tub / (between + tub) - c((12.0 + 0.06 * 5.3) * w * w, 0.0);
+        d.im.atan2(d.re)
+    };
+    let beyond = |w: f64| moment * lag(w).sin() > 0.03;
+    let (mut below, mut above) = (8.0, 15.0);
+    assert!(!beyond(below) && beyond(above));
+    for _ in 0..60 {
+        let middle = 0.5 * (below + above);
+        if beyond(middle) { above = middle } else { below = middle }
+    }
+    for (from, to) in [(10.47, 146.6), (10.47, 600.0), (0.0, 146.6), (11.6, 40.0)] {
+        let o = run(&format!("{text}speed = {{ from = {from}, to = {to} }}"));
+        let ends: Vec<f64> = o.findings.iter().filter(|f| f.id == "stable_states").filter_map(|f| f.value).collect();
+        assert!(ends.iter().any(|w| (w - below).abs() < 1e-8 * below), "{from} to {to}: {below} not among {ends:?}");
+    }
+}

@@ -57,9 +57,11 @@ pub struct Zone {
 impl Search<'_> {
     /// What dry friction makes of a state; `None` where nothing is held.
     ///
+    /// `goes_on` is told of every corner; those left when it says no count as not found.
+    ///
     /// # Errors
     /// Eigenvalues that cannot be computed.
-    pub fn zone(&mut self, state: &State) -> Result<Option<Zone>, Diagnostic> {
+    pub fn zone(&mut self, state: &State, goes_on: &mut dyn FnMut(u64) -> bool) -> Result<Option<Zone>, Diagnostic> {
         let system = self.problem.system;
         let about = self.problem.equilibrium(&state.x, state.speed);
         let held = self.gripped(&about, state.speed);
@@ -69,7 +71,8 @@ impl Search<'_> {
         let signs = corners(held.len());
         let mut out = Zone { corners: Vec::new(), closed: true, growth: f64::NAN, held };
         for sign in signs {
-            match self.corner(state, &out.held, &sign) {
+            let place = if goes_on(STEPS as u64) { self.corner(state, &out.held, &sign) } else { None };
+            match place {
                 Some(x) => out.corners.push(x),
                 None => out.closed = false,
             }
@@ -92,22 +95,24 @@ impl Search<'_> {
         system.grips(&at, &mut Workspace::default())
     }
 
-    /// How far from a state of a continuum friction holds the masses; `None` where nothing is held. `tried` numbers the ways.
-    pub fn slack(&mut self, state: &State, tried: u32) -> Option<Slack> {
+    /// How far from a state of a continuum friction holds the masses; `None` where nothing is held. `tried` numbers the ways, of which `goes_on` is told.
+    pub fn slack(&mut self, state: &State, tried: u32, goes_on: &mut dyn FnMut(u64) -> bool) -> Option<Slack> {
         let about = self.problem.equilibrium(&state.x, state.speed);
         let held = self.gripped(&about, state.speed);
         if held.is_empty() {
             return None;
         }
         let n = held.len();
-        let alone = (0..2 * n).map(|k| (0..n).map(|i| if i == k / 2 { if k % 2 == 0 { 1.0 } else { -1.0 } } else { 0.0 }).collect());
-        let random = (0..WAYS * n).map(|k| {
+        let alone = |k: usize| (0..n).map(|i| if i == k / 2 { if k % 2 == 0 { 1.0 } else { -1.0 } } else { 0.0 }).collect::<Vec<f64>>();
+        let random = |k: usize| {
             let place = tried.wrapping_mul((WAYS * n) as u32).wrapping_add(k as u32);
             (0..n).map(|i| 2.0 * Points::Random.at(10, place, i as u32) - 1.0).collect()
-        });
-        let ways: Vec<Vec<f64>> = alone.chain(random).collect();
+        };
         let mut out = Slack { held, ends: Vec::new(), closed: true };
-        for way in ways {
+        for way in (0..2 * n).map(alone).chain((0..WAYS * n).map(random)) {
+            if !goes_on((PI / STEP) as u64) {
+                break;
+            }
             let (end, gave) = self.way(state, &out.held, &way);
             out.ends.push(end);
             out.closed &= gave;

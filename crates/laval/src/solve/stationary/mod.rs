@@ -198,15 +198,28 @@ impl<'a> Search<'a> {
     pub fn run(&mut self, mut each: impl FnMut(Progress) -> bool) -> Result<Found, Diagnostic> {
         let images = self.images.clone();
         let mut found = Found { paths: Vec::new(), images, starts: [0; 3], loose: Vec::new(), crowded: false, stopped: false, work: 0 };
-        let mut branches: Vec<Branch> = Vec::new();
-        let total = (self.request.seeds.len() * self.request.starts) as u64;
-        'all: for &speed in &self.request.seeds {
+        let request = self.request;
+        self.seek(&mut found, &request.seeds, &mut each)?;
+        Ok(found)
+    }
+
+    /// Seeks at these speeds what is not among what was found.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn seek(&mut self, found: &mut Found, seeds: &[f64], each: &mut dyn FnMut(Progress) -> bool) -> Result<(), Diagnostic> {
+        let mut branches: Vec<Branch> = found.paths.iter().map(|p| p.branch.clone()).collect();
+        let first = branches.len();
+        let total = (seeds.len() * self.request.starts) as u64;
+        let mut done = 0;
+        'all: for &speed in seeds {
             let mut known = self.known(&branches, speed);
             for index in 0..self.request.starts {
-                if found.stopped || !each(Progress { work: found.work, done: found.starts[0], total: 2 * total }) || self.spent(&found) {
+                if found.stopped || !each(Progress { work: found.work, done, total: 2 * total }) || self.spent(found) {
                     found.stopped = true;
                     break 'all;
                 }
+                done += 1;
                 found.work += 1;
                 found.starts[0] += 1;
                 let Some(mut x) = self.start(index, speed) else { continue };
@@ -225,16 +238,16 @@ impl<'a> Search<'a> {
                     found.starts[2] += 1;
                 } else {
                     self.images.normalise(&mut x);
-                    self.follow(&x, speed, &mut branches, &mut found);
+                    self.follow(&x, speed, &mut branches, found);
                     known = self.known(&branches, speed);
                 }
             }
         }
-        let all = branches.len() as u64;
-        for (k, branch) in branches.into_iter().enumerate() {
+        let all = (branches.len() - first) as u64;
+        for (k, branch) in branches.into_iter().enumerate().skip(first) {
             let before = found.work;
             let mut goes_on = |judged: u64| {
-                let done = total + (total * k as u64) / all.max(1);
+                let done = total + (total * (k - first) as u64) / all.max(1);
                 each(Progress { work: before + judged, done, total: 2 * total }) && before + judged < self.request.work
             };
             if !goes_on(0) {
@@ -250,7 +263,7 @@ impl<'a> Search<'a> {
                 break;
             }
         }
-        Ok(found)
+        Ok(())
     }
 
     fn spent(&self, found: &Found) -> bool {

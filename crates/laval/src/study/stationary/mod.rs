@@ -60,6 +60,11 @@ pub(super) struct Varied {
 const POINTS: usize = 21;
 /// Share of the highest speed below which the machine stands still and nothing holds the masses.
 const STANDSTILL: f64 = 1e-4;
+/// Share of the highest speed below which no start is made: what holds the masses there is little beside what holds the rotor.
+const NEAR_REST: f64 = 0.01;
+/// Intervals without a stable state in which one is sought once more, and the share of the range below which they count as none.
+const GAPS: usize = 4;
+const NARROW: f64 = 0.01;
 /// Most points of a branch where the study says nothing else.
 const MOST_POINTS: usize = 2000;
 /// Most cells of a chart.
@@ -85,7 +90,12 @@ impl Study for Stationary {
             "100",
             "starts at each of the speeds at which states are sought",
         ),
-        Field::optional("seeds", FieldKind::Integer { min: 1, max: 100 }, "5", "number of these speeds"),
+        Field::optional(
+            "seeds",
+            FieldKind::Integer { min: 1, max: 100 },
+            "7",
+            "number of these speeds: both ends of the range and others between them; 1 is the middle. Where no state is stable there are more",
+        ),
         Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of one branch"),
         Field::optional(
             "stabilise",
@@ -157,7 +167,7 @@ impl Study for Stationary {
         Some(Stationary {
             speed,
             starts: whole("starts", 100),
-            seeds: whole("seeds", 5),
+            seeds: whole("seeds", 7),
             max_points: whole("max_points", 2000),
             stabilise: stabilise.and_then(named),
             chart,
@@ -196,30 +206,40 @@ impl Study for Stationary {
         let request = self.request(context.work_limit);
         context.announce((request.seeds.len() * request.starts) as f64, 5_000.0, "starts to follow");
         let mut search = Search::new(system, &request, context.cancel);
-        let found = search.run(|p: Progress| {
+        let mut each = |p: Progress| {
             context.progress.report(p.done, p.total);
             context.goes_on(p.work)
-        })?;
-        let mut spent = found.work;
-        let mut complete = !found.stopped;
-        let mut rows = Vec::new();
+        };
+        let mut found = search.run(&mut each)?;
         let speeds = self.speeds(system);
-        for &speed in &speeds {
-            if !context.goes_on(spent) {
-                complete = false;
-                break;
-            }
-            let here = listed(system, &mut search, &found, speed)?;
-            spent += 1 + here.len() as u64;
-            rows.extend(here);
-        }
+        let (mut spent, mut complete) = (found.work, !found.stopped);
         let mut goes_on = |more: u64| {
             spent = spent.saturating_add(more);
             let on = context.goes_on(spent);
             complete &= on;
             on
         };
-        let continua = continua::continua(system, &mut search, &found, &speeds, &mut goes_on)?;
+        let mut continua = continua::continua(system, &mut search, &found, &speeds, &mut goes_on)?;
+        let width = request.range.1 - request.range.0;
+        let again = within(ranges::without_stable(&found, &continua.spans, request.range, NARROW * width));
+        if !again.is_empty() && goes_on(0) {
+            let (work, loose) = (found.work, found.loose.len());
+            context.announce((again.len() * request.starts) as f64, 5_000.0, "starts to follow where no state is stable");
+            search.seek(&mut found, &again, &mut each)?;
+            goes_on(found.work - work);
+            if found.loose.len() > loose {
+                continua = continua::continua(system, &mut search, &found, &speeds, &mut goes_on)?;
+            }
+        }
+        let mut rows = Vec::new();
+        for &speed in &speeds {
+            if !goes_on(0) {
+                break;
+            }
+            let here = listed(system, &mut search, &found, speed)?;
+            goes_on(1 + here.len() as u64);
+            rows.extend(here);
+        }
         let zones = zones::zones(system, &mut search, &rows, &mut goes_on)?;
         let slack = slack::slack(system, &mut search, &continua.sheets, &mut goes_on);
         let least = match &self.stabilise {
@@ -241,6 +261,7 @@ impl Study for Stationary {
             }
             _ => None,
         };
+        let stopped = found.stopped;
         report::Report {
             system,
             range: request.range,
@@ -254,7 +275,7 @@ impl Study for Stationary {
             least,
             errors,
             chart,
-            complete,
+            complete: complete && !stopped,
         }
         .outcome(&mut search, context)
     }
@@ -276,11 +297,23 @@ impl Stationary {
 
     fn request(&self, work: u64) -> Request {
         let (a, b) = (self.speed.from.max(STANDSTILL * self.speed.to), self.speed.to);
-        // ends and middle matter most; irregular places see what a regular grid would step over
-        let mut seeds: Vec<f64> = (0..self.seeds).map(|k| a + (b - a) * (0.5 + 0.618_033_988_749_895 * k as f64).fract()).collect();
+        // states near the ends may not reach far into the range, which irregular places between see where a regular grid would step over them
+        let low = a.max(NEAR_REST * b);
+        let between = |k: usize| low + (b - low) * (0.5 + 0.618_033_988_749_895 * k as f64).fract();
+        let mut seeds: Vec<f64> = match self.seeds {
+            1 => vec![between(0)],
+            n => [low, b].into_iter().chain((0..n - 2).map(between)).collect(),
+        };
         seeds.sort_by(f64::total_cmp);
         Request { range: (a, b), starts: self.starts, seeds, max_points: self.max_points, work }
     }
+}
+
+/// Speeds in the widest of these intervals: near both ends and in the middle.
+fn within(mut gaps: Vec<(f64, f64)>) -> Vec<f64> {
+    gaps.sort_by(|a, b| (b.1 - b.0).total_cmp(&(a.1 - a.0)));
+    let widest = gaps.into_iter().take(GAPS);
+    widest.flat_map(|(a, b)| [0.02, 0.5, 0.98].map(|t| a + t * (b - a))).collect()
 }
 
 /// The machine with another value of a parameter.

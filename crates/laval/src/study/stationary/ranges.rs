@@ -1,8 +1,9 @@
 //! Over which speeds something holds: along one branch, of all branches together, of none.
 
 use super::classify::{Class, HALF, Scale, Seen};
+use super::continua::Span;
 use crate::model::system::System;
-use crate::solve::stationary::{Found, Located, Search, State};
+use crate::solve::stationary::{Found, Located, Sample, Search, State};
 
 /// Share of the unbalance without the masses above which they do harm; equal masses opposite each other leave it as it is.
 const HARM: f64 = 1.001;
@@ -130,6 +131,15 @@ pub fn rest(range: (f64, f64), covered: &[(f64, f64)], least: f64) -> Vec<(f64, 
         out.push((at, range.1));
     }
     out
+}
+
+/// Of the range of a search the pieces in which no isolated state and none of these continua is stable, as far as the points of the branches tell.
+pub fn without_stable(found: &Found, spans: &[Span], range: (f64, f64), least: f64) -> Vec<(f64, f64)> {
+    let calm = |w: &[Sample]| w.iter().all(|p| p.stability.growing == 0);
+    let pairs = found.paths.iter().flat_map(|p| p.points.windows(2)).filter(|w| calm(w));
+    let isolated = pairs.map(|w| (w[0].state.speed.min(w[1].state.speed), w[0].state.speed.max(w[1].state.speed)));
+    let continua = spans.iter().filter(|s| s.stable).map(|s| (s.from, s.to));
+    rest(range, &union(isolated.chain(continua).collect(), 0.0), least)
 }
 
 /// Speeds over which branches hold states that balance, stable or not.

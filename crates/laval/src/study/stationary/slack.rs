@@ -3,9 +3,9 @@
 //! From stable samples of the continuum the masses are moved along straight ways until friction gives way; the largest unbalance met counts. More may be left
 //! at places that no way leads to: what is told is met, not a bound.
 
-use super::classify::Seen;
 use super::continua::Sheet;
 use super::report::column_of;
+use super::zones::most_left;
 use crate::model::system::System;
 use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
@@ -48,20 +48,17 @@ pub fn slack(system: &System, search: &mut Search, sheets: &[Sheet], goes_on: &m
         let mut here = Left { sheet, held: Vec::new(), closed: true, ways: 0, unbalance: f64::NAN, grade: f64::NAN, without: f64::NAN };
         for (tried, x) in s.places.iter().take(SAMPLES).enumerate() {
             let state = State { branch: 0, speed: s.speed, x: x.clone(), error: 0.0 };
-            let Some(found) = search.slack(&state, tried as u32) else { break };
+            let Some(found) = search.slack(&state, tried as u32, goes_on) else { break };
             here.ways += found.ends.len();
             here.closed &= found.closed;
-            for x in found.ends {
-                let end = State { x, ..state.clone() };
-                let Some(u) = Seen::of(system, search, &end).unbalance else { continue };
-                if !(u.moment.abs() <= here.unbalance) {
-                    (here.unbalance, here.without) = (u.moment.abs(), u.without());
-                    here.grade = u.grade(here.unbalance, s.speed);
-                    here.held =
-                        found.held.iter().map(|&(coordinate, friction)| Mass { coordinate, friction, angle: end.x[coordinate] }).collect();
-                }
+            if let Some((x, u)) = most_left(system, search, &state, &found.ends)
+                && !(u.moment.abs() <= here.unbalance)
+            {
+                (here.unbalance, here.without) = (u.moment.abs(), u.without());
+                here.grade = u.grade(here.unbalance, s.speed);
+                here.held = found.held.iter().map(|&(coordinate, friction)| Mass { coordinate, friction, angle: x[coordinate] }).collect();
             }
-            if !goes_on(here.ways as u64) {
+            if !goes_on(0) {
                 return out;
             }
         }

@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
+use crate::solve::unbalance::Unbalance;
 use crate::study::support::larger;
 
 /// A coordinate that is held.
@@ -43,26 +44,35 @@ pub struct Zone {
 pub fn zones(system: &System, search: &mut Search, rows: &[Row], goes_on: &mut dyn FnMut(u64) -> bool) -> Result<Vec<Zone>, Diagnostic> {
     let mut out = Vec::new();
     for (row, r) in rows.iter().enumerate() {
-        let Some(zone) = search.zone(&r.state)? else { continue };
+        let Some(zone) = search.zone(&r.state, goes_on)? else { continue };
         let ends: Vec<&Vec<f64>> = zone.corners.iter().chain([&r.state.x]).collect();
         let reach = |i: usize| ends.iter().map(|x| x[i] - r.state.x[i]).fold([0.0f64; 2], |[lo, hi], d| [lo.min(d), hi.max(d)]);
         let held = zone.held.iter();
         let held = held.map(|&(i, friction)| Held { coordinate: i, rest: r.state.x[i], reach: reach(i), friction }).collect();
-        let (mut unbalance, mut grade) = (f64::NAN, f64::NAN);
-        for x in &ends {
-            let state = State { x: x.to_vec(), ..r.state.clone() };
-            if let Some(u) = Seen::of(system, search, &state).unbalance {
-                let left = u.moment.abs();
-                unbalance = if unbalance.is_nan() { left } else { larger(unbalance, left) };
-                grade = u.grade(unbalance, r.state.speed);
-            }
-        }
+        let most = most_left(system, search, &r.state, ends.iter().copied());
+        let unbalance = most.map_or(f64::NAN, |(_, u)| u.moment.abs());
+        let grade = most.map_or(f64::NAN, |(_, u)| u.grade(unbalance, r.state.speed));
         out.push(Zone { row, held, closed: zone.closed, growth: zone.growth, unbalance, grade });
-        if !goes_on(ends.len() as u64) {
+        if !goes_on(1) {
             break;
         }
     }
     Ok(out)
+}
+
+/// Of the ends of a range about a state the one with the largest unbalance; NaN counts as largest. `None` where nothing balances.
+pub fn most_left<'a>(
+    system: &System,
+    search: &Search,
+    about: &State,
+    ends: impl IntoIterator<Item = &'a Vec<f64>>,
+) -> Option<(&'a Vec<f64>, Unbalance)> {
+    let of = |x: &Vec<f64>| Seen::of(system, search, &State { x: x.clone(), ..about.clone() }).unbalance;
+    let all = ends.into_iter().filter_map(|x| Some((x, of(x)?)));
+    all.reduce(|best, next| {
+        let (most, own) = (best.1.moment.abs(), next.1.moment.abs());
+        if own > most || own.is_nan() { next } else { best }
+    })
 }
 
 /// One line for each mass of each state.
