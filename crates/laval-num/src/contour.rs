@@ -129,6 +129,11 @@ pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[
     (missing, search.evaluations)
 }
 
+/// By how much the phase of a function turns along a path, its steps limited as those around a [`Region`]; `None` where it could not be followed.
+pub fn turned<F: FnMut(C64) -> Option<Sample>>(f: F, path: &[C64], reach: &dyn Fn(C64) -> f64, budget: u64) -> Option<f64> {
+    Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget }.turned(path)
+}
+
 /// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
 pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
     let mut search =

@@ -10,6 +10,7 @@ use laval::model::field::{Attach, Field, ParamValues, Values};
 use laval::model::params::NoParams;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
+use laval::solve::harmonic::branch::State;
 use laval::solve::harmonic::determinant::{Effort, exponents};
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
@@ -166,6 +167,42 @@ fn spatial_and_viscous_liquids_at_small_amplitude() {
             assert!(near < 1e-7 * z.abs(), "{name}: {z:?} {:?}", judged.values);
         }
     }
+}
+
+/// Over the speeds of S1: as many exponents grow as roots of the characteristic function, once with no order that moves another, once with all of them moved.
+#[test]
+fn exponents_are_counted_at_every_speed() {
+    let mut met = [0usize; 4];
+    for (name, text) in [
+        ("no nonlinear part", truncated(FILE, 3).split("\n[[study]]").next().unwrap().to_string()),
+        ("hardly moving", changed(&with_bearing(&truncated(FILE, 3), "5 nm"), &[("skew = 2e-4", "skew = 2e-8")])),
+        ("moving", with_bearing(&truncated(FILE, 3), "5 um")),
+        ("viscous", with_bearing(&viscous(&truncated(FILE, 3), "1e-4"), "5 um")),
+    ] {
+        let system = build(&text);
+        for k in 0..12 {
+            let speed = 95.0 + 71.0 * k as f64;
+            let found = branch_of(&system, speed, false);
+            let near = |p: &&State| (p.speed - speed).abs() < 1e-9;
+            let Some((branch, state)) = found.branches.iter().find_map(|b| Some((b, b.points.iter().find(near)?))) else { continue };
+            let judged = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless())
+                .unwrap_or_else(|e| panic!("{name}, {speed}: {e}"));
+            let margin = 1e-3 * speed;
+            let roots = at(&system, speed, &roots::Request { margin, growing: true, ..roots::Request::default() });
+            let growing: Vec<C64> = roots.spectrum.modes.iter().map(|m| m.value).filter(|z| z.re > margin).collect();
+            if growing.iter().any(|z| z.re < 1.5 * margin) || judged.values.iter().any(|z| (z.re - margin).abs() < 0.5 * margin) {
+                continue;
+            }
+            let strong = judged.values.iter().filter(|z| z.re > margin).count();
+            assert_eq!(strong, 2 * growing.len(), "{name}, {speed}: {:?} {growing:?}", judged.values);
+            for z in &growing {
+                let near = judged.values.iter().map(|&j| apart(j, *z, speed)).fold(f64::INFINITY, f64::min);
+                assert!(near < 1e-2 * z.re, "{name}, {speed}: {z:?} {:?}", judged.values);
+            }
+            met[growing.len().min(3)] += 1;
+        }
+    }
+    assert!(met[0] > 5 && met[1] > 12, "{met:?}");
 }
 
 /// Orders among the inertial waves of an ideal liquid are told; odd orders are not among them, and viscosity has an answer.

@@ -138,6 +138,8 @@ pub struct Judge {
     pub unjudged: Option<Unjudged>,
 }
 
+/// Exponents that decay and are followed from motion to motion.
+const FOLLOWED: usize = 8;
 /// Most terms of Hill's determinants for one branch.
 const MOST_TERMS: u64 = 400_000_000;
 /// Terms of Hill's determinants that are as much work as a point of a branch.
@@ -196,7 +198,8 @@ impl Judge {
             self.terms = effort.terms;
             match found {
                 Ok(e) => {
-                    before.clone_from(&e.values);
+                    // in descending order
+                    *before = e.values.iter().take(e.unstable() + FOLLOWED).copied().collect();
                     state.exponents = Some(e);
                 }
                 Err(why) => self.unjudged = Some(why),
@@ -214,7 +217,7 @@ impl Judge {
             }
             let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
             points.push(State { residual, ..self.state(balance, &x, p.p) });
-            if i % 16 == 0 {
+            if i % 16 == 0 || self.exponents.is_some() {
                 tick(points.len() as u64);
             }
         }
