@@ -180,6 +180,7 @@ fn exponents_are_counted_at_every_speed() {
         ("viscous", with_bearing(&viscous(&truncated(FILE, 3), "1e-4"), "5 um")),
     ] {
         let system = build(&text);
+        let before = met.iter().sum::<usize>();
         for k in 0..12 {
             let speed = 95.0 + 71.0 * k as f64;
             let found = branch_of(&system, speed, false);
@@ -201,6 +202,7 @@ fn exponents_are_counted_at_every_speed() {
             }
             met[growing.len().min(3)] += 1;
         }
+        assert!(met.iter().sum::<usize>() > before + 5, "{name}: {met:?}");
     }
     assert!(met[0] > 5 && met[1] > 12, "{met:?}");
 }
