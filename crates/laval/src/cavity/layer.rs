@@ -1,8 +1,8 @@
-//! Time form of a viscous liquid at one speed.
+//! Time form of the plane flow of a viscous liquid at one speed.
 //!
 //! ```text
-//! L = w W G + w^2 [M - sum r_j/(x - x_j)],   x = (w - W)/W
-//!   = w W G + w^2 [L(W)/W^2 - G + sum b_j x/(x - x_j)],   r_j = -b_j x_j,   M = L(W)/W^2 - G + sum b_j real
+//! L = w^2 [M - sum r_j/(x - x_j)],   x = (w - W)/W
+//!   = w^2 [L(W)/W^2 + sum b_j x/(x - x_j)],   r_j = -b_j x_j,   M = L(W)/W^2 + sum b_j real
 //! ```
 //!
 //! On the real axis the reaction is smooth, but on scales from the width of a wave down to the time in which viscosity stops the whole layer. Poles come from the AAA
@@ -12,13 +12,13 @@
 //!
 //! The error is measured on places of their own, closer than the narrowest pole, climbed to its tops between them, and on lines where motions grow.
 //!
-//! At speed -W the reaction is that at W with x, G, r conjugate: forms are made for `W > 0`, with `nu/|W|` as their only speed.
+//! At speed -W the reaction is that at W with x and r conjugate: forms are made for `W > 0`, with `nu/|W|` as their only speed.
 //!
 //! Symbols as in [cavity](super).
 
+use super::Cavity;
 use super::rational::{Rational, Wave};
 use super::waves::BAND;
-use super::{Cavity, Truncation};
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
 use laval_num::rational::{least_squares, poles};
@@ -33,15 +33,15 @@ const BEYOND: f64 = 8.0;
 /// Distance from the reaction at rest in fixed axes, where what is fitted is 0/0.
 const STILL: f64 = 1e-3;
 /// What the tops of the error that were found are multiplied by.
-const TOPS: f64 = 1.1;
+pub(super) const TOPS: f64 = 1.1;
 /// What is taken back over what was given at the places looked at.
 const TAKEN: f64 = 2.0;
 /// Reactions that may be computed for one form.
-const WORK: usize = 12_000;
+const WORK: usize = 240_000;
 /// Steps to a top.
 const CLIMB: usize = 24;
 /// Rates of growth over the speed at which the error is measured.
-const GROWTHS: [f64; 6] = [1e-3, 0.01, 0.05, 0.2, 0.6, 2.0];
+pub(super) const GROWTHS: [f64; 6] = [1e-3, 0.01, 0.05, 0.2, 0.6, 2.0];
 
 /// A time form with what is known of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +58,12 @@ pub enum Refused {
     /// Speed 0 or no layer.
     Speed,
     /// So many poles do not reach the accuracy, or feed motions.
-    Accuracy,
+    Accuracy {
+        /// What they reach; infinite where that is not known.
+        reached: f64,
+    },
+    /// More axial harmonics than are computed.
+    Harmonics,
     /// The reaction could not be computed.
     Reaction,
     /// It would have to be computed too often.
@@ -71,9 +76,7 @@ struct Reaction<'a> {
     exact: &'a dyn Fn(C64) -> Option<C64>,
     /// What errors of it are compared with.
     size: &'a dyn Fn(C64, C64) -> f64,
-    /// G.
-    turning: f64,
-    /// `L(W)/W^2 - G`.
+    /// `L(W)/W^2`.
     rest: f64,
     /// Where it changes fast, and how fast.
     centres: Vec<(f64, f64)>,
@@ -85,53 +88,27 @@ struct Reaction<'a> {
 impl Cavity<f64> {
     /// The reaction on displacement at this speed.
     pub fn planar_in_time(&self, speed: f64, nu: f64, accuracy: f64) -> Result<Layer, Refused> {
-        let nu = self.scaled(speed, nu)?;
+        let nu = self.at_unit_speed(speed, nu)?;
         let unit = nu / (self.radius * self.radius);
         let ring = self.full_mass() * (1.0 - (self.free / self.radius).powi(2));
         let at = |w: C64| Some(self.planar_viscous(w, 1.0, nu));
         let size = |w: C64, l: C64| l.abs() + ring * w.norm_sqr();
         let mut centres = vec![(0.0, (0.01 * unit).min(0.1))];
         centres.extend(self.plane_waves(1.0).into_iter().map(|w| (w - 1.0, (0.03 * unit.sqrt()).min(0.1))));
-        let reaction = Reaction {
-            exact: &at,
-            size: &size,
-            turning: 0.0,
-            rest: self.full_mass(),
-            centres,
-            density: [12.0, 23.0],
-            left: Cell::new(20 * WORK),
-        };
+        let reaction = Reaction { exact: &at, size: &size, rest: self.full_mass(), centres, density: [12.0, 23.0], left: Cell::new(WORK) };
         reaction.fit(accuracy).map(|l| l.at_speed(speed))
     }
 
-    /// The reaction on tilt at this speed.
-    pub fn tilt_viscous_in_time(&self, speed: f64, nu: f64, truncation: Truncation, accuracy: f64) -> Result<Layer, Refused> {
-        let nu = self.scaled(speed, nu)?;
-        let unit = nu / (self.radius * self.radius);
-        let size = |w: C64, l: C64| l.abs() + self.mean_tilt(w, 1.0).abs();
-        let at = |w: C64| {
-            let t = self.tilt_viscous(w, 1.0, nu, truncation);
-            (t.error <= 0.1 * accuracy * size(w, t.value)).then_some(t.value)
-        };
-        let slope = |w: f64| Some(at(c(w, 0.0))?.re / w);
-        let (one, two) = (slope(1e-3).zip(slope(-1e-3)), slope(2e-3).zip(slope(-2e-3)));
-        let ((a, b), (a2, b2)) = one.zip(two).ok_or(Refused::Reaction)?;
-        let turning = (4.0 * (a + b) - (a2 + b2)) / 6.0;
-        let rest = self.mean_tilt(C64::one(), 1.0).re - turning;
-        let mut centres = vec![(0.0, (0.03 * unit).min(0.1)), (-2.0, 0.01), (2.0, 0.01)];
-        centres.extend(self.plane_waves(1.0).into_iter().map(|w| (w - 1.0, (0.1 * unit.sqrt()).min(0.1))));
-        let reaction = Reaction { exact: &at, size: &size, turning, rest, centres, density: [10.0, 17.0], left: Cell::new(WORK) };
-        reaction.fit(accuracy).map(|l| l.at_speed(speed))
-    }
-
-    fn scaled(&self, speed: f64, nu: f64) -> Result<f64, Refused> {
+    /// Viscosity at speed 1 that is this one at `speed`.
+    pub(super) fn at_unit_speed(&self, speed: f64, nu: f64) -> Result<f64, Refused> {
         let nu = nu / speed.abs();
         if nu > 0.0 && nu.is_finite() && self.free > 0.0 && self.free < self.radius { Ok(nu) } else { Err(Refused::Speed) }
     }
 }
 
 impl Layer {
-    fn at_speed(mut self, speed: f64) -> Self {
+    /// Of speed 1, at `speed`.
+    pub(super) fn at_speed(mut self, speed: f64) -> Self {
         if speed < 0.0 {
             self.form.waves.iter_mut().for_each(|w| (w.place, w.strength) = (w.place.conj(), w.strength.conj()));
         }
@@ -165,7 +142,7 @@ impl Reaction<'_> {
     fn sample(&self, x: f64) -> Result<(f64, C64, f64), Refused> {
         let w = c(x + 1.0, 0.0);
         let l = self.at(w)?;
-        Ok((x, (l - w.scale(self.turning)) / (w * w), w.norm_sqr() / (self.size)(w, l)))
+        Ok((x, l / (w * w), w.norm_sqr() / (self.size)(w, l)))
     }
 
     fn error(&self, form: &Rational, w: C64) -> Result<f64, Refused> {
@@ -187,7 +164,7 @@ impl Reaction<'_> {
                 break;
             }
             let target = 0.5 * 3f64.powi(-finer);
-            let found = poles(&x, &f, &weights, target * accuracy, MOST_POLES).ok_or(Refused::Accuracy)?;
+            let found = poles(&x, &f, &weights, target * accuracy, MOST_POLES).ok_or(Refused::Accuracy { reached: f64::INFINITY })?;
             let same = std::mem::replace(&mut before, found.len()) == found.len();
             let dying: Vec<C64> = found.into_iter().filter(|p| p.im > 0.0).collect();
             if same || dying.is_empty() {
@@ -212,12 +189,12 @@ impl Reaction<'_> {
                 return Ok(Layer { form, error });
             }
         }
-        Err(Refused::Accuracy)
+        Err(Refused::Accuracy { reached: f64::INFINITY })
     }
 
     fn off(&self, form: &Rational, &(x, f, weight): &(f64, C64, f64)) -> f64 {
         let w = c(x + 1.0, 0.0);
-        ((form.at(w, 1.0) - w.scale(self.turning)) / (w * w) - f).abs() * weight
+        (form.at(w, 1.0) / (w * w) - f).abs() * weight
     }
 
     fn with_strengths(&self, poles: &[C64], samples: &[(f64, C64, f64)]) -> Rational {
@@ -239,7 +216,7 @@ impl Reaction<'_> {
         let b = |j: usize| c(found[j], if j + 1 < n { found[n + j] } else { last });
         let inertia = self.rest + found[..n].iter().sum::<f64>();
         let waves = poles.iter().enumerate().map(|(j, p)| Wave { place: *p, strength: -(b(j) * *p) }).collect();
-        Rational { inertia, turning: self.turning, waves }
+        Rational { inertia, turning: 0.0, waves }
     }
 
     /// How much of `-x/(x - i)` takes back what the form gives to motions: `Im sum b_j/(x - x_j) <= 0` holds on the real axis and far out with that; 0 where it does anyway.

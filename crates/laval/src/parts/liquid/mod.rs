@@ -252,7 +252,7 @@ impl Part for Liquid {
             "time_error",
             FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-6, 0.1) },
             "",
-            "with spatial or a viscosity: relative error that the form of the reaction in time may have; 1e-4 when absent",
+            "with spatial or a viscosity: relative error that the form of the reaction in time may have; 1e-4 when absent; thin liquids in three dimensions need about 1e-2",
         ),
         Field::required("fill", FieldKind::OneOf(check::FILLS), "how much liquid"),
     ];

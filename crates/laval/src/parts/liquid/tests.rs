@@ -194,6 +194,17 @@ fn a_viscous_form_belongs_to_its_speed() {
         assert!(liquid.in_time(&p, speeds).err().unwrap().contains(why));
     }
     assert!(first.check(&LiquidParams { viscosity: 3e-5, ..p })[0].1.contains("made for another cavity"));
+    // copies remember together, each its own
+    let strip = liquid.clone().flowing(Model::Strip).in_time(&p, Speeds::One(300.0)).unwrap();
+    assert!(strip.layout().states.len() == 2 * first.layout().states.len());
+    let rough = liquid.clone().accurate(1e-2).in_time(&p, Speeds::One(300.0)).unwrap();
+    assert!(rough.layout().states.len() < first.layout().states.len());
+    let thick = LiquidParams { viscosity: 2e-3, ..p };
+    let states = |last: usize| {
+        let spatial = liquid.clone().flowing(Model::Spatial).accurate(1e-3).truncated(last);
+        spatial.in_time(&thick, Speeds::One(300.0)).unwrap().layout().states.len()
+    };
+    assert!(states(1) < states(5));
 }
 
 /// The blocks in time, solved for a motion as exp(s t), are the exact reaction to the stated error; at any speed, with the plane flow among them, and with viscosity at

@@ -7,8 +7,8 @@
 //! Of an ideal spatial liquid displacement is exact and tilt a sum over [waves](crate::cavity::waves) whose frequencies grow with the speed, so that one form serves all
 //! speeds; while the speed changes it is that of the speed at the moment. C is the polar inertia of the liquid.
 //!
-//! With viscosity displacement (of every slice) and tilt are [fitted](crate::cavity::layer) at one speed, the x_j complex. The layer at the wall depends on the speed, so that
-//! such a form serves no other.
+//! With viscosity displacement (of every slice) is [fitted](crate::cavity::layer) at one speed and tilt a sum over [waves that die out](crate::cavity), the x_j complex. The layer at the
+//! wall depends on the speed, so that such a form serves no other.
 
 use super::{Fill, Liquid, LiquidParams, Model};
 use crate::cavity::Truncation;
@@ -22,10 +22,15 @@ use crate::units::format_number;
 use laval_num::scalar::Scalar;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What a time form was made for: R, r0, H, density, viscosity; the speed, where it is made for one.
+/// What a time form was made for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Made {
+    model: Model,
+    harmonics: Truncation,
+    accuracy: f64,
+    /// R, r0, H, density, viscosity.
     liquid: [f64; 5],
+    /// Where it is made for one.
     speed: Option<f64>,
 }
 
@@ -55,11 +60,11 @@ const LAYER: &str = "of motions that do not decay, up to four times the speed in
 #[derive(Clone, Default)]
 pub(super) struct Memo(Arc<Mutex<Vec<Arc<Rationals>>>>);
 
-fn made(p: &LiquidParams<f64>, speed: Option<f64>) -> Made {
-    Made { liquid: [p.cavity_radius, p.free_surface_radius, p.cavity_height, p.density, p.viscosity], speed }
-}
-
 impl Liquid {
+    fn made(&self, p: &LiquidParams<f64>, speed: Option<f64>) -> Made {
+        let liquid = [p.cavity_radius, p.free_surface_radius, p.cavity_height, p.density, p.viscosity];
+        Made { model: self.model, harmonics: self.harmonics, accuracy: self.accuracy, liquid, speed }
+    }
     /// The part with its reactions as rational functions.
     pub(super) fn in_time(&self, p: &LiquidParams<f64>, speeds: Speeds) -> Result<Self, String> {
         if speeds == Speeds::Changing && p.skew != 0.0 && !self.viscous {
@@ -78,7 +83,7 @@ impl Liquid {
                 return Err("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only".into());
             }
         };
-        let made = made(p, speed);
+        let made = self.made(p, speed);
         let mut memo = self.memo.0.lock().unwrap_or_else(PoisonError::into_inner);
         let time = if let Some(known) = memo.iter().find(|m| m.made == made) {
             known.clone()
@@ -113,24 +118,38 @@ impl Liquid {
     /// Of a viscous liquid at one speed.
     fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64) -> Result<Rationals, String> {
         let cavity = Self::cavity(p);
-        let spatial = self.model == Model::Spatial;
-        let told = |of: &str, refused: Refused| match refused {
+        let allowed = format_number(self.accuracy, 3);
+        let told = |of: &str, most: String, strip: &str, refused: Refused| match refused {
             Refused::Speed => "without spin nothing holds the layer on the wall".to_string(),
-            Refused::Accuracy => format!(
-                "{MOST_POLES} poles do not give its reaction on {of} with a relative error of {}; allow a larger time_error{}",
-                format_number(self.accuracy, 3),
-                if spatial { ", or take model = \"strip\"" } else { "" }
+            Refused::Accuracy { reached } => {
+                // for the waves, for what all of them leave out, and for a search that begins elsewhere; rounded up
+                let more = 2.5 * reached;
+                let step = 10f64.powf(more.log10().floor());
+                let enough = (more / step).ceil() * step;
+                let larger = if enough <= 0.1 {
+                    format!("try time_error = {}", format_number(enough, 2))
+                } else {
+                    "allow a larger time_error".into()
+                };
+                format!("{most} do not give its reaction on {of} with a relative error of {allowed}; {larger}{strip}")
+            }
+            Refused::Harmonics => {
+                format!("its waves are computed up to axial_harmonics = {MOST_HARMONICS}; leave axial_harmonics out for all of them")
+            }
+            Refused::Reaction => format!(
+                "its reaction on {of} cannot be computed to a tenth of the error allowed, {allowed}, for all motions up to four times the speed{strip}"
             ),
-            Refused::Reaction => format!("its reaction on {of} cannot be computed for all motions up to four times the speed"),
-            Refused::Work => format!(
-                "finding the form of its reaction on {of} takes too much work; allow a larger time_error, or take model = \"strip\""
-            ),
+            Refused::Work => format!("finding the form of its reaction on {of} takes too much work; allow a larger time_error{strip}"),
         };
-        let plane = cavity.planar_in_time(speed, p.viscosity, self.accuracy).map_err(|e| told("displacement", e))?;
+        let plane = cavity
+            .planar_in_time(speed, p.viscosity, self.accuracy)
+            .map_err(|e| told("displacement", format!("{MOST_POLES} poles"), "", e))?;
         let (tilt, error) = match self.model {
             Model::Strip => (Some(plane.form.clone().scaled(cavity.slices())), plane.error),
             Model::Spatial => {
-                let tilt = cavity.tilt_viscous_in_time(speed, p.viscosity, self.harmonics, self.accuracy).map_err(|e| told("tilt", e))?;
+                let tilt = cavity
+                    .tilt_viscous_in_time(speed, p.viscosity, self.harmonics, self.accuracy)
+                    .map_err(|e| told("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e))?;
                 (Some(tilt.form), plane.error.max(tilt.error))
             }
             _ => (None, plane.error),
@@ -157,7 +176,7 @@ impl Liquid {
     /// Why the form does not belong to these parameters.
     pub(super) fn outdated(&self, p: &LiquidParams<f64>) -> Option<String> {
         let time = self.time.as_ref()?;
-        (time.made != made(p, time.made.speed))
+        (time.made != self.made(p, time.made.speed))
             .then(|| "its form in the time domain was made for another cavity; its size and its filling cannot be varied here".into())
     }
 
