@@ -21,5 +21,6 @@ pub mod ode;
 pub mod optimise;
 pub mod poly;
 pub mod quadrature;
+pub mod rational;
 pub mod sampling;
 pub mod scalar;

@@ -31,7 +31,7 @@ mod tests;
 mod track;
 
 pub use mode::{Mode, upper_half};
-pub use number::Number;
+pub use number::{Number, Svd};
 pub use pencil::{Modes, Pencil};
 pub use quadratic::Quadratic;
 pub use standard::{Spectrum, derivative, eigenvalues, modes};

@@ -20,9 +20,12 @@ pub struct Raw {
 
 /// `A = U diag(s) V^H` of an r x c matrix: U is r x r, V is c x c.
 pub struct Svd<T> {
-    pub(super) u: Mat<T>,
-    pub(super) s: Vec<f64>,
-    pub(super) v: Mat<T>,
+    /// U.
+    pub u: Mat<T>,
+    /// Singular values, descending.
+    pub s: Vec<f64>,
+    /// V.
+    pub v: Mat<T>,
 }
 
 /// An entry of an eigenvalue problem: `f64` or [`C64`].

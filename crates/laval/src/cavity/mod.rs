@@ -15,7 +15,9 @@
 //!
 //! Sources: `001_352384e7bf252e35` equations (7)-(34), corrected.
 
+mod damped;
 mod ideal;
+pub mod layer;
 pub mod rational;
 mod sum;
 mod viscous;

@@ -43,7 +43,7 @@ const COMPARED: usize = 41;
 /// Places where the form is compared with all waves.
 const PLACES: usize = 1201;
 /// The error between places is no more than this times that at them.
-const BETWEEN: f64 = 1.5;
+pub(super) const BETWEEN: f64 = 1.5;
 
 /// A time form with its error.
 #[derive(Clone, Debug, PartialEq)]
@@ -210,12 +210,12 @@ impl Cavity<f64> {
 }
 
 /// The larger; NaN stays.
-fn largest(a: f64, b: f64) -> f64 {
+pub(super) fn largest(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
 /// Legendre polynomials and their derivatives.
-fn legendre(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
+pub(super) fn legendre(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut p, mut d) = (vec![1.0, x], vec![0.0, 1.0]);
     for n in 2..count.max(2) {
         let k = n as f64;

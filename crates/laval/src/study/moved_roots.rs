@@ -16,7 +16,9 @@ pub(super) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &C
     let Timed::Fitted(form) = timed else { return None };
     let margin = form.slots().iter().filter_map(|s| s.part.fitted()).map(|f| f.margin * speed.abs()).fold(0.0, f64::max);
     let spectrum = Linearised::new(form, &rest(form, speed).ok()?).ok()?.spectrum().ok()?;
-    let mut modes: Vec<_> = spectrum.modes.iter().filter(|m| m.value.re.abs() >= margin && m.value.im.abs() <= 5.0 * speed.abs()).collect();
+    // a layer at the wall dies out on a ladder of roots that the machine has not
+    let holds = |growth: f64| if margin > 0.0 { growth.abs() >= margin } else { growth > 0.0 };
+    let mut modes: Vec<_> = spectrum.modes.iter().filter(|m| holds(m.value.re) && m.value.im.abs() <= 5.0 * speed.abs()).collect();
     // the fastest growing first: they are what a motion shows
     modes.sort_by(|a, b| b.value.re.total_cmp(&a.value.re));
     let about = rest(exact, speed).ok()?;
@@ -27,7 +29,7 @@ pub(super) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &C
             return None;
         }
         match t.polish(mode.value, mode.sector) {
-            Some(p) if (p.value - mode.value).abs() <= 0.1 * mode.value.re.abs() => {
+            Some(p) if (p.value - mode.value).abs() <= 0.1 * mode.value.re.abs().max(0.01 * speed.abs()) => {
                 compared += 1;
                 let moved = (p.value - mode.value).abs();
                 if !(moved <= worst.0) {
@@ -38,14 +40,14 @@ pub(super) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &C
         }
     }
     let growing = modes.iter().filter(|m| m.value.re > 0.0).count();
-    let beyond = format!("beyond {} 1/s", significant(margin, 3));
+    let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
     if compared == 0 && lost == 0 {
-        let text = format!("With its rational time forms the machine has no root that grows or decays {beyond}: there is none to compare.");
+        let text = format!("With its rational time forms the machine has no roots {which}: there is none to compare.");
         return Some(Finding::info("time_form_roots", text));
     }
     let make = if lost == 0 { Finding::info } else { Finding::warning };
     let more = if lost > 0 { format!("; beside {lost} of them the exact machine has no root") } else { String::new() };
-    let text = format!("Rational time forms move the roots that grow or decay {beyond} by at most {{}}{more}.");
+    let text = format!("Rational time forms move the roots {which} by at most {{}}{more}.");
     let finding = make("time_form_roots", text).value(worst.0, "1/s").evidence("at frequency", worst.1, "rad/s");
     Some(finding.evidence("roots compared", compared as f64, "").evidence("of the form, growing", growing as f64, ""))
 }

@@ -7,6 +7,7 @@ mod offsets;
 mod reactions;
 mod time_form;
 mod viscosity;
+mod viscous_time_form;
 
 use laval::cavity::Cavity;
 use laval_num::complex::{C64, c};

@@ -1,7 +1,16 @@
 //! Relations between the parameters of a liquid.
 
 use super::{Fill, Liquid, LiquidParams, Model};
+use crate::model::field::Bounds;
 use crate::units::format_si;
+
+/// Ways to say how full the cavity is.
+pub(super) const FILLS: &[(&str, &str, Bounds, &str)] = &[
+    ("free_surface_radius", "m", Bounds::up_to(100.0), "radius of the undisturbed free surface"),
+    ("volume_fraction", "", Bounds::closed(0.0, 1.0), "liquid volume over cavity volume"),
+    ("volume", "m^3", Bounds::up_to(1e6), "liquid volume"),
+    ("mass", "kg", Bounds::up_to(1e9), "liquid mass"),
+];
 
 impl Liquid {
     /// What is wrong with its parameters, and which.

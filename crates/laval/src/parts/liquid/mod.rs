@@ -19,7 +19,7 @@
 //! frozen       a rigid ring: ml, A = ml [(R^2 + r0^2)/4 + h^2/12], C = ml (R^2 + r0^2)/2
 //! ```
 //!
-//! In time spatial is a sum over waves with a stated error: [timed].
+//! In time spatial, and whatever has a viscosity, is a rational function with a stated error: [timed].
 //!
 //! With viscosity the plane flow (of every slice) has its exact force in the frequency domain, and spatial its tilt reaction with ends without friction.
 //!
@@ -63,7 +63,7 @@ params! {
         density: scalar, "kg/m^3", Bounds::closed(1e-3, 3e4), required, "liquid density rho";
         free_surface_radius: scalar, "m", Bounds::up_to(100.0), required, "radius r0 of the undisturbed free surface";
         wave_damping: scalar, "1/s", Bounds::up_to(1e6), default 0.0, "damping delta of the surface wave in rotor axes";
-        viscosity: scalar, "m^2/s", Bounds::up_to(10.0), default 0.0, "kinematic viscosity nu; above 0 the force is exact in the frequency domain only";
+        viscosity: scalar, "m^2/s", Bounds::up_to(10.0), default 0.0, "kinematic viscosity nu; above 0 the force is exact in the frequency domain; in time it has a form at constant speed";
         eccentricity: scalar, "m", Bounds::up_to(1.0), default 0.0, "distance e of the middle of the cavity from the shaft";
         eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
         skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau by which the cavity's axis is turned out of the shaft; of a rotor that sits askew on its shaft the same as the disc's";
@@ -221,19 +221,12 @@ impl Liquid {
     }
 }
 
-const FILLS: &[(&str, &str, Bounds, &str)] = &[
-    ("free_surface_radius", "m", Bounds::up_to(100.0), "radius of the undisturbed free surface"),
-    ("volume_fraction", "", Bounds::closed(0.0, 1.0), "liquid volume over cavity volume"),
-    ("volume", "m^3", Bounds::up_to(1e6), "liquid volume"),
-    ("mass", "kg", Bounds::up_to(1e9), "liquid mass"),
-];
-
 impl Part for Liquid {
     const KIND: &'static str = "liquid";
     const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
         rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
-        lets every slice flow by itself and spatial adds flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Viscous liquids are \
-        known in the frequency domain only.";
+        lets every slice flow by itself and spatial adds flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Of a viscous \
+        liquid motions in time have a rational form, with a stated error, at one constant speed.";
     type Family = LiquidFamily;
     const FIELDS: &'static [Field] = &[
         Field::required("in", FieldKind::Attach { ground: false }, "the body whose cavity it fills, at the middle of the cavity's height"),
@@ -259,9 +252,9 @@ impl Part for Liquid {
             "time_error",
             FieldKind::Quantity { unit: "", bounds: Bounds::closed(1e-6, 0.1) },
             "",
-            "with spatial: relative error of the reaction on tilt that its finite number of waves may make in time; 1e-4 when absent",
+            "with spatial or a viscosity: relative error that the form of the reaction in time may have; 1e-4 when absent; thin liquids in three dimensions need about 1e-2",
         ),
-        Field::required("fill", FieldKind::OneOf(FILLS), "how much liquid"),
+        Field::required("fill", FieldKind::OneOf(check::FILLS), "how much liquid"),
     ];
 
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
@@ -328,16 +321,16 @@ impl Part for Liquid {
             );
             return None;
         }
+        let viscous = params.get("viscosity").is_some_and(|nu| nu > 0.0);
         let accuracy = values.number("time_error");
-        if accuracy.is_some() && model != Model::Spatial {
+        if accuracy.is_some() && model != Model::Spatial && !viscous {
             diagnostics.push(
-                Diagnostic::error("liquid.time_error", format!("{word} is no sum over waves in time"))
+                Diagnostic::error("liquid.time_error", format!("{word} without viscosity is exact in time"))
                     .at(values.span_of("time_error"))
-                    .help("leave time_error out; with model = \"spatial\" it sets the number of waves"),
+                    .help("leave time_error out; with model = \"spatial\" or a viscosity it sets the number of waves"),
             );
             return None;
         }
-        let viscous = params.get("viscosity").is_some_and(|nu| nu > 0.0);
         let accuracy = accuracy.unwrap_or(TIME_ERROR);
         Some(Liquid { model, viscous, harmonics, accuracy, ..Liquid::new(attach, fill) })
     }
@@ -535,6 +528,9 @@ impl Part for Liquid {
                 let turn = 2.0 * PI * at.spin_accel.abs() / (at.speed * at.speed);
                 out.push(Validity { what: "change of the speed within a turn over a tenth of it", ratio: turn / 0.1 });
             }
+            if let Some(ratio) = self.off_speed(at.speed) {
+                out.push(Validity { what: "speed beside that of the form in time, over a billionth of it", ratio });
+            }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall
             let ratio = if field == 0.0 { f64::INFINITY } else { at.a[0].hypot(at.a[1]) / field };
@@ -591,6 +587,10 @@ crate::conformance! {
         timed_offset: tests::timed(tests::partial(), &tests::offset(0.0)), tests::offset(0.0), Options { energy: false, ..Options::default() };
         viscous: tests::partial().viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
         viscous_strip: tests::partial().flowing(Model::Strip).viscous(), tests::viscous(), Options { energy: false, ..Options::default() };
+        timed_viscous: tests::in_time(tests::partial().viscous()), tests::viscous(), Options { energy: false, ..Options::default() };
+        timed_viscous_strip: tests::in_time(tests::partial().flowing(Model::Strip).viscous()), tests::viscous(),
+            Options { energy: false, ..Options::default() };
+        timed_viscous_spatial: tests::in_time_spatial(), tests::thick(), Options { energy: false, ..Options::default() };
         viscous_spatial: tests::partial().flowing(Model::Spatial).viscous(), tests::viscous(),
             Options { energy: false, states: 4, ..Options::default() };
     }

@@ -6,9 +6,13 @@
 //!
 //! Of an ideal spatial liquid displacement is exact and tilt a sum over [waves](crate::cavity::waves) whose frequencies grow with the speed, so that one form serves all
 //! speeds; while the speed changes it is that of the speed at the moment. C is the polar inertia of the liquid.
+//!
+//! With viscosity displacement (of every slice) is [fitted](crate::cavity::layer) at one speed and tilt a sum over [waves that die out](crate::cavity), the x_j complex. The layer at the
+//! wall depends on the speed, so that such a form serves no other.
 
 use super::{Fill, Liquid, LiquidParams, Model};
 use crate::cavity::Truncation;
+use crate::cavity::layer::{MOST_POLES, Refused};
 use crate::cavity::rational::Rational;
 use crate::cavity::waves::{MARGIN, MOST_HARMONICS, MOST_WAVES};
 use crate::model::blocks::Blocks;
@@ -18,8 +22,22 @@ use crate::units::format_number;
 use laval_num::scalar::Scalar;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What a time form was made for: R, r0, H, density, viscosity.
-type Made = [f64; 5];
+/// What a time form was made for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Made {
+    model: Model,
+    harmonics: Truncation,
+    accuracy: f64,
+    /// R, r0, H, density, viscosity.
+    liquid: [f64; 5],
+    /// Where it is made for one.
+    speed: Option<f64>,
+}
+
+/// Relative difference of two speeds that are one.
+const SAME_SPEED: f64 = 1e-9;
+/// Forms that are remembered.
+const REMEMBERED: usize = 8;
 
 /// Reactions in time.
 #[derive(Debug)]
@@ -30,29 +48,61 @@ pub(super) struct Rationals {
     /// Of tilt.
     tilt: Option<Rational>,
     error: f64,
+    /// For which motions that is the error, and for which rates of growth over the speed.
+    scope: &'static str,
+    margin: f64,
 }
 
-/// The form made last, shared by copies of the part.
+const WAVES: &str = "of tilts that grow or decay by a twentieth of the speed or more, up to four times the speed in rotor axes";
+const LAYER: &str = "of motions that do not decay, up to four times the speed in rotor axes";
+
+/// The forms made last, shared by copies of the part.
 #[derive(Clone, Default)]
-pub(super) struct Memo(Arc<Mutex<Option<Arc<Rationals>>>>);
-
-fn made(p: &LiquidParams<f64>) -> Made {
-    [p.cavity_radius, p.free_surface_radius, p.cavity_height, p.density, p.viscosity]
-}
+pub(super) struct Memo(Arc<Mutex<Vec<Arc<Rationals>>>>);
 
 impl Liquid {
+    fn made(&self, p: &LiquidParams<f64>, speed: Option<f64>) -> Made {
+        let liquid = [p.cavity_radius, p.free_surface_radius, p.cavity_height, p.density, p.viscosity];
+        Made { model: self.model, harmonics: self.harmonics, accuracy: self.accuracy, liquid, speed }
+    }
     /// The part with its reactions as rational functions.
     pub(super) fn in_time(&self, p: &LiquidParams<f64>, speeds: Speeds) -> Result<Self, String> {
-        if speeds == Speeds::Changing && p.skew != 0.0 {
+        if speeds == Speeds::Changing && p.skew != 0.0 && !self.viscous {
             return Err("that of a cavity that is skew to its shaft holds at constant speed only".into());
         }
-        if self.viscous {
-            return Err("the layer of a viscous liquid at the wall remembers its whole past".into());
-        }
+        let speed = match (self.viscous, speeds) {
+            (false, _) => None,
+            (true, Speeds::One(speed)) => Some(speed),
+            (true, Speeds::Several) => {
+                return Err(
+                    "the layer of a viscous liquid depends on the speed, so that its form is made for one; transient and basins run at one"
+                        .into(),
+                );
+            }
+            (true, Speeds::Changing) => {
+                return Err("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only".into());
+            }
+        };
+        let made = self.made(p, speed);
         let mut memo = self.memo.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = memo.as_ref().filter(|m| m.made == made(p)) {
-            return Ok(Liquid { time: Some(known.clone()), ..self.clone() });
-        }
+        let time = if let Some(known) = memo.iter().find(|m| m.made == made) {
+            known.clone()
+        } else {
+            let new = Arc::new(match speed {
+                Some(speed) => self.layer_in_time(p, made, speed)?,
+                None => self.waves_in_time(p, made)?,
+            });
+            if memo.len() == REMEMBERED {
+                memo.remove(0);
+            }
+            memo.push(new.clone());
+            new
+        };
+        Ok(Liquid { time: Some(time), ..self.clone() })
+    }
+
+    /// Of an ideal liquid.
+    fn waves_in_time(&self, p: &LiquidParams<f64>, made: Made) -> Result<Rationals, String> {
         let found = Self::cavity(p).tilt_in_time(self.harmonics, self.accuracy, MOST_WAVES).ok_or_else(|| match self.harmonics {
             Truncation::At(last) if last > MOST_HARMONICS => {
                 format!("its waves are computed up to axial_harmonics = {MOST_HARMONICS}; leave axial_harmonics out for all of them")
@@ -62,17 +112,63 @@ impl Liquid {
                 format_number(self.accuracy, 3)
             ),
         })?;
-        let time = Arc::new(Rationals { made: made(p), plane: None, tilt: Some(found.form), error: found.error });
-        *memo = Some(time.clone());
-        Ok(Liquid { time: Some(time), ..self.clone() })
+        Ok(Rationals { made, plane: None, tilt: Some(found.form), error: found.error, scope: WAVES, margin: MARGIN })
+    }
+
+    /// Of a viscous liquid at one speed.
+    fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64) -> Result<Rationals, String> {
+        let cavity = Self::cavity(p);
+        let allowed = format_number(self.accuracy, 3);
+        let told = |of: &str, most: String, strip: &str, refused: Refused| match refused {
+            Refused::Speed => "without spin nothing holds the layer on the wall".to_string(),
+            Refused::Accuracy { reached } => {
+                // for the waves, for what all of them leave out, and for a search that begins elsewhere; rounded up
+                let more = 2.5 * reached;
+                let step = 10f64.powf(more.log10().floor());
+                let enough = (more / step).ceil() * step;
+                let larger = if enough <= 0.1 {
+                    format!("try time_error = {}", format_number(enough, 2))
+                } else {
+                    "allow a larger time_error".into()
+                };
+                format!("{most} do not give its reaction on {of} with a relative error of {allowed}; {larger}{strip}")
+            }
+            Refused::Harmonics => {
+                format!("its waves are computed up to axial_harmonics = {MOST_HARMONICS}; leave axial_harmonics out for all of them")
+            }
+            Refused::Reaction => format!(
+                "its reaction on {of} cannot be computed to a tenth of the error allowed, {allowed}, for all motions up to four times the speed{strip}"
+            ),
+            Refused::Work => format!("finding the form of its reaction on {of} takes too much work; allow a larger time_error{strip}"),
+        };
+        let plane = cavity
+            .planar_in_time(speed, p.viscosity, self.accuracy)
+            .map_err(|e| told("displacement", format!("{MOST_POLES} poles"), "", e))?;
+        let (tilt, error) = match self.model {
+            Model::Strip => (Some(plane.form.clone().scaled(cavity.slices())), plane.error),
+            Model::Spatial => {
+                let tilt = cavity
+                    .tilt_viscous_in_time(speed, p.viscosity, self.harmonics, self.accuracy)
+                    .map_err(|e| told("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e))?;
+                (Some(tilt.form), plane.error.max(tilt.error))
+            }
+            _ => (None, plane.error),
+        };
+        Ok(Rationals { made, plane: Some(plane.form), tilt, error, scope: LAYER, margin: 0.0 })
+    }
+
+    /// How far the speed is from that of the form, over what is allowed; the form holds at its own alone.
+    pub(super) fn off_speed(&self, speed: f64) -> Option<f64> {
+        let own = self.time.as_ref()?.made.speed?;
+        Some((speed - own).abs() / (SAME_SPEED * own.abs()))
     }
 
     /// Error, and for which motions it is that.
     pub(super) fn fit(&self) -> Option<crate::model::part::Fitted> {
         self.time.as_ref().map(|t| crate::model::part::Fitted {
             error: t.error,
-            scope: "of tilts that grow or decay by a twentieth of the speed or more, up to four times the speed in rotor axes",
-            margin: MARGIN,
+            scope: t.scope,
+            margin: t.margin,
             states: self.time_states().len(),
         })
     }
@@ -80,7 +176,7 @@ impl Liquid {
     /// Why the form does not belong to these parameters.
     pub(super) fn outdated(&self, p: &LiquidParams<f64>) -> Option<String> {
         let time = self.time.as_ref()?;
-        (time.made != made(p))
+        (time.made != self.made(p, time.made.speed))
             .then(|| "its form in the time domain was made for another cavity; its size and its filling cannot be varied here".into())
     }
 
