@@ -56,9 +56,12 @@ pub(super) struct Rationals {
 const WAVES: &str = "of tilts that grow or decay by a twentieth of the speed or more, up to four times the speed in rotor axes";
 const LAYER: &str = "of motions that do not decay, up to four times the speed in rotor axes";
 
+/// A form, or why there is none.
+type Form = Result<Arc<Rationals>, String>;
+
 /// The forms made last, shared by copies of the part.
 #[derive(Clone, Default)]
-pub(super) struct Memo(Arc<Mutex<Vec<Arc<Rationals>>>>);
+pub(super) struct Memo(Arc<Mutex<Vec<(Made, Form)>>>);
 
 impl Liquid {
     fn made(&self, p: &LiquidParams<f64>, speed: Option<f64>) -> Made {
@@ -85,19 +88,19 @@ impl Liquid {
         };
         let made = self.made(p, speed);
         let mut memo = self.memo.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let time = if let Some(known) = memo.iter().find(|m| m.made == made) {
-            known.clone()
-        } else {
-            let new = Arc::new(match speed {
-                Some(speed) => self.layer_in_time(p, made, speed)?,
-                None => self.waves_in_time(p, made)?,
-            });
+        let known = memo.iter().find(|m| m.0 == made).map(|m| m.1.clone());
+        let time = known.unwrap_or_else(|| {
+            let new = match speed {
+                Some(speed) => self.layer_in_time(p, made, speed),
+                None => self.waves_in_time(p, made),
+            };
+            let new = new.map(Arc::new);
             if memo.len() == REMEMBERED {
-                memo.remove(0);
+                drop(memo.remove(0));
             }
-            memo.push(new.clone());
+            memo.push((made, new.clone()));
             new
-        };
+        })?;
         Ok(Liquid { time: Some(time), ..self.clone() })
     }
 
