@@ -103,7 +103,8 @@ impl Search<'_> {
             return None;
         }
         let n = held.len();
-        let alone = |k: usize| (0..n).map(|i| if i == k / 2 { if k % 2 == 0 { 1.0 } else { -1.0 } } else { 0.0 }).collect::<Vec<f64>>();
+        let alone =
+            |k: usize| (0..n).map(|i| if i == k / 2 { if k.is_multiple_of(2) { 1.0 } else { -1.0 } } else { 0.0 }).collect::<Vec<f64>>();
         let random = |k: usize| {
             let place = tried.wrapping_mul((WAYS * n) as u32).wrapping_add(k as u32);
             (0..n).map(|i| 2.0 * Points::Random.at(10, place, i as u32) - 1.0).collect()
