@@ -73,7 +73,7 @@ pub fn row(
             out.stopped = true;
             break;
         }
-        let request = Request { margin: threshold, frequency, growing: true, starts: &starts, cancel: Some(cancel) };
+        let request = Request { margin: threshold, frequency, growing: true, starts: &starts, cancel: Some(cancel), ..Request::default() };
         let found = roots(system, &state(speed)?, &request)?;
         if cancel.load(Ordering::Relaxed) {
             out.stopped = true;
@@ -113,7 +113,7 @@ pub fn row(
             // the root that crosses here is not to lie on the edge of a rectangle
             let aside = BESIDE * found.speed.abs();
             let margin = if threshold - aside >= LEAST * found.speed.abs() { threshold - aside } else { threshold + aside };
-            let request = Request { margin, frequency, growing: true, starts: &starts, cancel: Some(cancel) };
+            let request = Request { margin, frequency, growing: true, starts: &starts, cancel: Some(cancel), ..Request::default() };
             let there = roots(system, &state(found.speed)?, &request)?;
             out.evaluations += there.evaluations;
             let Some(s) = sample(found.speed, &there).filter(|s| s.value.re > threshold + SAME * s.size) else { break };

@@ -50,6 +50,8 @@ pub struct Request<'a> {
     pub growing: bool,
     /// Places near roots.
     pub starts: &'a [C64],
+    /// Most evaluations for one rectangle, where they are fewer than a study may take.
+    pub evaluations: Option<u64>,
     /// Ends the search: what is not counted by then is not proven.
     pub cancel: Option<&'a AtomicBool>,
 }
@@ -243,7 +245,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     let rough = system.rough();
     let mut counting = Characteristic::new(rough.as_ref().unwrap_or(system), about);
     let terms = domains.iter().map(|d| d.terms as u64).sum::<u64>().max(1);
-    let budget = BUDGET.min(TERMS / terms);
+    let budget = BUDGET.min(TERMS / terms).min(request.evaluations.unwrap_or(u64::MAX));
     let stopped = || request.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
     let isotropic = uncoupled(&mut t, speed);
     let rest = linear.spectrum().ok();

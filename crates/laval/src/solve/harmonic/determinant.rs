@@ -384,7 +384,8 @@ fn hill<'a, 'b>(
 /// Roots of the machine at rest, those below the axis too, and whether all of them that grow are among them.
 fn at_rest(hill: &mut Hill, margin: f64) -> Option<(Vec<C64>, bool)> {
     let about = Equilibrium::zero(hill.system, Frame::Fixed, hill.speed);
-    let request = roots::Request { margin, growing: true, cancel: hill.effort.cancel, ..roots::Request::default() };
+    let request =
+        roots::Request { margin, growing: true, evaluations: Some(BUDGET), cancel: hill.effort.cancel, ..roots::Request::default() };
     let found = roots::roots(hill.system, &about, &request).ok()?;
     if !hill.effort.spend(found.evaluations.saturating_mul(hill.terms + ORDER), hill.floor) {
         hill.effort.terms = hill.floor;
@@ -415,7 +416,7 @@ pub fn exponents(
         values.sort_by(|a, b| b.re.total_cmp(&a.re));
         Ok(Exponents { values, error: margin.max(SETTLED * strip), method: Method::Determinant, span: TAU / strip })
     };
-    if hill.rows.is_empty() {
+    if system.slots().iter().all(|s| s.is_linear()) {
         return match at_rest(&mut hill, margin) {
             Some((values, true)) => done(values),
             _ => Err(failed(if hill.short { SHORT } else { UNCOUNTED })),
