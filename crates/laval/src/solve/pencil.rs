@@ -165,7 +165,7 @@ pub fn time_forms(system: &System) -> Result<Vec<(String, f64)>, Diagnostic> {
                     format!("\"{}\" is given in the frequency domain only: {why}", slot.name),
                 )
                 .at(slot.span.clone())
-                .help("forced_response works with it; for modes give the part a time form"));
+                .help("forced_response works with it, and modes about rest where the part says where it is analytic"));
             }
             Physics::Frequency(TimeForm::Fit(error)) => fits.push((slot.name.clone(), error)),
             _ => {}

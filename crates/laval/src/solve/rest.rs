@@ -289,7 +289,7 @@ fn sink(system: &System, start: &Equilibrium) -> Option<Equilibrium> {
 
 fn not_held() -> Diagnostic {
     Diagnostic::error("rest.not_held", "the machine has no equilibrium under its loads: some coordinate is not held by any stiffness")
-        .help("attach a bearing, shaft or foundation to every body that carries a load")
+        .help("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, rest nowhere: stationary says where they settle")
 }
 
 fn no_equilibrium(step: f64) -> Diagnostic {

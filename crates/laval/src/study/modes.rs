@@ -10,7 +10,7 @@
 //! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
 
 use super::region;
-use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, hertz, inconsistent, remarks, speed};
+use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, admit_threshold, decay_uncounted, hertz, inconsistent, remarks, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -64,10 +64,12 @@ impl Study for Modes {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        admit_roots(system, self.about, self.speed)
+        admit_roots(system, self.about, self.speed)?;
+        admit_threshold(system, self.speed, self.threshold)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        admit_threshold(system, self.speed, self.threshold)?;
         let about = self.about.find(system, self.speed, None)?;
         let endless = transcendental(system);
         let found = if endless {
@@ -149,6 +151,7 @@ impl Study for Modes {
             );
         }
         let any_unstable = modes.iter().any(unstable);
+        let open = decay_uncounted(system, self.speed).is_some();
         let least = modes
             .iter()
             .enumerate()
@@ -157,8 +160,12 @@ impl Study for Modes {
         if let Some((k, m)) = least {
             let undamped = m.growth().abs() <= rounding;
             let text = format!(
-                "The least damped {}mode is mode {} at {} ({}): {}.",
-                if any_unstable { "stable " } else { "" },
+                "{} mode {} at {} ({}): {}.",
+                match (open, any_unstable) {
+                    (true, _) => "Of the modes that decay and were found the least damped is",
+                    (_, true) => "The least damped stable mode is",
+                    _ => "The least damped mode is",
+                },
                 k + 1,
                 quantity(m.frequency(), "rad/s"),
                 m.whirl.at(self.speed).of("whirl", m.forward_share),
@@ -189,6 +196,10 @@ impl Study for Modes {
                 )
             } else if zero {
                 format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
+            } else if open {
+                format!(
+                    "Stable at {at}: no mode grows faster than {limit}; the largest growth rate that was found is {{}}, one that decays more slowly may be missing."
+                )
             } else {
                 format!("Stable at {at}: no mode grows faster than {limit}; the largest growth rate is {{}}.")
             };

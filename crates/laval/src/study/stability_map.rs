@@ -12,7 +12,7 @@
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
 use super::region;
-use super::support::{ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, beyond_rounding, inconsistent, range, remarks};
+use super::support::{ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
@@ -97,6 +97,7 @@ impl Study for StabilityMap {
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         admit_roots(system, self.about, self.speed.from)?;
+        admit_threshold(system, self.speed.from, self.threshold)?;
         self.criterion.admit(system, self.about, self.speed.from)?;
         let Some((path, range)) = &self.parameter else { return Ok(()) };
         for x in [range.from, range.to] {

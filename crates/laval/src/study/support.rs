@@ -106,6 +106,27 @@ pub fn admit_roots(system: &System, about: About, speed: f64) -> Result<(), Diag
     admit_eigenvalues(system, about, speed)
 }
 
+/// What it is beside which roots are counted only where they grow.
+pub fn decay_uncounted(system: &System, speed: f64) -> Option<&'static str> {
+    let domains = if transcendental(system) { system.domains(speed) } else { Vec::new() };
+    domains.iter().find(|d| !d.left).map(|d| d.words.name)
+}
+
+/// A threshold of growth from which on roots are counted.
+///
+/// # Errors
+/// One below 0 where roots that decay are not counted.
+pub fn admit_threshold(system: &System, speed: f64, threshold: f64) -> Result<(), Diagnostic> {
+    match decay_uncounted(system, speed) {
+        Some(name) if threshold < 0.0 => Err(Diagnostic::error(
+            "study.growth_threshold",
+            format!("with {name} roots are counted where they grow: whether one decays more slowly than at a growth_threshold below 0 is not known"),
+        )
+        .help("give a growth_threshold of 0 or more; a transient shows how fast a motion dies out")),
+        _ => Ok(()),
+    }
+}
+
 /// The spin speed: the field `speed`, or the machine's own.
 pub fn speed(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<f64> {
     let found = values.number("speed").or(system.machine.speed);

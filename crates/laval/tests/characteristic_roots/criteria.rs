@@ -87,3 +87,23 @@ fn growth() {
     let growth = map.column("growth").unwrap();
     assert!((0..map.rows()).all(|i| growth.number(i).unwrap() > 0.0));
 }
+
+/// Beside a viscous liquid roots are counted where they grow: of slower decay than a threshold nothing can be said, nor which root decays least.
+#[test]
+fn decay_beside_a_viscous_liquid_is_not_counted() {
+    let text = changed(&super::viscous(FILE, "1e-3"), &[("speed = \"400 rad/s\"", "speed = \"60 rad/s\"")]);
+    let text = text.split("\n[[study]]").next().unwrap().to_string();
+    let run = |study: &str| {
+        let machine = load(&format!("{text}\n[[study]]\n{study}\n")).unwrap_or_else(|d| panic!("{d:?}"));
+        machine.studies[0].study.run(&machine.system, &Context::quiet("study"))
+    };
+    for study in ["kind = \"modes\"", "kind = \"stability_map\"\nspeed = { from = \"50 rad/s\", to = \"60 rad/s\", points = 3 }"] {
+        let refused = run(&format!("{study}\ngrowth_threshold = \"-1 1/s\"")).unwrap_err();
+        assert!(refused.message.contains("are counted where they grow"), "{refused}");
+        assert!(run(study).is_ok());
+    }
+    let outcome = run("kind = \"modes\"").unwrap();
+    let said = |id: &str| outcome.findings.iter().find(|f| f.id == id).map(|f| f.sentence());
+    assert!(said("least_damped_mode").is_some_and(|s| s.contains("and were found")), "{:?}", said("least_damped_mode"));
+    assert!(said("stable").is_some_and(|s| s.contains("may be missing")), "{:?}", said("stable"));
+}

@@ -61,7 +61,10 @@ pub fn errors(
         let machine = changed(system, &asked.path, value)?;
         let mut search = Search::new(&machine, &own, context.cancel);
         let found = search.run(|p| !context.cancelled() && p.work < own.work)?;
-        goes_on(found.work);
+        // what was not sought to its end says nothing of what is not there
+        if !goes_on(found.work) {
+            break;
+        }
         let none = (f64::NAN, f64::NAN);
         let mut cost = Cost { value, stable: 0, balances: false, unbalance: none, grade: f64::NAN, without: f64::NAN, radius: none };
         for row in listed(&machine, &mut search, &found, asked.speed)? {

@@ -109,7 +109,7 @@ impl Report<'_> {
     }
 
     fn unstable(&self, told: &Told) -> Vec<Finding> {
-        if told.points.is_empty() && self.continua.sheets.is_empty() {
+        if self.complete && told.points.is_empty() && self.continua.sheets.is_empty() {
             let text = "No state at rest in axes that turn with the rotor was found.";
             return vec![Finding::warning("no_state", text).evidence("starts", self.found.starts[0] as f64, "")];
         }
@@ -333,7 +333,7 @@ fn backed(finding: Finding, more: &[(&str, f64, &str)]) -> Finding {
 fn capacity(told: &Told) -> Option<Finding> {
     let seen = told.points.iter().filter_map(|p| p.seen.unbalance);
     let needed = seen.clone().map(|u| u.without()).reduce(larger).filter(|x| x.is_finite())?;
-    let most = seen.map(|u| u.capacity).reduce(larger).filter(|most| *most < needed)?;
+    let most = seen.map(|u| u.capacity).reduce(larger).filter(|most| *most < (1.0 - NOTHING) * needed)?;
     let text = format!("The masses can cancel {{}} at most, less than the unbalance of {}.", quantity(needed, "kg m"));
     Some(Finding::warning("insufficient_capacity", text).value(most, "kg m").evidence("needed", needed, "kg m"))
 }
