@@ -219,10 +219,9 @@ impl Hill<'_, '_> {
         (whole, slope)
     }
 
-    /// Phase and logarithmic derivative of `det(1 + G (T - S))`, and of the product of all `det Y`; `rough` is enough to count zeros by.
-    fn factors(&mut self, exponent: C64, rough: bool) -> Option<[Sample; 2]> {
-        let (product, flexibility) = self.flexibilities(exponent, rough)?;
-        let mut sample = Sample { phase: 0.0, rate: C64::zero() };
+    /// The determinant's phase and logarithmic derivative; `rough` is enough to count zeros by.
+    fn at(&mut self, exponent: C64, rough: bool) -> Option<Sample> {
+        let (mut sample, flexibility) = self.flexibilities(exponent, rough)?;
         // orders that no tangent couples are classes of their own
         for class in 0..self.classes() {
             let (whole, mut slope) = self.coupled(class, exponent, &flexibility);
@@ -232,13 +231,16 @@ impl Hill<'_, '_> {
             sample.phase += self.lu.det().arg();
             sample.rate += (0..size).fold(C64::zero(), |sum, i| sum + slope[(i, i)]);
         }
-        (sample.phase.is_finite() && sample.rate.is_finite()).then_some([sample, product])
+        (sample.phase.is_finite() && sample.rate.is_finite()).then_some(sample)
     }
 
-    /// The determinant's phase and logarithmic derivative.
-    fn at(&mut self, exponent: C64, rough: bool) -> Option<Sample> {
-        let [h, product] = self.factors(exponent, rough)?;
-        Some(Sample { phase: h.phase + product.phase, rate: h.rate + product.rate })
+    /// The characteristic function of one order.
+    fn alone(&mut self, s: C64) -> Option<Sample> {
+        if !self.effort.spend(self.terms + ORDER, self.floor) {
+            self.short = true;
+            return None;
+        }
+        self.order(s, true).map(|o| o.0).filter(|o| o.phase.is_finite() && o.rate.is_finite())
     }
 }
 
@@ -248,17 +250,6 @@ impl Hill<'_, '_> {
     fn root(&mut self, start: C64, size: f64) -> Option<C64> {
         let away = c(self.base.abs(), 0.0);
         newton(|s| self.at(s - away, false), start + away, size, &[]).map(|z| z - away)
-    }
-}
-
-impl Hill<'_, '_> {
-    /// The characteristic function of one order.
-    fn alone(&mut self, s: C64) -> Option<Sample> {
-        if !self.effort.spend(self.terms + ORDER, self.floor) {
-            self.short = true;
-            return None;
-        }
-        self.order(s, true).map(|o| o.0).filter(|o| o.phase.is_finite() && o.rate.is_finite())
     }
 }
 

@@ -302,7 +302,7 @@ impl Stationary {
         let between = |k: usize| low + (b - low) * (0.5 + 0.618_033_988_749_895 * k as f64).fract();
         let mut seeds: Vec<f64> = match self.seeds {
             1 => vec![between(0)],
-            n => [low, b].into_iter().chain((0..n - 2).map(between)).collect(),
+            n => [low, b].into_iter().chain((0..n.saturating_sub(2)).map(between)).collect(),
         };
         seeds.sort_by(f64::total_cmp);
         Request { range: (a, b), starts: self.starts, seeds, max_points: self.max_points, work }

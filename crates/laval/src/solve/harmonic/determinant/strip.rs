@@ -24,8 +24,8 @@ const WIDTH: f64 = 2.0;
 /// Frequency, over the highest, at which nothing but masses is felt.
 const FAR: f64 = 1e3;
 
-/// Where roots of one order may lie: growth and frequency below this, rad/s.
-pub(super) fn top(hill: &mut Hill) -> Option<f64> {
+/// Right of all roots of one order: growth below this, 1/s.
+fn top(hill: &mut Hill) -> Option<f64> {
     let far = FAR * hill.fastest;
     let (_, [g, _]) = hill.order(c(0.0, far), true)?;
     let stiffest = hill.reference.iter().enumerate().map(|(k, s)| (s * g[(k, k)].abs()).sqrt() * far).fold(0.0, f64::max);
