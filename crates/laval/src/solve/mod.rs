@@ -13,6 +13,7 @@ pub mod locate;
 pub mod motion;
 pub mod pencil;
 pub mod programme;
+mod resonances;
 pub mod rest;
 pub mod roots;
 pub mod scalar;

@@ -11,6 +11,7 @@
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
 use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl, time_forms};
+use super::resonances::resonances;
 use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Domain, Physics, TimeForm};
@@ -295,7 +296,11 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             both.into_iter().take(if mirrored { 1 } else { 2 })
         });
         let starts = values(sector).into_iter().chain(spread).chain(waves.filter(|_| sector != Some(Sector::Axial)));
-        let starts: Vec<C64> = request.starts.iter().copied().chain(starts).collect();
+        let mut starts: Vec<C64> = request.starts.iter().copied().chain(starts).collect();
+        // what decays there is not counted: what shows in the response is not overlooked
+        if !request.growing && sector != Some(Sector::Axial) && domains.iter().any(|d| !d.left && !d.touches_axis()) {
+            starts.extend(resonances(&mut t, &f.members, mirrored, (1.2 * largest, frequency)));
+        }
         let mut known: Vec<Polished> = Vec::new();
         let keep = |p: Polished, known: &mut Vec<Polished>| {
             let mut p = p;
@@ -355,19 +360,8 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let family = out.spectrum.families.len();
         let mut modes = Vec::new();
         for p in known {
-            let mut mode = MachineMode {
-                value: p.value,
-                q: Vec::new(),
-                z: vec![C64::zero(); system.m()],
-                sector,
-                whirl: Whirl::None,
-                forward_share: 0.5,
-                residual: p.defect,
-                error: p.step,
-                polished: true,
-                place: (family, modes.len()),
-            };
-            linear.reshape(&mut mode, p.value, &p.right);
+            let mut mode = mode(&linear, &p, sector, system.m());
+            mode.place = (family, modes.len());
             out.counted.push(proven(p.value));
             out.spectrum.modes.push(mode);
             modes.push(eig::Mode { value: p.value, right: p.right, left: p.left, residual: p.defect, sensitivity: 0.0 });
@@ -381,6 +375,30 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     out.spectrum.modes = order.iter().map(|&k| modes[k].clone()).collect();
     out.spectrum.polished = out.spectrum.modes.len();
     Ok(out)
+}
+
+/// A root as a mode.
+fn mode(linear: &Linearised, p: &Polished, sector: Option<Sector>, states: usize) -> MachineMode {
+    let mut mode = MachineMode {
+        value: p.value,
+        q: Vec::new(),
+        z: vec![C64::zero(); states],
+        sector,
+        whirl: Whirl::None,
+        forward_share: 0.5,
+        residual: p.defect,
+        error: p.step,
+        polished: true,
+        place: (0, 0),
+    };
+    linear.reshape(&mut mode, p.value, &p.right);
+    mode
+}
+
+/// The mode that a start leads to.
+pub(super) fn mode_near(system: &System, about: &Equilibrium, start: C64, sector: Option<Sector>) -> Option<MachineMode> {
+    let p = Characteristic::new(system, about).polish(start, sector)?;
+    Some(mode(&Linearised::of_time_forms(system, about), &p, sector, system.m()))
 }
 
 fn holds(growth: &(f64, f64), band: &(f64, f64), mirrored: bool, z: C64) -> bool {

@@ -3,7 +3,7 @@
 use super::characteristic::{Characteristic, Equilibrium};
 use super::locate::State;
 use super::pencil::{Family, MachineMode, Spectrum, modes_about, wants_polish};
-use super::roots::{Request, roots, transcendental};
+use super::roots::{Request, mode_near, roots, transcendental};
 use super::sectors::Sector;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
@@ -63,6 +63,9 @@ const TANGENT: f64 = 1e-3;
 const FAR: f64 = 0.2;
 const BEND: f64 = 0.3;
 const STILL: f64 = 1e-4;
+
+/// Steps between two speeds: more where two roots seem to lead to one.
+const PIECES: [usize; 4] = [1, 4, 16, 64];
 
 /// Deepest halving of a step where shapes mix.
 const DEPTH: usize = 7;
@@ -253,9 +256,20 @@ fn follow(
             None => Vec::new(),
         };
         let mut led: Vec<(usize, C64, Option<Sector>)> = Vec::new();
-        for (id, mode) in &before {
-            let to = lead(system, state, (speeds[k - 1], speed), mode.value, mode.sector, DEPTH)?;
-            led.extend(to.map(|value| (*id, value, mode.sector)));
+        for pieces in PIECES {
+            let again = |id: usize, m: &MachineMode| {
+                let to = led.iter().filter(|l| l.0 == id && l.2 == m.sector).map(|l| l.1).next();
+                to.is_some_and(|to| led.iter().any(|l| l.0 != id && l.2 == m.sector && same(l.1, to)))
+            };
+            let those: Vec<&(usize, MachineMode)> = before.iter().filter(|(id, m)| pieces == 1 || again(*id, m)).collect();
+            if those.is_empty() {
+                break;
+            }
+            led.retain(|l| those.iter().all(|t| t.0 != l.0));
+            for (id, mode) in those {
+                let to = lead_in_pieces(system, state, (speeds[k - 1], speed), mode, pieces)?;
+                led.extend(to.map(|value| (*id, value, mode.sector)));
+            }
         }
         let forward = |z: C64, sector: Option<Sector>| if sector == Some(Sector::Backward) { z.conj() } else { z };
         let starts: Vec<C64> = led.iter().map(|l| forward(l.1, l.2)).collect();
@@ -266,8 +280,7 @@ fn follow(
         out.solved += 1;
         ids = found.modes.iter().map(|_| usize::MAX).collect();
         for (id, value, sector) in led {
-            let same = |m: &MachineMode| m.sector == sector && (m.value - value).abs() <= 1e-8 * value.abs();
-            if let Some(at) = found.modes.iter().position(same)
+            if let Some(at) = found.modes.iter().position(|m| m.sector == sector && same(m.value, value))
                 && ids[at] == usize::MAX
             {
                 ids[at] = id;
@@ -282,7 +295,67 @@ fn follow(
         }
         out.points.push((speed, found));
     }
+    for born in 0..out.branches.len() {
+        back(system, state, limit, born, &mut out)?;
+    }
+    out.branches.retain(|b| !b.points.is_empty());
     Ok(out)
+}
+
+/// Two values are those of one root.
+fn same(a: C64, b: C64) -> bool {
+    (a - b).abs() <= 1e-8 * b.abs()
+}
+
+/// A branch that was met at some speed, followed back to where it comes from. Where that is the end of another the two are one.
+fn back(system: &System, state: State, limit: f64, born: usize, out: &mut Sweep) -> Result<(), Diagnostic> {
+    while let Some((speed, mode)) = out.branches[born].points.first().cloned()
+        && let Some(k) = out.points.iter().position(|p| p.0 == speed)
+        && k > 0
+    {
+        let before = out.points[k - 1].0;
+        for pieces in PIECES {
+            let Some(value) = lead_in_pieces(system, state, (speed, before), &mode, pieces)? else { return Ok(()) };
+            let own = |m: &MachineMode| m.sector == mode.sector && same(m.value, value);
+            if !out.points[k - 1].1.modes.iter().any(own) {
+                let there = mode_near(system, &state(before)?, value, mode.sector);
+                let Some(there) = there.filter(|m| own(m) && m.value.im.abs() <= limit) else { return Ok(()) };
+                out.points[k - 1].1.modes.push(there.clone());
+                out.branches[born].points.insert(0, (before, there));
+                break;
+            }
+            let ends = |b: &Branch| b.points.last().is_some_and(|(w, m)| *w == before && own(m));
+            if let Some(other) = out.branches.iter().position(ends) {
+                let rest = std::mem::take(&mut out.branches[born].points);
+                out.branches[other].points.extend(rest);
+                return Ok(());
+            }
+            // it is on another branch: perhaps one that runs beside this
+            if Some(&pieces) == PIECES.last() {
+                return Ok(());
+            }
+        }
+    }
+    Ok(())
+}
+
+/// [`lead`] in so many equal steps.
+fn lead_in_pieces(
+    system: &System,
+    state: State,
+    (from, to): (f64, f64),
+    mode: &MachineMode,
+    pieces: usize,
+) -> Result<Option<C64>, Diagnostic> {
+    let mut value = mode.value;
+    for k in 0..pieces {
+        let at = |k: usize| from + (to - from) * k as f64 / pieces as f64;
+        match lead(system, state, (at(k), at(k + 1)), value, mode.sector, DEPTH)? {
+            Some(next) => value = next,
+            None => return Ok(None),
+        }
+    }
+    Ok(Some(value))
 }
 
 /// Where a root goes from one speed to the next: where Newton's method leads from its tangent, if that is near; else by way of the speed between, and nowhere
@@ -299,7 +372,11 @@ fn lead(
         let about = state(speed)?;
         Ok(Characteristic::new(system, &about).polish(start, sector).map(|p| p.value))
     };
-    if let Some(near) = at(from + TANGENT * (to - from), value)? {
+    let beside = from + TANGENT * (to - from);
+    // a wave that hardly moves the machine has a frequency that is proportional to the speed, and leads Newton's method from nowhere else
+    let starts = [Some(value), (from != 0.0).then(|| value.scale(beside / from))];
+    for start in starts.into_iter().flatten() {
+        let Some(near) = at(beside, start)? else { continue };
         let ahead = (near - value).scale(1.0 / TANGENT);
         if ahead.abs() <= FAR * value.abs()
             && let Some(there) = at(to, value + ahead)?

@@ -85,7 +85,8 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     }
     if let Some(d) = domains.iter().find(|d| !d.left) {
         let text = format!(
-            "Roots that decay are found from starts only, beside the branch of rates at which {} dies out; the count is that of the roots that grow.",
+            "Roots that decay are looked for where the response of the machine shows them, and from other starts, beside the branch of rates at which {} dies out; \
+             the count is that of the roots that grow: of those that decay one that hardly shows in the response may be missing.",
             d.words.layer
         );
         out.push(Finding::info("half_plane", text));

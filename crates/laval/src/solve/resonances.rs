@@ -1,0 +1,98 @@
+//! Places near roots of a machine: the poles of its response.
+//!
+//! ```text
+//! g(i w) = l^T T(i w)^-1 r      is approximated by a rational function of i w; its poles are near the roots of det T that show in the response
+//! ```
+//!
+//! Roots that decay slowly make the peaks of the response, so that of these none is likely to be overlooked; what decays fast beside them may be. The response is looked
+//! at on a grid, and once more where the first poles say that it is narrow.
+//!
+//! Source of the approximation: as of [`laval_num::rational`].
+
+use super::characteristic::Characteristic;
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat};
+use laval_num::rational::poles;
+
+/// Frequencies of the grid: at even distances, and at even ratios.
+const EVEN: usize = 160;
+const RATIOS: usize = 60;
+/// Least frequency over the largest.
+const LEAST: f64 = 1e-4;
+/// Relative error allowed, and most poles.
+const ERROR: f64 = 1e-7;
+const MOST: usize = 28;
+/// Places beside a pole, over its decay, that are looked at as well.
+const BESIDE: [f64; 5] = [-2.0, -0.7, 0.0, 0.7, 2.0];
+/// Poles farther than this from the axis, over the largest frequency, are of no use.
+const FAR: f64 = 0.5;
+
+/// Poles of responses between some of the unknowns (`members`) up to a frequency; `usual` is where most of the machine's modes lie below.
+pub(super) fn resonances(t: &mut Characteristic, members: &[usize], mirrored: bool, (usual, frequency): (f64, f64)) -> Vec<C64> {
+    let usual = usual.min(frequency);
+    let even = (0..EVEN).map(|k| (k as f64 + 0.5) / EVEN as f64 * usual);
+    let ratios = (0..RATIOS).map(|k| frequency * LEAST.powf(k as f64 / RATIOS as f64));
+    let upper: Vec<f64> = even.chain(ratios).collect();
+    let grid: Vec<f64> = if mirrored { upper } else { upper.iter().flat_map(|&w| [w, -w]).collect() };
+    let mut probes = Probes::new(t, members, usual);
+    let mut known: Vec<(C64, [C64; 2])> = grid.iter().filter_map(|&w| probes.at(w)).collect();
+    let near = |z: &C64| z.is_finite() && z.re.abs() <= FAR * frequency && z.im.abs() <= frequency;
+    let found = |known: &[(C64, [C64; 2])]| -> Vec<C64> {
+        let x: Vec<C64> = known.iter().map(|k| k.0).collect();
+        let of = |which: usize| {
+            let f: Vec<C64> = known.iter().map(|k| k.1[which]).collect();
+            let weights: Vec<f64> = f.iter().map(|f| f.abs().recip()).collect();
+            poles(&x, &f, &weights, ERROR, MOST).unwrap_or_default()
+        };
+        let mut all = of(0);
+        all.extend(of(1));
+        all.retain(near);
+        all
+    };
+    let first = found(&known);
+    let step = usual / EVEN as f64;
+    // a peak that the grid resolves needs no more
+    let narrow: Vec<C64> = first.iter().copied().filter(|z| z.re.abs() < step).collect();
+    known.extend(narrow.iter().flat_map(|z| BESIDE.map(|b| z.im + b * z.re.abs().max(1e-3 * step))).filter_map(|w| probes.at(w)));
+    known.sort_by(|a, b| a.0.im.total_cmp(&b.0.im));
+    known.dedup_by(|a, b| (a.0 - b.0).abs() <= 1e-12 * frequency);
+    let mut all = found(&known);
+    all.extend(first);
+    all
+}
+
+/// The responses that are looked at.
+struct Probes<'a, 'b> {
+    t: &'a mut Characteristic<'b>,
+    members: &'a [usize],
+    /// Loads, and weights of what they move, of each of two.
+    loads: [Vec<C64>; 2],
+    weights: [Vec<C64>; 2],
+    value: Mat<C64>,
+    slope: Mat<C64>,
+}
+
+impl<'a, 'b> Probes<'a, 'b> {
+    fn new(t: &'a mut Characteristic<'b>, members: &'a [usize], usual: f64) -> Self {
+        let (mut value, mut slope) = (Mat::default(), Mat::default());
+        t.at(c(0.0, 0.317 * usual), &mut value, &mut slope);
+        // displacements and tilts alike
+        let size = |i: usize| Some(value[(i, i)].abs().sqrt()).filter(|x| *x > 0.0 && x.is_finite()).unwrap_or(1.0);
+        let mixed = |turn: f64| members.iter().enumerate().map(|(k, &i)| C64::cis(turn * (k as f64 + 0.4)).scale(size(i))).collect();
+        Probes { loads: [mixed(0.7), mixed(2.3)], weights: [mixed(1.9), mixed(-1.1)], t, members, value, slope }
+    }
+
+    fn at(&mut self, w: f64) -> Option<(C64, [C64; 2])> {
+        let s = c(0.0, w);
+        self.t.at(s, &mut self.value, &mut self.slope);
+        let k = self.members.len();
+        let own = Mat::from_fn(k, k, |i, j| self.value[(self.members[i], self.members[j])]);
+        let lu = Lu::new(&own).ok()?;
+        let out = [0, 1].map(|which| {
+            let mut x = self.loads[which].clone();
+            lu.solve(&mut x);
+            x.iter().zip(&self.weights[which]).fold(C64::zero(), |sum, (x, l)| sum + *x * *l)
+        });
+        out.iter().all(|z| z.is_finite() && z.abs() > 0.0).then_some((s, out))
+    }
+}
