@@ -18,6 +18,7 @@
 mod damped;
 mod ideal;
 pub mod layer;
+pub mod line;
 pub mod rational;
 mod sum;
 mod viscous;

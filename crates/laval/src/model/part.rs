@@ -253,6 +253,8 @@ pub struct Domain {
     pub truncated: Option<[f64; 2]>,
     /// Terms of a series that one evaluation adds up, roughly; limits of work are counted in them.
     pub terms: usize,
+    /// The same of what roots are counted with ([`Part::rough`]), at the margin.
+    pub rough_terms: usize,
     /// What there is to say of all this.
     pub words: Words,
 }
@@ -293,6 +295,9 @@ impl Words {
 }
 
 impl Domain {
+    /// Least growth over the speed from which on roots are counted beside singularities that are dense on the axis.
+    pub const MARGIN: f64 = 1e-3;
+
     /// A singularity may lie on the imaginary axis and is not taken away by [`Part::regular`].
     pub fn touches_axis(&self) -> bool {
         !self.axis || (!self.left && !self.waves.is_empty() && !(self.gap > 0.0))
@@ -313,6 +318,7 @@ impl Domain {
             gap: f64::INFINITY,
             truncated: None,
             terms: 1,
+            rough_terms: 1,
             words: Words::PLAIN,
         }
     }
@@ -437,7 +443,8 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Option<Domain> {
         None
     }
-    /// The same part with its dynamic stiffness to eight digits only, where that costs less: what roots are counted with. Those found are solved for on the part itself.
+    /// The same part with its dynamic stiffness to six digits only, where that costs less, above all at `Re s =` [`Domain::MARGIN`] times the speed; differentiated by s
+    /// alone. Roots are counted with it; those found are solved for on the part itself.
     fn rough(&self) -> Option<Self> {
         None
     }

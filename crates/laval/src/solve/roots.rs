@@ -27,7 +27,7 @@ pub const ACCUMULATION: f64 = 0.08;
 /// In that band roots are counted from this growth or decay on, over the speed.
 pub const BESIDE: f64 = 0.02;
 /// Least margin beside a dense range, over the speed, and least resolution of waves that die out slowly.
-pub const LEAST: f64 = 1e-3;
+pub const LEAST: f64 = Domain::MARGIN;
 /// Longest step over the distance of the poles beside the path: a zero on the other side of the path and a pole at that distance show in `f'/f` at the ends of any
 /// step up to 2.6 times that distance.
 pub const PAIR: f64 = 1.8;

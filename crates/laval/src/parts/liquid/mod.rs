@@ -35,6 +35,7 @@
 //! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow; `001_352384e7bf252e35` equations (7)-(34),
 //! corrected.
 
+use crate::cavity::line::{Line, Lines};
 use crate::cavity::{Cavity, Tilt, Truncation};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
@@ -50,6 +51,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 mod check;
+mod domain;
 mod offset;
 mod plane;
 mod timed;
@@ -106,8 +108,6 @@ const MODELS: [(&str, Model); 5] = [
 ];
 /// Highest axial harmonic that may be asked for.
 const MOST_HARMONICS: i64 = 999;
-/// Harmonics that the sum of all of them evaluates, roughly.
-const WHOLE_SERIES: usize = 100;
 /// Relative error of a time form where none is given.
 const TIME_ERROR: f64 = 1e-4;
 /// Largest share of the tilt reaction that its estimated error may be.
@@ -126,6 +126,7 @@ pub struct Liquid {
     /// Reactions in time, where they are no closed forms.
     time: Option<Arc<timed::Rationals>>,
     memo: timed::Memo,
+    lines: Lines,
 }
 
 struct Coefficients<S> {
@@ -146,6 +147,7 @@ impl Liquid {
             accuracy: TIME_ERROR,
             time: None,
             memo: timed::Memo::default(),
+            lines: Lines::default(),
         }
     }
     /// The same with this relative error of its time form allowed.
@@ -208,6 +210,8 @@ impl Liquid {
             Model::Spatial => {
                 let Tilt { value: tilt, error, .. } = if self.viscous {
                     cavity.tilt_viscous(w, speed, p.viscosity, self.harmonics)
+                } else if self.harmonics == Truncation::Rough {
+                    self.lines.tilt(Line(Domain::MARGIN), cavity, s, speed)
                 } else {
                     cavity.tilt(w, speed, self.harmonics)
                 };
@@ -416,26 +420,7 @@ impl Part for Liquid {
     }
 
     fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
-        let cavity = Self::cavity(p);
-        let inertial = [speed - 2.0 * speed.abs(), speed + 2.0 * speed.abs()];
-        // inertial waves inside that range, surface waves outside it
-        let all = (self.model == Model::Spatial).then_some([f64::NEG_INFINITY, f64::INFINITY]);
-        let waves = cavity.plane_waves(speed);
-        let terms = match (self.model, self.harmonics) {
-            (Model::Spatial, Truncation::At(last)) => last.div_ceil(2),
-            (Model::Spatial, _) => WHOLE_SERIES,
-            _ => 1,
-        };
-        if self.viscous {
-            // a layer of thickness sqrt(nu/W) at the wall takes its energy from a wave; what it takes is more where the liquid is shallow
-            let gap = 0.1 * (p.viscosity * speed.abs()).sqrt() / p.cavity_radius;
-            return Some(Domain { crowded: all, waves, gap, terms, words: words::VISCOUS, ..Domain::passive() });
-        }
-        let domain = Domain { left: true, waves, gap: 0.0, terms, words: words::IDEAL, ..Domain::passive() };
-        Some(match self.harmonics {
-            Truncation::None | Truncation::Rough => Domain { axis: false, dense: Some(inertial), crowded: all, ..domain },
-            Truncation::At(_) => Domain { except: vec![speed], truncated: Some(inertial), ..domain },
-        })
+        Some(self.analytic(p, speed))
     }
     fn rough(&self) -> Option<Self> {
         let whole = self.model == Model::Spatial && self.harmonics == Truncation::None;

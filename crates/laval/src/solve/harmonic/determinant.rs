@@ -53,6 +53,9 @@ const ORDER: u64 = 8;
 const SHORT: &str =
     "counting the exponents that grow takes more work than a motion or a response is given; parts with shorter series make it less";
 const UNCOUNTED: &str = "the exponents that grow could not be counted on Hill's determinant";
+/// Terms of one dynamic stiffness from which on only so many exponents that decay, the slowest, are followed.
+const DEAR: u64 = 50;
+const SLOWEST: usize = 6;
 /// Place of the strip: real multipliers, which lie at multiples of half the base frequency, are not on its edge.
 const BELOW: f64 = 0.381_966;
 
@@ -103,8 +106,9 @@ struct Hill<'a, 'b> {
     own: Vec<C64>,
     /// The highest frequency, rad/s, that counts.
     fastest: f64,
-    /// Terms of one dynamic stiffness.
+    /// Terms of one dynamic stiffness, and of one to count with.
     terms: u64,
+    rough_terms: u64,
     effort: &'a mut Effort<'b>,
     /// What is left of the effort for other motions.
     floor: u64,
@@ -172,7 +176,9 @@ impl Hill<'_, '_> {
         let (n, mu) = (self.orders as isize, self.rows.len());
         let (count, classes) = (2 * self.orders as u64 + 1, self.classes() as u64);
         let size = count.div_ceil(classes) * mu as u64;
-        if !self.effort.spend(count * (self.terms + ORDER) + classes * size.pow(3) / OPERATIONS, self.floor) {
+        // a count follows the margin
+        let terms = if rough { self.rough_terms } else { self.terms };
+        if !self.effort.spend(count * (terms + ORDER) + classes * size.pow(3) / OPERATIONS, self.floor) {
             self.short = true;
             return None;
         }
@@ -363,6 +369,7 @@ fn hill<'a, 'b>(
         base,
         lu: Lu::default(),
         terms: domains.iter().map(|d| d.terms as u64).sum(),
+        rough_terms: domains.iter().map(|d| d.rough_terms as u64).sum(),
         domains,
         own,
         fastest,
@@ -422,6 +429,11 @@ pub fn exponents(
     } else {
         starts.iter().copied().map(into).collect()
     };
+    if hill.terms > DEAR {
+        starts.sort_by(|a, b| b.re.total_cmp(&a.re));
+        let growing = starts.iter().filter(|z| z.re > margin).count();
+        starts.truncate(growing + SLOWEST);
+    }
     // Newton's method begins beside a zero: on it the determinant cannot be divided by
     let aside = c(1e-6 * strip, 0.0);
     let apart = |a: C64, b: C64| {
