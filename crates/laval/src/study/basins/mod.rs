@@ -20,7 +20,7 @@ mod rows;
 use super::history::{METHOD, time_forms};
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, method, neutral, slowest_decay};
+use super::settled::{Budget, Member, Rules, Settled, Settling, fastest_growth, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED, speed};
 use super::{Context, Study};
@@ -186,6 +186,7 @@ impl Study for Basins {
             study: self,
             start: Start::new(&own, self.speed),
             rate: slowest_decay(&own, self.speed),
+            growth: fastest_growth(&own, self.speed),
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
             values: self.axes.each_ref().map(Axis::values),
@@ -204,7 +205,18 @@ impl Study for Basins {
             chunk: count.div_ceil(50).clamp(64, 256),
             level: Level::best().name().into(),
         };
-        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        match fleet.undecaying() {
+            Some(what) => {
+                let whole = format!(
+                    "{} motions to follow ({} cells and the undisturbed start), each for up to {} turns: {what}, so that nothing says how long settling takes",
+                    count,
+                    count - 1,
+                    self.rules.most_periods
+                );
+                context.progress.job(&whole);
+            }
+            None => context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat"),
+        }
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
         Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
     }
@@ -222,6 +234,8 @@ struct Fleet<'a> {
     start: Start,
     /// Decay rate of the slowest mode at rest, 1/s.
     rate: Option<f64>,
+    /// Growth rate of the fastest growing mode at rest, 1/s.
+    growth: Option<f64>,
     /// A mode at rest neither decays nor grows.
     neutral: bool,
     bodies: Vec<Body>,
@@ -230,6 +244,16 @@ struct Fleet<'a> {
 }
 
 impl Fleet<'_> {
+    /// Which mode at rest does not decay.
+    fn undecaying(&self) -> Option<String> {
+        match (self.rate, self.growth) {
+            (Some(_), _) => None,
+            (None, Some(growth)) => Some(format!("at rest a mode of this machine grows by {}", quantity(growth, "1/s"))),
+            (None, None) if self.neutral => Some("at rest a mode of this machine neither decays nor grows".into()),
+            (None, None) => Some("the modes of this machine at rest are not known".into()),
+        }
+    }
+
     /// Start from rest and what the file says of it.
     fn undisturbed(&self) -> Vec<f64> {
         let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];

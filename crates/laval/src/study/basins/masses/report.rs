@@ -40,7 +40,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     let context = fleet.context;
     let complete = results.end() == End::Reached;
     let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    for f in results.remark().into_iter().chain(fleet.start.finding.clone()) {
+    for f in results.remark_of("motions").into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
     let all = &fleet.atlas.attractors;
