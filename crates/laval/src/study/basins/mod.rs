@@ -28,7 +28,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::{Speeds, Timed};
-use crate::outcome::{Outcome, quantity};
+use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use axes::{Axis, MOST_POINTS};
@@ -156,11 +156,15 @@ impl Study for Basins {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        self.prepare(system, &Context::quiet(Self::KIND))
+    }
+
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        let timed = system.timed(Speeds::One(self.speed))?;
+        let Some(timed) = context.timed(system, Speeds::One(self.speed))? else { return Ok(()) };
         if matches!(timed, Timed::Fitted(_)) && masses::has(system, self.speed) {
             // states at rest in turning axes are those of the exact machine
             return ensemble::admit(system, Method::Stiff);
@@ -169,11 +173,14 @@ impl Study for Basins {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        self.admit(system)?;
+        self.prepare(system, context)?;
         if masses::has(system, self.speed) {
             return masses::run(self, system, context);
         }
-        let own = system.timed(Speeds::One(self.speed))?.with(&[]).map_err(Diagnostics::into_error)?;
+        let Some(timed) = context.timed(system, Speeds::One(self.speed))? else {
+            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+        };
+        let own = timed.with(&[]).map_err(Diagnostics::into_error)?;
         // internal states have other numbers in time
         let moved = |i: usize| match i.checked_sub(2 * system.n()) {
             Some(z) => start::renumbered(&[(Entry::State(z), 0.0)], system, &own).first().map(|e| e.0.index(&own)),
