@@ -121,10 +121,11 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     for f in results.remark_of(&rows).into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
+    outcome = cut_short(&map, results, outcome)?;
     outcome = shares(&map, outcome);
     outcome = failures(&map, outcome);
     outcome = disturbance(&map, complete, outcome);
-    outcome = undecided(&map, results, outcome)?;
+    outcome = undecided(&map, outcome);
     let axes = &fleet.study.axes;
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
@@ -247,7 +248,9 @@ fn failures(map: &Map, mut outcome: Outcome) -> Outcome {
     }
     for (why, count) in causes {
         let text = if why == UNBOUNDED {
-            format!("{{}} of {cells} cells lead to a motion that grows without bound, to more than {RUNAWAY:e} typical displacements (1 mm, 10 mrad).")
+            format!(
+                "{{}} of {cells} cells lead to a motion that grows without bound, to more than {RUNAWAY:e} typical displacements (1 mm, 10 mrad)."
+            )
         } else {
             format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.")
         };
@@ -256,8 +259,22 @@ fn failures(map: &Map, mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-/// Cells without a settled motion, and what cut settling short.
-fn undecided(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+/// That settling was cut short.
+fn cut_short(map: &Map, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let cells = map.cells().len();
+    let bounded = results.numbers("bounded")?;
+    let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
+    if cut == 0 || map.fleet.rate.is_none() {
+        return Ok(outcome);
+    }
+    let text = format!(
+        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode asks for; they are judged by their last turns all the same."
+    );
+    Ok(outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, "")))
+}
+
+/// Cells without a settled motion.
+fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let count = |word: &str| map.cells().filter(|&r| map.word(r) == word).count();
     if !map.place.is_empty()
@@ -278,15 +295,7 @@ fn undecided(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outco
         let text = format!("{{}} of {cells} cells did not settle within the largest number of periods: they belong to no attractor here.");
         outcome = outcome.finding(Finding::warning("not_settled", text).value(unsettled as f64, ""));
     }
-    let bounded = results.numbers("bounded")?;
-    let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
-    if cut > 0 && map.fleet.rate.is_some() {
-        let text = format!(
-            "In {{}} of {cells} cells the largest number of periods cut the settling short of what the slowest mode asks for; they are judged by their last turns all the same."
-        );
-        outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
-    }
-    Ok(outcome)
+    outcome
 }
 
 pub(super) fn upper(text: &str) -> String {
@@ -424,9 +433,10 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
             unit => Axis::new(&a.name, unit),
         }
     };
-    let mut classes: Vec<String> = (0..map.found.attractors.len()).map(|k| map.name(k)).collect();
-    classes.extend(["not settled", "failed"].map(String::from));
-    classes.retain(|c| map.cells().any(|r| map.word(r) == *c));
+    // words that every map may have first: they have the same colours in all
+    let mut classes: Vec<String> = ["not settled", "failed", "does not repeat"].map(String::from).to_vec();
+    let names = (0..map.found.attractors.len()).map(|k| map.name(k));
+    classes.extend(names.filter(|n| n.starts_with("attractor")));
     let colours = Axis::new("ends in", "");
     let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "end", colours).of_classes(classes));
     let start = map.place[0];
