@@ -265,28 +265,34 @@ impl<'a> Search<'a> {
             Truncation::At(last) => vec![last],
             _ => HARMONICS.to_vec(),
         };
-        // first by what is missing of the accuracy; where that does not lead there, by whichever of the two says more of the error
+        let fits = |last: usize, terms: usize| last * terms <= WORK.max(last * TERMS[1]);
         let mut best: Option<usize> = None;
-        for halves in [false, true] {
-            let (mut first, mut fine) = (0, 0);
-            while let (Some(&last), Some(&terms)) = (harmonics.get(first), TERMS.get(fine))
-                && last * terms <= WORK.max(last * TERMS[1])
-            {
-                let Some(now) = self.of(last, terms)? else { break };
-                let few = &self.seen[now].2;
-                if !(few.unsure <= 0.1 * accuracy) {
-                    return Err(Refused::Reaction);
+        let (mut first, mut fine) = (0, 0);
+        // by what is missing of the accuracy; where that does not lead there, all that may be had
+        let mut most = harmonics.iter().filter_map(|&last| Some((last, *TERMS.iter().rev().find(|t| fits(last, **t))?)));
+        loop {
+            let next = match (harmonics.get(first), TERMS.get(fine)) {
+                (Some(&last), Some(&terms)) if fits(last, terms) => Some((last, terms)),
+                _ => {
+                    first = harmonics.len();
+                    most.next()
                 }
-                if few.series <= LEFT_OUT[0] * accuracy {
-                    return few.find(accuracy);
-                }
-                let rough = if halves { 0.5 * few.series } else { 0.25 * accuracy };
-                let polynomials = few.rough > rough && fine + 1 < TERMS.len();
-                if best.is_none_or(|b| few.series < self.seen[b].2.series) {
-                    best = Some(now);
-                }
-                if polynomials { fine += 1 } else { first += 1 }
+            };
+            let Some((last, terms)) = next else { break };
+            let Some(now) = self.of(last, terms)? else { break };
+            let few = &self.seen[now].2;
+            if !(few.unsure <= 0.1 * accuracy) {
+                return Err(Refused::Reaction);
             }
+            if few.series <= LEFT_OUT[0] * accuracy {
+                return few.find(accuracy);
+            }
+            // whichever of the two says more of the error
+            let polynomials = few.rough > 0.25 * accuracy && fine + 1 < TERMS.len();
+            if best.is_none_or(|b| few.series < self.seen[b].2.series) {
+                best = Some(now);
+            }
+            if polynomials { fine += 1 } else { first += 1 }
         }
         match best.map(|b| &self.seen[b].2) {
             Some(few) if few.series <= LEFT_OUT[1] * accuracy => few.find(accuracy),
