@@ -205,7 +205,8 @@ impl StabilityMap {
         let cells: Vec<(usize, &Sample)> =
             rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
         // the curve of what is known ends at its boundary, not at the last point before it
-        let ends: Vec<Sample> = rows.iter().take(usize::from(endless && !two)).flat_map(|r| &r.edges).map(at_boundary).collect();
+        let ends: Vec<Sample> =
+            rows.iter().take(usize::from(endless && !two)).flat_map(|r| &r.edges).filter(|e| e.located).map(at_boundary).collect();
         let mut cells = cells;
         cells.extend(ends.iter().map(|e| (0, e)));
         if !two {

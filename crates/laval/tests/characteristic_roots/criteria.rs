@@ -112,7 +112,7 @@ fn decay_beside_a_viscous_liquid_is_not_counted() {
 #[test]
 fn the_curve_of_growth_reaches_its_boundary() {
     let text = format!(
-        "{}\n[[study]]\nkind = \"stability_map\"\nspeed = {{ from = \"60 rad/s\", to = \"240 rad/s\", points = 13 }}\n",
+        "{}\n[[study]]\nkind = \"stability_map\"\nspeed = {{ from = \"90 rad/s\", to = \"220 rad/s\", points = 14 }}\n",
         super::viscous::one_coordinate(0.05, 1e-3)
     );
     let loaded = laval::file::load(&text).unwrap();
