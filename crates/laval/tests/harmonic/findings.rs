@@ -36,7 +36,7 @@ fn machine(cubic: f64, c: f64) -> Builder {
 fn no_sweep_jumps_from_unstable_states() {
     let link = || Link::Between(Attach::on("other"), Attach::ground());
     let beside = |cross: f64| {
-        machine(1e12, 40.0).part("other", Disc::planar(), DiscParams { mass: 1.0, ..DiscFamily::defaults() }).part(
+        machine(1e12, 170.0).part("other", Disc::planar(), DiscParams { mass: 1.0, ..DiscFamily::defaults() }).part(
             "seal",
             BearingLinear::constant(link()),
             BearingLinearParams { kxx: 1e6, kyy: 1e6, kxy: cross, kyx: -cross, cxx: 50.0, cyy: 50.0, ..BearingLinearFamily::defaults() },
@@ -66,7 +66,7 @@ fn a_cancelled_study_tells_no_jump() {
             self.0.store(self.1.fetch_add(1, Ordering::Relaxed) > 0, Ordering::Relaxed);
         }
     }
-    let system = machine(1e12, 40.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
+    let system = machine(1e12, 170.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
     let stops = Stops(AtomicBool::new(false), AtomicU64::new(0));
     let context = Context { cancel: &stops.0, progress: &stops, ..Context::quiet("response") };
     let o = NonlinearResponse::new(Request::over(300.0, 1500.0)).run(&system, &context).unwrap();
