@@ -51,7 +51,7 @@ const AGAIN: usize = 6;
 /// Share of the accuracy that the harmonics and polynomials left out may take, and the most of it where no more of them can be had.
 const LEFT_OUT: [f64; 2] = [0.5, 0.8];
 /// What is tried where the accuracy asked for cannot be had: each so much larger than the one before, so many, up to the last.
-const STEP: f64 = 1.12;
+const STEP: f64 = 1.25;
 const TRIED: usize = 24;
 const LOOSEST: f64 = 0.1;
 
@@ -265,6 +265,9 @@ impl<'a> Search<'a> {
             Truncation::At(last) => vec![last],
             _ => HARMONICS.to_vec(),
         };
+        // what so many waves reach says nothing of other accuracies, which begin with other harmonics
+        let unreached =
+            |refused: Refused| if let Refused::Accuracy { .. } = refused { Refused::Accuracy { reached: accuracy } } else { refused };
         let fits = |last: usize, terms: usize| last * terms <= WORK.max(last * TERMS[1]);
         let mut best: Option<usize> = None;
         let (mut first, mut fine) = (0, 0);
@@ -285,7 +288,7 @@ impl<'a> Search<'a> {
                 return Err(Refused::Reaction);
             }
             if few.series <= LEFT_OUT[0] * accuracy {
-                return few.find(accuracy);
+                return few.find(accuracy).map_err(unreached);
             }
             // whichever of the two says more of the error
             let polynomials = few.rough > 0.25 * accuracy && fine + 1 < TERMS.len();
@@ -295,7 +298,7 @@ impl<'a> Search<'a> {
             if polynomials { fine += 1 } else { first += 1 }
         }
         match best.map(|b| &self.seen[b].2) {
-            Some(few) if few.series <= LEFT_OUT[1] * accuracy => few.find(accuracy),
+            Some(few) if few.series <= LEFT_OUT[1] * accuracy => few.find(accuracy).map_err(unreached),
             Some(few) => Err(Refused::Accuracy { reached: few.series / LEFT_OUT[1] }),
             None => Err(Refused::Accuracy { reached: f64::INFINITY }),
         }
@@ -335,7 +338,6 @@ pub(super) fn attainable(from: f64, step: f64, mut form: impl FnMut(f64) -> Resu
         match form(wish) {
             Ok(_) => return Ok(wish),
             Err(Refused::Stopped) => return Err(Refused::Stopped),
-            Err(Refused::Accuracy { reached }) if reached.is_finite() => next = reached.max(step * wish),
             Err(_) => next = step * wish,
         }
     }
