@@ -158,7 +158,10 @@ impl<'a> Run<'a> {
             return WRONG;
         }
         // all that is refused is said at once, before anything long begins
-        let refusals = self.loaded.refusals();
+        let bar = Bar::new("preparing", self.args.quiet);
+        let before = Context { name: "preparing", cancel: &CANCEL, progress: &bar, work_limit: u64::MAX, keep: None };
+        let refusals = self.loaded.refusals_in(&before);
+        bar.finish();
         self.input.complain(&Diagnostics(refusals.iter().map(|r| r.diagnostic.clone()).collect()));
         let mut written = Instant::now();
         let last = self.loaded.studies.len() - 1;

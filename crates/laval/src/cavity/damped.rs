@@ -48,6 +48,13 @@ const NOTHING: f64 = 1e-9;
 /// Times that the few are made better where the fine grid finds more than the coarse one.
 const AGAIN: usize = 6;
 
+/// Share of the accuracy that the harmonics and polynomials left out may take, and the most of it where no more of them can be had.
+const LEFT_OUT: [f64; 2] = [0.5, 0.8];
+/// What is tried where the accuracy asked for cannot be had: each so much larger than the one before, so many, up to the last.
+const STEP: f64 = 1.25;
+const TRIED: usize = 24;
+const LOOSEST: f64 = 0.1;
+
 /// Waves of one harmonic.
 struct Harmonic {
     /// `c_k`.
@@ -71,41 +78,29 @@ struct Damped {
 type Known = Vec<(C64, C64, f64)>;
 
 impl Cavity<f64> {
-    /// The reaction on tilt at this speed as a sum over waves, of which there are as many as the `accuracy` asks for.
-    pub fn tilt_viscous_in_time(&self, speed: f64, nu: f64, truncation: Truncation, accuracy: f64) -> Result<Layer, Refused> {
+    /// The reaction on tilt at this speed as a sum over waves, of which there are as many as the `accuracy` asks for. `stop` is asked now and then.
+    ///
+    /// # Errors
+    /// What it cannot be had for; of an accuracy out of reach a larger one, for which it can be had: that was tried.
+    pub fn tilt_viscous_in_time(
+        &self,
+        speed: f64,
+        nu: f64,
+        truncation: Truncation,
+        accuracy: f64,
+        stop: &dyn Fn() -> bool,
+    ) -> Result<Layer, Refused> {
         let nu = self.at_unit_speed(speed, nu)?;
-        let harmonics = match truncation {
-            Truncation::At(last) if last > MOST_HARMONICS => return Err(Refused::Harmonics),
-            Truncation::At(last) => vec![last],
-            _ => HARMONICS.to_vec(),
-        };
-        let (mut best, mut first, mut fine): (Option<Few>, usize, usize) = (None, 0, 0);
-        while let (Some(&last), Some(&terms)) = (harmonics.get(first), TERMS.get(fine))
-            && last * terms <= WORK.max(last * TERMS[1])
-        {
-            let of = |k: usize| self.damped(k, terms, nu);
-            let (Some(all), Some(next)) = ((1..=last).step_by(2).map(of).collect::<Option<Vec<_>>>(), of(last + 2)) else { break };
-            let whole = self.summed_up(&all, all.iter().flat_map(|h| h.waves.iter().map(|w| (w.place, w.share.scale(h.factor)))));
-            let [series, rough] = self.left_out(&whole, &next, nu, truncation, last, accuracy)?.map(|e| BETWEEN * e);
-            let few = Few { cavity: self, all, nu, whole, series };
-            if series <= 0.5 * accuracy {
-                return few.find(accuracy).map(|l| l.at_speed(speed));
+        let mut search = Search { cavity: self, nu, truncation, stop, seen: Vec::new() };
+        match search.at(accuracy) {
+            Ok(layer) => Ok(layer.at_speed(speed)),
+            Err(Refused::Accuracy { reached }) => {
+                let enough = attainable(reached.max(STEP * accuracy), STEP, |a| search.at(a))?;
+                Err(Refused::Accuracy { reached: enough })
             }
-            if best.as_ref().is_none_or(|b| series < b.series) {
-                best = Some(few);
-            }
-            // whichever of the two says more of the error
-            if rough > 0.25 * accuracy && fine + 1 < TERMS.len() { fine += 1 } else { first += 1 }
+            Err(refused) => Err(refused),
         }
-        // what can be had instead
-        let reached = match best.map(|few| few.find(4.0 * few.series)) {
-            Some(Ok(layer)) => layer.error,
-            Some(Err(refused)) => return Err(refused),
-            None => f64::INFINITY,
-        };
-        Err(Refused::Accuracy { reached })
     }
-
     /// What an error at w is compared with, at speed 1.
     fn tilt_size(&self, w: C64, tilt: C64) -> f64 {
         tilt.abs() + self.mean_tilt(w, 1.0).abs()
@@ -117,16 +112,9 @@ impl Cavity<f64> {
         wave.strength.abs() / wave.place.im * w.norm_sqr() / self.tilt_size(w, whole.at(w, 1.0))
     }
 
-    /// The error of all waves, and that against the same harmonics alone, at places that see where they are narrow.
-    fn left_out(
-        &self,
-        whole: &Rational,
-        next: &Harmonic,
-        nu: f64,
-        truncation: Truncation,
-        last: usize,
-        accuracy: f64,
-    ) -> Result<[f64; 2], Refused> {
+    /// The error of all waves, that against the same harmonics alone, and that of the exact reaction, at places that see where they are narrow.
+    fn left_out(&self, whole: &Rational, next: &Harmonic, search: &Search, last: usize) -> Result<[f64; 3], Refused> {
+        let Search { nu, truncation, stop, .. } = *search;
         let tops = |waves: &mut dyn Iterator<Item = Wave>, count: usize| {
             let inside = waves.filter(|w| w.place.re.abs() < BAND);
             let mut list: Vec<(f64, f64)> = inside.map(|w| (w.place.re, self.height(w, whole))).collect();
@@ -142,14 +130,15 @@ impl Cavity<f64> {
         }
         let axis = places.iter().map(|x| c(*x, 0.0));
         let growing = places.iter().step_by(4).zip(GROWTHS.iter().cycle()).map(|(x, g)| c(*x, -g));
-        let mut worst = [0.0; 2];
+        let mut worst = [0.0; 3];
         for x in axis.chain(growing).filter(|x| x.re.abs() <= BAND) {
+            if stop() {
+                return Err(Refused::Stopped);
+            }
             let w = x + C64::one();
             let exact = self.tilt_viscous(w, 1.0, nu, truncation);
             let size = self.tilt_size(w, exact.value);
-            if !(exact.error <= 0.1 * accuracy * size) {
-                return Err(Refused::Reaction);
-            }
+            worst[2] = largest(worst[2], exact.error / size);
             let is = whole.at(w, 1.0);
             let same = if truncation == Truncation::None { self.tilt_viscous(w, 1.0, nu, Truncation::At(last)).value } else { exact.value };
             for (worst, l) in worst.iter_mut().zip([exact.value, same]) {
@@ -251,8 +240,115 @@ struct Few<'a> {
     nu: f64,
     /// With all waves.
     whole: Rational,
-    /// Error of that.
+    /// Error of that, and what of it is that of the polynomials.
     series: f64,
+    rough: f64,
+    /// Error of the exact reaction it was compared with.
+    unsure: f64,
+    stop: &'a dyn Fn() -> bool,
+}
+
+/// The search for a form: harmonics and polynomials that were looked at, so many of each.
+struct Search<'a> {
+    cavity: &'a Cavity<f64>,
+    nu: f64,
+    truncation: Truncation,
+    stop: &'a dyn Fn() -> bool,
+    seen: Vec<(usize, usize, Few<'a>)>,
+}
+
+impl<'a> Search<'a> {
+    /// The form of an accuracy; in its place what seems to be in reach.
+    fn at(&mut self, accuracy: f64) -> Result<Layer, Refused> {
+        let harmonics = match self.truncation {
+            Truncation::At(last) if last > MOST_HARMONICS => return Err(Refused::Harmonics),
+            Truncation::At(last) => vec![last],
+            _ => HARMONICS.to_vec(),
+        };
+        // what so many waves reach says nothing of other accuracies, which begin with other harmonics
+        let unreached =
+            |refused: Refused| if let Refused::Accuracy { .. } = refused { Refused::Accuracy { reached: accuracy } } else { refused };
+        let fits = |last: usize, terms: usize| last * terms <= WORK.max(last * TERMS[1]);
+        let mut best: Option<usize> = None;
+        let (mut first, mut fine) = (0, 0);
+        // by what is missing of the accuracy; where that does not lead there, all that may be had
+        let mut most = harmonics.iter().filter_map(|&last| Some((last, *TERMS.iter().rev().find(|t| fits(last, **t))?)));
+        loop {
+            let next = match (harmonics.get(first), TERMS.get(fine)) {
+                (Some(&last), Some(&terms)) if fits(last, terms) => Some((last, terms)),
+                _ => {
+                    first = harmonics.len();
+                    most.next()
+                }
+            };
+            let Some((last, terms)) = next else { break };
+            let Some(now) = self.of(last, terms)? else { break };
+            let few = &self.seen[now].2;
+            if !(few.unsure <= 0.1 * accuracy) {
+                return Err(Refused::Reaction);
+            }
+            if few.series <= LEFT_OUT[0] * accuracy {
+                return few.find(accuracy).map_err(unreached);
+            }
+            // whichever of the two says more of the error
+            let polynomials = few.rough > 0.25 * accuracy && fine + 1 < TERMS.len();
+            if best.is_none_or(|b| few.series < self.seen[b].2.series) {
+                best = Some(now);
+            }
+            if polynomials { fine += 1 } else { first += 1 }
+        }
+        match best.map(|b| &self.seen[b].2) {
+            Some(few) if few.series <= LEFT_OUT[1] * accuracy => few.find(accuracy).map_err(unreached),
+            Some(few) => Err(Refused::Accuracy { reached: few.series / LEFT_OUT[1] }),
+            None => Err(Refused::Accuracy { reached: f64::INFINITY }),
+        }
+    }
+
+    /// All waves of so many harmonics and polynomials.
+    fn of(&mut self, last: usize, terms: usize) -> Result<Option<usize>, Refused> {
+        if let Some(known) = self.seen.iter().position(|s| (s.0, s.1) == (last, terms)) {
+            return Ok(Some(known));
+        }
+        let Search { cavity, nu, stop, .. } = *self;
+        let mut all = Vec::new();
+        for k in (1..=last + 2).step_by(2) {
+            if stop() {
+                return Err(Refused::Stopped);
+            }
+            let Some(harmonic) = cavity.damped(k, terms, nu) else { return Ok(None) };
+            all.push(harmonic);
+        }
+        let Some(next) = all.pop() else { return Ok(None) };
+        let whole = cavity.summed_up(&all, all.iter().flat_map(|h| h.waves.iter().map(|w| (w.place, w.share.scale(h.factor)))));
+        let [series, rough, unsure] = cavity.left_out(&whole, &next, self, last)?;
+        let few = Few { cavity, all, nu, whole, series: BETWEEN * series, rough: BETWEEN * rough, unsure, stop };
+        self.seen.push((last, terms, few));
+        Ok(Some(self.seen.len() - 1))
+    }
+}
+
+/// The first accuracy from `from` on, each so many times the one before and rounded up to two digits, for which there is a form; infinite where there is none up to the loosest.
+pub(super) fn attainable(from: f64, step: f64, mut form: impl FnMut(f64) -> Result<Layer, Refused>) -> Result<f64, Refused> {
+    let mut next = from;
+    for _ in 0..TRIED {
+        let wish = rounded_up(next);
+        if !(wish <= LOOSEST) {
+            break;
+        }
+        match form(wish) {
+            Ok(_) => return Ok(wish),
+            Err(Refused::Stopped) => return Err(Refused::Stopped),
+            Err(_) => next = step * wish,
+        }
+    }
+    Ok(f64::INFINITY)
+}
+
+/// The least number of two digits that is not below x; as it is read from its decimals.
+fn rounded_up(x: f64) -> f64 {
+    let read = |x: f64| format!("{x:.1e}").parse().unwrap_or(f64::INFINITY);
+    let near = read(x);
+    if near >= x { near } else { read(near + 0.06 * 10f64.powf(x.log10().floor())) }
 }
 
 impl Few<'_> {
@@ -265,6 +361,9 @@ impl Few<'_> {
         let mut goal = (accuracy - self.series) / TOPS;
         let (mut reached, mut again) = (f64::INFINITY, 0);
         loop {
+            if (self.stop)() {
+                return Err(Refused::Stopped);
+            }
             let errors: Vec<f64> = known.iter().map(|k| apart(&form, k)).collect();
             let worst = errors.iter().copied().fold(0.0, largest);
             if worst <= goal {
@@ -421,4 +520,18 @@ fn bent(count: usize, x: f64) -> [Vec<f64>; 3] {
         second[n] = second[n - 2] + (2.0 * n as f64 - 1.0) * first[n - 1];
     }
     [p, first, second]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_goes_up_by_less_than_a_tenth() {
+        for x in [1e-5, 1.04e-4, 0.0123, 0.0100001, 9.94e-3, 9.96e-3, 0.05, 3.3e-4] {
+            let up = rounded_up(x);
+            assert!(up >= x && up <= 1.1 * x * (1.0 + 1e-12), "{x} {up}");
+            assert_eq!(format!("{up:.1e}").parse(), Ok(up));
+        }
+    }
 }

@@ -17,6 +17,7 @@
 //! Symbols as in [cavity](super).
 
 use super::Cavity;
+use super::damped::attainable;
 use super::rational::{Rational, Wave};
 use super::waves::BAND;
 use laval_num::complex::{C64, c};
@@ -38,6 +39,8 @@ pub(super) const TOPS: f64 = 1.1;
 const TAKEN: f64 = 2.0;
 /// Reactions that may be computed for one form.
 const WORK: usize = 240_000;
+/// Where the accuracy asked for cannot be had: how much larger one is tried.
+const LARGER: f64 = 1.5;
 /// Steps to a top.
 const CLIMB: usize = 24;
 /// Rates of growth over the speed at which the error is measured.
@@ -59,7 +62,7 @@ pub enum Refused {
     Speed,
     /// So many poles do not reach the accuracy, or feed motions.
     Accuracy {
-        /// What they reach; infinite where that is not known.
+        /// A larger one for which there is a form; infinite where none is known.
         reached: f64,
     },
     /// More axial harmonics than are computed.
@@ -68,6 +71,8 @@ pub enum Refused {
     Reaction,
     /// It would have to be computed too often.
     Work,
+    /// The search was asked to stop.
+    Stopped,
 }
 
 /// A reaction at speed 1.
@@ -83,11 +88,15 @@ struct Reaction<'a> {
     /// Samples a decade, of the fit and of the check.
     density: [f64; 2],
     left: Cell<usize>,
+    stop: &'a dyn Fn() -> bool,
 }
 
 impl Cavity<f64> {
-    /// The reaction on displacement at this speed.
-    pub fn planar_in_time(&self, speed: f64, nu: f64, accuracy: f64) -> Result<Layer, Refused> {
+    /// The reaction on displacement at this speed. `stop` is asked now and then.
+    ///
+    /// # Errors
+    /// As [`tilt_viscous_in_time`](Self::tilt_viscous_in_time).
+    pub fn planar_in_time(&self, speed: f64, nu: f64, accuracy: f64, stop: &dyn Fn() -> bool) -> Result<Layer, Refused> {
         let nu = self.at_unit_speed(speed, nu)?;
         let unit = nu / (self.radius * self.radius);
         let ring = self.full_mass() * (1.0 - (self.free / self.radius).powi(2));
@@ -95,8 +104,19 @@ impl Cavity<f64> {
         let size = |w: C64, l: C64| l.abs() + ring * w.norm_sqr();
         let mut centres = vec![(0.0, (0.01 * unit).min(0.1))];
         centres.extend(self.plane_waves(1.0).into_iter().map(|w| (w - 1.0, (0.03 * unit.sqrt()).min(0.1))));
-        let reaction = Reaction { exact: &at, size: &size, rest: self.full_mass(), centres, density: [12.0, 23.0], left: Cell::new(WORK) };
-        reaction.fit(accuracy).map(|l| l.at_speed(speed))
+        let (rest, density) = (self.full_mass(), [12.0, 23.0]);
+        let reaction = Reaction { exact: &at, size: &size, rest, centres, density, left: Cell::new(WORK), stop };
+        match reaction.fit(accuracy) {
+            Ok(layer) => Ok(layer.at_speed(speed)),
+            Err(Refused::Accuracy { .. }) => {
+                let again = |accuracy: f64| {
+                    reaction.left.set(WORK);
+                    reaction.fit(accuracy)
+                };
+                Err(Refused::Accuracy { reached: attainable(LARGER * accuracy, LARGER, again)? })
+            }
+            Err(refused) => Err(refused),
+        }
     }
 
     /// Viscosity at speed 1 that is this one at `speed`.
@@ -135,6 +155,9 @@ impl Reaction<'_> {
     fn at(&self, w: C64) -> Result<C64, Refused> {
         let left = self.left.get().checked_sub(1).ok_or(Refused::Work)?;
         self.left.set(left);
+        if left.is_multiple_of(256) && (self.stop)() {
+            return Err(Refused::Stopped);
+        }
         (self.exact)(w).filter(|l| l.is_finite()).ok_or(Refused::Reaction)
     }
 
@@ -162,6 +185,9 @@ impl Reaction<'_> {
             // more of them there are not
             if before >= MOST_POLES {
                 break;
+            }
+            if (self.stop)() {
+                return Err(Refused::Stopped);
             }
             let target = 0.5 * 3f64.powi(-finer);
             let found = poles(&x, &f, &weights, target * accuracy, MOST_POLES).ok_or(Refused::Accuracy { reached: f64::INFINITY })?;

@@ -7,7 +7,7 @@ use crate::model::field::Extra;
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Machine, System, Workspace};
 use crate::parts;
-use crate::study::{self, ErasedStudy};
+use crate::study::{self, Context, ErasedStudy};
 
 /// A machine file that has been read and assembled.
 pub struct Loaded {
@@ -41,9 +41,14 @@ pub struct Refusal {
 impl Loaded {
     /// Asks every study whether this machine can answer it; one refusal for all that refuse for the same reason.
     pub fn refusals(&self) -> Vec<Refusal> {
+        self.refusals_in(&Context::quiet("check"))
+    }
+
+    /// The same before a run in such a context: one that is cancelled asks no more of what takes long.
+    pub fn refusals_in(&self, context: &Context) -> Vec<Refusal> {
         let mut out: Vec<Refusal> = Vec::new();
         for (k, named) in self.studies.iter().enumerate() {
-            let Err(mut diagnostic) = named.study.admit(&self.system) else { continue };
+            let Err(mut diagnostic) = named.study.prepare(&self.system, context) else { continue };
             if diagnostic.span.is_none() {
                 diagnostic.span = self.spec.study(&named.name).and_then(|b| b.span.clone());
             }

@@ -5,7 +5,7 @@ use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
 use super::part::{At, Correction, Domain, Energy, Fitted, Layout, Observed, Outline, Part, Physics, Rows, Uses, Validity};
 use super::system::Axis;
-use super::timed::Speeds;
+use super::timed::{Speeds, Untimed};
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
@@ -41,7 +41,7 @@ macro_rules! erased {
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
             fn places(&self, p: &[f64]) -> Vec<(usize, f64)>;
-            fn timed(&self, p: &[f64], speeds: Speeds) -> Option<Result<Arc<dyn Erased>, String>>;
+            fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>>;
             fn fitted(&self) -> Option<Fitted>;
             fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>);
             fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
@@ -118,8 +118,8 @@ macro_rules! erased {
             fn places(&self, p: &[f64]) -> Vec<(usize, f64)> {
                 Part::places(self, &T::Family::from_slice(p))
             }
-            fn timed(&self, p: &[f64], speeds: Speeds) -> Option<Result<Arc<dyn Erased>, String>> {
-                Part::timed(self, &T::Family::from_slice(p), speeds).map(|r| r.map(|p| Arc::new(p) as Arc<dyn Erased>))
+            fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>> {
+                Part::timed(self, &T::Family::from_slice(p), speeds, stop).map(|r| r.map(|p| Arc::new(p) as Arc<dyn Erased>))
             }
             fn fitted(&self) -> Option<Fitted> {
                 Part::fitted(self)

@@ -4,7 +4,7 @@ use super::blocks::Blocks;
 use super::field::{Attach, Field, ParamValues, Values};
 use super::params::Family;
 use super::system::Axis;
-use super::timed::Speeds;
+use super::timed::{Speeds, Untimed};
 use crate::diagnostic::Diagnostics;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
@@ -430,8 +430,8 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, _p: &Params<Self, S>, _s: Complex<S>, _speed: S, _out: &mut [Complex<S>]) {}
     /// Of a part in the frequency domain without time form: the same part with a rational one for motions at such speeds, as linear blocks, or why there is none for
-    /// them. It stands for the part in motions only, never in spectra.
-    fn timed(&self, _p: &Params<Self, f64>, _speeds: Speeds) -> Option<Result<Self, String>> {
+    /// them. It stands for the part in motions only, never in spectra. Where making it takes long, `stop` is asked now and then; nothing is remembered of a form that was given up.
+    fn timed(&self, _p: &Params<Self, f64>, _speeds: Speeds, _stop: &dyn Fn() -> bool) -> Option<Result<Self, Untimed>> {
         None
     }
     /// Of such a time form.

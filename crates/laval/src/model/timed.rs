@@ -1,7 +1,7 @@
 //! The machine for motions in time: parts that are exact in the frequency domain only by their rational time forms.
 
 use super::part::{Physics, TimeForm};
-use super::system::System;
+use super::system::{Slot, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use std::ops::Deref;
 
@@ -14,6 +14,26 @@ pub enum Speeds {
     Several,
     /// It changes.
     Changing,
+}
+
+/// Why there is no time form.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Untimed {
+    /// There is none.
+    No {
+        /// Why.
+        why: String,
+        /// What may be done about it; studies in the frequency domain unless given.
+        help: Option<&'static str>,
+    },
+    /// It was not made: asked to stop.
+    Stopped,
+}
+
+impl From<String> for Untimed {
+    fn from(why: String) -> Self {
+        Untimed::No { why, help: None }
+    }
 }
 
 /// A machine of which every part has a time form.
@@ -40,21 +60,38 @@ impl System {
     /// # Errors
     /// A part that has no time form.
     pub fn timed(&self, speeds: Speeds) -> Result<Timed<'_>, Diagnostic> {
+        Ok(self.timed_until(speeds, &|| false)?.unwrap_or(Timed::Own(self)))
+    }
+
+    /// Parts that must be replaced for that.
+    pub fn without_time_form(&self) -> impl Iterator<Item = &Slot> {
+        self.slots().iter().filter(|slot| matches!(slot.physics, Physics::Frequency(TimeForm::None(_))))
+    }
+
+    /// The same; `None` when `stop`, which is asked now and then, said so.
+    ///
+    /// # Errors
+    /// As [`timed`](Self::timed).
+    pub fn timed_until(&self, speeds: Speeds, stop: &dyn Fn() -> bool) -> Result<Option<Timed<'_>>, Diagnostic> {
         let mut inputs = self.inputs();
         let mut any = false;
         for (slot, input) in self.slots().iter().zip(&mut inputs) {
             let Physics::Frequency(TimeForm::None(why)) = slot.physics else { continue };
-            let no = |why: &str| {
+            let no = |why: &str, help: Option<&'static str>| {
                 Diagnostic::error("motion.no_time_form", format!("\"{}\" has no form in the time domain: {why}", slot.name))
                     .at(slot.span.clone())
-                    .help("use a study in the frequency domain, such as forced_response")
+                    .help(help.unwrap_or("use a study in the frequency domain, such as forced_response"))
             };
-            input.part = slot.part.timed(&input.params, speeds).ok_or_else(|| no(why))?.map_err(|e| no(&e))?;
+            input.part = match slot.part.timed(&input.params, speeds, stop).ok_or_else(|| no(why, None))? {
+                Ok(part) => part,
+                Err(Untimed::No { why, help }) => return Err(no(&why, help)),
+                Err(Untimed::Stopped) => return Ok(None),
+            };
             any = true;
         }
         if !any {
-            return Ok(Timed::Own(self));
+            return Ok(Some(Timed::Own(self)));
         }
-        System::assemble(self.machine.clone(), inputs).map(|s| Timed::Fitted(Box::new(s))).map_err(Diagnostics::into_error)
+        System::assemble(self.machine.clone(), inputs).map(|s| Some(Timed::Fitted(Box::new(s)))).map_err(Diagnostics::into_error)
     }
 }

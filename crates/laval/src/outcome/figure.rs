@@ -130,6 +130,8 @@ pub struct Line {
     pub begins_where: Option<String>,
     /// Curves of groups coincide: the earlier are drawn wider, so that all are seen.
     pub nested: bool,
+    /// Pieces that would be dashed are left out.
+    pub solid_only: bool,
     /// What solid and dashed mean in the legend.
     pub solid_dashed: (String, String),
     /// Name in the legend.
@@ -149,6 +151,7 @@ impl Line {
             solid_where: None,
             begins_where: None,
             nested: false,
+            solid_only: false,
             solid_dashed: ("stable".into(), "unstable".into()),
             name: String::new(),
             reference: false,
@@ -158,6 +161,12 @@ impl Line {
     /// One line per value of this column.
     pub fn group(mut self, column: impl Into<String>) -> Self {
         self.group = Some(column.into());
+        self
+    }
+
+    /// Leaves out what would be dashed.
+    pub fn solid_only(mut self, only: bool) -> Self {
+        self.solid_only = only;
         self
     }
 

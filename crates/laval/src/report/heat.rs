@@ -178,7 +178,7 @@ fn nearest(sorted: &[f64], v: f64) -> usize {
     if i == 0 || (i < sorted.len() && sorted[i] - v <= v - sorted[i - 1]) { i } else { i - 1 }
 }
 
-/// Cell borders half way between the centres, as places on the axis.
+/// Cell borders half way between the centres, the outer ones at the ends of the range, as places on the axis.
 pub(super) fn edges(centres: &[f64], axis: &AxisView) -> Vec<f64> {
     let t: Vec<f64> = centres.iter().map(|v| axis.place(*v)).collect();
     match t.as_slice() {
@@ -187,9 +187,9 @@ pub(super) fn edges(centres: &[f64], axis: &AxisView) -> Vec<f64> {
         _ => {
             let n = t.len();
             let mut e = Vec::with_capacity(n + 1);
-            e.push(1.5 * t[0] - 0.5 * t[1]);
+            e.push(t[0]);
             e.extend(t.windows(2).map(|w| 0.5 * (w[0] + w[1])));
-            e.push(1.5 * t[n - 1] - 0.5 * t[n - 2]);
+            e.push(t[n - 1]);
             e
         }
     }
@@ -233,6 +233,13 @@ mod tests {
         let drawn = h.cells(&unit(0.0, 1.0), &unit(0.0, 1.0), 10.0, 10.0);
         assert_eq!(drawn.iter().map(|c| c.0.as_str()).collect::<Vec<_>>(), [colour::SLOTS[0], colour::SLOTS[1]]);
         assert_eq!(drawn.iter().map(|c| c.2.matches('z').count()).collect::<Vec<_>>(), [1, 2]);
+    }
+
+    /// Nothing is said beyond the range that was computed.
+    #[test]
+    fn cells_end_with_the_range() {
+        let axis = unit(0.0, 1.0);
+        assert_eq!(edges(&[0.0, 0.25, 1.0], &axis), [0.0, 0.125, 0.625, 1.0]);
     }
 
     #[test]

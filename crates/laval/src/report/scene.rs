@@ -83,11 +83,22 @@ const STRIP_TINT: usize = 1;
 
 /// Most groups that get a colour of the palette; more get the ramp.
 const PALETTE_GROUPS: usize = 7;
+/// Words of a map of more that get such a colour all the same.
+const FIXED: usize = 6;
 
 impl Scene {
     pub fn new(figure: &Figure, tables: &[Table]) -> Result<Scene, OutcomeError> {
         figure.check(tables)?;
         let mut build = Build { figure, tables, legend: Vec::new(), names: Vec::new(), tints: 0 };
+        // words keep the colours of their places, whatever else there is to see
+        for mark in figure.panels.iter().flat_map(|p| &p.marks) {
+            if let Mark::Heat(m) = mark {
+                let fixed = m.classes.len().min(if m.classes.len() > PALETTE_GROUPS { FIXED } else { PALETTE_GROUPS });
+                for class in &m.classes[..fixed] {
+                    build.colour(class, 0, 1);
+                }
+            }
+        }
         let mut drafts: Vec<PanelView> = figure.panels.iter().map(|p| build.panel(p)).collect();
         let mut x = x_axis(&figure.x, &drafts);
         for (draft, panel) in drafts.iter_mut().zip(&figure.panels) {
@@ -198,6 +209,25 @@ impl Build<'_> {
         }))
     }
 
+    /// Colours of the words of a map. Of many the first have those of the palette, and those seen of the others share the ramp.
+    fn classes(&mut self, classes: &[String], seen: &[bool]) -> Vec<(String, Colour)> {
+        let many = classes.len() > PALETTE_GROUPS;
+        let others = seen.iter().skip(FIXED).filter(|s| **s).count();
+        let mut before = 0;
+        let mut out = Vec::new();
+        for (k, class) in classes.iter().enumerate() {
+            let colour = if many && k >= FIXED {
+                let place = (before as f64 + 1.0) / (others as f64 + 1.0);
+                before += usize::from(seen[k]);
+                Colour::Ramp(place.min(1.0))
+            } else {
+                self.colour(class, 0, 1)
+            };
+            out.push((class.clone(), colour));
+        }
+        out
+    }
+
     fn entry(&mut self, label: &str, colour: Colour, glyph: Glyph) -> usize {
         let same = |e: &Entry| e.label == label && e.colour == colour && std::mem::discriminant(&e.glyph) == std::mem::discriminant(&glyph);
         self.legend.iter().position(same).unwrap_or_else(|| {
@@ -235,7 +265,10 @@ impl Build<'_> {
                         let pieces = match &solid {
                             None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],
                             Some(solid) => {
-                                let (full, dashed) = split(&g.rows, at, solid, begins.as_deref());
+                                let (full, mut dashed) = split(&g.rows, at, solid, begins.as_deref());
+                                if m.solid_only {
+                                    dashed.clear();
+                                }
                                 if !dashed.is_empty() && !meanings.contains(&&m.solid_dashed) {
                                     meanings.push(&m.solid_dashed);
                                 }
@@ -321,9 +354,9 @@ impl Build<'_> {
                         self.values(&m.table, &m.y, fy),
                         self.places(&m.table, &m.value, &m.classes, m.colours.factor),
                     );
-                    let of = m.classes.len();
-                    let classes: Vec<_> = m.classes.iter().enumerate().map(|(k, c)| (c.clone(), self.colour(c, k, of))).collect();
-                    for (name, colour) in &classes {
+                    let seen: Vec<bool> = (0..m.classes.len()).map(|k| v.contains(&(k as f64))).collect();
+                    let classes = self.classes(&m.classes, &seen);
+                    for ((name, colour), _) in classes.iter().zip(&seen).filter(|c| *c.1) {
                         self.entry(name, *colour, Glyph::Marker { shape: 1, open: false });
                     }
                     // what a logarithmic axis cannot show is left out
@@ -510,41 +543,4 @@ fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::outcome::{Line, Rule};
-
-    fn scene(y: Axis, ys: Vec<f64>) -> Scene {
-        let n = ys.len();
-        let t = Table::new("t", "").float("x", "", "", (0..n).map(|i| i as f64).collect()).float("y", "m", "", ys).build().unwrap();
-        let f =
-            Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(Line::new("t", "x", "y")).mark(Rule::x(99.0, "far")));
-        Scene::new(&f, &[t]).unwrap()
-    }
-
-    #[test]
-    fn factor_scales_and_rules_do_not_stretch_x() {
-        let s = scene(Axis::new("y", "mm").factor(1e3), vec![0.001, 0.002, 0.003]);
-        assert!((s.panels[0].y.hi - 3.1).abs() < 1e-9 && s.panels[0].y.lo == 0.0);
-        assert_eq!((s.x.lo, s.x.hi), (0.0, 2.0));
-    }
-
-    #[test]
-    fn ranges_are_never_degenerate() {
-        for ys in [vec![], vec![f64::NAN; 3], vec![5.0; 3], vec![0.0; 3], vec![-1.0, f64::INFINITY, 2.0]] {
-            for y in [Axis::new("y", ""), Axis::log("y", "")] {
-                let s = scene(y, ys.clone());
-                assert!(s.panels[0].y.hi > s.panels[0].y.lo && s.x.hi > s.x.lo);
-                assert!(s.panels[0].y.lo.is_finite() && s.panels[0].y.hi.is_finite());
-            }
-        }
-    }
-
-    #[test]
-    fn unstable_pieces_are_dashed_and_share_their_end_points() {
-        let rows = [0, 1, 2, 3, 4];
-        let (full, dashed) = split(&rows, |i| (i as f64, 0.0), &[true, true, false, true, true], None);
-        assert_eq!(full.iter().filter(|p| p.0.is_finite()).map(|p| p.0).collect::<Vec<_>>(), [0.0, 1.0, 3.0, 4.0]);
-        assert_eq!(dashed.iter().map(|p| p.0).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
-    }
-}
+mod tests;

@@ -318,14 +318,19 @@ impl Results {
 
     /// What a run that ended early owes its reader: how far it came, and how it goes on.
     pub fn remark(&self) -> Option<Finding> {
+        self.remark_of("rows")
+    }
+
+    /// The same where the rows have a name.
+    pub fn remark_of(&self, rows: &str) -> Option<Finding> {
         if self.complete() {
             return None;
         }
         let how = if self.kept { "; the same command continues from there" } else { "" };
         Some(
-            Finding::warning("incomplete", format!("Only {{}} of {} rows were computed{how}.", self.plan.rows))
+            Finding::warning("incomplete", format!("Only {{}} of {} {rows} were computed{how}.", self.plan.rows))
                 .value(self.done as f64, "")
-                .evidence("rows asked for", self.plan.rows as f64, ""),
+                .evidence(format!("{rows} asked for"), self.plan.rows as f64, ""),
         )
     }
 }

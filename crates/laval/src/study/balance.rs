@@ -1,6 +1,6 @@
 //! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
 
-use super::history::{Columns, sound};
+use super::history::{Columns, end_in_words, sound};
 use super::play;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
@@ -149,8 +149,12 @@ fn findings(series: &Series, flight: &Flight) -> Vec<Finding> {
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
     let harm = left > without;
-    let text =
-        if harm { "At the end the balls make the unbalance larger: it is {}." } else { "At the end the balls leave an unbalance of {}." };
+    let [_, at] = end_in_words(flight);
+    let text = if harm {
+        format!("{at} the balls make the unbalance larger: it is {{}}.")
+    } else {
+        format!("{at} the balls leave an unbalance of {{}}.")
+    };
     let make = if harm { Finding::warning } else { Finding::info };
     out.push(
         make("residual_unbalance", text)
@@ -176,7 +180,7 @@ fn findings(series: &Series, flight: &Flight) -> Vec<Finding> {
             ));
         }
         None => {}
-        Some(_) => out.push(Finding::info("balance_unsettled", "The balls are still moving at the end: the unbalance has not settled.")),
+        Some(_) => out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled."))),
     }
     out
 }

@@ -169,6 +169,17 @@ pub(super) fn ended(flight: &Flight) -> (End, Option<Finding>) {
     }
 }
 
+/// When the record of a motion ends, as words at the end of a clause and at the beginning of a sentence.
+pub(super) fn end_in_words(flight: &Flight) -> [String; 2] {
+    match flight.run.end {
+        ode::End::Reached | ode::End::Event { .. } => ["by the end".into(), "At the end".into()],
+        _ => {
+            let at = quantity(flight.run.t, "s");
+            [format!("by {at}, where it was stopped"), format!("At {at}, where it was stopped,")]
+        }
+    }
+}
+
 /// Calls for an outcome whose names fit; a misfit is a mistake of the study.
 pub(super) fn sound(outcome: Result<Outcome, OutcomeError>) -> Result<Outcome, Diagnostic> {
     outcome.map_err(misfit)
@@ -307,7 +318,8 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     let column = |i: usize| rows.iter().map(|y| y[k + i]).collect::<Vec<f64>>();
     let mut c = Columns::default();
     c.add("t", "s", "time", flight.times.clone());
-    c.add("stored", "J", "kinetic and potential energy", stored);
+    c.add("change", "J", "change of the stored energy since the start", stored.iter().map(|e| e - first).collect());
+    c.add("stored", "J", "kinetic and potential energy, that of the spin with it", stored);
     c.add("dissipated", "J", "turned into heat since the start", column(0));
     c.add("supplied", "J", "work of the parts' own sources and of a kick since the start", column(1));
     c.add("drive", "J", "work of the drive since the start", column(2));
@@ -473,10 +485,14 @@ fn envelope_table(motion: &Motion, flight: &Flight) -> Result<Table, Diagnostic>
 pub(super) fn energy_figure() -> Figure {
     let line = |column: &str| Line::new("energy", "t", column).name(column);
     let mut panel = Panel::new(Axis::new("energy", "J"));
-    for column in ["stored", "dissipated", "supplied", "drive", "weight"] {
+    // the energy of the spin would dwarf all others
+    panel = panel.mark(line("change").name("change of the stored energy"));
+    for column in ["dissipated", "supplied", "drive", "weight"] {
         panel = panel.mark(line(column));
     }
-    Figure::new("energy", "Energy", "Stored energy, heat and the work done on the machine against time; below, what the balance misses.")
+    let text =
+        "Change of the stored energy since the start, heat and the work done on the machine against time; below, what the balance misses.";
+    Figure::new("energy", "Energy since the start", text)
         .x(Axis::new("time", "s"))
         .panel(panel)
         .panel(Panel::new(Axis::new("missing", "J")).mark(line("missing")))

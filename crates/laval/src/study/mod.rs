@@ -43,9 +43,12 @@ pub mod uncertainty;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
 use crate::model::system::System;
+use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, significant};
 use crate::store::{Host, Keep};
+use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// Told how far a study is.
 pub trait Progress: Sync {
@@ -84,6 +87,9 @@ pub struct Context<'a> {
     pub keep: Option<&'a Keep>,
 }
 
+/// A time form that takes longer is worth a word.
+const LONG: Duration = Duration::from_secs(1);
+
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 impl Context<'static> {
@@ -119,6 +125,25 @@ impl Context<'_> {
             (false, true) => End::Cancelled,
             (false, false) => End::WorkLimit,
         }
+    }
+}
+
+impl Context<'_> {
+    /// The machine for motions in time; `None` when cancelled. Says so where making it takes long.
+    ///
+    /// # Errors
+    /// As [`System::timed`].
+    pub(crate) fn timed<'a>(&self, system: &'a System, speeds: Speeds) -> Result<Option<Timed<'a>>, Diagnostic> {
+        let (begun, said) = (Instant::now(), Cell::new(false));
+        let stop = || {
+            if !said.get() && begun.elapsed() > LONG {
+                said.set(true);
+                let names: Vec<String> = system.without_time_form().map(|slot| format!("\"{}\"", slot.name)).collect();
+                self.progress.job(&format!("making the time form of {}", names.join(", ")));
+            }
+            self.cancelled()
+        };
+        system.timed_until(speeds, &stop)
     }
 }
 
@@ -164,6 +189,13 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn admit(&self, _: &System) -> Result<(), Diagnostic> {
         Ok(())
     }
+    /// The same before a run. What takes longer ends with the context, and is then not known: no refusal.
+    ///
+    /// # Errors
+    /// As [`admit`](Self::admit).
+    fn prepare(&self, system: &System, _: &Context) -> Result<(), Diagnostic> {
+        self.admit(system)
+    }
     /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -177,6 +209,11 @@ pub trait ErasedStudy: Send + Sync {
     /// # Errors
     /// As [`Study::admit`].
     fn admit(&self, system: &System) -> Result<(), Diagnostic>;
+    /// Whether this machine can answer it, before a run.
+    ///
+    /// # Errors
+    /// As [`Study::prepare`].
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic>;
     /// Runs it.
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -187,6 +224,9 @@ impl<T: Study> ErasedStudy for T {
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         Study::admit(self, system)
+    }
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        Study::prepare(self, system, context)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         Study::run(self, system, context)

@@ -42,7 +42,8 @@ pub(super) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &C
     let growing = modes.iter().filter(|m| m.value.re > 0.0).count();
     let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
     if compared == 0 && lost == 0 {
-        let text = format!("With its rational time forms the machine has no roots {which}: there is none to compare.");
+        let text =
+            format!("With its rational time forms the machine has no roots {which}, so that none was compared with the exact machine's.");
         return Some(Finding::info("time_form_roots", text));
     }
     let make = if lost == 0 { Finding::info } else { Finding::warning };

@@ -109,13 +109,6 @@ impl Study for RunUp {
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
-        if system.machine.drive == Drive::Free {
-            diagnostics.push(
-                Diagnostic::error("run_up.drive", "the spin of this machine is free and cannot follow a programme")
-                    .at(values.span.clone())
-                    .help("use a transient study, or take the free drive away"),
-            );
-        }
         let initial = start::state_map(values, "initial", system, diagnostics);
         let settings = Settings::read(values);
         let made = programme(values, system, settings.phase, diagnostics);
@@ -138,12 +131,17 @@ impl Study for RunUp {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error("run_up.drive", "the spin of this machine is free and cannot follow a programme")
+                .help("use a transient study, or take the free drive away"));
+        }
         let timed = system.timed(Speeds::Changing)?;
         let motion = Motion::new(&timed, SpinLaw::Programme(self.programme.clone()))?;
         history::admit(&motion, self.settings.method)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
         let s = &self.settings;
         let (exact, timed) = (system, system.timed(Speeds::Changing)?);
         let system: &System = &timed;
@@ -364,12 +362,12 @@ impl RunUp {
         }
         let outcome = short.into_iter().fold(outcome, Outcome::finding);
         Ok(outcome
-            .finding(Finding::info("largest_torque", format!("{beyond} must bring up to {{}}.")).value(most, "N m").evidence(
+            .finding(Finding::info("largest_torque", format!("{beyond} must bring a torque of up to {{}}.")).value(most, "N m").evidence(
                 "at speed",
                 speed(at),
                 "rad/s",
             ))
-            .finding(Finding::info("largest_power", format!("{beyond} must bring up to {{}}.")).value(strongest, "W").evidence(
+            .finding(Finding::info("largest_power", format!("{beyond} must bring a power of up to {{}}.")).value(strongest, "W").evidence(
                 "at speed",
                 speed(when),
                 "rad/s",

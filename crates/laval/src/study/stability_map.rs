@@ -23,7 +23,7 @@ use crate::outcome::{
 };
 use crate::solve::counted;
 use crate::solve::roots::{LEAST, transcendental};
-use crate::solve::stability::{Row, row};
+use crate::solve::stability::{Edge, Row, Sample, row};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -170,6 +170,11 @@ fn refused(system: &System, path: &str, x: f64, d: Diagnostics) -> Diagnostic {
         .help("narrow the range of the parameter")
 }
 
+/// The root that crosses a boundary, there.
+fn at_boundary(e: &Edge) -> Sample {
+    Sample { speed: e.speed, value: e.value, sector: None, size: 0.0, on_grid: false, other: false, growing: None, counted: false }
+}
+
 impl StabilityMap {
     /// The threshold, or, of a machine with waves that nothing inside it damps, the least growth that is told from theirs at all these speeds.
     fn least(&self, system: &System, speeds: &[f64]) -> f64 {
@@ -197,12 +202,20 @@ impl StabilityMap {
         let two = self.parameter.is_some();
         let value = |k: usize| values[k].unwrap_or(f64::NAN);
         // the map keeps the grid; along one line the points between belong to it too
-        let cells: Vec<(usize, &crate::solve::stability::Sample)> =
+        let cells: Vec<(usize, &Sample)> =
             rows.iter().enumerate().flat_map(|(k, r)| r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| (k, s))).collect();
+        // the curve of what is known ends at its boundary, not at the last point before it
+        let ends: Vec<Sample> =
+            rows.iter().take(usize::from(endless && !two)).flat_map(|r| &r.edges).filter(|e| e.located).map(at_boundary).collect();
+        let mut cells = cells;
+        cells.extend(ends.iter().map(|e| (0, e)));
+        if !two {
+            cells.sort_by(|a, b| a.1.speed.total_cmp(&b.1.speed));
+        }
         // roots that grow no faster are not all known
-        let unknown = |c: &(usize, &crate::solve::stability::Sample)| endless && !(c.1.value.re > threshold);
+        let unknown = |c: &(usize, &Sample)| endless && !(c.1.value.re > threshold) && !ends.iter().any(|e| std::ptr::eq(e, c.1));
         // where all growth is rounding no mode is the strongest
-        let frequency = |c: &(usize, &crate::solve::stability::Sample)| {
+        let frequency = |c: &(usize, &Sample)| {
             let row = &rows[c.0];
             if unknown(c) || row.undamped && !row.unstable(c.1, 0.0) { f64::NAN } else { c.1.value.im }
         };
@@ -230,8 +243,9 @@ impl StabilityMap {
             )
             .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.1.other).collect());
         let map = if endless {
-            let number = |c: &(usize, &crate::solve::stability::Sample)| c.1.growing.map_or(f64::NAN, |n| n as f64);
-            let doc = "modes that grow faster than the threshold, by the argument principle; NaN where the count could not be brought to agree with the roots found";
+            let number = |c: &(usize, &Sample)| c.1.growing.map_or(f64::NAN, |n| n as f64);
+            let doc = "modes that grow faster than the threshold, by the argument principle; NaN where the count could not be brought to agree with the roots found, and \
+                       at a boundary";
             map.float("growing", "", doc, cells.iter().map(number).collect())
         } else {
             map

@@ -20,7 +20,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
-use crate::outcome::{Finding, Outcome};
+use crate::outcome::{End, Finding, Outcome};
 use crate::solve::motion::envelope::{Growth, Window, growth};
 use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
@@ -150,14 +150,21 @@ impl Study for Transient {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        let timed = system.timed(speeds(system, self.speed))?;
+        self.prepare(system, &Context::quiet(Self::KIND))
+    }
+
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        let Some(timed) = context.timed(system, speeds(system, self.speed))? else { return Ok(()) };
         let motion = Motion::new(&timed, Motion::law_of(&timed, self.speed, self.settings.phase))?;
         history::admit(&motion, self.settings.method)
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
-        let (exact, timed) = (system, system.timed(speeds(system, self.speed))?);
+        let exact = system;
+        let Some(timed) = context.timed(system, speeds(system, self.speed))? else {
+            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+        };
         let system: &System = &timed;
         let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
         let no_account = history::keep_account(&mut motion);
@@ -228,6 +235,7 @@ impl Transient {
             return vec![finding];
         }
         let still = history::negligible(&self.settings, start);
+        let [by, at] = history::end_in_words(flight);
         let mut out = Vec::new();
         // the body that moves most at the end speaks for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
@@ -238,7 +246,7 @@ impl Transient {
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
         for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
             let finding = if grows && peak.amplitude > still && peak.t >= 0.9 * flight.run.t {
-                let text = format!("The displacement of \"{}\" from rest reaches {{}} by the end, while the motion still grows.", b.name);
+                let text = format!("The displacement of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", b.name);
                 Finding::info("largest_displacement", text).of(&b.name).value(peak.amplitude, "m")
             } else {
                 history::largest(&b.name, peak.amplitude, still)
@@ -251,17 +259,14 @@ impl Transient {
             if away <= still {
                 continue;
             }
-            let text = format!("At the end \"{}\" is {{}} from its place of rest.", b.name);
+            let text = format!("{at} \"{}\" is {{}} from its place of rest.", b.name);
             let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
             out.push(finding.evidence("t", flight.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
             let speed = motion.spin(flight.run.t, &flight.state).speed;
-            out.push(Finding::info("end_speed", "The spin speed at the end is {}.").value(speed, "rad/s").evidence(
-                "change",
-                speed - self.speed,
-                "rad/s",
-            ));
+            let text = format!("{at} the spin speed is {{}}.");
+            out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
         }
         let Some((body, _)) = loudest else { return out };
         let Some(g) = rate else {

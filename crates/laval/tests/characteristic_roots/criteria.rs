@@ -107,3 +107,27 @@ fn decay_beside_a_viscous_liquid_is_not_counted() {
     assert!(said("least_damped_mode").is_some_and(|s| s.contains("and were found")), "{:?}", said("least_damped_mode"));
     assert!(said("stable").is_some_and(|s| s.contains("may be missing")), "{:?}", said("stable"));
 }
+
+/// Beside a viscous liquid decaying roots are not counted; what is drawn of the others ends at the boundary itself, not at the last speed before it.
+#[test]
+fn the_curve_of_growth_reaches_its_boundary() {
+    let text = format!(
+        "{}\n[[study]]\nkind = \"stability_map\"\nspeed = {{ from = \"90 rad/s\", to = \"220 rad/s\", points = 14 }}\n",
+        super::viscous::one_coordinate(0.05, 1e-3)
+    );
+    let loaded = laval::file::load(&text).unwrap();
+    let o = loaded.studies[0].study.run(&loaded.system, &laval::study::Context::quiet("map")).unwrap();
+    let column = |table: &str, name: &str| -> Vec<f64> {
+        let t = o.find_table(table).unwrap();
+        (0..t.rows()).map(|r| t.column(name).unwrap().number(r).unwrap_or(f64::NAN)).collect()
+    };
+    let (speed, growth, ends) = (column("map", "speed"), column("map", "growth"), column("boundary", "speed"));
+    assert_eq!(ends.len(), 2, "{ends:?}");
+    assert!(speed.windows(2).all(|w| w[0] < w[1]), "{speed:?}");
+    for (k, end) in ends.iter().enumerate() {
+        let i = speed.iter().position(|w| w == end).unwrap();
+        // the curve is there, on one side of it roots that grow, on the other nothing known
+        let (inside, outside) = if k == 0 { (i + 1, i - 1) } else { (i - 1, i + 1) };
+        assert!(growth[i].abs() < 1e-6 && growth[inside] > 0.0 && growth[outside].is_nan(), "{growth:?}");
+    }
+}

@@ -10,6 +10,7 @@ use laval::solve::harmonic::floquet::Method;
 use laval::solve::harmonic::response::{Request, respond};
 use laval::solve::rest::rest;
 use laval::solve::roots;
+use laval_num::continuation::End;
 use std::sync::atomic::AtomicBool;
 
 /// With a bearing that is not nonlinear after all the exponents are the roots of the characteristic function, up to multiples of the speed.
@@ -97,6 +98,28 @@ fn circular_motions_change_their_stability_alike_by_map_and_determinant() {
 #[test]
 fn motions_with_the_symmetry_of_a_quarter_turn_change_their_stability_alike() {
     located_alike(&wave("per_axis"), Request { harmonics: Some(5), ..Request::over(80.0, 240.0) }, Event::SymmetryBreaking);
+}
+
+/// What was stopped is not blamed on the work of counting, and of states that were not judged none is kept.
+#[test]
+fn a_cancelled_judgement_blames_no_work() {
+    let system = build(&on_a_cubic_bearing(0.05, 1e-3, "law = \"isotropic\"\ncubic_stiffness = 2e11", 1e-6));
+    let request = Request { determinant: true, ..Request::over(90.0, 220.0) };
+    let cancel = AtomicBool::new(false);
+    let ticks = std::cell::Cell::new(0);
+    let tick = |_: u64| {
+        ticks.set(ticks.get() + 1);
+        // the first is that of the branch, then one for each motion judged
+        cancel.store(ticks.get() >= 5, std::sync::atomic::Ordering::Relaxed);
+    };
+    let found = respond(&system, &request, &cancel, &tick).unwrap();
+    let points: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
+    assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
+    assert!(!points.is_empty() && points.len() <= 5 && points.iter().all(|p| p.exponents.is_some()), "{}", points.len());
+    assert!(found.branches.iter().all(|b| b.end == End::Cancelled));
+    // a limit of work is still called so
+    let short = respond(&system, &Request { work: 5, ..request }, &AtomicBool::new(false), &|_| {}).unwrap();
+    assert!(short.unjudged.is_some_and(|why| why.to_string().contains("more work")));
 }
 
 /// Small circular motions of a viscous machine lose their stability where its roots about the state at rest do; with larger ones on a bearing that stiffens that place

@@ -9,10 +9,11 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, Finding, Outcome};
-use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
+use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::{Context, Study};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 const M: f64 = 2.0;
 const E: f64 = 1e-4;
@@ -28,6 +29,51 @@ fn machine(cubic: f64, c: f64) -> Builder {
             BearingCubicParams { stiffness: [K; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 },
         )
         .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
+}
+
+/// States from which a machine jumps are told as long as they are stable: an instability of another body, which knows nothing of the disc, takes the jump away.
+#[test]
+fn no_sweep_jumps_from_unstable_states() {
+    let link = || Link::Between(Attach::on("other"), Attach::ground());
+    let beside = |cross: f64| {
+        machine(1e12, 170.0).part("other", Disc::planar(), DiscParams { mass: 1.0, ..DiscFamily::defaults() }).part(
+            "seal",
+            BearingLinear::constant(link()),
+            BearingLinearParams { kxx: 1e6, kyy: 1e6, kxy: cross, kyx: -cross, cxx: 50.0, cyy: 50.0, ..BearingLinearFamily::defaults() },
+        )
+    };
+    let of = |cross: f64| study(beside(cross), Request::over(300.0, 1500.0)).unwrap();
+    let has = |o: &Outcome, id: &str| o.findings.iter().any(|f| f.id == id);
+    // growth where the cross coupling exceeds damping times the natural frequency, 50 * 1000
+    let (calm, wild) = (of(4e4), of(1e5));
+    assert!(has(&calm, "jump_up") && has(&calm, "jump_down") && !has(&calm, "sweep_up_unstable"), "{:?}", calm.findings);
+    assert!(!has(&wild, "jump_up") && !has(&wild, "jump_down") && !has(&wild, "no_jump_up"), "{:?}", wild.findings);
+    let told = said(&wild, "sweep_up_unstable");
+    near(told.value.unwrap(), said(&calm, "jump_up").value.unwrap(), 1e-6);
+    let growth = laval_num::complex::c(-1e6, 1e5).sqrt().re.abs();
+    assert!(evidence(told, "growth rate before it") > 0.5 * (growth - 25.0), "{told:?}");
+    // no masses move here
+    assert!(!has(&wild, "masses_elsewhere"));
+}
+
+/// A study that was cancelled tells no jump from states it did not judge.
+#[test]
+fn a_cancelled_study_tells_no_jump() {
+    struct Stops(AtomicBool, AtomicU64);
+    impl laval::study::Progress for Stops {
+        fn report(&self, _: u64, _: u64) {
+            // each attempt tells its branch, and again while it is judged
+            self.0.store(self.1.fetch_add(1, Ordering::Relaxed) > 0, Ordering::Relaxed);
+        }
+    }
+    let system = machine(1e12, 170.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
+    let stops = Stops(AtomicBool::new(false), AtomicU64::new(0));
+    let context = Context { cancel: &stops.0, progress: &stops, ..Context::quiet("response") };
+    let o = NonlinearResponse::new(Request::over(300.0, 1500.0)).run(&system, &context).unwrap();
+    assert_eq!(o.end, laval::outcome::End::Cancelled);
+    assert!(o.findings.iter().all(|f| !f.id.starts_with("jump") && !f.id.starts_with("no_jump")), "{:?}", o.findings);
+    assert!(said(&o, "sweep_up_unfinished").text.contains("stopped on request"));
+    assert!(said(&o, "sweep_down_unfinished").text.contains("were not followed"));
 }
 
 fn study(builder: Builder, request: Request) -> Result<Outcome, Diagnostic> {

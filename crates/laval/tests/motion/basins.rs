@@ -15,6 +15,7 @@ use laval::solve::harmonic::problem::Balance;
 use laval::solve::harmonic::response::respond;
 use laval::store::Keep;
 use laval::study::{Context, Progress};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A rigid rotor in a cubic bearing of the same stiffness in all directions: two motions between 2600 and 3200 rad/s.
@@ -242,6 +243,63 @@ fn neither_threads_nor_interruptions_change_anything() {
     let stop = AtomicBool::new(true);
     let o = run_in(&l, &Context { cancel: &stop, ..Context::quiet("s") });
     assert_eq!((o.end, o.find_table("cells").unwrap().rows()), (End::Cancelled, 0));
+}
+
+/// What a study says while it runs.
+#[derive(Default)]
+struct Heard {
+    jobs: Mutex<Vec<String>>,
+    /// Largest share of rows under way, and rows done when it was said.
+    parts: Mutex<Vec<f64>>,
+}
+
+impl Progress for Heard {
+    fn report(&self, _: u64, _: u64) {}
+    fn part(&self, rows: f64) {
+        self.parts.lock().unwrap().push(rows);
+    }
+    fn job(&self, text: &str) {
+        self.jobs.lock().unwrap().push(text.into());
+    }
+}
+
+/// A machine that grows is told beforehand, its motions are followed until they are out of sight and no further, and that is what is said of them.
+#[test]
+fn an_unstable_machine_is_told_at_once() {
+    // cross-coupling against little damping: growth (sqrt(k/m) given) about kxy/(2 m w) - d/(2 m)
+    let wild = format!(
+        "{}[[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [\"drum\", \"ground\"]\nkxy = 1e6\nkyx = -1e6\n",
+        round(100.0).replace("cubic_stiffness = 8.7e10", "cubic_stiffness = 0")
+    );
+    let heard = Heard::default();
+    let l = loaded(&wild, &format!("speed = 2800\npoints = 3\n{PLANE}"));
+    let o = run_in(&l, &Context { progress: &heard, ..Context::quiet("b") });
+    let jobs = heard.jobs.lock().unwrap();
+    assert!(jobs.len() == 1 && jobs[0].contains("10 motions to follow (9 cells and the undisturbed start)"), "{jobs:?}");
+    let (k, m): (f64, f64) = (1.1e7, 2.4);
+    let growth = 1e6 / (2.0 * m * (k / m).sqrt()) - 100.0 / (2.0 * m);
+    let told: f64 = jobs[0].split("grows by ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((told - growth).abs() < 0.02 * growth, "{told} {growth}");
+    assert_eq!(finding(&o, "failed_motions").value, Some(9.0));
+    assert!(finding(&o, "failed_motions").text.contains("grows without bound"));
+    assert!(finding(&o, "undisturbed").text.ends_with("grows without bound."));
+    assert!(finding(&o, "no_decay").text.contains("grows by"));
+    // 1 mm grows to 1 km in so many turns
+    let turns = 1e6f64.ln() / growth * 2800.0 / std::f64::consts::TAU;
+    assert!(numbers(&o, "cells", "periods").iter().all(|p| *p < 2.0 * turns + 40.0), "{turns}");
+}
+
+/// A leg of many periods says how far it is, and what is said changes nothing.
+#[test]
+fn progress_is_told_within_a_leg() {
+    let heard = Heard::default();
+    let l = loaded(&round(2.0), &format!("speed = 3600\npoints = 2\nmost_periods = 900\n{PLANE}"));
+    let o = run_in(&l, &Context { progress: &heard, ..Context::quiet("b") });
+    assert_eq!(format!("{o:?}"), format!("{:?}", run_in(&l, &Context::quiet("b"))));
+    let parts = heard.parts.lock().unwrap();
+    // five motions; a word every twenty periods of some nine hundred
+    let between = parts.iter().filter(|p| **p > 0.1 && **p < 4.9).count();
+    assert!(between > 100, "{between} of {}", parts.len());
 }
 
 /// Without damping nothing settles, and nothing is called an attractor.

@@ -337,7 +337,14 @@ fn free_spin_keeps_energy_and_reports_its_speed() {
     let stored = column(&o, "energy", "stored")[0];
     assert!(missing < 1e-11 * stored, "{missing:e} {stored}");
     assert!((finding(&o, "end_speed") - 130.0).abs() > 1e-3);
-    assert!(refused::<RunUp>(&system, &[("duration", number(1.0))]).contains("free"));
+    let change = column(&o, "energy", "change");
+    assert!(change[0] == 0.0 && change.iter().zip(column(&o, "energy", "stored")).all(|(c, s)| *c == s - stored));
+    let told = &o.figures.iter().find(|f| f.name == "energy").unwrap().panels[0].marks;
+    assert!(told.iter().all(|m| !matches!(m, laval::outcome::Mark::Line(l) if l.y == "stored")), "{told:?}");
+    // a programme is refused when asked, so that it hides no other refusal
+    let given = [("to", number(200.0)), ("duration", number(1.0))];
+    let up = RunUp::build(&values(&given), &system, &mut Diagnostics::default()).unwrap();
+    assert!(up.admit(&system).unwrap_err().message.contains("free") && up.run(&system, &Context::quiet("t")).is_err());
 }
 
 #[test]
@@ -418,6 +425,12 @@ fn limits_and_cancellation_leave_partial_results() {
     let o = study.run(&system, &context).unwrap();
     assert_eq!(o.end, End::Cancelled);
     assert!(o.find_table("motion").unwrap().rows() > 1);
+    // what was stopped has no end
+    let told: Vec<String> = o.findings.iter().map(|f| f.sentence()).collect();
+    assert!(
+        told.iter().any(|s| s.contains("where it was stopped")) && !told.iter().any(|s| s.to_lowercase().contains("the end")),
+        "{told:?}"
+    );
     let _ = Silent;
 }
 

@@ -41,7 +41,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Value, Values};
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, Fitted, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
-use crate::model::timed::Speeds;
+use crate::model::timed::{Speeds, Untimed};
 use crate::params;
 use crate::units::{format_number, format_si};
 use laval_num::analytic::value;
@@ -433,8 +433,8 @@ impl Part for Liquid {
         }
     }
 
-    fn timed(&self, p: &Params<Self, f64>, speeds: Speeds) -> Option<Result<Self, String>> {
-        matches!(self.physics(), Physics::Frequency(_)).then(|| self.in_time(p, speeds))
+    fn timed(&self, p: &Params<Self, f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Self, Untimed>> {
+        matches!(self.physics(), Physics::Frequency(_)).then(|| self.for_motions(p, speeds, stop))
     }
     fn fitted(&self) -> Option<Fitted> {
         self.fit()

@@ -25,6 +25,12 @@ pub(super) fn partial() -> Liquid {
 }
 
 /// A spatial liquid in time.
+impl Liquid {
+    fn in_time(&self, p: &LiquidParams<f64>, speeds: Speeds) -> Result<Self, String> {
+        self.for_motions(p, speeds, &|| false).map_err(|e| format!("{e:?}"))
+    }
+}
+
 pub(super) fn timed(liquid: Liquid, p: &LiquidParams<f64>) -> Liquid {
     liquid.flowing(Model::Spatial).accurate(1e-2).in_time(p, Speeds::Several).unwrap()
 }

@@ -17,7 +17,7 @@ use crate::cavity::rational::Rational;
 use crate::cavity::waves::{MARGIN, MOST_HARMONICS, MOST_WAVES};
 use crate::model::blocks::Blocks;
 use crate::model::part::{Dof, DofKind};
-use crate::model::timed::Speeds;
+use crate::model::timed::{Speeds, Untimed};
 use crate::units::format_number;
 use laval_num::scalar::Scalar;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -56,8 +56,13 @@ pub(super) struct Rationals {
 const WAVES: &str = "of tilts that grow or decay by a twentieth of the speed or more, up to four times the speed in rotor axes";
 const LAYER: &str = "of motions that do not decay, up to four times the speed in rotor axes";
 
+/// Why there is none at speed 0.
+const STILL: &str = "without spin nothing holds the layer on the wall";
+const TURN: &str =
+    "give the study a speed above 0; for a machine that stands still model = \"frozen\" without viscosity counts the liquid as a mass";
+
 /// A form, or why there is none.
-type Form = Result<Arc<Rationals>, String>;
+type Form = Result<Arc<Rationals>, Untimed>;
 
 /// The forms made last, shared by copies of the part.
 #[derive(Clone, Default)]
@@ -69,38 +74,47 @@ impl Liquid {
         Made { model: self.model, harmonics: self.harmonics, accuracy: self.accuracy, liquid, speed }
     }
     /// The part with its reactions as rational functions.
-    pub(super) fn in_time(&self, p: &LiquidParams<f64>, speeds: Speeds) -> Result<Self, String> {
+    pub(super) fn for_motions(&self, p: &LiquidParams<f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Result<Self, Untimed> {
         if speeds == Speeds::Changing && p.skew != 0.0 && !self.viscous {
-            return Err("that of a cavity that is skew to its shaft holds at constant speed only".into());
+            return Err("that of a cavity that is skew to its shaft holds at constant speed only".to_string().into());
         }
         let speed = match (self.viscous, speeds) {
             (false, _) => None,
             (true, Speeds::One(speed)) => Some(speed),
             (true, Speeds::Several) => {
-                return Err(
-                    "the layer of a viscous liquid depends on the speed, so that its form is made for one; transient and basins run at one"
-                        .into(),
-                );
+                let why =
+                    "the layer of a viscous liquid depends on the speed, so that its form is made for one; transient and basins run at one";
+                return Err(why.to_string().into());
             }
             (true, Speeds::Changing) => {
-                return Err("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only".into());
+                return Err("the layer of a viscous liquid depends on the speed, so that its form holds at constant speed only"
+                    .to_string()
+                    .into());
             }
         };
         let made = self.made(p, speed);
         let mut memo = self.memo.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = memo.iter().find(|m| m.0 == made).map(|m| m.1.clone());
-        let time = known.unwrap_or_else(|| {
-            let new = match speed {
-                Some(speed) => self.layer_in_time(p, made, speed),
-                None => self.waves_in_time(p, made),
-            };
-            let new = new.map(Arc::new);
-            if memo.len() == REMEMBERED {
-                drop(memo.remove(0));
+        let time = match known {
+            Some(known) => known,
+            None => {
+                let new = match speed {
+                    Some(speed) => self.layer_in_time(p, made, speed, stop),
+                    None => self.waves_in_time(p, made).map_err(Untimed::from),
+                };
+                let new = match new {
+                    // nothing was found out
+                    Err(Untimed::Stopped) => return Err(Untimed::Stopped),
+                    Err(why) => Err(why),
+                    Ok(new) => Ok(Arc::new(new)),
+                };
+                if memo.len() == REMEMBERED {
+                    drop(memo.remove(0));
+                }
+                memo.push((made, new.clone()));
+                new
             }
-            memo.push((made, new.clone()));
-            new
-        })?;
+        }?;
         Ok(Liquid { time: Some(time), ..self.clone() })
     }
 
@@ -119,18 +133,15 @@ impl Liquid {
     }
 
     /// Of a viscous liquid at one speed.
-    fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64) -> Result<Rationals, String> {
+    fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64, stop: &dyn Fn() -> bool) -> Result<Rationals, Untimed> {
         let cavity = Self::cavity(p);
         let allowed = format_number(self.accuracy, 3);
-        let told = |of: &str, most: String, strip: &str, refused: Refused| match refused {
-            Refused::Speed => "without spin nothing holds the layer on the wall".to_string(),
+        let told = |of: &str, most: String, strip: &str, refused: Refused| {
+            match refused {
+            Refused::Speed => return Untimed::No { why: STILL.to_string(), help: Some(TURN) },
             Refused::Accuracy { reached } => {
-                // for the waves, for what all of them leave out, and for a search that begins elsewhere; rounded up
-                let more = 2.5 * reached;
-                let step = 10f64.powf(more.log10().floor());
-                let enough = (more / step).ceil() * step;
-                let larger = if enough <= 0.1 {
-                    format!("try time_error = {}", format_number(enough, 2))
+                let larger = if reached.is_finite() {
+                    format!("try time_error = {}", format_number(reached, 2))
                 } else {
                     "allow a larger time_error".into()
                 };
@@ -143,16 +154,25 @@ impl Liquid {
                 "its reaction on {of} cannot be computed to a tenth of the error allowed, {allowed}, for all motions up to four times the speed{strip}"
             ),
             Refused::Work => format!("finding the form of its reaction on {of} takes too much work; allow a larger time_error{strip}"),
+            Refused::Stopped => return Untimed::Stopped,
+        }
+        .into()
         };
         let plane = cavity
-            .planar_in_time(speed, p.viscosity, self.accuracy)
+            .planar_in_time(speed, p.viscosity, self.accuracy, stop)
             .map_err(|e| told("displacement", format!("{MOST_POLES} poles"), "", e))?;
         let (tilt, error) = match self.model {
             Model::Strip => (Some(plane.form.clone().scaled(cavity.slices())), plane.error),
             Model::Spatial => {
-                let tilt = cavity
-                    .tilt_viscous_in_time(speed, p.viscosity, self.harmonics, self.accuracy)
-                    .map_err(|e| told("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e))?;
+                let tilt = cavity.tilt_viscous_in_time(speed, p.viscosity, self.harmonics, self.accuracy, stop).map_err(|mut e| {
+                    // what is advised must do for both
+                    if let Refused::Accuracy { reached } = &mut e
+                        && cavity.planar_in_time(speed, p.viscosity, *reached, stop).is_err()
+                    {
+                        *reached = f64::INFINITY;
+                    }
+                    told("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e)
+                })?;
                 (Some(tilt.form), plane.error.max(tilt.error))
             }
             _ => (None, plane.error),

@@ -202,6 +202,8 @@ impl Judge {
                     *before = e.values.iter().take(e.unstable() + FOLLOWED).copied().collect();
                     state.exponents = Some(e);
                 }
+                // a count that was stopped says nothing of its work
+                Err(_) if balance.cancelled() => {}
                 Err(why) => self.unjudged = Some(why),
             }
         }
@@ -216,7 +218,11 @@ impl Judge {
                 break;
             }
             let (x, residual) = polish(balance, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-            points.push(State { residual, ..self.state(balance, &x, p.p) });
+            let state = State { residual, ..self.state(balance, &x, p.p) };
+            if balance.cancelled() && self.exponents.is_some() && state.exponents.is_none() {
+                break;
+            }
+            points.push(state);
             if i % 16 == 0 || self.exponents.is_some() {
                 tick(points.len() as u64);
             }

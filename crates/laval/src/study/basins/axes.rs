@@ -4,6 +4,7 @@ use super::super::start::{self, Entry, state_names};
 use super::super::support::{apart, range};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{RangeValue, Values};
+use crate::model::part::DofKind;
 use crate::model::system::System;
 
 /// Points along an axis that says none.
@@ -54,10 +55,13 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
         if given != wanted {
             let number = if wanted == 1 { "one initial value beside the run-up" } else { "two initial values" };
             let message = format!("{field} must name {number}; it names {given}");
-            let help = if wanted == 1 {
-                format!("write {field} = {{ \"ring.ball_1\" = \"1 rad\" }}")
-            } else {
-                format!("write {field} = {{ \"drum.x\" = \"1 mm\", \"drum.y\" = \"1 mm\" }}")
+            // names of this machine
+            let masses = system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+            let body = system.bodies().into_iter().next().map_or_else(|| "rotor".to_string(), |b| b.name);
+            let help = match masses.map(|c| &c.name).next() {
+                Some(mass) if wanted == 1 => format!("write {field} = {{ \"{mass}\" = \"1 rad\" }}"),
+                _ if wanted == 1 => format!("write {field} = {{ \"{body}.x\" = \"1 mm\" }}"),
+                _ => format!("write {field} = {{ \"{body}.x\" = \"1 mm\", \"{body}.y\" = \"1 mm\" }}"),
             };
             diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of(field)).help(help));
         }

@@ -20,7 +20,7 @@ mod rows;
 use super::history::{METHOD, time_forms};
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, method, neutral, slowest_decay};
+use super::settled::{Budget, Member, Rules, Settled, Settling, fastest_growth, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED, speed};
 use super::{Context, Study};
@@ -28,7 +28,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::{Speeds, Timed};
-use crate::outcome::{Outcome, quantity};
+use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use axes::{Axis, MOST_POINTS};
@@ -156,11 +156,15 @@ impl Study for Basins {
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        self.prepare(system, &Context::quiet(Self::KIND))
+    }
+
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error("basins.free_spin", "the spin of this machine is free: it has no speed at which motions settle")
                 .help("leave drive = \"free\" out, or follow its motion with transient"));
         }
-        let timed = system.timed(Speeds::One(self.speed))?;
+        let Some(timed) = context.timed(system, Speeds::One(self.speed))? else { return Ok(()) };
         if matches!(timed, Timed::Fitted(_)) && masses::has(system, self.speed) {
             // states at rest in turning axes are those of the exact machine
             return ensemble::admit(system, Method::Stiff);
@@ -169,11 +173,14 @@ impl Study for Basins {
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        self.admit(system)?;
+        self.prepare(system, context)?;
         if masses::has(system, self.speed) {
             return masses::run(self, system, context);
         }
-        let own = system.timed(Speeds::One(self.speed))?.with(&[]).map_err(Diagnostics::into_error)?;
+        let Some(timed) = context.timed(system, Speeds::One(self.speed))? else {
+            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+        };
+        let own = timed.with(&[]).map_err(Diagnostics::into_error)?;
         // internal states have other numbers in time
         let moved = |i: usize| match i.checked_sub(2 * system.n()) {
             Some(z) => start::renumbered(&[(Entry::State(z), 0.0)], system, &own).first().map(|e| e.0.index(&own)),
@@ -186,6 +193,7 @@ impl Study for Basins {
             study: self,
             start: Start::new(&own, self.speed),
             rate: slowest_decay(&own, self.speed),
+            growth: fastest_growth(&own, self.speed),
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
             values: self.axes.each_ref().map(Axis::values),
@@ -204,7 +212,18 @@ impl Study for Basins {
             chunk: count.div_ceil(50).clamp(64, 256),
             level: Level::best().name().into(),
         };
-        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        match fleet.undecaying() {
+            Some(what) => {
+                let whole = format!(
+                    "{} motions to follow ({} cells and the undisturbed start), each for up to {} turns: {what}, so that nothing says how long settling takes",
+                    count,
+                    count - 1,
+                    self.rules.most_periods
+                );
+                context.progress.job(&whole);
+            }
+            None => context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat"),
+        }
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
         Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
     }
@@ -222,6 +241,8 @@ struct Fleet<'a> {
     start: Start,
     /// Decay rate of the slowest mode at rest, 1/s.
     rate: Option<f64>,
+    /// Growth rate of the fastest growing mode at rest, 1/s.
+    growth: Option<f64>,
     /// A mode at rest neither decays nor grows.
     neutral: bool,
     bodies: Vec<Body>,
@@ -230,6 +251,16 @@ struct Fleet<'a> {
 }
 
 impl Fleet<'_> {
+    /// Which mode at rest does not decay.
+    fn undecaying(&self) -> Option<String> {
+        match (self.rate, self.growth) {
+            (Some(_), _) => None,
+            (None, Some(growth)) => Some(format!("at rest a mode of this machine grows by {}", quantity(growth, "1/s"))),
+            (None, None) if self.neutral => Some("at rest a mode of this machine neither decays nor grows".into()),
+            (None, None) => Some("the modes of this machine at rest are not known".into()),
+        }
+    }
+
     /// Start from rest and what the file says of it.
     fn undisturbed(&self) -> Vec<f64> {
         let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];

@@ -1,7 +1,7 @@
 //! What is said of basins.
 
 use super::super::settled::period::{LONGEST, Verdict};
-use super::super::settled::{sizes, told};
+use super::super::settled::{RUNAWAY, UNBOUNDED, sizes, told};
 use super::super::start::state_names;
 use super::super::support::inconsistent;
 use super::attractors::{AGREE, Attractor, Found, Motion, Ruler};
@@ -22,6 +22,8 @@ struct Map<'a> {
     place: Vec<[f64; 2]>,
     /// Word of the judgement.
     motion: Vec<String>,
+    /// Why there is none.
+    failure: Vec<String>,
     motions: Vec<Motion>,
     /// By body.
     amplitude: Vec<Vec<f64>>,
@@ -66,7 +68,8 @@ impl<'a> Map<'a> {
         }
         let (sizes, rules) = (sizes(&fleet.system, fleet.study.speed), &fleet.study.rules);
         let found = Ruler { sizes: &sizes, rest: &fleet.start.rest, tolerance: rules.tolerance }.sort(&motions);
-        Ok(Map { fleet, place, motion, motions, amplitude, rms, found })
+        let failure = told::words(results, "failure")?;
+        Ok(Map { fleet, place, motion, failure, motions, amplitude, rms, found })
     }
 
     /// Rows of the grid.
@@ -114,12 +117,15 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     let map = Map::read(fleet, results)?;
     let complete = results.end() == End::Reached;
     let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    for f in results.remark().into_iter().chain(fleet.start.finding.clone()) {
+    let rows = format!("motions ({} cells and the undisturbed start)", fleet.values[0].len() * fleet.values[1].len());
+    for f in results.remark_of(&rows).into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
+    outcome = cut_short(&map, results, outcome)?;
     outcome = shares(&map, outcome);
+    outcome = failures(&map, outcome);
     outcome = disturbance(&map, complete, outcome);
-    outcome = undecided(&map, results, outcome)?;
+    outcome = undecided(&map, outcome);
     let axes = &fleet.study.axes;
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
@@ -190,8 +196,11 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     let Some(&start) = map.place.first() else { return outcome };
     let place = map.at(start);
     let Some(home) = map.found.of[0] else {
-        return outcome
-            .finding(Finding::warning("undisturbed", format!("The motion from the undisturbed start ({place}) is {}.", map.motion[0])));
+        let what = match map.failure[0].as_str() {
+            "" => format!("is {}", map.motion[0]),
+            why => why.to_string(),
+        };
+        return outcome.finding(Finding::warning("undisturbed", format!("The motion from the undisturbed start ({place}) {what}.")));
     };
     let ends = if map.found.attractors[home].period.is_some() { format!("ends in {}", map.name(home)) } else { map.name(home) };
     let from = format!("The motion from the undisturbed start ({place}) {ends}");
@@ -230,16 +239,55 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     outcome.finding(finding)
 }
 
-/// Cells without a settled motion, and what cut settling short.
-fn undecided(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+/// Cells without a motion.
+fn failures(map: &Map, mut outcome: Outcome) -> Outcome {
+    let cells = map.cells().len();
+    let mut causes: BTreeMap<&str, usize> = BTreeMap::new();
+    for why in map.failure.iter().skip(1).filter(|w| !w.is_empty()) {
+        *causes.entry(why).or_default() += 1;
+    }
+    for (why, count) in causes {
+        let text = if why == UNBOUNDED {
+            format!(
+                "{{}} of {cells} cells lead to a motion that grows without bound, to more than {RUNAWAY:e} typical displacements (1 mm, 10 mrad)."
+            )
+        } else {
+            format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.")
+        };
+        outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
+    }
+    outcome
+}
+
+/// That settling was cut short.
+fn cut_short(map: &Map, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let cells = map.cells().len();
+    let bounded = results.numbers("bounded")?;
+    let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
+    if cut == 0 || map.fleet.rate.is_none() {
+        return Ok(outcome);
+    }
+    let text = format!(
+        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode asks for; they are judged by their last turns all the same."
+    );
+    Ok(outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, "")))
+}
+
+/// Cells without a settled motion.
+fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let count = |word: &str| map.cells().filter(|&r| map.word(r) == word).count();
-    if map.fleet.rate.is_none() {
-        let text = if map.fleet.neutral {
-            "At rest a mode of this machine neither decays nor grows: nothing says how long settling takes, and a motion that does not repeat is called not settled."
-        } else {
-            "At rest a mode of this machine does not decay: nothing says how long settling takes, and each motion was followed for the largest number of periods."
-        };
+    if !map.place.is_empty()
+        && let Some(what) = map.fleet.undecaying()
+    {
+        let most = map.fleet.study.rules.most_periods;
+        let mut text = format!(
+            "{}: nothing says how long settling takes, and motions that do not repeat were followed for {most} turns (most_periods).",
+            upper(&what)
+        );
+        if map.fleet.neutral {
+            text += " One that does not repeat by then is called not settled.";
+        }
         outcome = outcome.finding(Finding::warning("no_decay", text));
     }
     let unsettled = count("not settled");
@@ -247,23 +295,7 @@ fn undecided(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outco
         let text = format!("{{}} of {cells} cells did not settle within the largest number of periods: they belong to no attractor here.");
         outcome = outcome.finding(Finding::warning("not_settled", text).value(unsettled as f64, ""));
     }
-    let mut causes: BTreeMap<String, usize> = BTreeMap::new();
-    for why in told::words(results, "failure")?.into_iter().skip(1).filter(|w| !w.is_empty()) {
-        *causes.entry(why).or_default() += 1;
-    }
-    for (why, count) in causes {
-        let text = format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.");
-        outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
-    }
-    let bounded = results.numbers("bounded")?;
-    let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
-    if cut > 0 && map.fleet.rate.is_some() {
-        let text = format!(
-            "In {{}} of {cells} cells the largest number of periods cut the settling short of what the slowest mode asks for; they are judged by their last turns all the same."
-        );
-        outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
-    }
-    Ok(outcome)
+    outcome
 }
 
 pub(super) fn upper(text: &str) -> String {
@@ -307,7 +339,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             of_cells(&results.numbers("remaining")?),
         )
         .float("periods", "", "forcing periods integrated", of_cells(&results.numbers("periods")?))
-        .text("failure", "why there is no motion", told::words(results, "failure")?.into_iter().skip(1).collect());
+        .text("failure", "why there is no motion", map.failure.iter().skip(1).cloned().collect());
     outcome = outcome.table(cells.build().map_err(inconsistent)?);
 
     let all = &map.found.attractors;
@@ -401,9 +433,10 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
             unit => Axis::new(&a.name, unit),
         }
     };
-    let mut classes: Vec<String> = (0..map.found.attractors.len()).map(|k| map.name(k)).collect();
-    classes.extend(["not settled", "failed"].map(String::from));
-    classes.retain(|c| map.cells().any(|r| map.word(r) == *c));
+    // words that every map may have first: they have the same colours in all
+    let mut classes: Vec<String> = ["not settled", "failed", "does not repeat"].map(String::from).to_vec();
+    let names = (0..map.found.attractors.len()).map(|k| map.name(k));
+    classes.extend(names.filter(|n| n.starts_with("attractor")));
     let colours = Axis::new("ends in", "");
     let mut panel = Panel::new(drawn(1)).mark(Heat::new("cells", PLACE[0], PLACE[1], "end", colours).of_classes(classes));
     let start = map.place[0];

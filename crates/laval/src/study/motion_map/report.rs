@@ -182,8 +182,8 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
             outcome = outcome.figure(figure(format!("amplitude-{body}"), format!("Largest displacement of {body}"), heat));
         }
     }
-    let classes: Vec<String> = all_classes().into_iter().filter(|c| map.classes.contains(c)).collect();
-    if classes.len() < 2 {
+    let classes = all_classes();
+    if classes.iter().filter(|c| map.classes.contains(c)).count() < 2 {
         return outcome;
     }
     let heat = Heat::new("map", x, y, "class", Axis::new("the motion repeats", "")).of_classes(classes);

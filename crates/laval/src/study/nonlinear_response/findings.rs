@@ -11,6 +11,8 @@ use crate::solve::harmonic::floquet::{Exponents, Method};
 use crate::solve::harmonic::peak::Peak;
 use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
 use crate::solve::harmonic::terms::admitted;
+use crate::solve::stationary::images::Images;
+use crate::solve::turning::isotropic;
 use crate::study::region::dense_orders;
 use crate::study::support::runs;
 use laval_num::continuation::{End, Refusal};
@@ -104,6 +106,7 @@ impl Shown<'_> {
         }
         if known > 0 {
             out.extend(self.unstable(response));
+            out.extend(self.elsewhere(response, request));
             out.extend(stability::changes(response));
             out.extend(response.agreement.as_ref().map(stability::checked));
             out.extend(self.fitted());
@@ -172,6 +175,18 @@ impl Shown<'_> {
             );
         }
         out
+    }
+
+    /// Where to look when masses move round in the rotor and no state followed is stable.
+    fn elsewhere(&self, response: &Response, request: &Request) -> Option<Finding> {
+        if !response.branches.iter().flat_map(|b| &b.points).all(State::unstable) {
+            return None;
+        }
+        let middle = 0.5 * (request.speeds.0 + request.speeds.1);
+        let moves = isotropic(self.system, middle).is_ok() && !Images::of(self.system, middle).angles.is_empty();
+        let text = "No state that was followed is stable. The masses that move round in the rotor have other states than these: stationary finds all that rest in the rotor, \
+                    transient and basins show to which a motion comes.";
+        moves.then(|| Finding::info("masses_elsewhere", text))
     }
 
     fn invalid(&self, response: &Response) -> Vec<Finding> {

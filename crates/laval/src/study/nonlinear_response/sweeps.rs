@@ -10,6 +10,9 @@ use laval_num::continuation::End;
 /// Relative distance beyond a fold at which the states left are looked for.
 const BEYOND: f64 = 1e-6;
 
+/// States before a fold that are looked at.
+const NEAR: usize = 4;
+
 /// A jump of a slow sweep.
 pub(super) struct Jump<'r> {
     /// Where the states it followed end.
@@ -18,6 +21,8 @@ pub(super) struct Jump<'r> {
     pub onto: Option<&'r Traced>,
     /// Stable states of the branches from both ends just beyond it; `None` where stability is not known.
     pub stable: Option<usize>,
+    /// Growth rate, 1/s, of the states before it where they are unstable: no sweep comes to it.
+    pub unstable: Option<f64>,
 }
 
 /// The branches from both ends of the range.
@@ -43,13 +48,14 @@ pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> 
     let mut out: Vec<Jump> = Vec::new();
     let mut branch = start;
     loop {
-        let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up).collect();
+        // of a branch that was cut off nothing is known about its folds beyond
+        let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up && f.after < branch.points.len()).collect();
         if up != branch.from_low() {
             met.reverse();
         }
         for fold in met {
             if out.last().is_none_or(|last| further(fold.speed, last.fold.speed)) {
-                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up) });
+                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up), unstable: before(branch, fold, up) });
             }
         }
         let Some(last) = out.last_mut() else { break };
@@ -62,6 +68,18 @@ pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> 
         branch = other;
     }
     out
+}
+
+/// Growth rate of the states a sweep meets before a fold, where all of them that are near are unstable; beside the fold one is so by rounding.
+fn before(branch: &Traced, fold: &Fold, up: bool) -> Option<f64> {
+    let onwards = up == branch.from_low();
+    let near: Vec<_> = if onwards {
+        branch.points[..(fold.after + 1).min(branch.points.len())].iter().rev().take(NEAR).collect()
+    } else {
+        branch.points.iter().skip(fold.after + 1).take(NEAR).collect()
+    };
+    let all = !near.is_empty() && near.iter().all(|p| p.unstable());
+    all.then(|| near.iter().map(|p| p.growth()).fold(f64::NEG_INFINITY, f64::max))
 }
 
 fn beyond(speed: f64, up: bool) -> f64 {
@@ -88,7 +106,11 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> V
     let end = if begin == lo { hi } else { lo };
     let jumps = jumps(response, branch, up);
     if !jumps.is_empty() {
-        return jumps.iter().enumerate().map(|(k, jump)| jump.told(way, k == 0)).collect();
+        // what lies behind states that no machine stays on is reached from elsewhere
+        let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
+        let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0));
+        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j.fold, j.unstable?)));
+        return told.chain(lost).collect();
     }
     let none = if branch.end == End::Reached {
         Finding::info(
@@ -103,7 +125,9 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> V
     } else {
         let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end));
         let id = format!("sweep_{way}_unfinished");
-        match branch.points.last() {
+        // where it begins is the end that was cut off
+        let begun = branch.end != End::Cancelled || up == branch.from_low();
+        match branch.points.last().filter(|_| begun) {
             Some(p) => Finding::warning(id, text("could be followed to {} only")).value(p.speed, "rad/s"),
             None => Finding::warning(id, text("were not followed")),
         }
@@ -132,6 +156,14 @@ impl Jump<'_> {
 /// Where a slow sweep begins: up is faster, whichever way round the rotor turns.
 fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
     if up == (lo >= 0.0) { lo } else { hi }
+}
+
+/// That the states before a fold are unstable.
+fn unstable(way: &str, fold: &Fold, growth: f64) -> Finding {
+    let text = format!(
+        "The states of a slow sweep {way} turn back at {{}}, but those before it are unstable: a machine has left them before, and no jump is told."
+    );
+    Finding::warning(format!("sweep_{way}_unstable"), text).value(fold.speed, "rad/s").evidence("growth rate before it", growth, "1/s")
 }
 
 /// That the states of a sweep are not known.

@@ -110,8 +110,12 @@ impl Study for Optimum {
         self.study.admit(system)
     }
 
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        self.study.prepare(system, context)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        Study::admit(self, system)?;
+        Study::prepare(self, system, context)?;
         let inner = Context { progress: &super::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;
         if context.cancelled() || nominal.end == End::Cancelled {

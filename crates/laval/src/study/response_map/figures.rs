@@ -56,7 +56,7 @@ pub(super) fn add(map: &Map, mut outcome: Outcome) -> Outcome {
         let what = "Width of the speeds with several states, blank where there are none,";
         outcome = outcome.figure(figure("hysteresis", "Hysteresis", what, heat.into(), true));
     }
-    let classes: Vec<String> = SWEEPS.iter().filter(|s| map.sweeps.iter().any(|w| w == *s)).map(|s| s.to_string()).collect();
+    let classes: Vec<String> = SWEEPS.iter().map(|s| s.to_string()).collect();
     let heat = Heat::new("map", x, y, "sweeps", Axis::new("slow sweeps", "")).of_classes(classes);
     outcome.figure(figure("sweeps", "What slow sweeps do", "What slow sweeps up and down do", heat.into(), false))
 }

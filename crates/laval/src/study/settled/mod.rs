@@ -33,12 +33,18 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub(super) const SAMPLES: usize = 64;
 /// Longest leg, periods: the phase keeps its digits.
 const LONGEST_LEG: u64 = 1000;
+/// The same where a mode at rest does not decay: a motion that flies apart is seen before its steps become tiny.
+const SHORT_LEG: u64 = 20;
+/// Periods between two words of progress within a leg.
+const SHOW: u64 = 20;
 /// Times the decay time that a motion is followed which does not repeat.
 const PATIENCE: u64 = 4;
 /// e-folds before shooting begins.
 const FOLDS_BEFORE_SHOOTING: f64 = 5.0;
 /// Displacements over their typical size (1 mm) beyond which a motion has left every machine.
-const RUNAWAY: f64 = 1e6;
+pub(super) const RUNAWAY: f64 = 1e6;
+/// What is said of such a motion.
+pub(super) const UNBOUNDED: &str = "grows without bound";
 
 /// How motions are settled and recorded.
 #[derive(Clone, Debug)]
@@ -134,6 +140,11 @@ pub(super) fn slowest_decay(system: &System, speed: f64) -> Option<f64> {
     (-growth > rounding && growth.is_finite()).then_some(-growth)
 }
 
+/// Growth rate of the fastest growing mode of the machine linearised at rest, 1/s; `None` where none grows.
+pub(super) fn fastest_growth(system: &System, speed: f64) -> Option<f64> {
+    least_stable(system, speed).filter(|(growth, rounding)| growth > rounding).map(|g| g.0)
+}
+
 /// A mode at rest neither decays nor grows.
 pub(super) fn neutral(system: &System, speed: f64) -> bool {
     least_stable(system, speed).is_some_and(|(growth, rounding)| growth.abs() <= rounding)
@@ -206,6 +217,9 @@ pub(super) struct Log {
     /// Periods of settling left, and integrated so far.
     left: u64,
     done: u64,
+    /// Periods of the leg under way, those in `done`, and of the longest leg.
+    leg: u64,
+    longest: u64,
     bounded: bool,
     steps: u64,
     sections: Sections,
@@ -228,6 +242,7 @@ impl Settling<'_> {
     fn leg(log: &mut Log, periods: u64, first_step: Option<f64>) -> Leg {
         let t1 = log.period * periods as f64;
         log.done += periods;
+        log.leg = periods;
         // as many a period as the longest leg may take: a motion that flies apart is not followed for millions
         let whole = Leg::new(0.0, t1);
         Leg { first_step, max_steps: (whole.max_steps / LONGEST_LEG).saturating_mul(periods), ..whole }
@@ -243,10 +258,12 @@ impl Settling<'_> {
     /// The next leg of settling; the record when nothing is to go.
     fn go_on(&self, log: &mut Log, first_step: Option<f64>) -> Leg {
         if log.to_go > 0 {
-            let periods = log.to_go.min(LONGEST_LEG);
+            let periods = log.to_go.min(log.longest);
             log.to_go -= periods;
             log.stage = Stage::Settle;
-            return Self::leg(log, periods, first_step);
+            let every = SHOW as f64 * log.period;
+            let outputs = Grid { start: every, step: every, count: periods / SHOW };
+            return Leg { outputs, ..Self::leg(log, periods, first_step) };
         }
         log.stage = Stage::Record;
         log.sections.clear();
@@ -323,6 +340,8 @@ impl Voyage for Settling<'_> {
             to_go: 0,
             left,
             done: 0,
+            leg: 0,
+            longest: if member.rate.is_some() { LONGEST_LEG } else { SHORT_LEG },
             bounded,
             steps: 0,
             sections: Sections::new(&size, &member.rest),
@@ -350,6 +369,11 @@ impl Voyage for Settling<'_> {
     }
 
     fn output(&self, log: &mut Log, i: u64, t: f64, y: &[f64]) {
+        if matches!(log.stage, Stage::Settle) {
+            let gone = log.done - log.leg + (i + 1) * SHOW;
+            self.show(log, gone);
+            return;
+        }
         if i >= (self.rules.periods.saturating_sub(LONGEST) * SAMPLES) as u64 {
             log.limits.watch(&log.system, TAU / log.period, t, log.period / SAMPLES as f64, y);
         }
@@ -404,7 +428,7 @@ impl Settling<'_> {
         }
         let n = log.system.n();
         if !y[..n].iter().zip(&log.size).all(|(x, s)| x.abs() <= RUNAWAY * s) {
-            return Next::Done(Self::failed(log, "grows without bound"));
+            return Next::Done(Self::failed(log, UNBOUNDED));
         }
         match log.stage {
             Stage::Settle => Next::Leg(self.go_on(log, Some(ended.next_step))),

@@ -22,6 +22,9 @@ fn axis(label: &str, unit: &str) -> Axis {
     }
 }
 
+/// Branches of which the angles can be told from each other.
+const MANY: usize = 4;
+
 impl Report<'_> {
     pub(super) fn figures(&self, told: &Told) -> Vec<Figure> {
         let mut out = Vec::new();
@@ -78,9 +81,12 @@ impl Report<'_> {
             panels.push(if sheets { panel.mark(continua("unbalance")) } else { panel });
         }
         if !self.found.images.angles.is_empty() {
-            let mut panel = Panel::new(Axis::new("angles of the masses", "rad").range(-3.3, 3.3));
+            // where branches are many the angles of those that no machine stays on hide the others
+            let only = self.found.paths.len() > MANY && told.points.iter().any(|p| p.growing == 0);
+            let label = if only { "angles of the masses, stable states only" } else { "angles of the masses" };
+            let mut panel = Panel::new(Axis::new(label, "rad").range(-3.3, 3.3));
             for &i in self.found.images.groups.iter().flatten() {
-                panel = panel.mark(line(column_of(self.system, i)));
+                panel = panel.mark(line(column_of(self.system, i)).solid_only(only));
             }
             panels.push(panel);
         }

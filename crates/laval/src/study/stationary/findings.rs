@@ -36,6 +36,11 @@ impl Report<'_> {
             out.push(Finding::warning("hindered", format!("\"{name}\": {text}.")).of(name));
         }
         let movable = !self.found.images.angles.is_empty();
+        if !movable {
+            let text = "This machine has no masses that move round in the rotor, such as the balls of a balancer, for which this study is made: its states are its \
+                        synchronous motion, which nonlinear_response follows as well.";
+            out.push(Finding::info("no_masses", text));
+        }
         out.extend(capacity(told).filter(|_| movable));
         out.extend(self.operating());
         out.extend(told.ranges.iter().map(|r| self.stable(r)));

@@ -40,7 +40,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     let context = fleet.context;
     let complete = results.end() == End::Reached;
     let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    for f in results.remark().into_iter().chain(fleet.start.finding.clone()) {
+    for f in results.remark_of("motions").into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
     let all = &fleet.atlas.attractors;
@@ -215,18 +215,24 @@ fn tables(
     Ok(outcome.table(table.build().map_err(inconsistent)?))
 }
 
+/// Words of the map that have colours of their own.
+const FIRST: [&str; 5] = ["balanced", "masses go round", "masses together", "unbalance reduced", "partly balanced"];
+
 fn figure(fleet: &Fleet, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
     if words.is_empty() {
         return outcome;
     }
     let axes = &fleet.study.axes;
     let drawn = |k: usize| Axis::new(&axes[k].name, &axes[k].unit);
-    let mut classes: Vec<String> = names.to_vec();
+    // words that many maps have first: they have the same colours in all
+    let mut classes: Vec<String> = FIRST.map(String::from).to_vec();
     let mut others: Vec<String> = words.iter().filter(|w| !names.contains(w)).cloned().collect();
     others.sort();
-    others.dedup();
-    classes.extend(others);
-    classes.retain(|c| words.contains(c));
+    for word in names.iter().chain(&others) {
+        if words.contains(word) && !classes.contains(word) {
+            classes.push(word.clone());
+        }
+    }
     let heat = Heat::new("cells", PLACE[0], PLACE[1], "end", Axis::new("ends in", "")).of_classes(classes);
     let speed = quantity(fleet.study.speed, "rad/s");
     let alt = format!("What each start ends in at {speed}, over {} and {}.", axes[0].meaning(), axes[1].meaning());

@@ -1,0 +1,71 @@
+use super::*;
+use crate::outcome::{Heat, Line, Points, Rule};
+
+fn scene(y: Axis, ys: Vec<f64>) -> Scene {
+    let n = ys.len();
+    let t = Table::new("t", "").float("x", "", "", (0..n).map(|i| i as f64).collect()).float("y", "m", "", ys).build().unwrap();
+    let f = Figure::new("f", "", "").x(Axis::new("x", "")).panel(Panel::new(y).mark(Line::new("t", "x", "y")).mark(Rule::x(99.0, "far")));
+    Scene::new(&f, &[t]).unwrap()
+}
+
+#[test]
+fn factor_scales_and_rules_do_not_stretch_x() {
+    let s = scene(Axis::new("y", "mm").factor(1e3), vec![0.001, 0.002, 0.003]);
+    assert!((s.panels[0].y.hi - 3.1).abs() < 1e-9 && s.panels[0].y.lo == 0.0);
+    assert_eq!((s.x.lo, s.x.hi), (0.0, 2.0));
+}
+
+#[test]
+fn ranges_are_never_degenerate() {
+    for ys in [vec![], vec![f64::NAN; 3], vec![5.0; 3], vec![0.0; 3], vec![-1.0, f64::INFINITY, 2.0]] {
+        for y in [Axis::new("y", ""), Axis::log("y", "")] {
+            let s = scene(y, ys.clone());
+            assert!(s.panels[0].y.hi > s.panels[0].y.lo && s.x.hi > s.x.lo);
+            assert!(s.panels[0].y.lo.is_finite() && s.panels[0].y.hi.is_finite());
+        }
+    }
+}
+
+#[test]
+fn unstable_pieces_are_dashed_and_share_their_end_points() {
+    let rows = [0, 1, 2, 3, 4];
+    let (full, dashed) = split(&rows, |i| (i as f64, 0.0), &[true, true, false, true, true], None);
+    assert_eq!(full.iter().filter(|p| p.0.is_finite()).map(|p| p.0).collect::<Vec<_>>(), [0.0, 1.0, 3.0, 4.0]);
+    assert_eq!(dashed.iter().map(|p| p.0).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+}
+
+/// Words of a map have the colours of their places in its list, whatever stands beside it and whichever occur; the legend names those that occur.
+#[test]
+fn words_keep_their_colours() {
+    let list: Vec<String> = ["a", "b", "c"].map(String::from).to_vec();
+    let colours = |words: [&str; 2], beside: bool| {
+        let text = words.map(String::from).to_vec();
+        let t = Table::new("t", "")
+            .float("x", "", "", vec![0.0, 1.0])
+            .float("y", "", "", vec![0.0, 1.0])
+            .text("word", "", text)
+            .build()
+            .unwrap();
+        let first = Panel::new(Axis::new("y", "")).mark(Points::new("t", "x", "y").group("word"));
+        let map = Panel::new(Axis::new("y", "")).mark(Heat::new("t", "x", "y", "word", Axis::new("", "")).of_classes(list.clone()));
+        let f = Figure::new("f", "", "").x(Axis::new("x", ""));
+        let f = if beside { f.panel(first).panel(map) } else { f.panel(map) };
+        let s = Scene::new(&f, &[t]).unwrap();
+        let heat = s.panels.last().unwrap().heat.clone().unwrap();
+        let named: Vec<String> =
+            s.legend.iter().filter(|e| matches!(e.glyph, Glyph::Marker { shape: 1, .. })).map(|e| e.label.clone()).collect();
+        (heat.classes, named)
+    };
+    let (both, named) = colours(["a", "c"], false);
+    assert_eq!(both.iter().map(|c| c.1).collect::<Vec<_>>(), [0, 1, 2].map(Colour::Slot));
+    assert_eq!(named, ["a", "c"]);
+    assert_eq!(colours(["c", "b"], true).0, both);
+    // of many words the later share the ramp, each with a tone of its own
+    let many: Vec<String> = (0..12).map(|k| format!("w{k}")).collect();
+    let mut build = Build { figure: &Figure::new("f", "", ""), tables: &[], legend: vec![], names: vec![], tints: 0 };
+    let seen: Vec<bool> = (0..12).map(|k| k != 7).collect();
+    let found = build.classes(&many, &seen);
+    assert_eq!(found[5].1, Colour::Slot(5));
+    let tones: Vec<Colour> = found.iter().zip(&seen).skip(6).filter(|f| *f.1).map(|f| f.0.1).collect();
+    assert!(tones.len() == 5 && tones.windows(2).all(|w| w[0] != w[1]), "{tones:?}");
+}
