@@ -135,7 +135,8 @@ fn piece(cavity: &Cavity<f64>, Line(m): Line, (from, width): (f64, f64)) -> Piec
     };
     let coefficients: [C64; PLACES] = std::array::from_fn(coefficient);
     let last = coefficients[PLACES - 3..].iter().map(|x| x.abs()).fold(0.0, f64::max);
-    (last <= SHARE * size).then(|| Arc::new(coefficients))
+    // a wave of width m that falls between the places shows in the last coefficients by so much less than it is high
+    (last * (0.5 * width / m).max(1.0) <= SHARE * size).then(|| Arc::new(coefficients))
 }
 
 /// A sum of Chebyshev polynomials and its derivative.

@@ -36,6 +36,9 @@ pub struct Modes {
     pub frequency: Option<f64>,
 }
 
+/// Terms of series that are worth a word beforehand: a count takes seconds.
+const SERIES: f64 = 150.0;
+
 /// Field: growth above which a mode counts as unstable.
 pub(super) const THRESHOLD: Field = Field::optional(
     "growth_threshold",
@@ -73,6 +76,8 @@ impl Study for Modes {
         let about = self.about.find(system, self.speed, None)?;
         let endless = transcendental(system);
         let found = if endless {
+            let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
+            context.announce(terms as f64, SERIES, "terms of series in every evaluation of the function whose roots are counted");
             let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };
             Some(roots(system, &about, &request)?)
         } else {

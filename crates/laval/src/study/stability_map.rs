@@ -212,8 +212,9 @@ impl StabilityMap {
         if !two {
             cells.sort_by(|a, b| a.1.speed.total_cmp(&b.1.speed));
         }
+        let crossing = |c: &(usize, &Sample)| ends.iter().any(|e| std::ptr::eq(e, c.1));
         // roots that grow no faster are not all known
-        let unknown = |c: &(usize, &Sample)| endless && !(c.1.value.re > threshold) && !ends.iter().any(|e| std::ptr::eq(e, c.1));
+        let unknown = |c: &(usize, &Sample)| endless && !(c.1.value.re > threshold) && !crossing(c);
         // where all growth is rounding no mode is the strongest
         let frequency = |c: &(usize, &Sample)| {
             let row = &rows[c.0];
@@ -320,17 +321,16 @@ impl StabilityMap {
         let highest = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re));
         let limit = quantity(threshold, "1/s");
         let unstable = rows.iter().any(|r| r.samples.iter().any(|s| r.unstable(s, threshold)));
-        let open = cells.iter().filter(|c| endless && c.1.growing.is_none()).count();
+        let open = cells.iter().filter(|c| endless && c.1.growing.is_none() && !crossing(c)).count();
+        let points = cells.len() - ends.len();
         if let Some((k, speed, s)) = highest {
             let finding = if !unstable && endless {
                 let computed = if complete { "" } else { " before the study stopped" };
                 if open == 0 {
                     Finding::info("stable", format!("No mode grows faster than {limit} at any point computed{computed}."))
                 } else {
-                    let text = format!(
-                        "No mode was found that grows faster than {limit}, but at {open} of {} points some may be missing.",
-                        cells.len()
-                    );
+                    let text =
+                        format!("No mode was found that grows faster than {limit}, but at {open} of {points} points some may be missing.");
                     Finding::warning("stability_unknown", text)
                 }
             } else if unstable {
@@ -395,12 +395,9 @@ impl StabilityMap {
         if endless {
             let evaluations: u64 = rows.iter().map(|r| r.evaluations).sum();
             let text = if open == 0 {
-                format!(
-                    "At all {} points the argument principle counts as many roots that grow faster than {limit} as were found.",
-                    cells.len()
-                )
+                format!("At all {points} points the argument principle counts as many roots that grow faster than {limit} as were found.")
             } else {
-                format!("At {{}} of {} points it could not be proven that no root that grows faster than {limit} is missing.", cells.len())
+                format!("At {{}} of {points} points it could not be proven that no root that grows faster than {limit} is missing.")
             };
             let finding = if open == 0 {
                 Finding::info("all_counted", text)

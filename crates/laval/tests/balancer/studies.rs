@@ -128,8 +128,9 @@ fn bad_machines_are_told() {
         let told = wrong(&driven(keys));
         assert!(told.contains(what), "{keys}: {told}");
     }
-    let free = driven("torque = 3").replace("[machine]", "[machine]\ndrive = \"free\"");
-    assert!(wrong(&free).contains("free and cannot follow a programme"), "{}", wrong(&free));
+    let free = load(&driven("torque = 3").replace("[machine]", "[machine]\ndrive = \"free\"")).unwrap();
+    let refused = free.refusals();
+    assert!(refused.iter().any(|r| r.diagnostic.to_string().contains("free and cannot follow a programme")), "{}", refused.len());
 }
 
 /// Housing and disc of the source as one unbalanced disc, with a motor.
