@@ -4,8 +4,8 @@
 //! g(i w) = l^T T(i w)^-1 r      is approximated by a rational function of i w; its poles are near the roots of det T that show in the response
 //! ```
 //!
-//! Roots that decay slowly make the peaks of the response, so that of these none is likely to be overlooked; what decays fast beside them may be. The response is looked
-//! at on a grid, and once more where the first poles say that it is narrow.
+//! Roots that decay slowly make the peaks of the response, so that of these none is likely to be overlooked, narrower than
+//! the grid or not; what decays fast beside them may be.
 //!
 //! Source of the approximation: as of [`laval_num::rational`].
 
@@ -22,8 +22,6 @@ const LEAST: f64 = 1e-4;
 /// Relative error allowed, and most poles.
 const ERROR: f64 = 1e-7;
 const MOST: usize = 28;
-/// Places beside a pole, over its decay, that are looked at as well.
-const BESIDE: [f64; 5] = [-2.0, -0.7, 0.0, 0.7, 2.0];
 /// Poles farther than this from the axis, over the largest frequency, are of no use.
 const FAR: f64 = 0.5;
 
@@ -35,29 +33,16 @@ pub(super) fn resonances(t: &mut Characteristic, members: &[usize], mirrored: bo
     let upper: Vec<f64> = even.chain(ratios).collect();
     let grid: Vec<f64> = if mirrored { upper } else { upper.iter().flat_map(|&w| [w, -w]).collect() };
     let mut probes = Probes::new(t, members, usual);
-    let mut known: Vec<(C64, [C64; 2])> = grid.iter().filter_map(|&w| probes.at(w)).collect();
-    let near = |z: &C64| z.is_finite() && z.re.abs() <= FAR * frequency && z.im.abs() <= frequency;
-    let found = |known: &[(C64, [C64; 2])]| -> Vec<C64> {
-        let x: Vec<C64> = known.iter().map(|k| k.0).collect();
-        let of = |which: usize| {
-            let f: Vec<C64> = known.iter().map(|k| k.1[which]).collect();
-            let weights: Vec<f64> = f.iter().map(|f| f.abs().recip()).collect();
-            poles(&x, &f, &weights, ERROR, MOST).unwrap_or_default()
-        };
-        let mut all = of(0);
-        all.extend(of(1));
-        all.retain(near);
-        all
+    let known: Vec<(C64, [C64; 2])> = grid.iter().filter_map(|&w| probes.at(w)).collect();
+    let x: Vec<C64> = known.iter().map(|k| k.0).collect();
+    let of = |which: usize| {
+        let f: Vec<C64> = known.iter().map(|k| k.1[which]).collect();
+        let weights: Vec<f64> = f.iter().map(|f| f.abs().recip()).collect();
+        poles(&x, &f, &weights, ERROR, MOST).unwrap_or_default()
     };
-    let first = found(&known);
-    let step = usual / EVEN as f64;
-    // a peak that the grid resolves needs no more
-    let narrow: Vec<C64> = first.iter().copied().filter(|z| z.re.abs() < step).collect();
-    known.extend(narrow.iter().flat_map(|z| BESIDE.map(|b| z.im + b * z.re.abs().max(1e-3 * step))).filter_map(|w| probes.at(w)));
-    known.sort_by(|a, b| a.0.im.total_cmp(&b.0.im));
-    known.dedup_by(|a, b| (a.0 - b.0).abs() <= 1e-12 * frequency);
-    let mut all = found(&known);
-    all.extend(first);
+    let mut all = of(0);
+    all.extend(of(1));
+    all.retain(|z| z.is_finite() && z.re.abs() <= FAR * frequency && z.im.abs() <= frequency);
     all
 }
 

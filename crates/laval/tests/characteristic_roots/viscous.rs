@@ -75,7 +75,7 @@ fn counts_of_the_machine() {
 fn oils() -> Vec<String> {
     let plane = |text: &str| changed(text, &[("model = \"strip\"", "model = \"planar\"")]);
     let mut out = Vec::new();
-    for nu in ["1e-5", "1e-4", "1e-3"] {
+    for nu in ["1e-8", "1e-7", "1e-5", "1e-4", "1e-3"] {
         let text = viscous(FILE, nu);
         out.extend([plane(&text), isotropic(&text), truncated(&text, 3), truncated(&isotropic(&text), 5), filled(&text, 0.9)]);
     }
@@ -120,6 +120,10 @@ fn branches_begin_at_the_first_speed() {
         let limit = 900.0;
         let found = sweep(&system, &|w| rest(&system, w), &speeds, limit, |_, _| true).unwrap();
         for b in &found.branches {
+            for (w, m) in &b.points {
+                let (_, all) = found.points.iter().find(|p| p.0 == *w).unwrap();
+                assert!(all.modes.iter().any(|k| k.value == m.value), "{w} {:?}\n{text}", m.value);
+            }
             for (w, m) in [b.points.first().unwrap(), b.points.last().unwrap()] {
                 let end = *w == speeds[0] || *w == speeds[12];
                 let leaves = m.value.im > 0.9 * limit || m.value.im < 0.05 * w || m.value.re < -0.05 * w;
