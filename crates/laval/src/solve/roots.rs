@@ -206,6 +206,11 @@ fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: 
 /// Longest step at a place: so short that no root hides beside a wave of a part on the other side of the path.
 fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool) -> f64 {
     let mut limit = f64::INFINITY;
+    // what takes the poles of waves away has one itself where they accumulate
+    for e in domains.iter().flat_map(|d| &d.except) {
+        let beside = if mirrored { (s.im - e).abs().min((s.im + e).abs()) } else { (s.im - e).abs() };
+        limit = limit.min(0.5 * s.re.hypot(beside));
+    }
     // with `regular` waves are no poles
     for d in domains.iter().filter(|d| !(d.left && d.axis)) {
         let away = if d.left { s.re.abs() } else { (s.re + d.gap).abs() };

@@ -156,6 +156,10 @@ impl Study for Modes {
             );
         }
         let any_unstable = modes.iter().any(unstable);
+        if any_unstable && threshold > self.threshold {
+            let text = format!("Growth is judged from {{}} on: waves of {} that grow more slowly are not.", undamped.name);
+            outcome = outcome.finding(Finding::info("threshold", text).value(threshold, "1/s"));
+        }
         let open = decay_uncounted(system, self.speed).is_some();
         let least = modes
             .iter()
@@ -195,8 +199,9 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
+                let all = if system.domains(self.speed).iter().all(|d| d.except.is_empty()) { "" } else { ", as far as roots are counted" };
                 format!(
-                    "Stable at {at}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
+                    "Stable at {at}{all}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
                     undamped.name
                 )
             } else if zero {

@@ -7,7 +7,7 @@ use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Finding, Table, quantity};
 use crate::solve::harmonic::refused::among_waves;
-use crate::solve::roots::{ACCUMULATION, Area, Roots};
+use crate::solve::roots::{ACCUMULATION, Area, BESIDE, Roots};
 
 /// Field: largest frequency of the region in which roots are counted.
 pub(super) const FREQUENCY_LIMIT: Field = Field::optional(
@@ -76,12 +76,13 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     if let Some(e) = domains.iter().flat_map(|d| d.except.first()).next() {
         let (a, b) = (e - ACCUMULATION * speed.abs(), e + ACCUMULATION * speed.abs());
         let text = format!(
-            "At {} waves accumulate between {} and {}: slow roots there are not counted.",
+            "At {} waves accumulate between {} and {}: roots there that grow or decay by less than {} are not counted, and one of them may grow.",
             quantity(speed, "rad/s"),
             quantity(a, "rad/s"),
-            quantity(b, "rad/s")
+            quantity(b, "rad/s"),
+            quantity(BESIDE * speed.abs(), "1/s")
         );
-        out.push(Finding::info("accumulation", text));
+        out.push(Finding::warning("accumulation", text));
     }
     if let Some(d) = domains.iter().find(|d| !d.left) {
         let text = format!(

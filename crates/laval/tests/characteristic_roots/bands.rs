@@ -109,3 +109,35 @@ fn the_largest_growth_of_a_band_is_found_between_the_speeds_of_any_grid() {
         }
     }
 }
+
+/// A thin layer on unequal supports: the root that grows beside the place where the waves of a truncated series accumulate is counted at every speed. The pole that the product
+/// of their determinants has there stands beside it, on the other side of the edge.
+#[test]
+fn growth_beside_accumulating_waves_is_counted() {
+    let support = |at: &str, x: &str, y: &str| {
+        format!(
+            "[[part]]\nkind = \"shaft_lumped\"\nbetween = [{{ body = \"r\", at = \"{at} mm\" }}, \"ground\"]\nstiffness = {{ x = \"{x} N/m\", y = \"{y} N/m\" }}\n"
+        )
+    };
+    let text = |free: f64| {
+        format!(
+            "[machine]\nname = \"thin\"\nspeed = 170\n[[part]]\nkind = \"disc\"\nname = \"r\"\nmass = 25\ndiametral_inertia = 0.5\npolar_inertia = 0.4\n{}{}\
+             [[part]]\nkind = \"damper\"\nbetween = [\"r\", \"ground\"]\ndamping = 120\ntilt_damping = 2\n\
+             [[part]]\nkind = \"liquid\"\nin = {{ body = \"r\", at = \"-70 mm\" }}\nmodel = \"spatial\"\naxial_harmonics = 3\ncavity_radius = 0.16\ncavity_height = 0.3\n\
+             density = 1000\nfill = {{ free_surface_radius = {free} }}\n",
+            support("-150", "6e5", "7e5"),
+            support("120", "6e5", "9e5"),
+        )
+    };
+    let wrong: Vec<String> = [0.1575, 0.158]
+        .par_iter()
+        .flat_map(|free| (0..100).into_par_iter().map(move |k| (*free, 168.0 + 0.1 * f64::from(k))))
+        .filter_map(|(free, speed)| {
+            let system = build(&text(free));
+            let found = at(&system, speed, &Request { margin: 1.0, ..Request::default() });
+            let best = found.spectrum.least_stable().map_or(f64::NAN, |m| m.value.re);
+            (found.growing() != Some(1) || !(best > 3.0)).then(|| format!("{free} {speed}: {:?} {best}", found.growing()))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
