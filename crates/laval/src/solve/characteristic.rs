@@ -225,12 +225,32 @@ impl<'a> Characteristic<'a> {
 
     /// Newton's method on `g(s) = 0` from a nearby start, over the members of a sector or all unknowns (`None`).
     pub fn polish(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
+        self.polished(start, sector, |_, test| test.g / test.slope)
+    }
+
+    /// The same beside a pole so close that Newton's method does not see the root from the start: steps to the zero of `a (s - z)/(s - p)` with the value and the slope here and the
+    /// value at the place before.
+    pub fn polish_beside_pole(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
+        let mut before: Option<(C64, C64)> = None;
+        self.polished(start, sector, |s, test| {
+            let rate = test.slope / test.g;
+            let pole = before.map_or(C64::ZERO, |(place, g)| {
+                let (way, ratio) = (place - s, g / test.g);
+                (C64::ONE + rate * way - ratio) / (way * (ratio - C64::ONE))
+            });
+            before = Some((s, test.g));
+            (rate + pole).recip()
+        })
+    }
+
+    /// A root by steps, which are subtracted.
+    fn polished(&mut self, start: C64, sector: Option<Sector>, mut step: impl FnMut(C64, &Test) -> C64) -> Option<Polished> {
         let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
         let border = self.border(start, &members)?;
         let (mut s, mut last) = (start, f64::INFINITY);
         for iterations in 1..=25 {
             let test = self.test(s, &border)?;
-            let step = test.g / test.slope;
+            let step = step(s, &test);
             let length = step.abs();
             if !step.is_finite() {
                 return None;

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The parts say where T is analytic ([`Domain`]). The region is made of rectangles inside that domain: of an ideal liquid with all its axial waves both
-//! half planes but for a strip along the imaginary axis, of a viscous one the right half plane. In every rectangle the roots known from nearby starts are divided
+//! half planes but for a strip along the imaginary axis, of some of them all but the piece of that strip where they accumulate, of a viscous one the right half plane. In every rectangle the roots known from nearby starts are divided
 //! out, those the count says are missing are looked for, and the count is taken again. Roots outside the rectangles that starts lead to are kept and said to be
 //! uncounted.
 
@@ -22,11 +22,11 @@ use laval_num::dense::{Field, Lu, Mat};
 use laval_num::eig;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Half width, over the speed, of the band about a frequency where singularities accumulate that is left out of the count.
+/// Half width, over the speed, of the band about a frequency where singularities accumulate in which roots close to the imaginary axis are not counted.
 pub const ACCUMULATION: f64 = 0.08;
-/// In that band roots are counted from this growth or decay on, over the speed.
-pub const BESIDE: f64 = 0.02;
-/// Least margin beside a dense range, over the speed, and least resolution of waves that die out slowly.
+/// Width, over the speed, of what is added to the range of waves of a truncated series.
+const ASIDE: f64 = 0.05;
+/// Least margin beside a dense range and where singularities accumulate, over the speed, and least resolution of waves that die out slowly.
 pub const LEAST: f64 = Domain::MARGIN;
 /// Longest step over the distance of the poles beside the path: a zero on the other side of the path and a pole at that distance show in `f'/f` at the ends of any
 /// step up to 2.6 times that distance.
@@ -99,7 +99,7 @@ pub struct Roots {
 impl Roots {
     /// The number of roots that grow faster than the margin, where it is proven. Of a pair of conjugates one counts.
     pub fn growing(&self) -> Option<usize> {
-        let proven = self.areas.iter().filter(|a| a.growth.1 > 0.0).all(Area::complete);
+        let proven = self.areas.iter().filter(|a| a.growth.1 > self.margin.max(0.0)).all(Area::complete);
         proven.then(|| self.spectrum.modes.iter().filter(|m| m.value.re > self.margin).count())
     }
 }
@@ -119,13 +119,15 @@ struct Determinant<'a, 'b> {
     own: Mat<C64>,
     change: Mat<C64>,
     lu: Lu<C64>,
+    /// Without the factor that takes the poles of waves away.
+    bare: bool,
 }
 
 impl<'a, 'b> Determinant<'a, 'b> {
     fn new(t: &'a mut Characteristic<'b>, sector: Option<Sector>) -> Self {
         let members = (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect();
         let (value, slope, own, change) = (Mat::default(), Mat::default(), Mat::default(), Mat::default());
-        Determinant { t, sector, members, value, slope, own, change, lu: Lu::default() }
+        Determinant { t, sector, members, value, slope, own, change, lu: Lu::default(), bare: false }
     }
 
     fn at(&mut self, s: C64) -> Option<Sample> {
@@ -145,12 +147,12 @@ impl<'a, 'b> Determinant<'a, 'b> {
         self.lu.factor(&self.own).ok()?;
         self.lu.solve_mat(&mut self.change);
         let mut sample = Sample { phase: self.lu.det().arg(), rate: (0..k).map(|i| self.change[(i, i)]).fold(C64::zero(), |a, b| a + b) };
-        if self.sector != Some(Sector::Axial) {
+        if !self.bare && self.sector != Some(Sector::Axial) {
             let (value, rate) = self.t.regular(s);
             sample.phase += value.arg();
             sample.rate += rate;
         }
-        if self.sector.is_none() {
+        if !self.bare && self.sector.is_none() {
             let (value, rate) = self.t.regular(s.conj());
             sample.phase -= value.arg();
             sample.rate += rate.conj();
@@ -159,64 +161,92 @@ impl<'a, 'b> Determinant<'a, 'b> {
     }
 }
 
-/// Range of growth and range of frequency.
-type Rectangle = ((f64, f64), (f64, f64));
+/// A rectangle: range of growth and range of frequency.
+struct Piece {
+    growth: (f64, f64),
+    band: (f64, f64),
+    /// Beside waves of a truncated series, at no less than the margin: their poles are not taken away, the steps see them.
+    bare: bool,
+}
 
 /// Rectangles inside the domain.
-fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: bool, sector: Option<Sector>) -> (Vec<Rectangle>, f64) {
+fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: bool, sector: Option<Sector>) -> (Vec<Piece>, f64) {
     let axial = sector == Some(Sector::Axial);
     let domains = if axial { &[] } else { domains };
     let (left, axis) = (domains.iter().all(|d| d.left), !domains.iter().any(Domain::touches_axis));
     let mirrored = sector != Some(Sector::Forward);
     let low = if mirrored { 0.0 } else { -reach };
-    let margin = if axis { margin.max(if left { f64::NEG_INFINITY } else { 0.0 }) } else { margin.max(LEAST * speed.abs()) };
+    let least = LEAST * speed.abs();
+    let margin = if axis { margin.max(if left { f64::NEG_INFINITY } else { 0.0 }) } else { margin.max(least) };
     let bottom = if axis && left && !growing { -reach } else { margin };
+    let (waves, places) = (bands(domains, speed, true, mirrored), bands(domains, speed, false, mirrored));
     let mut out = Vec::new();
-    // beside places where singularities accumulate
-    let mut bands: Vec<(f64, f64)> = Vec::new();
-    if bottom < BESIDE * speed.abs() {
-        let half = ACCUMULATION * speed.abs();
-        let mut places: Vec<f64> =
-            domains.iter().flat_map(|d| d.except.iter().copied()).map(|e| if mirrored { e.abs() } else { e }).collect();
-        places.sort_by(f64::total_cmp);
-        for e in places {
-            match bands.last_mut() {
-                Some(last) if e - half <= last.1 => last.1 = e + half,
-                _ => bands.push((e - half, e + half)),
-            }
+    if places.is_empty() {
+        out.push(Piece { growth: (bottom, reach), band: (low, reach), bare: false });
+    } else {
+        // what grows or decays beside the waves does not depend on whether those on the axis can be told apart
+        for growth in [(bottom.max(least), reach), (bottom, -least)] {
+            out.extend(pieces(&waves, (low, reach)).map(|(band, bare)| Piece { growth, band, bare }));
         }
+        let slow = pieces(&places, (low, reach)).filter(|p| !p.1);
+        out.extend(slow.map(|(band, bare)| Piece { growth: (bottom.max(-least), least), band, bare }));
     }
-    let mut from = low;
-    for &(a, b) in &bands {
-        out.push(((bottom, reach), (from, a)));
-        out.push(((BESIDE * speed.abs(), reach), (a, b)));
-        if bottom < -BESIDE * speed.abs() {
-            out.push(((bottom, -BESIDE * speed.abs()), (a, b)));
-        }
-        from = b;
-    }
-    out.push(((bottom, reach), (from, reach)));
     if !axis && left && !growing {
-        out.push(((-reach, -margin), (low, reach)));
+        out.push(Piece { growth: (-reach, -margin), band: (low, reach), bare: false });
     }
-    out.retain(|r| r.0.1 > r.0.0 && r.1.1 > r.1.0);
-    (out, margin)
+    out.retain(|p| p.growth.1 > p.growth.0 && p.band.1 > p.band.0);
+    (out, if places.is_empty() { margin } else { margin.max(least) })
+}
+
+/// A range of frequencies in pieces, with whether they lie in one of the bands.
+fn pieces(bands: &[(f64, f64)], (low, high): (f64, f64)) -> impl Iterator<Item = ((f64, f64), bool)> {
+    let mut ends = vec![low];
+    ends.extend(bands.iter().flat_map(|b| [b.0, b.1]).map(|x| x.clamp(low, high)));
+    ends.push(high);
+    (1..ends.len()).map(move |k| ((ends[k - 1], ends[k]), k % 2 == 0))
+}
+
+/// Bands of frequencies beside the waves of truncated series: all of theirs (`beside`), where roots are counted at some distance from the axis and the poles need not be
+/// taken away, which turns by half a circle for every wave; or those about the places where they accumulate, where slow roots are not counted.
+fn bands(domains: &[Domain], speed: f64, beside: bool, mirrored: bool) -> Vec<(f64, f64)> {
+    let (half, aside) = (ACCUMULATION * speed.abs(), ASIDE * speed.abs());
+    let ranges = domains.iter().flat_map(|d| {
+        let all = d.truncated.filter(|_| beside).map(|[a, b]| [a - aside, b + aside]);
+        d.except.iter().map(move |e| all.unwrap_or([e - half, e + half]))
+    });
+    let ranges = ranges.map(|[a, b]| match mirrored {
+        true if a < 0.0 && b > 0.0 => (0.0, b.max(-a)),
+        true if b <= 0.0 => (-b, -a),
+        _ => (a, b),
+    });
+    let mut ranges: Vec<(f64, f64)> = ranges.filter(|(a, b)| b > a).collect();
+    ranges.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut out: Vec<(f64, f64)> = Vec::new();
+    for (a, b) in ranges {
+        match out.last_mut() {
+            Some(last) if a <= last.1 => last.1 = last.1.max(b),
+            _ => out.push((a, b)),
+        }
+    }
+    out
 }
 
 /// Longest step at a place: so short that no root hides beside a wave of a part on the other side of the path.
-fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool) -> f64 {
+fn step_limit(domains: &[Domain], speed: f64, s: C64, mirrored: bool, bare: bool) -> f64 {
     let mut limit = f64::INFINITY;
     // what takes the poles of waves away has one itself where they accumulate
-    for e in domains.iter().flat_map(|d| &d.except) {
+    for e in domains.iter().flat_map(|d| &d.except).filter(|_| !bare) {
         let beside = if mirrored { (s.im - e).abs().min((s.im + e).abs()) } else { (s.im - e).abs() };
         limit = limit.min(0.5 * s.re.hypot(beside));
     }
     // with `regular` waves are no poles
-    for d in domains.iter().filter(|d| !(d.left && d.axis)) {
+    for d in domains.iter().filter(|d| bare || !(d.left && d.axis)) {
         let away = if d.left { s.re.abs() } else { (s.re + d.gap).abs() };
         let heights = [s.im, -s.im];
+        let all = [f64::NEG_INFINITY, f64::INFINITY];
+        let crowded = if bare && !d.except.is_empty() { Some(all) } else { d.crowded };
         for h in &heights[..if mirrored { 2 } else { 1 }] {
-            if let Some([a, b]) = d.crowded {
+            if let Some([a, b]) = crowded {
                 let outside = (a - h).max(h - b).max(0.0);
                 limit = limit.min(PAIR * away.max(LEAST * speed.abs()).hypot(outside));
             }
@@ -328,9 +358,10 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
         let (pieces, margin) = rectangles(&domains, speed, request.margin, frequency, request.growing, sector);
         out.margin = out.margin.max(margin);
         let own = if sector == Some(Sector::Axial) { &[][..] } else { &domains[..] };
-        let reach = |s: C64| step_limit(own, speed, s, mirrored);
         let first_area = out.areas.len();
-        for (growth, band) in pieces {
+        for Piece { growth, band, bare } in pieces {
+            let reach = |s: C64| step_limit(own, speed, s, mirrored, bare);
+            f.bare = bare;
             let region = Region { re: growth, im: band, mirrored: mirrored && band.0 == 0.0, reach: &reach, noise: SAME };
             let both = |known: &[Polished]| -> Vec<C64> {
                 // a rectangle above the axis does not see that the function is real
@@ -343,9 +374,13 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             let mut left = found.missing;
             let before = known.len();
             for z in found.zeros.iter().filter(|z| !given.contains(z)).copied().collect::<Vec<_>>() {
-                match t.polish(z, sector) {
-                    Some(p) if (p.value - z).abs() <= SAME * z.abs() => keep(p, &mut known),
-                    _ => {}
+                let near = |p: &Polished| (p.value - z).abs() <= SAME * z.abs();
+                // on a pole nothing is known, beside it the root is
+                let aside = 0.1 * SAME * z.abs();
+                let mut beside = [c(aside, 0.0), c(-aside, 0.0), c(0.0, aside), c(0.0, -aside)].into_iter();
+                let polished = t.polish(z, sector).filter(near);
+                if let Some(p) = polished.or_else(|| beside.find_map(|d| t.polish_beside_pole(z + d, sector).filter(near))) {
+                    keep(p, &mut known);
                 }
             }
             if known.len() > before && left == Some(0) {

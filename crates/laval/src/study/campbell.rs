@@ -245,7 +245,7 @@ impl Study for Campbell {
         }
         if transcendental(system) {
             let domains = system.domains(from);
-            for f in region::limits(&domains, from) {
+            for f in region::limits(&domains, from).into_iter().chain(region::accumulation(&domains, from)) {
                 outcome = outcome.finding(f);
             }
             if domains.iter().any(|d| d.dense.is_some()) {

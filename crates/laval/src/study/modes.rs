@@ -199,9 +199,8 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
-                let all = if system.domains(self.speed).iter().all(|d| d.except.is_empty()) { "" } else { ", as far as roots are counted" };
                 format!(
-                    "Stable at {at}{all}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
+                    "Stable at {at}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
                     undamped.name
                 )
             } else if zero {

@@ -7,7 +7,7 @@ use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Finding, Table, quantity};
 use crate::solve::harmonic::refused::among_waves;
-use crate::solve::roots::{ACCUMULATION, Area, BESIDE, Roots};
+use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots};
 
 /// Field: largest frequency of the region in which roots are counted.
 pub(super) const FREQUENCY_LIMIT: Field = Field::optional(
@@ -25,26 +25,24 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
     let open = roots.areas.iter().filter(|a| a.missing.is_none_or(|n| n < 0)).count();
     let found: usize = roots.areas.iter().map(|a| a.found).sum();
     let (growth, frequency) = (quantity(roots.margin, "1/s"), quantity(roots.frequency, "rad/s"));
+    let judged = match roots.growing() {
+        Some(_) => format!("; of those that grow faster than {growth} none is missed"),
+        None => ": what is said of stability is not the whole".to_string(),
+    };
     let finding = if missing > 0 {
-        Finding::warning(
-            "roots_missed",
-            format!("The argument principle counts {missing} more roots than were found; what is said of stability is not the whole."),
-        )
+        let text = format!("The argument principle counts {missing} more roots than were found{judged}.");
+        Finding::warning("roots_missed", text)
     } else if open > 0 {
         let text = format!(
-            "In {open} of {} rectangles the phase of the characteristic function could not be followed: roots may be missing there.",
+            "In {open} of {} rectangles the phase of the characteristic function could not be followed, roots may be missing there{judged}.",
             roots.areas.len()
         );
         Finding::warning("roots_not_counted", text)
     } else {
-        // beside places where waves accumulate slow roots are not in the rectangles
-        let all = if system.domains(speed).iter().all(|d| d.except.is_empty()) {
-            format!(": none that grows faster than {growth} at frequencies up to {frequency} is missed")
-        } else {
-            String::new()
-        };
-        let text =
-            format!("By the argument principle the {found} roots found in the rectangles of the table are all there are in them{all}.");
+        let text = format!(
+            "By the argument principle the {found} roots found in the rectangles of the table are all there are in them: none that grows faster than {growth} at frequencies \
+             up to {frequency} is missed."
+        );
         Finding::info("all_roots", text)
     };
     out.push(finding.evidence("evaluations of the characteristic function", roots.evaluations as f64, ""));
@@ -57,6 +55,7 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
         out.push(Finding::info("uncounted_roots", text));
     }
     out.extend(limits(&system.domains(speed), speed));
+    out.extend(accumulation(&system.domains(speed), speed));
     out
 }
 
@@ -73,17 +72,6 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
         );
         out.push(Finding::info("dense_range", text));
     }
-    if let Some(e) = domains.iter().flat_map(|d| d.except.first()).next() {
-        let (a, b) = (e - ACCUMULATION * speed.abs(), e + ACCUMULATION * speed.abs());
-        let text = format!(
-            "At {} waves accumulate between {} and {}: roots there that grow or decay by less than {} are not counted, and one of them may grow.",
-            quantity(speed, "rad/s"),
-            quantity(a, "rad/s"),
-            quantity(b, "rad/s"),
-            quantity(BESIDE * speed.abs(), "1/s")
-        );
-        out.push(Finding::warning("accumulation", text));
-    }
     if let Some(d) = domains.iter().find(|d| !d.left) {
         let text = format!(
             "Roots that decay are looked for where the response of the machine shows them, and from other starts, beside the branch of rates at which {} dies out; \
@@ -93,6 +81,20 @@ pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
         out.push(Finding::info("half_plane", text));
     }
     out
+}
+
+/// Where waves accumulate, and slow roots are not counted.
+pub(super) fn accumulation(domains: &[Domain], speed: f64) -> Option<Finding> {
+    let e = domains.iter().find_map(|d| d.except.first())?;
+    let (a, b) = (e - ACCUMULATION * speed.abs(), e + ACCUMULATION * speed.abs());
+    let text = format!(
+        "At {} waves accumulate at the speed: roots between {} and {} that grow or decay by less than {} are not counted.",
+        quantity(speed, "rad/s"),
+        quantity(a, "rad/s"),
+        quantity(b, "rad/s"),
+        quantity(LEAST * speed.abs(), "1/s")
+    );
+    Some(Finding::info("accumulation", text))
 }
 
 /// That orders of a response, multiples of the speed with their direction of whirl, fall among the waves of a part, where it has no steady answer.
