@@ -58,6 +58,8 @@ const AGREE: f64 = 0.25;
 const WHOLE: f64 = 1e-3;
 /// Noise of a function that is computed to rounding.
 pub const NOISE: f64 = 1e-10;
+/// Places on the edge of a cell that zeros are looked for from, at most.
+const BESIDE: usize = 12;
 /// Deepest subdivision.
 const DEPTH: usize = 40;
 /// Where a rectangle may be cut: not in the middle, which of a rectangle about the imaginary axis is that axis with the roots that nothing damps.
@@ -71,6 +73,8 @@ struct Search<'a, F> {
     known: Vec<C64>,
     evaluations: u64,
     budget: u64,
+    /// Places on the path followed last, with the size of `f'/f` there.
+    path: Vec<(C64, f64)>,
 }
 
 /// A rectangle; `half` when it stands for itself and its mirror image.
@@ -104,8 +108,16 @@ impl Cell {
 /// All zeros of `f` in a region, beginning with some that are known (exactly, to rounding); at most `budget` evaluations.
 pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search =
-        Search { f, mirrored: region.mirrored, reach: region.reach, noise: region.noise, known: Vec::new(), evaluations: 0, budget };
+    let mut search = Search {
+        f,
+        mirrored: region.mirrored,
+        reach: region.reach,
+        noise: region.noise,
+        known: Vec::new(),
+        evaluations: 0,
+        budget,
+        path: Vec::new(),
+    };
     known.iter().for_each(|&z| search.add(z));
     let mut missing = search.missing(&whole);
     if let Some(n) = missing
@@ -122,8 +134,16 @@ pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C6
 /// The number of zeros in a region that are not among the known ones, and the evaluations it took.
 pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search =
-        Search { f, mirrored: region.mirrored, reach: region.reach, noise: region.noise, known: Vec::new(), evaluations: 0, budget };
+    let mut search = Search {
+        f,
+        mirrored: region.mirrored,
+        reach: region.reach,
+        noise: region.noise,
+        known: Vec::new(),
+        evaluations: 0,
+        budget,
+        path: Vec::new(),
+    };
     known.iter().for_each(|&z| search.add(z));
     let missing = search.missing(&whole);
     (missing, search.evaluations)
@@ -131,13 +151,21 @@ pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[
 
 /// By how much the phase of a function turns along a path, its steps limited as those around a [`Region`]; `None` where it could not be followed.
 pub fn turned<F: FnMut(C64) -> Option<Sample>>(f: F, path: &[C64], reach: &dyn Fn(C64) -> f64, budget: u64) -> Option<f64> {
-    Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget }.turned(path)
+    Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new() }.turned(path)
 }
 
 /// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
 pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
-    let mut search =
-        Search { f, mirrored: false, reach: &|_| f64::INFINITY, noise: NOISE, known: known.to_vec(), evaluations: 0, budget: 1000 };
+    let mut search = Search {
+        f,
+        mirrored: false,
+        reach: &|_| f64::INFINITY,
+        noise: NOISE,
+        known: known.to_vec(),
+        evaluations: 0,
+        budget: 1000,
+        path: Vec::new(),
+    };
     search.newton(start, size)
 }
 
@@ -177,6 +205,7 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
     /// Change of the phase along a path.
     fn turned(&mut self, path: &[C64]) -> Option<f64> {
         let mut here = self.at(*path.first()?)?;
+        self.path.clear();
         let mut total = 0.0;
         for side in path.windows(2) {
             let (mut s, end) = (side[0], side[1]);
@@ -196,6 +225,7 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
                 let expected = (way * (here.rate + there.rate)).im * 0.5;
                 if way.abs() * there.rate.abs() <= TURN && (turn - expected).abs() <= AGREE {
                     total += turn;
+                    self.path.push((next, there.rate.abs()));
                     (s, here) = (next, there);
                     step = 2.0 * length;
                 } else {
@@ -228,13 +258,22 @@ impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
         None
     }
 
-    /// Looks for the zeros that are missing in a cell.
+    /// Places on the path followed last that a zero may be near: where `f'/f` is larger than before and after, the largest first.
+    fn beside_the_path(&self) -> Vec<C64> {
+        let mut peaks: Vec<(C64, f64)> = self.path.windows(3).filter(|w| w[1].1 > w[0].1 && w[1].1 >= w[2].1).map(|w| w[1]).collect();
+        peaks.sort_by(|a, b| b.1.total_cmp(&a.1));
+        peaks.truncate(BESIDE);
+        peaks.into_iter().map(|p| p.0).collect()
+    }
+
+    /// Looks for the zeros that are missing in a cell whose edge was followed last.
     fn find(&mut self, cell: &Cell, missing: i64, depth: usize) {
         let mut left = missing;
         let size = (cell.re.1 - cell.re.0).hypot(cell.im.1 - cell.im.0);
-        for (u, v) in [(0.5, 0.5), (0.2, 0.3), (0.2, 0.8), (0.8, 0.3), (0.8, 0.7), (0.05, 0.5)] {
+        let inside = [(0.5, 0.5), (0.2, 0.3), (0.2, 0.8), (0.8, 0.3), (0.8, 0.7), (0.05, 0.5)].map(|(u, v)| cell.place(u, v));
+        for start in self.beside_the_path().into_iter().chain(inside) {
             while left > 0 {
-                let Some(mut z) = self.newton(cell.place(u, v), size) else { break };
+                let Some(mut z) = self.newton(start, size) else { break };
                 if self.mirrored && z.im.abs() <= 1e-10 * z.re.abs() {
                     z.im = 0.0;
                 }
@@ -342,7 +381,8 @@ mod tests {
     fn pieces_hold_what_the_whole_holds() {
         let all = [c(0.3, 0.2), c(0.6, 0.9), c(0.8, 0.0), c(0.1, 1.7)];
         let f = rational(all.iter().flat_map(|z| if z.im == 0.0 { vec![*z] } else { vec![*z, z.conj()] }).collect(), vec![]);
-        let mut search = Search { f, mirrored: true, reach: &free, noise: NOISE, known: Vec::new(), evaluations: 0, budget: 100_000 };
+        let mut search =
+            Search { f, mirrored: true, reach: &free, noise: NOISE, known: Vec::new(), evaluations: 0, budget: 100_000, path: Vec::new() };
         let tall = Cell { re: (0.0, 1.0), im: (0.0, 2.0), half: true };
         let flat = Cell { re: (0.0, 1.0), im: (0.0, 0.95), half: true };
         let [low, high] = tall.cut(0.5);

@@ -321,14 +321,17 @@ pub(super) fn read_fields(
             continue;
         }
         let message = format!("{} has no key {:?}", cx.who, clip(&e.key));
-        let absent = nearest(&e.key, fields.iter().filter(|f| get(table, f.name).is_none()).map(|f| f.name));
+        let holds = |f: &&Field| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == e.key));
+        let around = fields.iter().find(holds).map(|f| f.name);
+        let absent = around.or_else(|| nearest(&e.key, fields.iter().filter(|f| get(table, f.name).is_none()).map(|f| f.name)));
         // it is the misspelt key that is wrong; the right one is not missing as well
         unread.extend(fields.iter().find(|f| Some(f.name) == absent).map(|f| f.name));
         let close = absent.or_else(|| nearest(&e.key, fields.iter().map(|f| f.name)));
         let all = fields.iter().map(|f| f.name).chain(implicit.iter().copied()).collect::<Vec<_>>().join(", ");
-        let help = match close {
-            Some(c) => format!("did you mean {c:?}? Its keys: {all}"),
-            None => format!("its keys: {all}"),
+        let help = match (around, close) {
+            (Some(f), _) => format!("it stands inside {f}: {f} = {{ {} = .. }}", e.key),
+            (None, Some(c)) => format!("did you mean {c:?}? Its keys: {all}"),
+            (None, None) => format!("its keys: {all}"),
         };
         cx.error("key.unknown", e.span.clone(), message, "unknown key", help);
     }

@@ -316,20 +316,20 @@ fn marker(shape: usize, x: f64, y: f64) -> String {
     }
 }
 
-/// Path data of a thinned line.
+/// Path data of a thinned line; a point between two gaps is a short dash.
 fn path(points: &[(f64, f64)], column: f64) -> String {
     let mut d = String::new();
-    let mut pen = 'M';
     // far outside the panel coordinates only cost space and may overflow a renderer
     let near = |v: f64| px(v.clamp(-2e4, 2e4));
-    for i in thin::path(points, column) {
-        let (x, y) = points[i];
-        if x.is_nan() || y.is_nan() {
-            pen = 'M';
+    let kept: Vec<(f64, f64)> = thin::path(points, column).into_iter().map(|i| points[i]).collect();
+    for piece in kept.split(|p| p.0.is_nan() || p.1.is_nan()) {
+        if let &[(x, y)] = piece {
+            let _ = write!(d, "M{} {}h2", near(x - 1.0), near(y));
             continue;
         }
-        let _ = write!(d, "{pen}{} {}", near(x), near(y));
-        pen = 'L';
+        for (k, (x, y)) in piece.iter().enumerate() {
+            let _ = write!(d, "{}{} {}", if k == 0 { 'M' } else { 'L' }, near(*x), near(*y));
+        }
     }
     d
 }
@@ -410,8 +410,9 @@ mod tests {
                 }
             }
         }
-        let line = path(&[(0.0, 0.0), (5.0, 5.0), (f64::NAN, 0.0), (9.0, 9.0), (12.0, 1.0)], 1.0);
-        assert_eq!(line, "M0 0L5 5M9 9L12 1");
+        let gap = (f64::NAN, 0.0);
+        let line = path(&[(0.0, 0.0), (5.0, 5.0), gap, (9.0, 9.0), (12.0, 1.0), gap, (20.0, 3.0), gap, gap], 1.0);
+        assert_eq!(line, "M0 0L5 5M9 9L12 1M19 3h2");
     }
 
     #[test]

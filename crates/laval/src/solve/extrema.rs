@@ -2,7 +2,7 @@
 
 use super::characteristic::Equilibrium;
 use super::extremum::Search;
-use super::linear_response::{Response, response};
+use super::linear_response::{Response, known as matrix_known, response};
 use super::locate::{State, crossing};
 use super::sweep::{Sweep, sweep};
 use crate::diagnostic::Diagnostic;
@@ -35,6 +35,8 @@ pub struct Curve {
     pub extrema: Vec<Extremum>,
     /// Speeds where the response is infinite.
     pub singular: Vec<f64>,
+    /// Speeds where a part has no accurate reaction, and the response is not known.
+    pub unknown: Vec<f64>,
     /// Not stopped early.
     pub complete: bool,
     /// Linear systems solved.
@@ -189,7 +191,8 @@ pub fn curve(
             None => {
                 out.solved += 1;
                 let Some(r) = response(system, state, w)? else {
-                    out.singular.push(w);
+                    let list = if matrix_known(system, state, w)? { &mut out.singular } else { &mut out.unknown };
+                    list.push(w);
                     continue;
                 };
                 r

@@ -2,7 +2,7 @@
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, nonlinear_states};
 use super::locate::State;
-use super::sectors::{circular, imaginary};
+use super::sectors::{Sectors, circular, imaginary};
 use crate::diagnostic::Diagnostic;
 use crate::model::blocks::Grid;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -55,20 +55,43 @@ const CIRCLE: f64 = 1e-9;
 /// # Errors
 /// As the state.
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
+    let Equations { matrix, load, sectors } = equations(system, state, speed)?;
+    Ok(solve(&matrix, load, speed).map(|mut r| {
+        if let Some(sectors) = sectors {
+            sectors.restore(&mut r.x);
+        }
+        r
+    }))
+}
+
+/// Whether T is known at a speed: where a part has no accurate reaction it holds what is no number, and then there is no response that could grow without bound either.
+///
+/// # Errors
+/// As the state.
+pub fn known(system: &System, state: State, speed: f64) -> Result<bool, Diagnostic> {
+    let m = equations(system, state, speed)?.matrix;
+    Ok((0..m.rows()).all(|i| (0..m.cols()).all(|j| m[(i, j)].is_finite())))
+}
+
+/// T and the load, in x and y or in sectors, which are then given.
+struct Equations {
+    matrix: Mat<C64>,
+    load: Vec<C64>,
+    sectors: Option<Sectors>,
+}
+
+fn equations(system: &System, state: State, speed: f64) -> Result<Equations, Diagnostic> {
     let about = state(speed)?;
     Ok(if about.frame == Frame::Fixed && nonlinear_states(system).is_empty() {
-        let (m, load) = fixed(system, speed, Some(&about));
-        solve(&m, load, speed)
+        let (matrix, load) = fixed(system, speed, Some(&about));
+        Equations { matrix, load, sectors: None }
     } else {
         let mut t = Characteristic::new(system, &about);
-        let (mut m, mut d) = (Mat::default(), Mat::default());
-        t.at(imaginary(speed), &mut m, &mut d);
+        let (mut matrix, mut d) = (Mat::default(), Mat::default());
+        t.at(imaginary(speed), &mut matrix, &mut d);
         let (_, mut load) = t.loads();
         t.sectors().polarise(&mut load);
-        solve(&m, load, speed).map(|mut r| {
-            t.sectors().restore(&mut r.x);
-            r
-        })
+        Equations { matrix, load, sectors: Some(t.sectors().clone()) }
     })
 }
 

@@ -373,18 +373,22 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
             out.evaluations += found.evaluations;
             let mut left = found.missing;
             let before = known.len();
-            for z in found.zeros.iter().filter(|z| !given.contains(z)).copied().collect::<Vec<_>>() {
+            let fresh: Vec<C64> = found.zeros.iter().filter(|z| !given.contains(z)).copied().collect();
+            let mut moved = false;
+            for &z in &fresh {
                 let near = |p: &Polished| (p.value - z).abs() <= SAME * z.abs();
                 // on a pole nothing is known, beside it the root is
                 let aside = 0.1 * SAME * z.abs();
                 let mut beside = [c(aside, 0.0), c(-aside, 0.0), c(0.0, aside), c(0.0, -aside)].into_iter();
                 let polished = t.polish(z, sector).filter(near);
                 if let Some(p) = polished.or_else(|| beside.find_map(|d| t.polish_beside_pole(z + d, sector).filter(near))) {
+                    moved |= holds(&growth, &band, region.mirrored, z) != holds(&growth, &band, region.mirrored, p.value);
                     keep(p, &mut known);
                 }
             }
-            if known.len() > before && left == Some(0) {
-                // the proof is for the roots as they are handed on
+            // the proof is for the roots as they are handed on: the same where each is one that was found, on the same side of the edge
+            let same = !moved && known.len() == before + fresh.len();
+            if known.len() > before && left == Some(0) && !same {
                 let again = missing(|s| if stopped() { None } else { f.at(s) }, &region, &both(&known), budget);
                 out.evaluations += again.1;
                 left = again.0;

@@ -134,7 +134,9 @@ impl Study for ForcedResponse {
                 finding.evidence("angle of the major axis of the orbit from x", direction, "rad")
             });
         } else {
-            let text = if found.complete {
+            let text = if !found.unknown.is_empty() {
+                "No resonance was found where the response is known."
+            } else if found.complete {
                 "No body has a resonance inside the range of speeds."
             } else {
                 "No resonance was found before the study stopped."
@@ -164,6 +166,14 @@ impl Study for ForcedResponse {
         for w in poles.into_iter().filter(|w| named.is_none_or(|n| (n - w).abs() > 1e-6 * n.abs())) {
             let text = "The response grows without bound at {}: nothing dissipates there.";
             outcome = outcome.finding(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
+        }
+        if let Some(first) = found.unknown.first() {
+            let text = format!(
+                "At {} of {} speeds, first at {{}}, a part has no accurate reaction, and the response is not known there.",
+                found.unknown.len(),
+                found.unknown.len() + found.singular.len() + points.len()
+            );
+            outcome = outcome.finding(Finding::warning("response_unknown", text).value(*first, "rad/s"));
         }
         for u in &seen.outside {
             let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);

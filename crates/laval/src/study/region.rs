@@ -30,7 +30,8 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
         None => ": what is said of stability is not the whole".to_string(),
     };
     let finding = if missing > 0 {
-        let text = format!("The argument principle counts {missing} more roots than were found{judged}.");
+        let text =
+            format!("The argument principle counts {missing} more root{} than were found{judged}.", if missing == 1 { "" } else { "s" });
         Finding::warning("roots_missed", text)
     } else if open > 0 {
         let text = format!(
@@ -39,10 +40,13 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
         );
         Finding::warning("roots_not_counted", text)
     } else {
-        let text = format!(
-            "By the argument principle the {found} roots found in the rectangles of the table are all there are in them: none that grows faster than {growth} at frequencies \
-             up to {frequency} is missed."
-        );
+        let all = match found {
+            0 => "there is no root in the rectangles of the table".to_string(),
+            1 => "the root found in the rectangles of the table is the only one in them".to_string(),
+            n => format!("the {n} roots found in the rectangles of the table are all there are in them"),
+        };
+        let text =
+            format!("By the argument principle {all}: none that grows faster than {growth} at frequencies up to {frequency} is missed.");
         Finding::info("all_roots", text)
     };
     out.push(finding.evidence("evaluations of the characteristic function", roots.evaluations as f64, ""));

@@ -381,11 +381,19 @@ impl StabilityMap {
             for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
                 let until =
                     edges.get(w + 1).map(|n| format!(" to {}", quantity(n.1.speed, "rad/s"))).unwrap_or_else(|| format!(" to {range_end}"));
-                outcome = outcome.finding(
+                let finding = if e.1.located {
                     Finding::warning("unstable_range", format!("Unstable from {{}}{until}: growth above {limit}."))
                         .value(e.1.speed, "rad/s")
-                        .evidence("uncertainty of the onset", e.1.step, "rad/s"),
-                );
+                } else {
+                    let (a, b) = e.1.bracket;
+                    let text = format!(
+                        "Unstable from between {} and {}, where the boundary could not be located,{until}: growth above {limit}.",
+                        quantity(a, "rad/s"),
+                        quantity(b, "rad/s")
+                    );
+                    Finding::warning("unstable_range", text)
+                };
+                outcome = outcome.finding(finding.evidence("uncertainty of the onset", e.1.step, "rad/s"));
             }
         }
         // of other machines what grows is unstable and nothing is to be explained

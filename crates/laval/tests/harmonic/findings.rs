@@ -8,7 +8,7 @@ use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
-use laval::outcome::{Data, Finding, Outcome};
+use laval::outcome::{Data, Finding, Mark, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
@@ -54,6 +54,17 @@ fn no_sweep_jumps_from_unstable_states() {
     assert!(evidence(told, "growth rate before it") > 0.5 * (growth - 25.0), "{told:?}");
     // no masses move here
     assert!(!has(&wild, "masses_elsewhere"));
+    // and the figure calls a jump what the findings do
+    let labels = |o: &Outcome| -> Vec<String> {
+        let marks = o.figures[0].panels[0].marks.iter();
+        let rule = |m: &Mark| if let Mark::Rule(r) = m { r.vertical.then(|| r.label.clone()) } else { None };
+        marks.filter_map(rule).collect()
+    };
+    let (mut calm, wild) = (labels(&calm), labels(&wild));
+    calm.sort();
+    calm.dedup();
+    assert_eq!(calm, ["jump down-sweep", "jump up-sweep"]);
+    assert!(wild.len() >= 2 && wild.iter().all(|l| l == "fold"), "{wild:?}");
 }
 
 /// A study that was cancelled tells no jump from states it did not judge.

@@ -202,6 +202,19 @@ fn studies_of_the_file() {
     assert!(told[1].is_ok());
 }
 
+/// Where the reaction of a liquid cannot be had to a millionth nothing is said to grow without bound.
+#[test]
+fn a_response_that_is_not_known_is_told() {
+    let text = changed(&model(FILE, "spatial"), &[("density = \"1000", "viscosity = 1e-9\ndensity = \"1000")]);
+    let blocks = text.split("\n[[").filter(|b| !b.contains("kind = \"modes\"") && !b.contains("kind = \"stability_map\""));
+    let told = run(&changed(&blocks.collect::<Vec<_>>().join("\n[["), &[("points = 100 }", "points = 9 }")])).remove(0).unwrap();
+    let ids: Vec<&str> = told.findings.iter().map(|f| f.id.as_str()).collect();
+    assert!(ids.contains(&"response_unknown") && !ids.contains(&"undamped_resonance"), "{ids:?}");
+    let system = build(&text);
+    let finite = |w: f64| laval::solve::linear_response::known(&system, &|w| rest(&system, w), w).unwrap();
+    assert_eq!(finite(240.0), response(&system, &|w| rest(&system, w), 240.0).unwrap().is_some());
+}
+
 /// A viscous liquid, of which little is left at small viscosity, gives almost the response of the ideal one.
 #[test]
 fn viscosity_in_the_response() {

@@ -42,6 +42,7 @@ fn typical_mistakes() {
         ("per cent without their sign", changed("{ free_surface_radius = \"46.7 mm\" }", "{ volume_fraction = 55 }")),
         ("two fills", changed("{ free_surface_radius = \"46.7 mm\" }", "{ volume = \"0.3 l\", mass = \"1 kg\" }")),
         ("a fill without a name", changed("{ free_surface_radius = \"46.7 mm\" }", "\"0.3 l\"")),
+        ("a fill as a key of its own", changed("fill = { free_surface_radius = \"46.7 mm\" }", "volume_fraction = 0.5")),
         ("a torque per angle for a stiffness", changed("1.1e7 N/m\"", "1.1e7 N m/rad\"")),
         ("only one direction", changed("\"1.1e7 N/m\"", "{ x = \"1e7 N/m\" }")),
         ("one end only", changed("[\"drum\", \"base\"]", "[\"drum\"]")),

@@ -229,7 +229,8 @@ impl Part for Liquid {
     const KIND: &'static str = "liquid";
     const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
         rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
-        lets every slice flow by itself and spatial adds flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Of a viscous \
+        lets every slice flow by itself, without the pressure on the end caps (were the liquid solid, 3 (R^2 + r^2)/H^2 of the inertia against tilt that it keeps, with the radii R of \
+        the wall and r of the surface and the height H), and spatial adds both that and flow along the axis: exact in the frequency domain, in time by a sum over waves with a stated error. Of a viscous \
         liquid motions in time have a rational form, with a stated error, at one constant speed.";
     type Family = LiquidFamily;
     const FIELDS: &'static [Field] = &[
@@ -514,7 +515,7 @@ impl Part for Liquid {
                 out.push(Validity { what: "change of the speed within a turn over a tenth of it", ratio: turn / 0.1 });
             }
             if let Some(ratio) = self.off_speed(at.speed) {
-                out.push(Validity { what: "speed beside that of the form in time, over a billionth of it", ratio });
+                out.push(Validity { what: "distance of the speed from that of its form in time, over a billionth of it", ratio });
             }
             let field = at.speed * at.speed * p.free_surface_radius;
             // without spin nothing holds the layer on the wall

@@ -2,6 +2,7 @@
 
 use super::findings::unstable_ranges;
 use super::shown::{Shown, judged};
+use super::sweeps::reached;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
@@ -11,7 +12,7 @@ const MOST_PANELS: usize = 4;
 
 impl Shown<'_> {
     /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
-    pub(super) fn figure(&self, response: &Response, all: bool) -> Figure {
+    pub(super) fn figure(&self, response: &Response, all: bool, speeds: (f64, f64)) -> Figure {
         let values: Vec<f64> = self.amplitudes.iter().flatten().flatten().map(|a| a[1]).filter(|a| *a > 0.0 && a.is_finite()).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
         let factor_of = |label: String| {
@@ -41,9 +42,15 @@ impl Shown<'_> {
             vec![self.bodies.iter().fold(panel, |panel, (name, _)| panel.mark(line(name, name)))]
         };
         let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
+        let [up, down] = [true, false].map(|up| reached(response, up, speeds));
         if let Some(first) = panels.first_mut() {
             for f in main.flat_map(|b| &b.folds) {
-                *first = first.clone().mark(Rule::x(f.speed, if f.upper { "jump up-sweep" } else { "jump down-sweep" }));
+                let words = match f.upper {
+                    true if up.contains(&f.speed) => "jump up-sweep",
+                    false if down.contains(&f.speed) => "jump down-sweep",
+                    _ => "fold",
+                };
+                *first = first.clone().mark(Rule::x(f.speed, words));
             }
         }
         let alt = self.alt(response);

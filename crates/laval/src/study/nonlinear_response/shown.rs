@@ -220,7 +220,7 @@ impl<'a> Shown<'a> {
         }
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {
-            out = out.figure(self.figure(response, all));
+            out = out.figure(self.figure(response, all, request.speeds));
             if let Some(figure) = self.force_figure(response, all) {
                 out = out.figure(figure);
             }

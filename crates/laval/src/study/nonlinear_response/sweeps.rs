@@ -70,6 +70,12 @@ pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> 
     out
 }
 
+/// Speeds at which a slow sweep jumps from states that a machine stays on.
+pub(super) fn reached(response: &Response, up: bool, speeds: (f64, f64)) -> Vec<f64> {
+    let jumps = swept(response, up, speeds).map(|branch| jumps(response, branch, up)).unwrap_or_default();
+    jumps.iter().take_while(|j| j.unstable.is_none()).map(|j| j.fold.speed).collect()
+}
+
 /// Growth rate of the states a sweep meets before a fold, where all of them that are near are unstable; beside the fold one is so by rounding.
 fn before(branch: &Traced, fold: &Fold, up: bool) -> Option<f64> {
     let onwards = up == branch.from_low();
