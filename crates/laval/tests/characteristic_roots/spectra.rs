@@ -108,3 +108,36 @@ fn few_harmonics_and_all() {
     println!("largest: {:e} {:e} {:e}", largest(0), largest(1), largest(2));
     assert!(largest(0) > 1e-3 && largest(2) < 0.05 * largest(0), "{:e} {:e} {:e}", largest(0), largest(1), largest(2));
 }
+
+/// A rotor that turns the other way has the same roots, the strip beside the place where waves accumulate included.
+#[test]
+fn the_other_way_round() {
+    let values = |text: &str, speed: f64| {
+        let found = at(&build(text), speed, &Request::default());
+        assert!(found.areas.iter().all(Area::complete), "{speed}: {:?}", found.areas);
+        let mut out: Vec<(f64, f64)> = found.spectrum.modes.iter().map(|m| (m.value.im.abs(), m.value.re)).collect();
+        out.sort_by(|a, b| a.0.total_cmp(&b.0));
+        out
+    };
+    for text in [truncated(FILE, 3), isotropic(&truncated(FILE, 3))] {
+        let (one, other) = (values(&text, 200.0), values(&text, -200.0));
+        assert_eq!(one.len(), other.len());
+        for (a, b) in one.iter().zip(&other) {
+            assert!((a.0 - b.0).hypot(a.1 - b.1) < 1e-9 * a.0.max(1.0), "{a:?} {b:?}");
+        }
+    }
+}
+
+/// A root 1.6e-7 rad/s from the pole of its wave: Newton's method does not see it from where steps of a pole and a zero do.
+#[test]
+fn a_root_beside_a_pole() {
+    let system = build(&isotropic(&truncated(FILE, 5)));
+    let mut t = Characteristic::new(&system, &rest(&system, 100.0).unwrap());
+    let root = c(8.06e-10, 85.0434732733544);
+    for d in [c(8e-6, 0.0), c(-8e-6, 0.0), c(0.0, 8e-6), c(0.0, -8e-6)] {
+        let found = t.polish_beside_pole(root + d, Some(Sector::Forward)).unwrap();
+        assert!((found.value - root).abs() < 1e-10 && found.defect < 1e-12, "{d:?}: {:?} {:e}", found.value, found.defect);
+        let newton = t.polish(root + d, Some(Sector::Forward));
+        assert!(newton.is_none_or(|p| (p.value - root).abs() > 1e-3), "{d:?}");
+    }
+}
