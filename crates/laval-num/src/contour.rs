@@ -108,17 +108,7 @@ impl Cell {
 /// All zeros of `f` in a region, beginning with some that are known (exactly, to rounding); at most `budget` evaluations.
 pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> Found {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search = Search {
-        f,
-        mirrored: region.mirrored,
-        reach: region.reach,
-        noise: region.noise,
-        known: Vec::new(),
-        evaluations: 0,
-        budget,
-        path: Vec::new(),
-    };
-    known.iter().for_each(|&z| search.add(z));
+    let mut search = Search::over(f, region, known, budget);
     let mut missing = search.missing(&whole);
     if let Some(n) = missing
         && n > 0
@@ -134,42 +124,33 @@ pub fn zeros<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C6
 /// The number of zeros in a region that are not among the known ones, and the evaluations it took.
 pub fn missing<F: FnMut(C64) -> Option<Sample>>(f: F, region: &Region, known: &[C64], budget: u64) -> (Option<i64>, u64) {
     let whole = Cell { re: region.re, im: region.im, half: region.mirrored };
-    let mut search = Search {
-        f,
-        mirrored: region.mirrored,
-        reach: region.reach,
-        noise: region.noise,
-        known: Vec::new(),
-        evaluations: 0,
-        budget,
-        path: Vec::new(),
-    };
-    known.iter().for_each(|&z| search.add(z));
+    let mut search = Search::over(f, region, known, budget);
     let missing = search.missing(&whole);
     (missing, search.evaluations)
 }
 
 /// By how much the phase of a function turns along a path, its steps limited as those around a [`Region`]; `None` where it could not be followed.
 pub fn turned<F: FnMut(C64) -> Option<Sample>>(f: F, path: &[C64], reach: &dyn Fn(C64) -> f64, budget: u64) -> Option<f64> {
-    Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new() }.turned(path)
+    Search::new(f, reach, budget).turned(path)
 }
 
 /// A zero by Newton's method from a start, steps no longer than half of `size`, with zeros already known divided out.
 pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, known: &[C64]) -> Option<C64> {
-    let mut search = Search {
-        f,
-        mirrored: false,
-        reach: &|_| f64::INFINITY,
-        noise: NOISE,
-        known: known.to_vec(),
-        evaluations: 0,
-        budget: 1000,
-        path: Vec::new(),
-    };
+    let mut search = Search { known: known.to_vec(), ..Search::new(f, &|_| f64::INFINITY, 1000) };
     search.newton(start, size)
 }
 
-impl<F: FnMut(C64) -> Option<Sample>> Search<'_, F> {
+impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
+    fn new(f: F, reach: &'a dyn Fn(C64) -> f64, budget: u64) -> Self {
+        Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new() }
+    }
+
+    fn over(f: F, region: &Region<'a>, known: &[C64], budget: u64) -> Self {
+        let mut search = Search { mirrored: region.mirrored, noise: region.noise, ..Search::new(f, region.reach, budget) };
+        known.iter().for_each(|&z| search.add(z));
+        search
+    }
+
     fn add(&mut self, z: C64) {
         self.known.push(z);
         if self.mirrored && z.im != 0.0 {
@@ -381,8 +362,7 @@ mod tests {
     fn pieces_hold_what_the_whole_holds() {
         let all = [c(0.3, 0.2), c(0.6, 0.9), c(0.8, 0.0), c(0.1, 1.7)];
         let f = rational(all.iter().flat_map(|z| if z.im == 0.0 { vec![*z] } else { vec![*z, z.conj()] }).collect(), vec![]);
-        let mut search =
-            Search { f, mirrored: true, reach: &free, noise: NOISE, known: Vec::new(), evaluations: 0, budget: 100_000, path: Vec::new() };
+        let mut search = Search { mirrored: true, ..Search::new(f, &free, 100_000) };
         let tall = Cell { re: (0.0, 1.0), im: (0.0, 2.0), half: true };
         let flat = Cell { re: (0.0, 1.0), im: (0.0, 0.95), half: true };
         let [low, high] = tall.cut(0.5);

@@ -2,7 +2,7 @@
 
 use super::characteristic::Equilibrium;
 use super::extremum::Search;
-use super::linear_response::{Response, known as matrix_known, response};
+use super::linear_response::{Response, is_known, response};
 use super::locate::{State, crossing};
 use super::sweep::{Sweep, sweep};
 use crate::diagnostic::Diagnostic;
@@ -191,7 +191,7 @@ pub fn curve(
             None => {
                 out.solved += 1;
                 let Some(r) = response(system, state, w)? else {
-                    let list = if matrix_known(system, state, w)? { &mut out.singular } else { &mut out.unknown };
+                    let list = if is_known(system, state, w)? { &mut out.singular } else { &mut out.unknown };
                     list.push(w);
                     continue;
                 };

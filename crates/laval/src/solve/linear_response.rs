@@ -68,7 +68,7 @@ pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Resp
 ///
 /// # Errors
 /// As the state.
-pub fn known(system: &System, state: State, speed: f64) -> Result<bool, Diagnostic> {
+pub fn is_known(system: &System, state: State, speed: f64) -> Result<bool, Diagnostic> {
     let m = equations(system, state, speed)?.matrix;
     Ok((0..m.rows()).all(|i| (0..m.cols()).all(|j| m[(i, j)].is_finite())))
 }

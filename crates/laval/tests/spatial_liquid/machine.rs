@@ -211,7 +211,7 @@ fn a_response_that_is_not_known_is_told() {
     let ids: Vec<&str> = told.findings.iter().map(|f| f.id.as_str()).collect();
     assert!(ids.contains(&"response_unknown") && !ids.contains(&"undamped_resonance"), "{ids:?}");
     let system = build(&text);
-    let finite = |w: f64| laval::solve::linear_response::known(&system, &|w| rest(&system, w), w).unwrap();
+    let finite = |w: f64| laval::solve::linear_response::is_known(&system, &|w| rest(&system, w), w).unwrap();
     assert_eq!(finite(240.0), response(&system, &|w| rest(&system, w), 240.0).unwrap().is_some());
 }
 
