@@ -37,19 +37,16 @@
 //! ([`outcome`]) and neither.
 #![warn(missing_docs)]
 
+pub use laval_model::{cavity, diagnostic, model, parts, units};
+pub use laval_model::{conformance, params};
 pub use laval_num;
+pub use laval_solve as solve;
 
-pub mod cavity;
-pub mod diagnostic;
 pub mod file;
 pub mod hash;
-pub mod model;
 pub mod outcome;
-pub mod parts;
 pub mod report;
 pub mod separation;
-pub mod solve;
 pub mod store;
 pub mod study;
-pub mod units;
 pub mod validation;

@@ -1,0 +1,12 @@
+//! What a machine is: [`parts`] on the coordinates of bodies, the [`model`] they form, units and diagnostics.
+//!
+//! A part knows physics and no analysis.
+#![warn(missing_docs)]
+
+pub use laval_num;
+
+pub mod cavity;
+pub mod diagnostic;
+pub mod model;
+pub mod parts;
+pub mod units;

@@ -1,0 +1,138 @@
+//! Parameters of a part, declared once.
+
+use super::field::{Bounds, Field, FieldKind};
+use laval_num::scalar::Scalar;
+
+/// One scalar parameter after lateral pairs have been split.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParamSlot {
+    /// Declared name, with `.x` or `.y` for one half of a lateral pair.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Admissible interval.
+    pub bounds: Bounds,
+}
+
+/// A set of parameters with a struct for every scalar and a lift between them. Written by [`params!`](crate::params).
+pub trait Family: Send + Sync + 'static {
+    /// The parameters as numbers of kind `S`.
+    type P<S: Scalar>: Copy + Send + Sync;
+    /// The declarations.
+    const FIELDS: &'static [Field];
+    /// How many scalars (a lateral pair counts two).
+    const COUNT: usize;
+    /// From consecutive scalars.
+    fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S>;
+    /// To consecutive scalars.
+    fn to_vec(p: &Self::P<f64>) -> Vec<f64>;
+    /// All defaults; required parameters are NaN.
+    fn defaults() -> Self::P<f64>;
+    /// The scalar slots in order.
+    fn slots() -> Vec<ParamSlot> {
+        let mut out = Vec::with_capacity(Self::COUNT);
+        for f in Self::FIELDS {
+            match f.kind {
+                FieldKind::Quantity { unit, bounds } => out.push(ParamSlot { name: f.name.into(), unit, bounds }),
+                FieldKind::Lateral { unit, bounds } => {
+                    out.push(ParamSlot { name: format!("{}.x", f.name), unit, bounds });
+                    out.push(ParamSlot { name: format!("{}.y", f.name), unit, bounds });
+                }
+                _ => {}
+            }
+        }
+        out
+    }
+}
+
+/// Shapes a parameter can have, by the word used in [`params!`](crate::params).
+#[allow(non_camel_case_types)]
+pub mod shape {
+    /// One number.
+    pub type scalar<S> = S;
+    /// One number for x and one for y.
+    pub type lateral<S> = [S; 2];
+}
+
+/// A part without parameters.
+pub struct NoParams;
+impl Family for NoParams {
+    type P<S: Scalar> = ();
+    const FIELDS: &'static [Field] = &[];
+    const COUNT: usize = 0;
+    fn from_slice<S: Scalar>(_: &[S]) {}
+    fn to_vec(_: &()) -> Vec<f64> {
+        Vec::new()
+    }
+    fn defaults() {}
+}
+
+/// Declares the parameters of a part once: name, shape (`scalar` or `lateral`), unit, bounds, default, meaning.
+///
+/// ```
+/// use laval_model::{params, model::field::Bounds, model::params::Family};
+/// params! {
+///     /// Parameters of a stop.
+///     pub struct StopParams in StopFamily {
+///         stiffness: lateral, "N/m", Bounds::positive(1e15), required, "contact stiffness";
+///         gap: scalar, "m", Bounds::up_to(1.0), default 0.0, "gap on each side";
+///     }
+/// }
+/// let p = StopParams { stiffness: [1e6, 2e6], ..StopFamily::defaults() };
+/// assert_eq!(StopFamily::to_vec(&p), [1e6, 2e6, 0.0]);
+/// ```
+#[macro_export]
+macro_rules! params {
+    ($(#[$m:meta])* pub struct $p:ident in $fam:ident {
+        $( $name:ident : $shape:ident, $unit:literal, $bounds:expr, $how:ident $($default:literal)?, $doc:literal; )*
+    }) => {
+        $(#[$m])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $p<S = f64> { $( #[doc = concat!($doc, " [", $unit, "]")] pub $name: $crate::model::params::shape::$shape<S>, )* }
+        #[doc = concat!("Marker that lifts [`", stringify!($p), "`] between scalars.")]
+        pub struct $fam;
+        impl $crate::model::params::Family for $fam {
+            type P<S: $crate::laval_num::scalar::Scalar> = $p<S>;
+            const FIELDS: &'static [$crate::model::field::Field] = &[ $(
+                $crate::model::field::Field {
+                    name: stringify!($name),
+                    kind: $crate::params!(@kind $shape, $unit, $bounds),
+                    required: $crate::params!(@required $how),
+                    default: $crate::params!(@text $($default, $unit)?),
+                    doc: $doc,
+                }, )* ];
+            const COUNT: usize = 0 $( + $crate::params!(@len $shape) )*;
+            #[inline(always)]
+            #[allow(unused_mut, unused_variables, unused_assignments)]
+            fn from_slice<S: $crate::laval_num::scalar::Scalar>(v: &[S]) -> $p<S> {
+                let mut i = 0;
+                $( let $name = $crate::params!(@read $shape, v, i); i += $crate::params!(@len $shape); )*
+                $p { $($name),* }
+            }
+            fn to_vec(p: &$p<f64>) -> Vec<f64> {
+                let mut v = Vec::with_capacity(Self::COUNT);
+                $( $crate::params!(@write $shape, v, p.$name); )*
+                v
+            }
+            fn defaults() -> $p<f64> {
+                $p { $( $name: $crate::params!(@default $shape, $($default)?), )* }
+            }
+        }
+    };
+    (@len scalar) => { 1 };
+    (@len lateral) => { 2 };
+    (@kind scalar, $unit:literal, $b:expr) => { $crate::model::field::FieldKind::Quantity { unit: $unit, bounds: $b } };
+    (@kind lateral, $unit:literal, $b:expr) => { $crate::model::field::FieldKind::Lateral { unit: $unit, bounds: $b } };
+    (@required required) => { true };
+    (@required default) => { false };
+    (@text) => { "" };
+    (@text $d:literal, $unit:literal) => { concat!($d, " ", $unit) };
+    (@read scalar, $v:ident, $i:ident) => { $v[$i] };
+    (@read lateral, $v:ident, $i:ident) => { [$v[$i], $v[$i + 1]] };
+    (@write scalar, $v:ident, $x:expr) => { $v.push($x) };
+    (@write lateral, $v:ident, $x:expr) => { $v.extend($x) };
+    (@default scalar, ) => { f64::NAN };
+    (@default scalar, $d:literal) => { $d };
+    (@default lateral, ) => { [f64::NAN; 2] };
+    (@default lateral, $d:literal) => { [$d; 2] };
+}

@@ -1,0 +1,29 @@
+//! Solving: equilibria, spectra, responses, motions. An analysis knows the system and no concrete part.
+#![warn(missing_docs)]
+
+use laval_model::{diagnostic, model};
+
+pub mod centring;
+pub mod characteristic;
+pub mod counted;
+pub mod ensemble;
+pub mod exact;
+pub mod extrema;
+mod extremum;
+pub mod harmonic;
+pub mod linear_response;
+pub mod locate;
+pub mod motion;
+pub mod pencil;
+pub mod programme;
+mod resonances;
+pub mod rest;
+pub mod roots;
+pub mod scalar;
+pub mod sectors;
+pub mod stability;
+pub mod stationary;
+pub mod sweep;
+pub mod symmetry;
+pub mod turning;
+pub mod unbalance;

@@ -1,0 +1,336 @@
+//! Accelerations from the residual: any speed, mass that depends on the configuration, free spin.
+
+use super::point;
+use crate::model::erased::{D8, Evaluate};
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::{At, Rows};
+use crate::model::system::{Slot, System, Workspace};
+use crate::programme::Spin;
+use laval_num::dense::{Lu, Mat};
+use laval_num::ode::Failure;
+
+/// Scratch and results of the general evaluation. Rows of coordinates come first; with a free spin its row is the last.
+pub(super) struct Direct {
+    free: bool,
+    /// Some part outside the blocks reads accelerations.
+    varying: bool,
+    /// Accelerations, with the spin's at the end.
+    pub accel: Vec<f64>,
+    /// Rates of all internal states.
+    pub rate: Vec<f64>,
+    /// Zero accelerations.
+    pub zero: Vec<f64>,
+    /// Linear parts at the speed of their last assembly.
+    model: LinearModel<f64>,
+    model_speed: Option<f64>,
+    linear_scratch: LinearScratch<f64>,
+    /// Mass matrix of the linear parts, and of all.
+    linear_mass: Mat,
+    mass: Mat,
+    lu: Lu,
+    factored: bool,
+    /// d rate / d accelerations.
+    rate_a: Mat,
+    force: Vec<f64>,
+    z: Vec<f64>,
+    state_rate: Vec<f64>,
+    plain: Workspace<f64>,
+    seeded: Seeded,
+    params8: Vec<D8>,
+}
+
+#[derive(Default)]
+struct Seeded {
+    vars: [Vec<D8>; 4],
+    local: [Vec<f64>; 3],
+    force: Vec<D8>,
+    rate: Vec<D8>,
+    blocks: crate::model::blocks::Blocks<D8>,
+}
+
+fn zeroed(x: &mut Vec<f64>, n: usize) {
+    x.clear();
+    x.resize(n, 0.0);
+}
+
+impl Direct {
+    pub fn new(system: &System, free: bool) -> Self {
+        let rows = system.n() + usize::from(free);
+        Direct {
+            free,
+            varying: free || system.slots().iter().any(reads_acceleration),
+            accel: vec![0.0; rows],
+            rate: vec![0.0; system.m()],
+            zero: vec![0.0; system.n()],
+            model: LinearModel::default(),
+            model_speed: None,
+            linear_scratch: LinearScratch::default(),
+            linear_mass: Mat::default(),
+            mass: Mat::default(),
+            lu: Lu::default(),
+            factored: false,
+            rate_a: Mat::default(),
+            force: vec![],
+            z: vec![],
+            state_rate: vec![],
+            plain: Workspace::default(),
+            seeded: Seeded::default(),
+            params8: system.params().iter().map(|&x| D8::lift(x)).collect(),
+        }
+    }
+
+    /// The mass matrix depends on nothing but, perhaps, the speed.
+    pub fn constant_mass(&self) -> bool {
+        !self.varying
+    }
+
+    /// Refuses a mass matrix that is singular to rounding, whatever the units of its coordinates.
+    pub fn check_mass(&self, system: &System) -> Result<(), Failure> {
+        let size: Vec<f64> = (0..self.mass.rows()).map(|i| self.mass[(i, i)].abs().sqrt()).collect();
+        let scaled = Mat::from_fn(size.len(), size.len(), |i, j| self.mass[(i, j)] / (size[i] * size[j]));
+        let lu = Lu::new(&scaled).map_err(|s| singular(system, s.column, self.mass.data()))?;
+        // NaN fails
+        if lu.pivot_ratio() > 1e-13 { Ok(()) } else { Err(singular(system, size.len() - 1, self.mass.data())) }
+    }
+
+    fn assemble(&mut self, system: &System, speed: f64) {
+        // also when both are NaN
+        if self.model_speed.is_some_and(|s| s.to_bits() == speed.to_bits()) {
+            return;
+        }
+        system.linear(system.params(), speed, Form::Time, &mut self.model, &mut self.linear_scratch);
+        self.model_speed = Some(speed);
+        let mass = self.model.blocks.mass.data();
+        if self.linear_mass.data() != mass {
+            self.linear_mass.reset(system.n(), system.n());
+            self.linear_mass.data_mut().copy_from_slice(mass);
+            self.factored = false;
+        }
+    }
+
+    /// Fills `accel` and `rate`.
+    pub fn evaluate(&mut self, system: &System, t: f64, spin: Spin, y: &[f64]) -> Result<(), Failure> {
+        let (n, rows) = (system.n(), self.accel.len());
+        self.evaluate_at_rest(system, t, spin, y);
+        if self.varying || !self.factored {
+            if let Err(s) = self.lu.factor(&self.mass) {
+                if self.mass.data().iter().all(|x| x.is_finite()) {
+                    return Err(singular(system, s.column, self.mass.data()));
+                }
+                // a trial step that went too far: it is tried again smaller
+                self.accel.fill(f64::NAN);
+                return Ok(());
+            }
+            self.factored = true;
+        }
+        for (a, f) in self.accel.iter_mut().zip(&self.force) {
+            *a = -f;
+        }
+        self.lu.solve(&mut self.accel);
+        for i in 0..system.m() {
+            let row = self.rate_a.row(i);
+            self.rate[i] += (0..rows).map(|j| row[j] * self.accel[j]).sum::<f64>();
+        }
+        debug_assert!(self.force.len() == rows && self.zero.len() == n);
+        Ok(())
+    }
+
+    /// Residual, mass, rates and their derivative in the accelerations at zero acceleration.
+    fn evaluate_at_rest(&mut self, system: &System, t: f64, spin: Spin, y: &[f64]) {
+        let (n, m, rows) = (system.n(), system.m(), self.accel.len());
+        zeroed(&mut self.force, rows);
+        zeroed(&mut self.rate, m);
+        self.rate_a.reset(m, rows);
+        if !self.free {
+            self.assemble(system, spin.speed);
+            self.mass.copy_from(&self.linear_mass);
+        }
+        let at = At { spin_accel: if self.free { 0.0 } else { spin.accel }, ..point(system, t, spin, y, &self.zero) };
+        if self.free {
+            self.mass.reset(rows, rows);
+            for slot in system.slots() {
+                self.seeded.add(
+                    system,
+                    slot,
+                    &at,
+                    true,
+                    &self.params8,
+                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
+                );
+            }
+            return;
+        }
+        linear_rows(system, &self.model, &at, &mut self.force, &mut self.rate, &mut self.z, &mut self.state_rate);
+        for (k, &i) in self.model.states.iter().enumerate() {
+            self.rate_a.row_mut(i).copy_from_slice(self.model.blocks.state_a.row(k));
+        }
+        let mut ignored = 0.0;
+        let mut out = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut ignored };
+        system.residual(system.params(), &at, &mut out, &mut self.plain, |s| !s.is_linear() && !reads_acceleration(s));
+        if self.varying {
+            for slot in system.slots().iter().filter(|s| reads_acceleration(s)) {
+                self.seeded.add(
+                    system,
+                    slot,
+                    &at,
+                    false,
+                    &self.params8,
+                    Targets::of(&mut self.force, &mut self.rate, &mut self.mass, &mut self.rate_a),
+                );
+            }
+        }
+        debug_assert_eq!(self.force.len(), n);
+    }
+
+    /// What internal states gain when the velocities jump by `change`.
+    pub fn state_jump(&mut self, system: &System, t: f64, spin: Spin, y: &[f64], change: &[f64], jump: &mut [f64]) {
+        self.evaluate_at_rest(system, t, spin, y);
+        for (i, z) in jump.iter_mut().enumerate() {
+            *z = self.rate_a.row(i).iter().zip(change).map(|(a, v)| a * v).sum();
+        }
+    }
+}
+
+fn reads_acceleration(slot: &Slot) -> bool {
+    !slot.is_linear() && slot.uses.acceleration
+}
+
+/// Names the coordinate whose row of the mass matrix has nothing in it, or the one where elimination stopped.
+pub(super) fn singular(system: &System, column: usize, mass: &[f64]) -> Failure {
+    let name = |i: usize| system.coordinates().get(i).map_or("the spin angle".to_string(), |c| format!("\"{}\"", c.name));
+    if mass.iter().any(|x| !x.is_finite()) {
+        return format!("the mass matrix has an entry that is not finite (at {})", name(column)).into();
+    }
+    format!("the mass matrix is singular: no inertia of its own is left for {}", name(column)).into()
+}
+
+/// Adds force rows and rates of the linear parts from their assembled blocks; `at` may hold any accelerations.
+pub(super) fn linear_rows(
+    system: &System,
+    model: &LinearModel<f64>,
+    at: &At<f64>,
+    force: &mut [f64],
+    rate: &mut [f64],
+    z: &mut Vec<f64>,
+    state_rate: &mut Vec<f64>,
+) {
+    z.clear();
+    z.extend(model.states.iter().map(|&i| at.z[i]));
+    zeroed(state_rate, z.len());
+    model.blocks.residual(&At { z, ..*at }, force, state_rate);
+    for (&i, r) in model.states.iter().zip(state_rate.iter()) {
+        rate[i] += r;
+    }
+    memory_rows(system, model, at, force, rate);
+}
+
+/// Adds force rows and rates of the memory states of linear parts.
+pub(super) fn memory_rows(system: &System, model: &LinearModel<f64>, at: &At<f64>, force: &mut [f64], rate: &mut [f64]) {
+    use crate::model::blocks::Axes;
+    let speed = model.blocks.speed;
+    for part in &model.memory {
+        let map = &system.slots()[part.slot].map;
+        for (k, s) in part.list.iter().enumerate() {
+            let i = part.first + k;
+            let input: f64 = map[s.input].iter().map(|&(g, c)| c * at.q[g]).sum();
+            let turning = match s.axes {
+                Axes::Fixed => 0.0,
+                Axes::RotorX => -speed * at.z[i + 1],
+                Axes::RotorY => speed * at.z[i - 1],
+            };
+            rate[i] += input - s.rate * at.z[i] + turning;
+            for &(g, c) in &map[s.output] {
+                force[g] += c * s.gain * at.z[i];
+            }
+        }
+    }
+}
+
+struct Targets<'t> {
+    force: &'t mut [f64],
+    rate: &'t mut [f64],
+    mass: &'t mut Mat,
+    rate_a: &'t mut Mat,
+}
+
+impl<'t> Targets<'t> {
+    fn of(force: &'t mut [f64], rate: &'t mut [f64], mass: &'t mut Mat, rate_a: &'t mut Mat) -> Self {
+        Targets { force, rate, mass, rate_a }
+    }
+}
+
+impl Seeded {
+    /// Adds a part's rows at zero acceleration with their exact derivatives in the accelerations (and the spin's when `free`).
+    fn add(&mut self, system: &System, slot: &Slot, at: &At<f64>, free: bool, params: &[D8], out: Targets) {
+        for (x, local) in [at.q, at.v, at.a].iter().zip(&mut self.local) {
+            local.clear();
+            local.extend(slot.map.iter().map(|row| row.iter().map(|&(g, c)| c * x[g]).sum::<f64>()));
+        }
+        for (a, &g) in self.local[2].iter_mut().zip(&slot.weight) {
+            *a += g;
+        }
+        let (n, m) = (slot.map.len(), slot.states.len());
+        let z = &at.z[slot.states.clone()];
+        for (x, vars) in self.local.iter().map(Vec::as_slice).chain([z]).zip(&mut self.vars) {
+            vars.clear();
+            vars.extend(x.iter().map(|&x| D8::lift(x)));
+        }
+        let directions = n + usize::from(free);
+        let spin_row = system.n();
+        for start in (0..directions).step_by(8) {
+            let end = directions.min(start + 8);
+            let mut accel = D8::lift(at.spin_accel);
+            for j in start..end {
+                if j < n {
+                    self.vars[2][j].eps[j - start] = 1.0;
+                } else {
+                    accel.eps[j - start] = 1.0;
+                }
+            }
+            self.force.clear();
+            self.force.resize(n, D8::lift(0.0));
+            self.rate.clear();
+            self.rate.resize(m, D8::lift(0.0));
+            let mut spin = D8::lift(0.0);
+            let [q, v, a, z] = &self.vars;
+            let lift = D8::lift;
+            let local = At { q, v, a, z, phase: lift(at.phase), speed: lift(at.speed), spin_accel: accel, t: lift(at.t) };
+            let mut rows = Rows { force: &mut self.force, rate: &mut self.rate, spin: &mut spin };
+            D8::residual(&*slot.part, &params[slot.params.clone()], &local, &mut rows, &mut self.blocks);
+            if start == 0 {
+                for (row, f) in slot.map.iter().zip(&self.force) {
+                    for &(g, c) in row {
+                        out.force[g] += c * f.re;
+                    }
+                }
+                for (r, x) in out.rate[slot.states.clone()].iter_mut().zip(&self.rate) {
+                    *r += x.re;
+                }
+                if free {
+                    out.force[spin_row] += spin.re;
+                }
+            }
+            for j in start..end {
+                let k = j - start;
+                let single = [(spin_row, 1.0)];
+                let columns: &[(usize, f64)] = if j < n { &slot.map[j] } else { &single };
+                for &(col, cj) in columns {
+                    for (row, f) in slot.map.iter().zip(&self.force) {
+                        for &(g, c) in row {
+                            out.mass[(g, col)] += c * cj * f.eps[k];
+                        }
+                    }
+                    for (i, r) in self.rate.iter().enumerate() {
+                        out.rate_a[(slot.states.start + i, col)] += cj * r.eps[k];
+                    }
+                    if free {
+                        out.mass[(spin_row, col)] += cj * spin.eps[k];
+                    }
+                }
+                if j < n {
+                    self.vars[2][j].eps[k] = 0.0;
+                }
+            }
+        }
+    }
+}
