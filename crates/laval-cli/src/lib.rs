@@ -54,6 +54,8 @@ enum Command {
     Parts(show::Args),
     /// List the kinds of studies, or document one
     Studies(show::Args),
+    /// List the units a value may have
+    Units,
     /// Print the JSON Schema of machine files, for editors that complete and check
     Schema,
     /// Run the validation cases, write their gallery, fail when a verdict has changed
@@ -72,6 +74,7 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::New(args) => new::new(args),
         Command::Parts(args) => show::parts(args),
         Command::Studies(args) => show::studies(args),
+        Command::Units => show::units(),
         Command::Schema => show::schema(),
         Command::Validate(args) => validate::validate(args),
     })

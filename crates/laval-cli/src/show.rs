@@ -1,4 +1,4 @@
-//! `laval parts`, `laval studies` and `laval schema`: what the registries declare.
+//! `laval parts`, `laval studies`, `laval units` and `laval schema`: what the registries declare.
 
 use crate::{DONE, WRONG, input, terminal};
 use laval::diagnostic::{Diagnostic, nearest};
@@ -40,6 +40,12 @@ pub fn parts(args: &Args) -> u8 {
 /// `laval studies`.
 pub fn studies(args: &Args) -> u8 {
     show("study", "studies", &catalog().studies, args)
+}
+
+/// `laval units`.
+pub fn units() -> u8 {
+    terminal::print(&docs::units_page());
+    DONE
 }
 
 /// `laval schema`.

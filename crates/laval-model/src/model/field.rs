@@ -448,6 +448,8 @@ pub struct KindInfo {
     pub kind: &'static str,
     /// One paragraph: what it is.
     pub doc: &'static str,
+    /// Lines of a typical block; "" where they follow from the fields.
+    pub example: &'static str,
     /// Everything that may be said of it, besides `kind` and `name`.
     pub fields: Vec<Field>,
 }

@@ -390,6 +390,8 @@ pub trait Part: Send + Sync + Sized + 'static {
     const KIND: &'static str;
     /// One paragraph for the documentation.
     const DOC: &'static str;
+    /// Lines of a typical block beside a body named `drum`, for the documentation; where it is empty they follow from the fields.
+    const EXAMPLE: &'static str = "";
     /// Parameters, declared with [`params!`](crate::params).
     type Family: Family;
     /// What the file may say besides the parameters: where it is attached, which law, tables.

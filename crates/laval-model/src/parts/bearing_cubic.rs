@@ -79,6 +79,12 @@ impl BearingCubic {
 
 impl Part for BearingCubic {
     const KIND: &'static str = "bearing_cubic";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+law = "isotropic"
+stiffness = "1.1e7 N/m"
+cubic_stiffness = "8.7e10 N/m^3"
+valid_to = "2 mm"
+"#;
     const DOC: &'static str = "A bearing whose force grows with the deflection and its cube. law = \"per_axis\" treats x and y apart, \
         law = \"isotropic\" is the same in all directions; the two have different jumps, so the law is always named.";
     type Family = BearingCubicFamily;

@@ -65,6 +65,11 @@ impl BearingHertz {
 
 impl Part for BearingHertz {
     const KIND: &'static str = "bearing_hertz";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+law = "radial"
+coefficient = "3e9 N/m^1.5"
+clearance = "10 um"
+"#;
     const DOC: &'static str = "A rolling bearing with the force of Hertz contacts, growing with the deflection to the power 3/2, with clearance \
         or preload. Without preload it has no stiffness at rest; a linear study of a machine that other parts hold inside the clearance leaves it open.";
     type Family = BearingHertzFamily;

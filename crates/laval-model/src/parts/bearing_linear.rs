@@ -139,6 +139,14 @@ fn apply<S: Scalar>(k: &[S], x: &[S]) -> [S; 2] {
 
 impl Part for BearingLinear {
     const KIND: &'static str = "bearing_linear";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+kxx = "2e7 N/m"
+kxy = "5e6 N/m"
+kyx = "-5e6 N/m"
+kyy = "3e7 N/m"
+cxx = "2e4 N s/m"
+cyy = "3e4 N s/m"
+"#;
     const DOC: &'static str = "A bearing or seal given by its eight linear coefficients kxx kxy kyx kyy cxx cxy cyx cyy, constant or in a table \
         over speed. The force on the first point is -K d - C d'; kxy > 0 > kyx drives forward whirl.";
     type Family = BearingLinearFamily;

@@ -60,6 +60,10 @@ impl Damper {
 
 impl Part for Damper {
     const KIND: &'static str = "damper";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+damping = "250 N s/m"
+axes = "fixed"                      # "rotating" is damping inside the rotor
+"#;
     const DOC: &'static str = "A viscous damper between two points or to the ground. axes = \"rotating\" is damping inside the rotor, which \
         destabilises above the critical speed. tilt_damping adds the same on tilt.";
     type Family = DamperFamily;

@@ -66,6 +66,13 @@ impl Disc {
 
 impl Part for Disc {
     const KIND: &'static str = "disc";
+    const EXAMPLE: &'static str = r#"name = "drum"
+mass = "12 kg"
+eccentricity = "20 um"
+polar_inertia = "0.08 kg m^2"
+diametral_inertia = "0.06 kg m^2"   # with it the disc tilts
+skew = "0.1 mrad"                   # dynamic unbalance
+"#;
     const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
         and dynamic unbalance. Other parts attach to it.";
     type Family = DiscFamily;

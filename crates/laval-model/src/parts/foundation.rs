@@ -29,6 +29,11 @@ pub struct Foundation;
 
 impl Part for Foundation {
     const KIND: &'static str = "foundation";
+    const EXAMPLE: &'static str = r#"name = "base"
+mass = "60 kg"
+stiffness = { x = "2.4e6 N/m", y = "1.8e6 N/m" }
+damping = "900 N s/m"
+"#;
     const DOC: &'static str = "A foundation block on elastic supports to the ground, movable in x and y. Other parts attach to it.";
     type Family = FoundationFamily;
     const FIELDS: &'static [Field] = &[];

@@ -56,7 +56,7 @@ pub fn registry() -> Vec<PartKind> {
 pub fn kind<P: Part>() -> PartKind {
     let derived = |name: &str| P::FIELDS.iter().any(|f| matches!(f.kind, FieldKind::OneOf(options) if options.iter().any(|o| o.0 == name)));
     let fields = P::FIELDS.iter().chain(P::Family::FIELDS.iter().filter(|f| !derived(f.name))).copied().collect();
-    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, fields }, build: build::<P> }
+    PartKind { info: KindInfo { kind: P::KIND, doc: P::DOC, example: P::EXAMPLE, fields }, build: build::<P> }
 }
 
 fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Built> {

@@ -94,6 +94,12 @@ const NEEDS: &[(&str, &[&str])] =
 
 impl Part for Motor {
     const KIND: &'static str = "motor";
+    const EXAMPLE: &'static str = r#"on = "drum"
+torque = "12 N m"
+curve = "linear"
+synchronous_speed = "3000 rpm"
+inertia = "0.02 kg m^2"
+"#;
     const DOC: &'static str = "A motor with a torque curve: constant, linear, squirrel cage, limited power or a table. With drive = \"free\" in the machine the \
         speed follows from its torque and what the vibration takes, so that it may be caught at a resonance.";
     type Family = MotorFamily;

@@ -120,6 +120,10 @@ fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
 
 impl Part for ShaftLumped {
     const KIND: &'static str = "shaft_lumped";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+stiffness = "2.9e6 N/m"
+material_damping = "2e-5 s"         # loss of the material, turning with the shaft
+"#;
     const DOC: &'static str = "A massless elastic shaft or support between two points: stiffness in x and y, optionally coupled to the tilt of a \
         disc, and optionally with damping of the shaft's material, which turns with the rotor and destabilises above the critical speed.";
     type Family = ShaftLumpedFamily;

@@ -76,6 +76,14 @@ impl ShaftSpan {
 
 impl Part for ShaftSpan {
     const KIND: &'static str = "shaft_span";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+below = "250 mm"
+above = "350 mm"
+diameter = "35 mm"
+lower_support = "2e7 N/m"
+upper_support = { x = "2e7 N/m", y = "1.2e7 N/m" }
+modulus = "206 GPa"
+"#;
     const DOC: &'static str = "A massless shaft of constant section on two elastic supports, from its geometry: stiffness of deflection and tilt at the \
         point of the rotor it carries, in the planes of x and y. For its internal friction put a damper with rotating axes beside it.";
     type Family = ShaftSpanFamily;

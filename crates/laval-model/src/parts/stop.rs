@@ -63,6 +63,11 @@ impl Stop {
 
 impl Part for Stop {
     const KIND: &'static str = "stop";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+stiffness = "5e7 N/m"
+gap = "0.5 mm"
+damping = "200 N s/m"
+"#;
     const DOC: &'static str = "A stop that is free inside a radial gap and pushes back outside, with stiffness and optional damping while in \
         contact. It never pulls and has no friction.";
     type Family = StopFamily;

@@ -22,7 +22,7 @@ mod table;
 
 pub use format::{format_number, format_si, write_number, write_si};
 pub use parse::parse_unit;
-pub use table::{describe, examples};
+pub use table::{Listed, describe, examples, list, quantities};
 
 use std::f64::consts::TAU;
 use std::fmt;

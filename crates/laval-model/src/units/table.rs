@@ -113,6 +113,40 @@ pub(super) fn lookup(word: &str) -> Option<Unit> {
     None
 }
 
+/// A unit as the documentation lists it.
+pub struct Listed {
+    /// The word that is written.
+    pub name: &'static str,
+    /// Value of one in SI units.
+    pub si: f64,
+    /// SI unit of the value.
+    pub si_unit: String,
+    /// Added after scaling, for temperatures.
+    pub offset: f64,
+    /// Prefixes it takes, as they are written; `u` stands for `µ`.
+    pub prefixes: &'static str,
+}
+
+/// All units that are read. One that has two spellings is listed with each.
+pub fn list() -> Vec<Listed> {
+    let of = |a: &'static Atom| {
+        let unit = unit_of(a, 0);
+        let prefixes = match a.prefix {
+            No => "",
+            Small => "c m",
+            Si => "p n u m k M G T",
+            Fine => "p n u m c d h k M G T",
+        };
+        Listed { name: a.name, si: unit.factor(), si_unit: unit.dimension.si_text(), offset: unit.offset, prefixes }
+    };
+    ATOMS.iter().map(of).collect()
+}
+
+/// SI unit of every quantity that has a word, the word, and units a person would write.
+pub fn quantities() -> &'static [(&'static str, &'static str, &'static str)] {
+    WORDS
+}
+
 /// What an unknown word probably means: two units written together, other capitals, a slip of the pen.
 pub(super) fn suggest(word: &str) -> Option<String> {
     if word.len() > 24 {

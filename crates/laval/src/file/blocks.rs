@@ -78,7 +78,7 @@ pub(super) fn read_tree(text: &str, root: &[Entry], catalog: &Catalog, out: &mut
                 let mut cx = Context { text, catalog, parts: &names, studies: &studies, out, who: &b.who };
                 let once = catalog.blocks.iter().any(|x| !x.several && x.word == info.kind);
                 let implicit: &[&str] = if once { &[] } else { &["kind", "name"] };
-                unread = read_fields(&mut cx, &info.fields, implicit, b.table, b.span.clone(), &mut values);
+                unread = read_fields(&mut cx, info, implicit, b.table, b.span.clone(), &mut values);
             }
             let block = Block {
                 kind: b.info.map_or("", |k| k.kind),
@@ -303,12 +303,13 @@ fn gather<'n, 'a>(
 /// Reads the keys of a block. Returns those that were given, or are needed, and could not be read.
 pub(super) fn read_fields(
     cx: &mut Context,
-    fields: &[Field],
+    kind: &KindInfo,
     implicit: &[&str],
     table: &[Entry],
     span: Option<Span>,
     values: &mut Values,
 ) -> Vec<&'static str> {
+    let fields = &kind.fields;
     let mut unread = Vec::new();
     for e in table {
         if implicit.contains(&e.key.as_ref()) {
@@ -346,7 +347,7 @@ pub(super) fn read_fields(
                 FieldKind::Choice(words) => {
                     words.iter().map(|w| format!("{} = {:?} ({})", f.name, w.0, w.1)).collect::<Vec<_>>().join(" or ")
                 }
-                _ => super::docs::example_line(f),
+                _ => super::docs::example_line(f, kind.example),
             };
             let help = format!("add {help}");
             cx.error("key.missing", span.clone(), message, &format!("{} = .. is missing", f.name), help);
@@ -369,7 +370,7 @@ fn read_machine(cx: &mut Context, entry: Option<&Entry>) -> (MachineBlock, Vec<&
     };
     let Some((table, span)) = single(e, "machine", cx.out) else { return (MachineBlock::default(), all()) };
     let mut values = Values::default();
-    let unread = read_fields(cx, MACHINE_FIELDS, &[], table, span.clone(), &mut values);
+    let unread = read_fields(cx, &super::docs::machine(), &[], table, span.clone(), &mut values);
     let block = MachineBlock {
         name: values.text("name").unwrap_or_default().to_string(),
         speed: values.number("speed"),

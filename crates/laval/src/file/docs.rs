@@ -96,23 +96,30 @@ fn example_value(f: &Field) -> String {
     }
 }
 
-/// One line of a file that gives the field, for instance `mass = "2 kg"`.
-pub fn example_line(f: &Field) -> String {
-    format!("{} = {}", f.name, example_value(f))
+/// One line of a file that gives the field, for instance `mass = "2 kg"`: that of the kind's example where it has one.
+pub fn example_line(f: &Field, example: &str) -> String {
+    let shown = example.lines().find(|l| l.split_once('=').is_some_and(|(key, _)| key.trim() == f.name));
+    let without_remark = |l: &str| l.split("   #").next().unwrap_or_default().trim_end().to_string();
+    shown.map_or_else(|| format!("{} = {}", f.name, example_value(f)), without_remark)
 }
 
-/// A block that reads without mistakes beside a part named `drum` that has a mass; `what` is `part`, `study` or `machine`. Optional fields
-/// with a default are shown as remarks.
+/// A typical block, which reads without mistakes beside a body named `drum`; `what` is `part`, `study` or the word of another block.
 pub fn example(what: &str, kind: &KindInfo) -> String {
-    let mut out = match what {
-        "machine" => "[machine]\n".to_string(),
-        _ => format!("[[{what}]]\nkind = {}\n", quoted(kind.kind)),
-    };
+    let header = if what == kind.kind { format!("[{what}]\n") } else { format!("[[{what}]]\nkind = {}\n", quoted(kind.kind)) };
+    if kind.example.is_empty() { every_key(what, kind) } else { header + kind.example }
+}
+
+/// A block with every key of the kind: values follow from units, bounds and defaults alone, and optional keys are remarks.
+pub fn every_key(what: &str, kind: &KindInfo) -> String {
+    if what == kind.kind {
+        return single(kind);
+    }
+    let mut out = format!("[[{what}]]\nkind = {}\n", quoted(kind.kind));
     for f in kind.fields.iter().filter(|f| f.required) {
-        let _ = writeln!(out, "{}", example_line(f));
+        let _ = writeln!(out, "{}", example_line(f, ""));
     }
     for f in kind.fields.iter().filter(|f| !f.required) {
-        let _ = writeln!(out, "# {}", example_line(f));
+        let _ = writeln!(out, "# {}", example_line(f, ""));
     }
     out
 }
@@ -197,9 +204,9 @@ fn wrap(text: &str, indent: usize, width: usize) -> String {
 }
 
 /// A block that exists once, with its fields.
-pub fn single(kind: &KindInfo) -> String {
+fn single(kind: &KindInfo) -> String {
     let lines = |required: bool, sign: &str| -> String {
-        kind.fields.iter().filter(|f| f.required == required).map(|f| format!("{sign}{}\n", example_line(f))).collect()
+        kind.fields.iter().filter(|f| f.required == required).map(|f| format!("{sign}{}\n", example_line(f, ""))).collect()
     };
     format!("[{}]\n{}{}", kind.kind, lines(true, ""), lines(false, "# "))
 }
@@ -217,7 +224,7 @@ pub fn text(what: &str, kind: &KindInfo, width: usize) -> String {
         let _ = writeln!(out, "      {}", wrap(&takes(f), 6, width));
     }
     out.push_str("\nExample\n");
-    let example = if what == kind.kind { single(kind) } else { example(what, kind) };
+    let example = example(what, kind);
     for line in example.lines() {
         let _ = writeln!(out, "  {line}");
     }
@@ -229,6 +236,7 @@ pub fn machine() -> KindInfo {
     KindInfo {
         kind: "machine",
         doc: "What belongs to the machine as a whole. A file has this block once, with single brackets; every key may be left out.",
+        example: "name = \"oil separator\"\nspeed = \"3000 rpm\"\naxis = \"vertical\"                   # or \"horizontal\": gravity then points to -y\n",
         fields: super::MACHINE_FIELDS.to_vec(),
     }
 }
@@ -244,8 +252,43 @@ pub fn markdown(what: &str, kind: &KindInfo) -> String {
         }
         out.push('\n');
     }
-    let example = if what == kind.kind { single(kind) } else { example(what, kind) };
+    let example = example(what, kind);
     let _ = write!(out, "```toml\n{example}```\n");
+    out
+}
+
+/// The page of units in Markdown.
+pub fn units_page() -> String {
+    let mut out = String::from(
+        "# Units\n\nA value with a unit is a text: a number, a space, a unit, as in `\"3000 rpm\"`, `\"30 g mm\"`, `\"1.1e7 N/m\"`. Units are\n\
+         multiplied by a space, `*` or `·`, divided by `/`, and raised by `^` (`m^3`, `m3`, `m³`, `m^1.5`, `s^-1`); parentheses group. A product\n\
+         behind a division (`N/m s`) has two readings and is refused: write `N s/m` or `N/(m s)`. A bare number is in SI units.\n\n\
+         Angle is a dimension of its own: `rad/s`, `rpm`, `Hz`, `rev/s` and `deg/s` convert into each other, and `\"60 Hz\"` as a rotational speed is\n\
+         377 rad/s. `\"60 1/s\"` as a rotational speed is refused, because it may mean either. A torque (`N m`) is not an energy (`J`).\n\n\
+         ## Units\n\n| unit | in SI units | prefixes |\n| --- | --- | --- |\n",
+    );
+    let mut seen: Vec<&str> = Vec::new();
+    for u in crate::units::list() {
+        // two code points of the same sign look alike
+        if seen.contains(&u.name) || (u.name == "\u{2126}" && seen.contains(&"Ω")) {
+            continue;
+        }
+        seen.push(u.name);
+        let unit = if u.si_unit.is_empty() { "1" } else { &u.si_unit };
+        let shift = if u.offset == 0.0 { String::new() } else { format!(", from {} {unit}", write_number(u.offset)) };
+        let digits = u.si.to_string();
+        let number = if digits.len() > 18 { crate::units::format_number(u.si, 15) } else { write_number(u.si) };
+        let _ = writeln!(out, "| `{}` | {number} {unit}{shift} | {} |", u.name, u.prefixes);
+    }
+    out.push_str(
+        "\nPrefixes stand before the unit without a space: `p` 1e-12, `n` 1e-9, `u` or `µ` 1e-6, `m` 1e-3, `c` 1e-2, `d` 0.1, `h` 100, `k` 1e3,\n\
+         `M` 1e6, `G` 1e9, `T` 1e12.\n\n## Quantities\n\n| quantity | SI unit | units usually written |\n| --- | --- | --- |\n",
+    );
+    for (si, words, usual) in crate::units::quantities() {
+        let name = words.split_once(' ').map_or(*words, |w| w.1);
+        let si = if si.is_empty() { "1" } else { si };
+        let _ = writeln!(out, "| {name} | `{si}` | {usual} |");
+    }
     out
 }
 
@@ -256,6 +299,6 @@ mod tests {
     #[test]
     fn examples_have_no_digits_of_rounding() {
         let list = Field::optional("release", FieldKind::List { unit: "m", bounds: Bounds::within(100.0) }, "", "");
-        assert_eq!(example_line(&list), "release = [\"70 mm\", \"700 mm\"]");
+        assert_eq!(example_line(&list, ""), "release = [\"70 mm\", \"700 mm\"]");
     }
 }

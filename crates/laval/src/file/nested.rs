@@ -60,7 +60,7 @@ impl Context<'_> {
         let mut values = Values::default();
         values.span = found.span.clone();
         let mut cx = Context { text: self.text, catalog: self.catalog, parts: self.parts, studies: &[], out: &mut own, who: name };
-        read_fields(&mut cx, &info.fields, &["kind", "name"], found.table, found.span.clone(), &mut values);
+        read_fields(&mut cx, info, &["kind", "name"], found.table, found.span.clone(), &mut values);
         (!own.has_errors()).then(|| InnerStudy { name: Some(name.to_string()), kind: info.kind, values })
     }
 
@@ -68,7 +68,7 @@ impl Context<'_> {
         let mut values = Values::default();
         values.span = node.span.clone();
         let mut cx = Context { text: self.text, catalog: self.catalog, parts: self.parts, studies: &[], out: self.out, who };
-        read_fields(&mut cx, &info.fields, &["kind"], table, node.span.clone(), &mut values);
+        read_fields(&mut cx, info, &["kind"], table, node.span.clone(), &mut values);
         values
     }
 

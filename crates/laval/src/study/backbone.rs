@@ -55,6 +55,9 @@ const ROUNDING: f64 = 1e-10;
 
 impl Study for Backbone {
     const KIND: &'static str = "backbone";
+    const EXAMPLE: &'static str = r#"speed = "3000 rpm"
+amplitude = { from = "1 um", to = "1 mm" }
+"#;
     const DOC: &'static str = "Free whirls at one spin speed, mode by mode: how the whirl frequency depends on the amplitude, from the linear mode \
         upwards, and the frequencies at which the amplitude has no bound. Unbalance is left out. A damped machine is kept whirling by a drive \
         proportional to mass, whose size is told; without damping it is zero.";

@@ -123,6 +123,9 @@ const MOST_NAMED: usize = 40;
 
 impl Study for Campbell {
     const KIND: &'static str = "campbell";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 60 }
+orders = [1, 2]
+"#;
     const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
         and the critical speeds where they cross.";
     const FIELDS: &'static [Field] = &[

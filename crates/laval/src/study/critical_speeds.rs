@@ -34,6 +34,9 @@ pub struct CriticalSpeeds {
 
 impl Study for CriticalSpeeds {
     const KIND: &'static str = "critical_speeds";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+margin = 0.15
+"#;
     const DOC: &'static str = "Critical speeds, solved for on the dynamic stiffness of the machine, with the peaks of the unbalance response beside \
         them and the distance to the operating speed.";
     const FIELDS: &'static [Field] = &[

@@ -32,6 +32,8 @@ pub struct ForcedResponse {
 
 impl Study for ForcedResponse {
     const KIND: &'static str = "forced_response";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
+"#;
     const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, forces of linear parts, with \
         resonances and antiresonances located. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
     const FIELDS: &'static [Field] =

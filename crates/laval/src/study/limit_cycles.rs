@@ -39,6 +39,8 @@ impl LimitCycles {
 
 impl Study for LimitCycles {
     const KIND: &'static str = "limit_cycles";
+    const EXAMPLE: &'static str = r#"speed = { from = "500 rpm", to = "12000 rpm" }
+"#;
     const DOC: &'static str = "Self-excited whirls of a damped machine over the spin speed, without unbalance: from every edge of linear instability the \
         cycles that begin there, with amplitude, frequency and stability; whether the onset is soft (a small whirl grows with the speed) or hard (rest is \
         stable, but a disturbance beyond an unstable cycle leads to a large whirl); folds of cycles.";

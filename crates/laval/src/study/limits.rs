@@ -5,6 +5,13 @@ use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
 use crate::model::system::System;
 
 /// What `[limits]` is.
+pub const EXAMPLE: &str = r#"displacement = { drum = "0.3 mm" }
+passage_displacement = "2 mm"
+growth_margin = "1 1/s"
+clearance = "12 %"
+speed = "6000 rpm"
+"#;
+/// What the block is.
 pub const DOC: &str = "What the machine must keep to: each limit that is given becomes a requirement of an operating_window. Limits on bodies and parts are one \
     value for all, or one for each of some names.";
 

@@ -40,6 +40,9 @@ const EXACT: f64 = 1e-12;
 
 impl Study for Methods {
     const KIND: &'static str = "methods";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "12000 rpm", points = 12 }
+harmonics = 7
+"#;
     const DOC: &'static str = "Approximate methods beside the converged motion under unbalance, at some speeds and for every state there: harmonic balance \
         with orders from 1, averaging (van der Pol; its states are those of one harmonic), elliptic balance in its period-consistent form where the law \
         allows it, and integration in time. Each with its deviation; folds too.";

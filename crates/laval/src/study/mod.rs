@@ -177,6 +177,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     const KIND: &'static str;
     /// One paragraph for the documentation.
     const DOC: &'static str;
+    /// Lines of a typical block beside a body named `drum`, for the documentation; where it is empty they follow from the fields.
+    const EXAMPLE: &'static str = "";
     /// What may be said of it.
     const FIELDS: &'static [Field];
 
@@ -280,22 +282,25 @@ pub struct BlockKind {
 
 /// All blocks beside parts and studies.
 pub fn blocks() -> Vec<BlockKind> {
-    let one = |word, doc, fields: &[Field]| BlockInfo {
+    let one = |word, doc, example, fields: &[Field]| BlockInfo {
         word,
         several: false,
-        kinds: vec![KindInfo { kind: word, doc, fields: fields.to_vec() }],
+        kinds: vec![KindInfo { kind: word, doc, example, fields: fields.to_vec() }],
     };
     vec![
         BlockKind { info: BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() }, check: duty::check_cup },
-        BlockKind { info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION), check: duty::check_suspension },
-        BlockKind { info: one("limits", limits::DOC, limits::FIELDS), check: limits::check },
+        BlockKind {
+            info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION_EXAMPLE, duty::SUSPENSION),
+            check: duty::check_suspension,
+        },
+        BlockKind { info: one("limits", limits::DOC, limits::EXAMPLE, limits::FIELDS), check: limits::check },
     ]
 }
 
 /// The registry entry of a study.
 pub fn kind<T: Study>() -> StudyKind {
     StudyKind {
-        info: KindInfo { kind: T::KIND, doc: T::DOC, fields: T::FIELDS.to_vec() },
+        info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec() },
         build: |values, system, diagnostics| T::build(values, system, diagnostics).map(|s| Box::new(s) as Box<dyn ErasedStudy>),
     }
 }

@@ -55,6 +55,8 @@ pub(super) fn body_amplitude(mode: &MachineMode, x: usize) -> f64 {
 
 impl Study for Modes {
     const KIND: &'static str = "modes";
+    const EXAMPLE: &'static str = r#"speed = "3000 rpm"
+"#;
     const DOC: &'static str = "Natural modes at one spin speed: growth rate, frequency, damping ratio, direction of whirl, and how much each body \
         takes part. about = \"turning\" linearises about the state that turns with the rotor.";
     const FIELDS: &'static [Field] =

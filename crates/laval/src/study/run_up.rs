@@ -52,6 +52,11 @@ const TABLE: &[(&str, &str, bool, &str)] =
 
 impl Study for RunUp {
     const KIND: &'static str = "run_up";
+    const EXAMPLE: &'static str = r#"from = "0 rpm"
+to = "12000 rpm"
+duration = "20 s"
+hold = "2 s"
+"#;
     const DOC: &'static str = "Motion while the spin speed follows a programme: from one speed to another, coasting down, or through a table of \
         speeds. Reports the envelope against speed beside the quasi-static linear response, the peaks, and the torque and power of the drive. A spatial \
         liquid has at every moment the waves of its speed, with an error that is stated; viscous liquids are refused.";

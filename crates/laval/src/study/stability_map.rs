@@ -48,6 +48,9 @@ pub struct StabilityMap {
 
 impl Study for StabilityMap {
     const KIND: &'static str = "stability_map";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 120 }
+parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11 }
+"#;
     const DOC: &'static str = "Where the machine is unstable: growth rate over the spin speed, alone or together with one parameter, with the \
         boundary and the peaks of the growth located. Nonlinear parts enter by their tangent in the state it is linearised about; nonlinear_response \
         judges the motion that unbalance drives, whose ranges differ where that motion is not small.";

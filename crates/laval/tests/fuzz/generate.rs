@@ -106,17 +106,17 @@ impl Sources {
             include_str!("../../../../examples/03-overhung-disc/machine.toml").to_string(),
             include_str!("../../../../examples/04-ball-balancer/machine.toml").to_string(),
         ];
-        files.extend(catalog.parts.iter().map(|k| format!("{BASE}{}", docs::example("part", k))));
-        files.extend(catalog.studies.iter().map(|k| format!("{BASE}{}", docs::example("study", k))));
+        files.extend(catalog.parts.iter().map(|k| format!("{BASE}{}", docs::every_key("part", k))));
+        files.extend(catalog.studies.iter().map(|k| format!("{BASE}{}", docs::every_key("study", k))));
         files.push(format!("{BASE}{SEPARATING}"));
         files.push(format!("{BASE}{SEARCHING}"));
         for block in &catalog.blocks {
-            files.extend(block.kinds.iter().filter(|_| block.several).map(|k| format!("{BASE}{}", docs::example(block.word, k))));
+            files.extend(block.kinds.iter().filter(|_| block.several).map(|k| format!("{BASE}{}", docs::every_key(block.word, k))));
         }
         // with every optional key as well, the remarks of the example turned into keys
         let all_keys = |text: String| text.replace("\n# ", "\n");
-        files.extend(catalog.parts.iter().map(|k| all_keys(format!("{BASE}{}", docs::example("part", k)))));
-        files.extend(catalog.studies.iter().map(|k| all_keys(format!("{BASE}{}", docs::example("study", k)))));
+        files.extend(catalog.parts.iter().map(|k| all_keys(format!("{BASE}{}", docs::every_key("part", k)))));
+        files.extend(catalog.studies.iter().map(|k| all_keys(format!("{BASE}{}", docs::every_key("study", k)))));
         Sources { catalog, files }
     }
 

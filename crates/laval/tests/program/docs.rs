@@ -49,12 +49,31 @@ fn pages_of_parts_and_studies_are_current() {
     current("separation-blocks.md", &text);
 }
 
+#[test]
+fn page_of_units_is_current() {
+    let text = docs::units_page();
+    current("units.md", &text);
+    // every unit of the page is read, and is what the page says
+    for line in text.split("## Quantities").next().unwrap().lines().filter(|l| l.starts_with("| `")) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let unit = laval::units::parse_unit(cells[1].trim_matches('`')).unwrap();
+        let number: f64 = cells[2].split([' ', ',']).next().unwrap().parse().unwrap();
+        assert!((unit.factor() / number - 1.0).abs() < 1e-14, "{line}");
+    }
+    for (si, words, usual) in laval::units::quantities() {
+        for word in usual.split(", ").filter(|u| !u.starts_with(|c: char| c.is_ascii_digit()) || u.starts_with("1/")) {
+            assert!(laval::units::read_quantity(&format!("1 {word}"), si).is_ok(), "{words}: {word}");
+        }
+    }
+}
+
 /// What a part adds to the machine that can be named: its coordinates and internal states.
 fn named(kind: &laval::model::field::KindInfo) -> Option<(Vec<String>, Vec<String>)> {
     let body =
         |name: &str| format!("[[part]]\nkind = \"disc\"\nname = \"{name}\"\nmass = 1\ndiametral_inertia = 0.01\npolar_inertia = 0.015\n");
     // optional keys are remarks in an example; a disc tilts only with them
-    let own = if kind.kind == "disc" { body("the part") } else { docs::example("part", kind).replacen('\n', "\nname = \"the part\"\n", 2) };
+    let own =
+        if kind.kind == "disc" { body("the part") } else { docs::every_key("part", kind).replacen('\n', "\nname = \"the part\"\n", 2) };
     let own = own.replacen("[[part]]\nname = \"the part\"\n", "[[part]]\n", 1);
     // the usual radius of an example is that of the cavity itself
     let fill = |l: &str| if l.starts_with("fill =") { "fill = { volume_fraction = 0.5 }".to_string() } else { l.to_string() };
@@ -79,7 +98,7 @@ fn page_of_the_machine_file_is_current() {
          `[limits]` say what separates, what is separated, and what the machine must keep to ([pages](separation-blocks.md)). Each part has\n\
          a `kind` ([parts](parts.md)) and may have a `name`, by which others attach to it; each study has a `kind` ([studies](studies.md)) and may have a `name`,\n\
          which becomes its folder of results. Without a name a block is called after its kind, then kind-2, kind-3 ...\n\n\
-         Values with a unit are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\
+         Values with a unit ([all units](units.md)) are texts (`\"70 mm\"`, `\"3000 rpm\"`, `\"1.1e7 N/m\"`, `\"30 g mm\"`); a bare number is in SI units. A constant that may differ in\n\
          the two lateral directions is one value or `{ x = .., y = .. }`. `laval check FILE` says all that is wrong at once, each mistake once and\n\
          at its place, and which studies this machine cannot answer. What only follows from another mistake is not said; quotation marks and brackets that\n\
          keep the text from being TOML come first.\n\n",

@@ -262,6 +262,14 @@ const TRACKS: &[(&str, &str, bool, &str)] = &[
 
 impl Part for BallBalancer {
     const KIND: &'static str = "balancer_ball";
+    const EXAMPLE: &'static str = r#"on = "drum"
+balls = 2
+ball_mass = "3.6 g"
+track_radius = "100 mm"
+drag = "2e-3 N m s"
+eccentricity = "2 um"
+body_tilt = false                   # the drum moves in its plane
+"#;
     const DOC: &'static str = "An automatic ball balancer: rings with balls that run freely in circular tracks, eccentric or tilted, the tilt fixed or \
         free. Above the critical speed the balls settle opposite the unbalance, if drag, external damping and tilt let them.";
     type Family = BalancerBallFamily;

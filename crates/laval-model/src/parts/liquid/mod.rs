@@ -227,6 +227,13 @@ impl Liquid {
 
 impl Part for Liquid {
     const KIND: &'static str = "liquid";
+    const EXAMPLE: &'static str = r#"in = "drum"
+cavity_radius = "150 mm"
+cavity_height = "80 mm"
+density = "1000 kg/m^3"
+fill = { volume_fraction = 0.1 }    # or free_surface_radius, volume, mass
+wave_damping = "4 1/s"
+"#;
     const DOC: &'static str = "Liquid in a cylindrical cavity that turns with a body. Partly filled cavities carry waves that can make the \
         rotor whirl by itself; the fill is given by the radius of the free surface, a volume fraction, a volume or a mass. On a disc that tilts, strip \
         lets every slice flow by itself, without the pressure on the end caps (were the liquid solid, 3 (R^2 + r^2)/H^2 of the inertia against tilt that it keeps, with the radii R of \

@@ -358,6 +358,17 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
 
 impl Part for ShaftViscoelastic {
     const KIND: &'static str = "shaft_viscoelastic";
+    const EXAMPLE: &'static str = r#"between = ["drum", "ground"]
+memory = "rotor"
+supports = "simply_supported"       # or give stiffness itself
+modulus = "20 GPa"
+diameter = "40 mm"
+length = "0.6 m"
+position = "0.3 m"
+amplitude = 0.008                   # kernel A t^(a-1) exp(-b t): A in 1/s^a
+exponent = 0.15                     # a
+decay = "0.05 1/s"                  # b
+"#;
     const DOC: &'static str = "A massless shaft of viscoelastic material, whose force remembers the deflection: weakly singular kernels of Koltunov and \
         Rzhanitsyn, exact in frequency and as a sum of exponentials in time, or given exponentials. The memory of a shaft turns with the rotor and \
         destabilises it above the critical speed of the long-term stiffness; memory in fixed axes, as of a support, always damps.";

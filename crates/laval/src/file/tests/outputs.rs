@@ -86,7 +86,7 @@ fn every_example_reads() {
     let drum = "[machine]\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = \"2 kg\"\n";
     for (list, what) in [(&c.parts, "part"), (&c.studies, "study")] {
         for k in list {
-            let block = docs::example(what, k);
+            let block = docs::every_key(what, k);
             good(&format!("{drum}{block}"));
             // With the optional keys too.
             good(&format!("{drum}{}", block.replace("# ", "")));

@@ -68,6 +68,11 @@ pub struct Basins {
 
 impl Study for Basins {
     const KIND: &'static str = "basins";
+    const EXAMPLE: &'static str = r#"speed = "3000 rpm"
+from = { "drum.x" = "-1 mm", "drum.y" = "-1 mm" }
+to = { "drum.x" = "1 mm", "drum.y" = "1 mm" }
+points = 50
+"#;
     const DOC: &'static str = "Basins of attraction at one speed: which motion the machine settles on from every pair of two initial values on a grid, \
         how many motions there are, which share of the grid leads to each, and the smallest disturbance that leads to another. \
         nonlinear_response finds all periodic motions; basins show which of them a disturbance reaches. For a machine with movable masses they show from which \

@@ -43,6 +43,9 @@ const MOST_VALUES: usize = 200;
 
 impl Study for BifurcationLoci {
     const KIND: &'static str = "bifurcation_loci";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", points = 5 }
+"#;
     const DOC: &'static str = "Where jumps and other bifurcations of the steady response lie when one parameter changes: loci of folds in the plane of spin \
         speed and parameter, with the cusps in which jumps begin, and loci on which states lose or regain their stability (Neimark-Sacker, period doubling, \
         symmetry breaking). They are followed from the bifurcations of the response at some values of the parameter.";

@@ -144,29 +144,66 @@ const DECANTER: &[Field] = &[
 
 /// Kinds of `[[cup]]`.
 pub fn cup_kinds() -> Vec<KindInfo> {
-    let k = |kind, doc, fields: &[Field]| KindInfo { kind, doc, fields: fields.to_vec() };
+    let k = |kind, doc, example, fields: &[Field]| KindInfo { kind, doc, example, fields: fields.to_vec() };
     vec![
         k(
             "swinging",
             "Cups that hang on hinges and swing out as the rotor turns: their tilt follows from the speed, and what they weigh loads the rotor at the radius they reach.",
+            r#"on = "drum"
+count = 4
+mass = "2.6 kg"                     # each, filled
+centre_of_mass = "170 mm"           # from the hinge, filled
+hinge_radius = "200 mm"
+cup_radius = "45 mm"
+bottom = "300 mm"                   # from the hinge
+surface = "20 mm"                   # from the hinge
+"#,
             SWINGING,
         ),
-        k("fixed_angle", "Tubes held at an angle; the surface of their liquid follows the field.", FIXED_ANGLE),
+        k(
+            "fixed_angle",
+            "Tubes held at an angle; the surface of their liquid follows the field.",
+            r#"on = "drum"
+count = 6
+mass = "80 g"                       # each, filled
+centre_of_mass = "50 mm"            # from the mouth, along the tube
+mouth_radius = "50 mm"
+angle = "34 deg"
+tube_radius = "14 mm"
+length = "100 mm"
+"#,
+            FIXED_ANGLE,
+        ),
         k(
             "tubular_bowl",
             "A bowl that liquid flows through along the axis. The bowl itself is a body of the machine, and its liquid a [[part]] of kind \"liquid\" in that body: without it the \
              liquid is not in the dynamics.",
+            r#"length = "750 mm"
+bowl_radius = "52 mm"
+surface_radius = "20 mm"
+"#,
             TUBULAR,
         ),
         k(
             "disc_stack",
             "A stack of conical discs that liquid flows through from the outside in. Its liquid is in the dynamics as a [[part]] of kind \"liquid\" in the body that is the bowl.",
+            r#"inner_radius = "50 mm"
+outer_radius = "120 mm"
+angle = "40 deg"                    # between the discs and the axis
+gaps = 100
+spacing = "0.5 mm"
+"#,
             DISCS,
         ),
         k(
             "decanter",
             "A bowl with a cone and a screw; it separates like a tubular bowl of the same Sigma. Its liquid is in the dynamics as a [[part]] of kind \"liquid\" in the body \
              that is the bowl.",
+            r#"cylinder_length = "800 mm"
+cone_length = "250 mm"
+bowl_radius = "180 mm"
+surface_radius = "120 mm"
+"#,
             DECANTER,
         ),
     ]
@@ -179,6 +216,15 @@ const VISCOSITY: FieldKind = FieldKind::Quantity { unit: "Pa s", bounds: Bounds:
 const SIZE: FieldKind = FieldKind::Quantity { unit: "m", bounds: Bounds { min: 1e-9, max: 0.1, min_open: false } };
 const DENSITY: FieldKind = FieldKind::Quantity { unit: "kg/m^3", bounds: Bounds { min: 0.01, max: 3e4, min_open: false } };
 const TEMPERATURE: FieldKind = FieldKind::Quantity { unit: "K", bounds: Bounds::closed(50.0, 3000.0) };
+
+/// A typical `[suspension]`.
+pub const SUSPENSION_EXAMPLE: &str = r#"liquid_density = "998 kg/m^3"
+viscosity = "1 mPa s"
+particle_density = "2650 kg/m^3"
+characteristic_diameter = "25 um"   # Rosin and Rammler: 63 % are smaller
+spread = 1.3
+volume_fraction = "2 %"
+"#;
 
 /// Fields of `[suspension]`.
 pub const SUSPENSION: &[Field] = &[

@@ -5,7 +5,7 @@ mod fields;
 pub mod task;
 
 pub use carried::uncarried;
-pub use fields::{SUSPENSION, SUSPENSION_DOC, cup_kinds};
+pub use fields::{SUSPENSION, SUSPENSION_DOC, SUSPENSION_EXAMPLE, cup_kinds};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::{Attach, Extra, Field, FieldKind, Values};

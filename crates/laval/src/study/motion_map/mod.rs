@@ -67,6 +67,9 @@ pub struct MotionMap {
 
 impl Study for MotionMap {
     const KIND: &'static str = "motion_map";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 60 }
+y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 20 }
+"#;
     const DOC: &'static str = "Settled motion over the spin speed and a parameter, or over two parameters, by integration in time from the same start at every point: \
         largest displacements, and where the motion repeats every turn, after several turns, or not at all. response_map follows all states of every machine; \
         a motion map shows what a start leads to.";

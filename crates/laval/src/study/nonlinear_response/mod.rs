@@ -92,6 +92,9 @@ pub(super) const MAX_POINTS: Field =
 
 impl Study for NonlinearResponse {
     const KIND: &'static str = "nonlinear_response";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+harmonics = "auto"
+"#;
     const DOC: &'static str = "Steady response to unbalance over a range of speeds, with the states the machine can settle in: branches followed \
         from both ends, folds (where a slow sweep jumps) and other bifurcations located, stability of every point; on request also mixed, less symmetric \
         and subharmonic states.";

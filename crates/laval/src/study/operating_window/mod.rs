@@ -85,6 +85,11 @@ const MAP_PLACES: usize = 256;
 
 impl Study for OperatingWindow {
     const KIND: &'static str = "operating_window";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "3000 rpm" }
+time = "10 min"
+recovery = "95 %"
+ramp = "60 s"
+"#;
     const DOC: &'static str = "At which speeds the machine may run: stable, its limits kept, the way up survived, and the suspension separated in the time at \
         hand; what binds at each end, the recommended speed, the shortest time, and what to relax when nothing fits. Uses the blocks \
         [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is judged with the contents as they are before and after the \

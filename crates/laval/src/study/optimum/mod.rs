@@ -56,6 +56,10 @@ const MOST_PARAMETERS: usize = 12;
 
 impl Study for Optimum {
     const KIND: &'static str = "optimum";
+    const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
+vary = [{ parameter = "drum.mass", from = "2 kg", to = "4 kg" }]
+maximise = "least_damped_mode damping ratio"
+"#;
     const DOC: &'static str = "Recommended parameters within bounds: makes a number that another study finds as small or as large as possible (least peak, least force, \
         widest window, highest speed of instability), keeps limits on others, and says how far each parameter may stray.";
     const FIELDS: &'static [Field] = &[

@@ -81,6 +81,10 @@ const fn spacing(name: &'static str, doc: &'static str) -> Field {
 
 impl Study for ResponseMap {
     const KIND: &'static str = "response_map";
+    const EXAMPLE: &'static str = r#"x = { parameter = "drum.mass", from = "2 kg", to = "4 kg", points = 9 }
+y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 9 }
+speed = { from = "100 rpm", to = "12000 rpm" }
+"#;
     const DOC: &'static str = "The nonlinear response over a grid of two parameters of the machine, a complete one in every cell: largest peak and its \
         speed, folds, jump speeds of slow sweeps up and down, width of the hysteresis, unstable ranges; and the border between machines that jump and \
         machines that do not. A cell has the numbers that nonlinear_response finds for its machine.";

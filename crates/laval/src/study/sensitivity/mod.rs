@@ -38,6 +38,8 @@ const BARS: usize = 10;
 
 impl Study for Sensitivity {
     const KIND: &'static str = "sensitivity";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+"#;
     const DOC: &'static str = "How every peak and every fold (jump) of the steady response moves with every parameter of the machine: exact derivatives of its speed and \
         its displacement, in order of their relative influence.";
     const FIELDS: &'static [Field] = &[

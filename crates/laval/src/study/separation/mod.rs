@@ -50,6 +50,11 @@ pub struct Separation {
 
 impl Study for Separation {
     const KIND: &'static str = "separation";
+    const EXAMPLE: &'static str = r#"speed = "3000 rpm"
+time = "8 min"
+particles = 2048
+ramp = "30 s"
+"#;
     const DOC: &'static str = "Particles of the suspension followed through a cup, tube, bowl or disc stack at one speed: share caught over time, cut size, \
         grade efficiency, where the pellet lies, the time and speed a recovery needs with their sensitivities, and engineering measures \
         (RCF, k-factor, Sigma). Speeds are searched on the same account of time as everything else, with the run-up at the same acceleration; not where every \

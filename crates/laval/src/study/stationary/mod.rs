@@ -72,6 +72,9 @@ const MOST_CELLS: usize = 100_000;
 
 impl Study for Stationary {
     const KIND: &'static str = "stationary";
+    const EXAMPLE: &'static str = r#"speed = { from = "3000 rpm", to = "12000 rpm", points = 31 }
+chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points = 9 }
+"#;
     const DOC: &'static str = "Where a machine with movable masses, such as the balls of a balancer, balances itself: its states at rest in axes that turn with \
         the rotor, all that are found from many starts, followed over the speed and classified (balanced, partly balanced, unbalance reduced, masses touching, together, opposed, \
         locked by a tilt), with eigenvalues, limits of existence and the speeds where stability changes. It says where states balance, where they make the unbalance \

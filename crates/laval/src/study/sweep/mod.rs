@@ -84,6 +84,9 @@ pub struct Sweep {
 
 impl Study for Sweep {
     const KIND: &'static str = "sweep";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 200 }
+start = "up_and_down"
+"#;
     const DOC: &'static str = "Settled motion over the spin speed by integration in time, from the same start at every speed or followed up and down: amplitudes, \
         orders, jumps and hysteresis, period doubling and motions that do not repeat, bifurcation diagram, order spectra, largest Lyapunov exponent. \
         nonlinear_response finds all periodic motions, unstable ones too; a sweep shows which of them a machine reaches.";

@@ -73,6 +73,10 @@ pub struct Uncertainty {
 
 impl Study for Uncertainty {
     const KIND: &'static str = "uncertainty";
+    const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
+parameters = [{ parameter = "drum.mass", distribution = "normal", deviation = "2 %" }]
+samples = 256
+"#;
     const DOC: &'static str = "Runs another study for many values of uncertain parameters: mean, deviation and quantiles of every number it finds, how often \
         it finds it at all, and, where asked for, which parameter matters how much.";
     const FIELDS: &'static [Field] = &[
