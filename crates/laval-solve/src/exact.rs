@@ -9,6 +9,7 @@
 use super::characteristic::Characteristic;
 use super::pencil::{Linearised, MachineMode, Spectrum};
 use super::sectors::Sector;
+use super::ties::settle_modes;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat};
 use std::f64::consts::{PI, TAU};
@@ -65,7 +66,7 @@ pub(super) fn settle(t: &mut Characteristic, linear: &Linearised, spectrum: &mut
         family.modes = kept;
     }
     spectrum.modes = found.into_iter().map(|f| f.1).collect();
-    spectrum.modes.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+    settle_modes(&mut spectrum.modes);
 }
 
 /// Number of growing roots by the argument principle, each pair of conjugates counted once, like the modes of `spectrum`, which help as places to look at

@@ -5,6 +5,7 @@ use super::extremum::Search;
 use super::linear_response::{Response, is_known, response};
 use super::locate::{State, crossing};
 use super::sweep::{Sweep, sweep};
+use super::ties::{rank, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::c;
@@ -103,7 +104,10 @@ pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -
             }
         }
     }
-    out.sort_by(|a, b| a.order.total_cmp(&b.order).then(a.speed.total_cmp(&b.speed)));
+    out.sort_by(|a, b| a.order.total_cmp(&b.order));
+    for same in out.chunk_by_mut(|a, b| a.order == b.order) {
+        settle(same, |x| c(x.growth, x.speed), |x| rank(x.whirl));
+    }
     out
 }
 

@@ -25,5 +25,6 @@ pub mod stability;
 pub mod stationary;
 pub mod sweep;
 pub mod symmetry;
+pub mod ties;
 pub mod turning;
 pub mod unbalance;

@@ -10,6 +10,7 @@
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, state_sectors};
 use super::roots::{Request, roots, transcendental};
 use super::sectors::{Sector, Sectors, block, circular};
+use super::ties::settle_modes;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, TimeForm};
 use crate::model::system::System;
@@ -314,7 +315,7 @@ impl Linearised {
             }
             out.families.push(Family { sector: None, modes });
         }
-        out.modes.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+        settle_modes(&mut out.modes);
         Ok(out)
     }
 

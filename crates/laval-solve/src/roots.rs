@@ -13,6 +13,7 @@ use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
 use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl, time_forms};
 use super::resonances::resonances;
 use super::sectors::Sector;
+use super::ties::{mode_rank, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Domain, Physics, TimeForm};
 use crate::model::system::System;
@@ -414,7 +415,7 @@ pub fn roots(system: &System, about: &Equilibrium, request: &Request) -> Result<
     }
     let mut order: Vec<usize> = (0..out.spectrum.modes.len()).collect();
     let modes = &out.spectrum.modes;
-    order.sort_by(|&a, &b| modes[a].value.im.total_cmp(&modes[b].value.im).then(modes[a].value.re.total_cmp(&modes[b].value.re)));
+    settle(&mut order, |&k| modes[k].value, |&k| mode_rank(&modes[k]));
     out.counted = order.iter().map(|&k| out.counted[k]).collect();
     out.spectrum.modes = order.iter().map(|&k| modes[k].clone()).collect();
     out.spectrum.polished = out.spectrum.modes.len();
