@@ -3,7 +3,8 @@
 use crate::terminal;
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::file::{self, Loaded};
-use std::fs::{self, File};
+use laval::{plain, report};
+use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -75,13 +76,17 @@ impl Input {
             let full = self.path.canonicalize().ok()?;
             Some(full.parent()?.file_name()?.to_string_lossy().into_owned())
         };
-        if stem == "machine" { folder().unwrap_or(stem) } else { stem }
+        let name = if stem == "machine" { folder().unwrap_or(stem) } else { stem };
+        let usual = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.' | '+' | ',' | '(' | ')' | '\u{300}'..='\u{36f}');
+        // names such as "..", that are no folder on every system, are changed
+        let sound = name.chars().all(usual) && name.trim_end_matches([' ', '.']) == name && !report::file_name(&name).ends_with('_');
+        if sound && !name.starts_with('.') { name } else { report::file_name(&name) }
     }
 
     /// Says on standard error what was found.
     pub fn complain(&self, found: &Diagnostics) {
         if !found.0.is_empty() {
-            terminal::complain(&file::render(found, &self.text(), &self.path.display().to_string(), terminal::diagnostics()));
+            terminal::complain_painted(&file::render(found, &self.text(), &self.path.display().to_string(), terminal::diagnostics()));
         }
     }
 }
@@ -93,16 +98,8 @@ fn named(c: std::path::Component) -> Option<String> {
     }
 }
 
-/// Makes the folder that results go to, before computing, not after.
-pub fn make_folder(path: &Path) -> Result<(), Diagnostic> {
-    fs::create_dir_all(path).map_err(|e| {
-        let why = if path.is_file() { "it is a file".to_string() } else { e.to_string() };
-        Diagnostic::error("request.out", format!("cannot make the folder {}: {why}", path.display())).help("name another one with --out")
-    })
-}
-
 /// Says one thing that is wrong with the request itself.
 pub fn complain(d: &Diagnostic) {
-    let help = d.help.as_ref().map_or_else(String::new, |h| format!("  help: {h}\n"));
-    terminal::complain(&format!("error[{}]: {}\n{help}", d.code, d.message));
+    let help = d.help.as_ref().map_or_else(String::new, |h| format!("  help: {}\n", plain::line(h)));
+    terminal::complain(&format!("error[{}]: {}\n{help}", d.code, plain::line(&d.message)));
 }

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 the file or the request is wrong; 2 the program failed; 130 stopped by Ctrl-C.
 
 #![warn(missing_docs)]
+#![forbid(unsafe_code)]
 
 mod check;
 mod input;
@@ -15,6 +16,7 @@ mod validate;
 
 use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
+use std::backtrace::{Backtrace, BacktraceStatus};
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -64,6 +66,11 @@ enum Command {
 
 /// Runs the program with these arguments (the first is its name) and returns its exit code.
 pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
+    std::panic::set_hook(Box::new(|what| {
+        let trace = Backtrace::capture();
+        let trace = if trace.status() == BacktraceStatus::Captured { format!("{trace}\n") } else { String::new() };
+        terminal::complain(&format!("{what}\n{trace}"));
+    }));
     let command = match Cli::try_parse_from(args) {
         Ok(cli) => cli.command,
         Err(e) => return usage(&e),
@@ -84,7 +91,12 @@ pub fn program(args: impl IntoIterator<Item = OsString>) -> u8 {
 
 /// Help and version are answers; anything else is a wrong request.
 fn usage(e: &clap::Error) -> u8 {
-    terminal::tell(e.print());
+    let text = e.render().to_string();
+    if e.use_stderr() {
+        terminal::complain(&text)
+    } else {
+        terminal::print(&text)
+    }
     match e.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion if !terminal::lost() => DONE,
         _ => WRONG,

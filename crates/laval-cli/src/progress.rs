@@ -2,6 +2,7 @@
 
 use crate::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use laval::plain;
 use laval::study::Progress;
 use std::io::{self, IsTerminal};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -93,7 +94,7 @@ impl Bar {
     pub fn new(name: &str, quiet: bool) -> Bar {
         let now = Instant::now();
         Bar {
-            name: name.to_string(),
+            name: plain::line(name).into_owned(),
             quiet,
             watched: io::stderr().is_terminal(),
             begun: now,

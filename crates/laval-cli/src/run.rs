@@ -3,10 +3,12 @@
 use crate::input::{self, Input};
 use crate::progress::Bar;
 use crate::{DONE, FAILED, STOPPED, WRONG, guarded, terminal};
+use laval::build;
 use laval::diagnostic::{Diagnostic, Diagnostics, nearest};
 use laval::file::{self, Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::outcome::{End, Finding, Outcome};
+use laval::plain;
 use laval::report::{self, Format, Provenance, Report, WriteError};
 use laval::store::Keep;
 use laval::study::Context;
@@ -131,12 +133,15 @@ impl<'a> Run<'a> {
             machine: loaded.system.machine.name.clone(),
             provenance: Provenance {
                 version: env!("CARGO_PKG_VERSION").into(),
+                build: build::ID.into(),
+                processor: build::processor().into(),
                 input_name: input.name(),
                 input_hash: format!("sha256:{}", sha256(&input.bytes)),
                 settings,
                 seed: None,
             },
             input: Some(input.text()),
+            studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
             outcomes: Vec::new(),
         };
         Run {
@@ -153,10 +158,15 @@ impl<'a> Run<'a> {
 
     fn run(mut self) -> u8 {
         listen();
-        if let Err(d) = input::make_folder(&self.dir) {
-            input::complain(&d);
-            return WRONG;
-        }
+        let studies: Vec<&str> = self.report.studies.iter().map(String::as_str).collect();
+        // held until the end: the files of two runs at once would be mixed
+        let _held = match report::prepare(&self.dir, &studies) {
+            Ok(held) => held,
+            Err(d) => {
+                input::complain(&d);
+                return WRONG;
+            }
+        };
         // all that is refused is said at once, before anything long begins
         let bar = Bar::new("preparing", self.args.quiet);
         let before = Context { name: "preparing", cancel: &CANCEL, progress: &bar, work_limit: u64::MAX, keep: None };
@@ -192,7 +202,8 @@ impl<'a> Run<'a> {
             Err(code) => return code,
         };
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
-        self.paragraph(&format!("{}\n", page.unwrap_or_else(|| self.dir.clone()).display()));
+        let place = page.unwrap_or_else(|| self.dir.clone()).display().to_string();
+        self.paragraph(&format!("{}\n", plain::line(&place)));
         if self.code != FAILED && CANCEL.load(Ordering::Relaxed) { STOPPED } else { self.code }
     }
 
@@ -228,16 +239,15 @@ impl<'a> Run<'a> {
 
     /// Where a long study keeps its rows.
     fn keep(&self, named: &NamedStudy) -> Option<Keep> {
-        let names = self.loaded.spec.studies.iter().map(|b| b.name.as_str());
-        let folders = report::folders(names.clone());
-        let at = names.into_iter().position(|n| n == named.name)?;
+        let folders = report::folders(self.report.studies.iter().map(String::as_str));
+        let at = self.report.studies.iter().position(|n| *n == named.name)?;
         let input = file::canonical(&self.loaded.spec, &named.name);
         Some(Keep { folder: self.dir.join(&folders[at]), input, fresh: self.args.fresh })
     }
 
     fn paragraph(&mut self, text: &str) {
         if !self.args.quiet {
-            terminal::print(&format!("{}{text}", if self.printed { "\n" } else { "" }));
+            terminal::print_painted(&format!("{}{text}", if self.printed { "\n" } else { "" }));
             self.printed = true;
         }
     }
@@ -260,8 +270,7 @@ impl<'a> Run<'a> {
     }
 
     fn write(&self) -> Result<Vec<PathBuf>, u8> {
-        let studies: Vec<&str> = self.loaded.spec.studies.iter().map(|s| s.name.as_str()).collect();
-        report::renew(&self.dir, &self.report, &self.formats, &studies).map_err(|e| {
+        report::renew(&self.dir, &self.report, &self.formats).map_err(|e| {
             terminal::complain(&format!("laval: {e}\n"));
             match e {
                 WriteError::Io { .. } => WRONG,

@@ -1,6 +1,7 @@
-//! What goes to the terminal, and how.
+//! What goes to the terminal, and how. All of it leaves here: control characters that are not the program's own are shown as escapes.
 
 use laval::file::Form;
+use laval::plain;
 use laval::report::Terminal;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,13 +12,18 @@ static LOST: AtomicBool = AtomicBool::new(false);
 
 /// Prints results. A closed pipe (`laval parts | head`) ends the output quietly; any other failure is told once, and [`lost`] says so.
 pub fn print(text: &str) {
-    let mut out = io::stdout().lock();
-    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
-    tell(written);
+    put(&plain::lines(text));
 }
 
-/// Remembers and tells that standard output could not be written.
-pub fn tell(written: io::Result<()>) {
+/// As [`print`], for text that the program has coloured and in which names are escaped already.
+pub fn print_painted(text: &str) {
+    put(&plain::painted(text));
+}
+
+fn put(text: &str) {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    drop(out);
     if let Err(e) = written
         && e.kind() != io::ErrorKind::BrokenPipe
         && !LOST.swap(true, Ordering::Relaxed)
@@ -33,7 +39,12 @@ pub fn lost() -> bool {
 
 /// Prints a message to standard error.
 pub fn complain(text: &str) {
-    let _ = io::stderr().lock().write_all(text.as_bytes());
+    let _ = io::stderr().lock().write_all(plain::lines(text).as_bytes());
+}
+
+/// As [`complain`], for text that the program has coloured and in which names are escaped already.
+pub fn complain_painted(text: &str) {
+    let _ = io::stderr().lock().write_all(plain::painted(text).as_bytes());
 }
 
 /// Columns of standard output; 80 where it is no terminal.

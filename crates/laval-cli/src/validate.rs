@@ -2,8 +2,9 @@
 
 use crate::{DONE, FAILED, WRONG, input, terminal};
 use laval::diagnostic::Diagnostic;
+use laval::folder::{Held, Lasting, write_whole};
+use laval::plain;
 use laval::validation::{Document, Page, documents, gallery, run};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -32,10 +33,13 @@ pub fn validate(args: &Args) -> u8 {
             return WRONG;
         }
     };
-    if let Err(d) = input::make_folder(&args.out) {
-        input::complain(&d);
-        return WRONG;
-    }
+    let _held = match Held::take(&args.out) {
+        Ok(held) => held,
+        Err(d) => {
+            input::complain(&d);
+            return WRONG;
+        }
+    };
     let width = cases.iter().map(|c| c.id.len()).max().unwrap_or(0);
     let done = AtomicUsize::new(0);
     let pages = run(&cases, |page| {
@@ -47,7 +51,7 @@ pub fn validate(args: &Args) -> u8 {
     });
     let changed: Vec<&Page> = pages.iter().filter(|p| !p.holds()).collect();
     for page in &changed {
-        terminal::complain(&format!("\n{}", told(page)));
+        terminal::complain_painted(&format!("\n{}", told(page)));
     }
     match write(&args.out, &pages) {
         Ok(()) => {}
@@ -96,17 +100,17 @@ fn nearest_folder() -> Result<PathBuf, Diagnostic> {
 
 /// Why a page is not as it states.
 fn told(page: &Page) -> String {
-    let mut s = format!("{}: {}\n{}", page.id(), page.verdict(), page.complaint(terminal::diagnostics()));
+    let mut s = format!("{}: {}\n{}", plain::line(page.id()), page.verdict(), page.complaint(terminal::diagnostics()));
     if let Page::Checked(c) = page {
         if c.verdict().is_some_and(|v| v != c.case.verdict) {
             s += &format!("  the page states \"{}\"\n", c.case.verdict.words());
         }
         for (e, found) in c.case.expected.iter().zip(&c.compared).filter(|(e, found)| e.stated != found.row) {
-            let at = if e.at.is_empty() { String::new() } else { format!(" at {}", e.at) };
+            let at = if e.at.is_empty() { String::new() } else { format!(" at {}", plain::line(&e.at)) };
             s += &format!(
                 "  {}: {}{at} is {} {}, expected {}: {} instead of {}\n",
-                e.study,
-                e.value,
+                plain::line(&e.study),
+                plain::line(&e.value),
                 found.measured,
                 e.unit,
                 e.expected_text,
@@ -125,7 +129,7 @@ fn write(out: &Path, pages: &[Page]) -> Result<(), u8> {
     })?;
     for (name, content) in files {
         let path = out.join(name);
-        fs::write(&path, content).map_err(|e| {
+        write_whole(&path, &content.into_bytes(), Lasting::Kill).map_err(|e| {
             terminal::complain(&format!("laval: cannot write {}: {e}\n", path.display()));
             WRONG
         })?;

@@ -95,12 +95,42 @@ fn two_runs_give_the_same_bytes() {
     assert!(a.len() > 5 && a == b);
 }
 
+/// Without coupling to the spin both directions have the same speeds and frequencies; which of two is larger in the last digit says nothing.
+#[test]
+fn equal_modes_and_critical_speeds_stand_forward_first() {
+    let dir = Dir::new("ties");
+    for k in 1..=12 {
+        let k = f64::from(k);
+        let (mass, stiffness, damping) = (1.0 + k / 7.0, 1e5 * (1.0 + k / 3.0), 10.0 + k / 9.0);
+        let shaft = |at: &str, factor: f64| {
+            let between = format!("[{{ body = \"a\", at = \"{at}\" }}, \"ground\"]");
+            format!("[[part]]\nkind = \"shaft_lumped\"\nbetween = {between}\nstiffness = {}\n", factor * stiffness)
+        };
+        let text = format!(
+            "[machine]\nname = \"t\"\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"a\"\nmass = {mass}\ndiametral_inertia = 0.01\n\
+             polar_inertia = 0.0\n{}{}[[part]]\nkind = \"damper\"\nbetween = [\"a\", \"ground\"]\ndamping = {damping}\n\
+             [[study]]\nkind = \"critical_speeds\"\nspeed = {{ from = 10, to = 3000 }}\n[[study]]\nkind = \"modes\"\nspeed = 300\n",
+            shaft("-100 mm", 1.0),
+            shaft("130 mm", 1.1)
+        );
+        dir.file("t.toml", text);
+        dir.laval(["run", "t.toml", "--out", "o", "--format", "csv"]).done();
+        for table in ["critical_speeds/critical_speeds", "modes/modes"] {
+            let text = dir.read(&format!("o/{table}.csv"));
+            let mut rows = text.lines().filter(|l| !l.starts_with('#')).map(|l| l.split(',').collect::<Vec<_>>());
+            let whirl = rows.next().unwrap().iter().position(|c| *c == "whirl").unwrap();
+            let found: Vec<&str> = rows.map(|r| r[whirl]).collect();
+            assert_eq!(found, ["forward", "backward", "forward", "backward"], "{k}: {table}");
+        }
+    }
+}
+
 #[test]
 fn formats_and_quiet() {
     let dir = Dir::new("formats");
     dir.file("pump.toml", SMALL);
     assert_eq!(dir.laval(["run", "pump.toml", "--out", "o", "--format", "csv,json", "--quiet"]).done(), "");
-    let mut kinds: Vec<String> = tree(&dir.0.join("o")).iter().map(|f| f.0.extension().unwrap().to_string_lossy().into()).collect();
+    let mut kinds: Vec<String> = tree(&dir.0.join("o")).iter().filter_map(|f| Some(f.0.extension()?.to_string_lossy().into())).collect();
     kinds.sort();
     kinds.dedup();
     assert_eq!(kinds, ["csv", "json"]);

@@ -2,6 +2,7 @@
 //!
 //! A part knows physics and no analysis.
 #![warn(missing_docs)]
+#![forbid(unsafe_code)]
 
 pub use laval_num;
 

@@ -36,15 +36,19 @@
 //! A part knows physics and no analysis; an analysis ([`study`], [`solve`]) knows the system and no concrete part; output ([`report`]) knows tables
 //! ([`outcome`]) and neither.
 #![warn(missing_docs)]
+#![forbid(unsafe_code)]
 
 pub use laval_model::{cavity, diagnostic, model, parts, units};
 pub use laval_model::{conformance, params};
 pub use laval_num;
 pub use laval_solve as solve;
 
+pub mod build;
 pub mod file;
+pub mod folder;
 pub mod hash;
 pub mod outcome;
+pub mod plain;
 pub mod report;
 pub mod separation;
 pub mod store;

@@ -292,7 +292,9 @@ fn report() -> Report {
             input_hash: "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08".into(),
             settings: vec![("threads".into(), "2".into())],
             seed: Some(1),
+            ..Provenance::default()
         },
+        studies: Vec::new(),
         input: Some(format!("[machine]\nname = '{NAME}'\nspeed = \"3000 rpm\"\n")),
         outcomes: vec![response(), campbell(), stability_map(), history()],
     }

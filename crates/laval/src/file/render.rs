@@ -1,6 +1,7 @@
 //! Diagnostics for people and for tools.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span};
+use crate::plain;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 use serde_json::{Value as Json, json};
 use std::fmt::{self, Write as _};
@@ -64,13 +65,14 @@ impl miette::Diagnostic for Shown<'_> {
         })
     }
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.d.help.as_ref().map(|h| Box::new(h) as Box<dyn fmt::Display>)
+        self.d.help.as_ref().map(|h| Box::new(plain::line(h)) as Box<dyn fmt::Display>)
     }
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
         Some(self.source)
     }
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let s = LabeledSpan::new_primary_with_span(self.d.label.as_deref().map(str::to_string), (self.span.start, self.span.len()));
+        let label = self.d.label.as_deref().map(|l| plain::line(l).into_owned());
+        let s = LabeledSpan::new_primary_with_span(label, (self.span.start, self.span.len()));
         Some(Box::new(std::iter::once(s)))
     }
 }
@@ -123,32 +125,39 @@ fn message(d: &Diagnostic, text: &str) -> String {
 
 fn one_line(out: &mut String, d: &Diagnostic, text: &str, file: &str) {
     let place = d.span.as_ref().map(|s| line_column(text, clamp(text, s).start)).map_or(String::new(), |(l, c)| format!(":{l}:{c}"));
-    let _ = writeln!(out, "{file}{place}: {}[{}]: {}", word(d.severity), d.code, message(d, text));
+    let _ = writeln!(out, "{}{place}: {}[{}]: {}", plain::line(file), word(d.severity), d.code, plain::line(&message(d, text)));
     if let Some(h) = &d.help {
-        let _ = writeln!(out, "  help: {h}");
+        let _ = writeln!(out, "  help: {}", plain::line(h));
     }
 }
 
-/// Shows diagnostics of the file `file` with the content `text`, in the order of their places.
+/// Shows diagnostics of the file `file` with the content `text`, in the order of their places. Control characters are shown as escapes.
 pub fn render(diagnostics: &Diagnostics, text: &str, file: &str, form: Form) -> String {
     let mut sorted = diagnostics.clone();
     sorted.sort_by_place();
     let mut out = String::new();
-    let source = NamedSource::new(file, text.to_string());
-    for d in sorted.0.iter().take(MOST) {
+    let spans: Vec<Option<Span>> = sorted.0.iter().take(MOST).map(|d| d.span.as_ref().map(|s| clamp(text, s))).collect();
+    let ends: Vec<usize> = spans.iter().flatten().flat_map(|s| [s.start, s.end]).collect();
+    let (excerpts, ends) = plain::lines_at(text, &ends);
+    let mut ends = ends.into_iter();
+    let source = NamedSource::new(plain::line(file), excerpts.to_string());
+    for (d, span) in sorted.0.iter().zip(spans) {
+        let span = span.and_then(|_| Some(ends.next()?..ends.next()?));
         let Form::Excerpts { width, colour } = form else {
             one_line(&mut out, d, text, file);
             continue;
         };
-        let span = d.span.as_ref().map(|s| clamp(text, s)).filter(|s| {
-            let start = text[..s.start].rfind('\n').map_or(0, |i| i + 1);
-            let end = text[s.end..].find('\n').map_or(text.len(), |i| s.end + i);
-            end - start <= LONGEST_LINE && !text.is_empty()
+        let span = span.filter(|s| {
+            let start = excerpts[..s.start].rfind('\n').map_or(0, |i| i + 1);
+            let end = excerpts[s.end..].find('\n').map_or(excerpts.len(), |i| s.end + i);
+            end - start <= LONGEST_LINE && !excerpts.is_empty()
         });
         let theme = if colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let handler = GraphicalReportHandler::new_themed(theme).with_width(width.clamp(40, 400)).with_links(false).with_context_lines(1);
         let written = match span {
-            Some(span) => handler.render_report(&mut out, &Shown { d, message: message(d, text), source: &source, span }),
+            Some(span) => {
+                handler.render_report(&mut out, &Shown { d, message: plain::line(&message(d, text)).into_owned(), source: &source, span })
+            }
             None => {
                 one_line(&mut out, d, text, file);
                 Ok(())

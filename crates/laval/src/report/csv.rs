@@ -1,12 +1,13 @@
 //! Tables as CSV.
 
 use crate::outcome::{Data, Table};
+use crate::plain;
 
 /// A table as CSV (RFC 4180, UTF-8): comment lines with what the table and its columns hold, a header with units
 /// (`speed [rad/s]`), then the rows. Floats are written so that reading gives the same bits; missing ones as `NaN`.
 ///
 /// `pandas.read_csv(file, comment="#")` reads it. Every word that could be taken for something else (comma, quote, line end,
-/// `#`) is quoted.
+/// `#`) is quoted; control characters other than line ends and tabs are written as in a machine file, `\\u001b`.
 ///
 /// ```
 /// use laval::outcome::Table;
@@ -17,8 +18,7 @@ pub fn csv(table: &Table) -> String {
     let mut out = String::new();
     let mut comment = |name: &str, doc: &str| {
         if !doc.is_empty() {
-            let line = format!("# {name}: {doc}").replace(|c: char| c.is_control(), " ");
-            out.push_str(&line);
+            out.push_str(&plain::line(&format!("# {name}: {doc}")));
             out.push('\n');
         }
     };
@@ -45,8 +45,9 @@ pub fn csv(table: &Table) -> String {
 }
 
 fn quoted(text: &str) -> String {
-    let plain = !text.is_empty() && !text.contains([',', '"', '\n', '\r', '#']) && text.trim() == text;
-    if plain { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
+    let text = plain::lines(text);
+    let bare = !text.is_empty() && !text.contains([',', '"', '\n', '\r', '#']) && text.trim() == text;
+    if bare { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
 }
 
 #[cfg(test)]
@@ -63,7 +64,10 @@ mod tests {
 
     #[test]
     fn words_that_need_quotes() {
-        let t = Table::new("t", "two\nlines").text("a,b", "", vec!["x\"y".into(), "#1".into(), "".into(), "plain".into()]).build().unwrap();
-        assert_eq!(csv(&t), "# t: two lines\n\"a,b\"\n\"x\"\"y\"\n\"#1\"\n\"\"\nplain\n");
+        let t = Table::new("t", "two\nlines")
+            .text("a,b", "", vec!["x\"y".into(), "#1".into(), "".into(), "plain".into(), "\u{1b}[2J".into()])
+            .build()
+            .unwrap();
+        assert_eq!(csv(&t), "# t: two\\u000alines\n\"a,b\"\n\"x\"\"y\"\n\"#1\"\n\"\"\nplain\n\\u001b[2J\n");
     }
 }

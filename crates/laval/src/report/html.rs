@@ -57,7 +57,11 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     if !p.input_name.is_empty() {
         from.push(format!("from {}", escape(&p.input_name)));
     }
-    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
+    let version = match p.build.is_empty() {
+        true => escape(&p.version),
+        false => format!("<span title=\"build {}, processor {}\">{}</span>", escape(&p.build), escape(&p.processor), escape(&p.version)),
+    };
+    from.push(format!("laval {version}").trim_end().to_string());
     if !p.input_hash.is_empty() {
         let short: String = p.input_hash.chars().take(12).collect();
         from.push(format!("input <span title=\"{}\">{}</span>", escape(&p.input_hash), escape(&short)));

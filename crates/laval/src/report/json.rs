@@ -3,6 +3,7 @@
 use super::Report;
 use super::write::Names;
 use crate::outcome::{End, Evidence, Finding, Outcome, SpecialPoint, Status};
+use crate::plain;
 use serde_json::{Map, Value, json};
 
 /// Version of the layout of `results.json`; changes when a reader would have to.
@@ -10,7 +11,7 @@ pub const SCHEMA: u32 = 1;
 
 /// The text of `results.json`. Keys stand in a fixed order; numbers that are not finite are `null`.
 ///
-/// Top level: `schema`, `machine`, `provenance { program, version, input, input_hash, seed, settings }`, `studies`. Each study:
+/// Top level: `schema`, `machine`, `provenance { program, version, build, processor, input, input_hash, seed, settings }`, `studies`. Each study:
 /// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, text, value, unit, evidence }]`,
 /// `special_points`, `tables [{ name, doc, file, rows, columns }]` (`file` without its extension), `figures`, `work`.
 pub fn json(report: &Report) -> String {
@@ -24,6 +25,8 @@ pub fn json(report: &Report) -> String {
         "provenance": {
             "program": "laval",
             "version": p.version,
+            "build": p.build,
+            "processor": p.processor,
             "input": p.input_name,
             "input_hash": p.input_hash,
             "seed": p.seed,
@@ -31,7 +34,8 @@ pub fn json(report: &Report) -> String {
         },
         "studies": studies,
     });
-    format!("{all:#}\n")
+    // inside strings these escapes are JSON too, and outside of them there are no such characters
+    plain::lines(&format!("{all:#}\n")).into_owned()
 }
 
 /// A number, or null when it is not finite.

@@ -8,12 +8,8 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let table = Table::new("modes", "Natural modes").float("frequency", "rad/s", "whirl frequency", vec![210.0]).build()?;
 //! let outcome = Outcome::new("modes", "at rest").finding(Finding::info("count", "There is one mode.")).table(table);
-//! let report = Report {
-//!     machine: "pump".into(),
-//!     provenance: Provenance { version: "0.1.0".into(), input_name: "pump.toml".into(), ..Provenance::default() },
-//!     input: None,
-//!     outcomes: vec![outcome],
-//! };
+//! let provenance = Provenance { version: "0.1.0".into(), input_name: "pump.toml".into(), ..Provenance::default() };
+//! let report = Report { machine: "pump".into(), provenance, outcomes: vec![outcome], ..Report::default() };
 //! let dir = std::env::temp_dir().join(format!("laval-doc-{}", std::process::id()));
 //! let files = write(&dir, &report, &[Format::Json, Format::Csv])?;
 //! assert_eq!(files, [dir.join("at-rest/modes.csv"), dir.join("results.json")]);
@@ -48,7 +44,7 @@ pub use json::{SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
-pub use renew::renew;
+pub use renew::{prepare, renew};
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
@@ -65,8 +61,23 @@ pub struct Report {
     pub provenance: Provenance,
     /// Text of the input file, shown at the end of the page.
     pub input: Option<String>,
-    /// One outcome per study, in the order of the file.
+    /// Names of all studies of the input file, run or not: the names of the files follow from all of them. Empty where only those count that were run.
+    pub studies: Vec<String>,
+    /// One outcome per study that was run, in the order of the file.
     pub outcomes: Vec<Outcome>,
+}
+
+impl Report {
+    /// Names of all studies, run or not.
+    fn studies(&self) -> Vec<&str> {
+        let mut all: Vec<&str> = self.studies.iter().map(String::as_str).collect();
+        for o in &self.outcomes {
+            if !all.contains(&o.name.as_str()) {
+                all.push(&o.name);
+            }
+        }
+        all
+    }
 }
 
 /// What is needed to compute the results again.
@@ -74,6 +85,10 @@ pub struct Report {
 pub struct Provenance {
     /// Version of the program.
     pub version: String,
+    /// Its build: sources, libraries, compiler.
+    pub build: String,
+    /// Widest instructions of the processor: the last digits may depend on it.
+    pub processor: String,
     /// Name of the input file.
     pub input_name: String,
     /// Hash of the input file.

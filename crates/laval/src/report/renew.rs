@@ -1,10 +1,12 @@
 //! Writing a report over an earlier one: what laval itself wrote for studies that are gone is taken away, nothing else.
 
 use super::Report;
-use super::write::{Format, WriteError, Written, place, write_all};
+use super::write::{Composed, Format, WriteError, compose, folders, write_all};
+use crate::diagnostic::Diagnostic;
+use crate::folder::{Held, Lasting, tidy, write_whole};
 use crate::outcome::End;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
@@ -12,77 +14,150 @@ use std::path::{Component, Path, PathBuf};
 const MANIFEST: &str = "manifest.json";
 
 /// A file of an earlier run.
+#[derive(Clone)]
 struct Entry {
     /// Name of its study; `None` for what belongs to all.
     study: Option<String>,
-    hash: String,
+    /// What it holds; while files are being written, one of these.
+    hashes: Vec<String>,
 }
 
-/// As [`write`](super::write()), into a folder that may hold the results of earlier runs. `studies` names every study of the machine file, run or not.
-/// Afterwards no file stands there that laval wrote earlier for a study which is no longer in the file, or for a table or figure that a study run
-/// now no longer has; a refused study keeps what it had. A file laval did not write, or that was changed since, stays. `manifest.json` keeps the list.
+/// Takes the folder that a report will be written into, for the studies of these names: before anything is computed it is certain that nobody else writes
+/// it, that all of it can be written, and that nothing of another program stands in the way. What a killed run left unfinished is removed.
+///
+/// # Errors
+/// When one of these does not hold.
+pub fn prepare(dir: &Path, studies: &[&str]) -> Result<Held, Diagnostic> {
+    let held = Held::take(dir)?;
+    let blocked = |path: &Path, what: &str| {
+        let d = Diagnostic::error("folder.taken", format!("{} is {what}, where results are to be written", path.display()));
+        Err(d.help("move it elsewhere, or name another folder with --out"))
+    };
+    let earlier = match read(dir) {
+        Earlier::Ours(files) => files,
+        Earlier::None => BTreeMap::new(),
+        Earlier::Foreign => return blocked(&dir.join(MANIFEST), "a file of another program"),
+    };
+    for name in [MANIFEST, "results.json", "report.html"] {
+        let path = dir.join(name);
+        if path.is_dir() {
+            return blocked(&path, "a folder");
+        }
+    }
+    let listed = earlier.keys().filter(|name| plain(name)).filter_map(|name| Some(name.split_once('/')?.0.to_string()));
+    let all: BTreeSet<String> = folders(studies.iter().copied()).into_iter().chain(listed).chain(["figures".to_string()]).collect();
+    for folder in all.into_iter().map(|name| dir.join(name)) {
+        if folder.is_dir() {
+            tidy(&folder)?;
+        } else if folder.symlink_metadata().is_ok() {
+            return blocked(&folder, "no folder");
+        }
+    }
+    Ok(held)
+}
+
+/// As [`write`](super::write()), into a folder that may hold the results of earlier runs; hold it meanwhile ([`prepare`]). Afterwards no file stands there
+/// that laval wrote earlier for a study which is not among `report.studies`, or for a table or figure that a study run now no longer has; a refused study
+/// keeps what it had. A file laval did not write, or that was changed since, stays. `manifest.json` keeps the list, and says whether it is complete: a
+/// process killed on the way leaves files of two runs side by side.
 ///
 /// # Errors
 /// As [`write`](super::write()).
-pub fn renew(dir: &Path, report: &Report, formats: &[Format], studies: &[&str]) -> Result<Vec<PathBuf>, WriteError> {
-    let earlier = read(dir);
-    let written = write_all(dir, report, formats)?;
-    let mut files: BTreeMap<String, Entry> = BTreeMap::new();
-    for w in &written {
-        let study = w.study.map(|k| report.outcomes[k].name.clone());
-        files.insert(w.name.clone(), Entry { study, hash: hash(&w.content) });
+pub fn renew(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<PathBuf>, WriteError> {
+    let earlier = match read(dir) {
+        Earlier::Ours(files) => files,
+        Earlier::None | Earlier::Foreign => BTreeMap::new(),
+    };
+    let composed = compose(report, formats)?;
+    let now: BTreeMap<String, Entry> = composed.iter().map(|c| (c.name.clone(), entry(c, report))).collect();
+    let mut underway = now.clone();
+    for (name, old) in &earlier {
+        let all = underway.entry(name.clone()).or_insert_with(|| Entry { hashes: Vec::new(), ..old.clone() });
+        all.hashes.extend(old.hashes.clone());
     }
+    let changes = underway.values().any(|e| e.hashes.iter().any(|h| *h != e.hashes[0]));
+    if changes || underway.len() > earlier.len() {
+        list(dir, &underway, false)?;
+    }
+    let written = write_all(dir, &composed)?;
+    let mut files = now;
     for (name, entry) in earlier {
         // some file systems do not tell capitals
         if files.keys().any(|k| k.to_lowercase() == name.to_lowercase()) {
             continue;
         }
-        let gone = |s: &String| !studies.contains(&s.as_str());
+        let gone = |s: &String| !report.studies().contains(&s.as_str());
         let replaced = |s: &String| {
             let format = formats.iter().any(|f| name.ends_with(&format!(".{}", f.word())));
             // a study that was refused has not replaced what it had
             format && report.outcomes.iter().any(|o| &o.name == s && o.end != End::Refused)
         };
         if entry.study.as_ref().is_some_and(|s| gone(s) || replaced(s)) {
-            remove(dir, &name, &entry.hash);
+            remove(dir, &name, &entry.hashes);
         } else {
             files.insert(name, entry);
         }
     }
-    let list: Vec<Value> = files.iter().map(|(name, e)| json!({ "file": name, "study": e.study, "hash": e.hash })).collect();
+    list(dir, &files, true)?;
+    Ok(written)
+}
+
+fn entry(file: &Composed, report: &Report) -> Entry {
+    Entry { study: file.study.map(|k| report.outcomes[k].name.clone()), hashes: vec![hash(&file.content)] }
+}
+
+/// Writes the list.
+fn list(dir: &Path, files: &BTreeMap<String, Entry>, complete: bool) -> Result<(), WriteError> {
+    let one = |(name, e): (&String, &Entry)| {
+        let hash = if let [one] = e.hashes.as_slice() { json!(one) } else { json!(e.hashes) };
+        json!({ "file": name, "study": e.study, "hash": hash })
+    };
+    let list: Vec<Value> = files.iter().map(one).collect();
     let about = "the files laval wrote here; a later run removes those of studies that are no longer in the machine file";
-    let text = format!("{:#}\n", json!({ "program": "laval", "about": about, "files": list }));
-    place(dir, MANIFEST, text.as_bytes()).map_err(|(path, source)| WriteError::Io { path, source, written: paths(dir, &written) })?;
-    Ok(paths(dir, &written))
+    let text = format!("{:#}\n", json!({ "program": "laval", "about": about, "complete": complete, "files": list }));
+    let io = |(path, source)| WriteError::Io { path, source, written: Vec::new() };
+    fs::create_dir_all(dir).map_err(|e| io((dir.to_path_buf(), e)))?;
+    let path = dir.join(MANIFEST);
+    write_whole(&path, crate::plain::lines(&text).as_bytes(), Lasting::PowerLoss).map_err(|e| io((path, e)))
 }
 
-fn paths(dir: &Path, written: &[Written]) -> Vec<PathBuf> {
-    written.iter().map(|w| dir.join(&w.name)).collect()
+/// What the list of an earlier run says.
+enum Earlier {
+    /// There is none, or none that can be read.
+    None,
+    /// Another program wrote a file of that name.
+    Foreign,
+    Ours(BTreeMap<String, Entry>),
 }
 
-/// The list of an earlier run; nothing when there is none that can be read.
-fn read(dir: &Path) -> BTreeMap<String, Entry> {
+fn read(dir: &Path) -> Earlier {
     let text = fs::read_to_string(dir.join(MANIFEST)).unwrap_or_default();
-    let all: Value = serde_json::from_str(&text).unwrap_or_default();
+    let Ok(all) = serde_json::from_str::<Value>(&text) else { return Earlier::None };
     if all["program"] != "laval" {
-        return BTreeMap::new();
+        return Earlier::Foreign;
     }
     let entry = |v: &Value| {
-        let hash = v["hash"].as_str()?.to_string();
-        Some((v["file"].as_str()?.to_string(), Entry { study: v["study"].as_str().map(String::from), hash }))
+        let words = |v: &Value| v.as_str().map(String::from);
+        let hashes =
+            v["hash"].as_array().map_or_else(|| words(&v["hash"]).into_iter().collect(), |all| all.iter().filter_map(words).collect());
+        Some((words(&v["file"])?, Entry { study: words(&v["study"]), hashes }))
     };
-    all["files"].as_array().into_iter().flatten().filter_map(entry).collect()
+    Earlier::Ours(all["files"].as_array().into_iter().flatten().filter_map(entry).collect())
+}
+
+/// A name that leads nowhere else.
+fn plain(name: &str) -> bool {
+    Path::new(name).components().all(|c| matches!(c, Component::Normal(_)))
 }
 
 /// Removes a file inside `dir` that still holds what was written; and its folder, when that is empty then.
-fn remove(dir: &Path, name: &str, written: &str) {
+fn remove(dir: &Path, name: &str, written: &[String]) {
     let path = dir.join(name);
-    let plain = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
     let inside = || Some(path.canonicalize().ok()?.starts_with(dir.canonicalize().ok()?));
-    let own = plain
+    let own = plain(name)
         && fs::symlink_metadata(&path).is_ok_and(|m| m.is_file())
         && inside() == Some(true)
-        && fs::read(&path).is_ok_and(|content| hash(&content) == written);
+        && fs::read(&path).is_ok_and(|content| written.contains(&hash(&content)));
     // what cannot be removed stays: it is in nobody's way
     if own
         && fs::remove_file(&path).is_ok()
@@ -101,11 +176,12 @@ fn hash(content: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::outcome::{Outcome, Table};
+    use crate::outcome::{Axis, Figure, Line, Outcome, Panel, Table};
 
-    fn report(names: &[&str]) -> Report {
+    fn report(names: &[&str], all: &[&str]) -> Report {
         let table = |name: &str| Table::new("t", "").text("of", "", vec![name.into()]).build().unwrap();
-        Report { outcomes: names.iter().map(|n| Outcome::new("k", *n).table(table(n))).collect(), ..Report::default() }
+        let outcomes = names.iter().map(|n| Outcome::new("k", *n).table(table(n))).collect();
+        Report { studies: all.iter().map(|s| s.to_string()).collect(), outcomes, ..Report::default() }
     }
 
     struct Dir(PathBuf);
@@ -129,31 +205,31 @@ mod tests {
     #[test]
     fn results_of_studies_that_are_gone_are_removed() {
         let d = Dir::new("gone");
-        renew(&d.0, &report(&["a", "b", "c"]), FORMATS, &["a", "b", "c"]).unwrap();
-        renew(&d.0, &report(&["b"]), FORMATS, &["b", "c"]).unwrap();
+        renew(&d.0, &report(&["a", "b", "c"], &["a", "b", "c"]), FORMATS).unwrap();
+        renew(&d.0, &report(&["b"], &["b", "c"]), FORMATS).unwrap();
         assert!(!d.has("a") && d.has("b/t.csv") && d.has("results.json"));
         // in the file but not asked for this time
         assert!(d.has("c/t.csv"));
-        renew(&d.0, &report(&["b"]), FORMATS, &["b"]).unwrap();
+        renew(&d.0, &report(&["b"], &["b"]), FORMATS).unwrap();
         assert!(!d.has("c"), "remembered over a run that did not touch it");
     }
 
     #[test]
     fn a_refused_study_keeps_what_it_had() {
         let d = Dir::new("refused");
-        renew(&d.0, &report(&["a"]), FORMATS, &["a"]).unwrap();
+        renew(&d.0, &report(&["a"], &["a"]), FORMATS).unwrap();
         let refused = Report { outcomes: vec![Outcome::new("k", "a").end(End::Refused)], ..Report::default() };
-        renew(&d.0, &refused, FORMATS, &["a"]).unwrap();
+        renew(&d.0, &refused, FORMATS).unwrap();
         assert!(d.has("a/t.csv"));
     }
 
     #[test]
     fn foreign_and_changed_files_stay() {
         let d = Dir::new("foreign");
-        renew(&d.0, &report(&["a", "b"]), FORMATS, &["a", "b"]).unwrap();
+        renew(&d.0, &report(&["a", "b"], &["a", "b"]), FORMATS).unwrap();
         fs::write(d.0.join("a/notes.txt"), "mine").unwrap();
         fs::write(d.0.join("b/t.csv"), "mine now").unwrap();
-        renew(&d.0, &report(&[]), FORMATS, &[]).unwrap();
+        renew(&d.0, &report(&[], &[]), FORMATS).unwrap();
         assert!(d.has("a/notes.txt") && !d.has("a/t.csv") && d.has("b/t.csv"));
     }
 
@@ -168,21 +244,87 @@ mod tests {
         let up = format!("../{}/precious", outside.0.file_name().unwrap().to_str().unwrap());
         let list = [up.as_str(), precious.to_str().unwrap()].map(|f| json!({ "file": f, "study": "a", "hash": hash(b"x") }));
         fs::write(d.0.join(MANIFEST), json!({ "program": "laval", "files": list }).to_string()).unwrap();
-        renew(&d.0, &report(&["b"]), FORMATS, &["b"]).unwrap();
+        renew(&d.0, &report(&["b"], &["b"]), FORMATS).unwrap();
         assert!(precious.exists() && d.has("b/t.csv"));
         fs::write(d.0.join(MANIFEST), "{ not json").unwrap();
-        renew(&d.0, &report(&["c"]), FORMATS, &["c"]).unwrap();
+        renew(&d.0, &report(&["c"], &["c"]), FORMATS).unwrap();
         assert!(d.has("b/t.csv") && d.has("c/t.csv"));
     }
 
     #[test]
     fn a_table_that_a_study_no_longer_has_goes() {
         let d = Dir::new("table");
-        renew(&d.0, &report(&["a"]), FORMATS, &["a"]).unwrap();
+        renew(&d.0, &report(&["a"], &["a"]), FORMATS).unwrap();
         let without = Report { outcomes: vec![Outcome::new("k", "a")], ..Report::default() };
-        renew(&d.0, &without, &[Format::Json], &["a"]).unwrap();
+        renew(&d.0, &without, &[Format::Json]).unwrap();
         assert!(d.has("a/t.csv"), "that format was not asked for");
-        renew(&d.0, &without, FORMATS, &["a"]).unwrap();
+        renew(&d.0, &without, FORMATS).unwrap();
         assert!(!d.has("a"));
+    }
+
+    #[test]
+    fn a_study_run_alone_keeps_its_own_files() {
+        let all = ["a b", "a-b", "A B", "c", "c d", "figures", "results.json"];
+        let d = Dir::new("alone");
+        let names = |studies: &[&str]| -> Vec<PathBuf> {
+            let mut report = report(studies, &all);
+            for o in &mut report.outcomes {
+                for name in ["d-e", "e", "d"] {
+                    o.figures.push(Figure::new(name, "", "").panel(Panel::new(Axis::new("", "")).mark(Line::new("t", "of", "of"))));
+                }
+            }
+            let files = compose(&report, &[Format::Csv, Format::Svg]);
+            files.unwrap().into_iter().map(|c| d.0.join(c.name.to_lowercase())).collect()
+        };
+        let together = names(&all);
+        let alone: Vec<PathBuf> = all.iter().flat_map(|s| names(&[s])).collect();
+        assert_eq!(together, alone);
+        assert_eq!(BTreeSet::from_iter(&together).len(), together.len());
+        // and no study of the file is taken for one that is gone
+        renew(&d.0, &report(&all, &all), FORMATS).unwrap();
+        for study in all {
+            renew(&d.0, &report(&[study], &all), FORMATS).unwrap();
+        }
+        for (study, folder) in all.iter().zip(folders(all)) {
+            assert!(fs::read_to_string(d.0.join(folder).join("t.csv")).unwrap().ends_with(&format!("{study}\n")));
+        }
+    }
+
+    #[test]
+    fn files_of_a_run_that_was_killed_are_still_known() {
+        let d = Dir::new("killed");
+        renew(&d.0, &report(&["a"], &["a"]), FORMATS).unwrap();
+        // a folder in place of a file: everything before it is written, nothing after
+        fs::create_dir_all(d.0.join("c/t.csv")).unwrap();
+        assert!(renew(&d.0, &report(&["b", "c"], &["b", "c"]), FORMATS).is_err());
+        let list: Value = serde_json::from_str(&fs::read_to_string(d.0.join(MANIFEST)).unwrap()).unwrap();
+        assert_eq!(list["complete"], false);
+        assert!(d.has("a/t.csv") && d.has("b/t.csv"));
+        fs::remove_dir(d.0.join("c/t.csv")).unwrap();
+        renew(&d.0, &report(&["c"], &["c"]), FORMATS).unwrap();
+        let list: Value = serde_json::from_str(&fs::read_to_string(d.0.join(MANIFEST)).unwrap()).unwrap();
+        assert_eq!(list["complete"], true);
+        assert!(!d.has("a") && !d.has("b") && d.has("c/t.csv"));
+    }
+
+    #[test]
+    fn the_folder_is_prepared_before_anything_is_computed() {
+        let d = Dir::new("prepare");
+        let why = |d: &Dir| prepare(&d.0, &["a"]).err().map(|d| d.code);
+        assert_eq!(why(&d), None);
+        fs::create_dir_all(d.0.join("a")).unwrap();
+        // left by a killed run, and something that is not
+        fs::write(d.0.join("a/.laval-1-0.part"), "half").unwrap();
+        fs::write(d.0.join("a/t.csv.part1"), "mine").unwrap();
+        assert_eq!(why(&d), None);
+        assert!(!d.has("a/.laval-1-0.part") && d.has("a/t.csv.part1"));
+        for (file, content) in [("figures", "x"), ("manifest.json", "{ \"name\": \"a web page\" }")] {
+            fs::write(d.0.join(file), content).unwrap();
+            assert_eq!(why(&d), Some("folder.taken"));
+            assert_eq!(fs::read_to_string(d.0.join(file)).unwrap(), content);
+            fs::remove_file(d.0.join(file)).unwrap();
+        }
+        fs::create_dir(d.0.join("report.html")).unwrap();
+        assert_eq!(why(&d), Some("folder.taken"));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use crate::outcome::{Level, Outcome, quantity, significant};
+use crate::plain;
 
 /// How to write for the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,9 +27,9 @@ const MOST_RESULTS: usize = 8;
 ///
 /// ```
 /// use laval::outcome::{Finding, Outcome};
-/// use laval::report::{Provenance, Report, Terminal, terminal};
+/// use laval::report::{Report, Terminal, terminal};
 /// let outcome = Outcome::new("modes", "modes at rest").finding(Finding::info("f1", "The first mode turns at {}.").value(210.0, "rad/s"));
-/// let report = Report { machine: "pump".into(), provenance: Provenance::default(), input: None, outcomes: vec![outcome] };
+/// let report = Report { outcomes: vec![outcome], ..Report::default() };
 /// assert_eq!(terminal(&report, Terminal::default()), "modes at rest\n  The first mode turns at 210 rad/s.\n");
 /// ```
 pub fn terminal(report: &Report, how: Terminal) -> String {
@@ -38,9 +39,9 @@ pub fn terminal(report: &Report, how: Terminal) -> String {
 
 fn study(o: &Outcome, how: Terminal) -> String {
     let paint = |text: &str, code: &str| if how.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() };
-    let mut out = format!("{}\n", paint(&plain(&o.name), "1"));
+    let mut out = format!("{}\n", paint(&plain::line(&o.name), "1"));
     if !o.end.is_complete() {
-        wrap(&mut out, &paint("!", "33"), 1, &o.end_in_words(), how.width);
+        wrap(&mut out, &paint("!", "33"), 1, &plain::line(&o.end_in_words()), how.width);
     }
     let mut results = 0;
     for f in &o.findings {
@@ -53,8 +54,8 @@ fn study(o: &Outcome, how: Terminal) -> String {
             Level::Warning => (paint("!", "33"), 1),
             Level::Invalid => (paint("!!", "31"), 2),
         };
-        let mut text = plain(&f.sentence());
-        let first = f.evidence.first().map(|e| format!(" ({} {})", plain(&e.what), quantity(e.value, &e.unit)));
+        let mut text = plain::line(&f.sentence()).into_owned();
+        let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&e.what), quantity(e.value, &e.unit)));
         // evidence only where it is not said already and does not push the finding beyond two lines
         let said = f.evidence.first().is_some_and(|e| {
             let rounded = |digits| format!("{} {}", significant(e.value, digits), e.unit);
@@ -76,11 +77,6 @@ fn study(o: &Outcome, how: Terminal) -> String {
         out.push_str("  done, nothing to report\n");
     }
     out
-}
-
-/// Text without control characters, which could steer the terminal.
-fn plain(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 fn wrap(out: &mut String, sign: &str, sign_length: usize, text: &str, width: usize) {
@@ -110,12 +106,11 @@ fn wrap(out: &mut String, sign: &str, sign_length: usize, text: &str, width: usi
 
 #[cfg(test)]
 mod tests {
-    use super::super::Provenance;
     use super::*;
     use crate::outcome::{End, Finding};
 
     fn print(o: Outcome, how: Terminal) -> String {
-        terminal(&Report { machine: "m".into(), provenance: Provenance::default(), input: None, outcomes: vec![o] }, how)
+        terminal(&Report { outcomes: vec![o], ..Report::default() }, how)
     }
 
     #[test]
@@ -152,7 +147,9 @@ mod tests {
 
     #[test]
     fn names_cannot_steer_the_terminal() {
-        assert!(!print(Outcome::new("k", "a\x1b[2Jb"), Terminal::default()).contains('\x1b'));
+        let said = Finding::info("i", "Body \"\u{1b}[31m\u{202e}\" is heavy.").evidence("of \u{9b}2J", 1.0, "kg");
+        let text = print(Outcome::new("k", "a\x1b[2Jb\nc").finding(said), Terminal::default());
+        assert_eq!(text, "a\\u001b[2Jb\\u000ac\n  Body \"\\u001b[31m\\u202e\" is heavy (of \\u009b2J 1 kg).\n");
     }
 
     #[test]

@@ -1,17 +1,19 @@
 //! Escaping, file names, widths of words and numbers in drawings.
 
-/// Text for XML and HTML content and attributes: markup characters as entities, control characters that XML forbids left out.
+use crate::plain;
+
+/// Text for XML and HTML content and attributes: markup characters as entities, control characters as they are written in a machine file.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in plain::lines(text).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            '\t' | '\n' | '\r' => out.push(c),
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            // no character of XML, and no mark that could be shown
+            '\u{fffe}' | '\u{ffff}' => {}
             c => out.push(c),
         }
     }
@@ -43,7 +45,9 @@ pub fn file_name(name: &str) -> String {
     let out = out.trim_end_matches(['-', '.']);
     let stem = out.split('.').next().unwrap_or("").to_ascii_lowercase();
     let device = matches!(stem.as_str(), "con" | "prn" | "aux" | "nul")
-        || (stem.len() == 4 && (stem.starts_with("com") || stem.starts_with("lpt")) && stem.ends_with(|c: char| c.is_ascii_digit()));
+        || (stem.starts_with("com") || stem.starts_with("lpt"))
+            && stem.chars().count() == 4
+            && stem.ends_with(|c: char| c.is_ascii_digit() || matches!(c, '¹' | '²' | '³'));
     match out {
         "" => "unnamed".into(),
         _ if device => format!("{out}_"),
@@ -97,14 +101,23 @@ mod tests {
 
     #[test]
     fn markup_and_control_characters() {
-        assert_eq!(escape("<a b=\"c\">&'\u{0}\u{1b}"), "&lt;a b=&quot;c&quot;&gt;&amp;&#39;");
+        assert_eq!(escape("<a b=\"c\">&'\u{0}\u{1b}"), "&lt;a b=&quot;c&quot;&gt;&amp;&#39;\\u0000\\u001b");
     }
 
     #[test]
     fn file_names_cannot_leave_the_folder() {
-        for (name, want) in
-            [("..", "unnamed"), ("/abs/x", "abs-x"), ("a\0b", "a-b"), ("CON", "CON_"), ("com1.txt", "com1.txt_"), ("Läufer 2", "Läufer-2")]
-        {
+        for (name, want) in [
+            ("..", "unnamed"),
+            ("/abs/x", "abs-x"),
+            ("a\0b", "a-b"),
+            ("CON", "CON_"),
+            ("com1.txt", "com1.txt_"),
+            ("LPT²", "LPT²_"),
+            ("..con", "con_"),
+            ("a. .", "a"),
+            ("a\u{202e}b", "a-b"),
+            ("Läufer 2", "Läufer-2"),
+        ] {
             assert_eq!(file_name(name), want);
         }
         assert!(file_name(&"ä".repeat(500)).len() <= 80);

@@ -2,8 +2,10 @@
 
 use super::text::file_name;
 use super::{Report, csv, html, json, svg};
+use crate::folder::{Lasting, write_whole};
+use crate::hash::sha256;
 use crate::outcome::OutcomeError;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::{fmt, fs, io};
@@ -115,17 +117,23 @@ pub(super) struct Names {
 
 impl Names {
     pub fn new(report: &Report) -> Names {
-        let mut drawings = HashSet::new();
+        // names of files depend on all studies of the machine file, not on those that were run
+        let studies = report.studies();
+        let folders: HashMap<&str, String> = studies.iter().copied().zip(folders(studies.iter().copied())).collect();
         let (mut tables, mut figures) = (Vec::new(), Vec::new());
-        for (o, folder) in report.outcomes.iter().zip(folders(report.outcomes.iter().map(|o| o.name.as_str()))) {
-            let mut files = HashSet::new();
-            tables.push(o.tables.iter().map(|t| format!("{folder}/{}", unique(&mut files, &file_name(t.name())))).collect());
-            figures.push(
-                o.figures
-                    .iter()
-                    .map(|f| format!("figures/{}", unique(&mut drawings, &format!("{folder}-{}", file_name(&f.name)))))
-                    .collect(),
-            );
+        let mut taken: HashMap<String, [HashSet<String>; 2]> = HashMap::new();
+        for o in &report.outcomes {
+            let folder = folders.get(o.name.as_str()).cloned().unwrap_or_default();
+            let [files, drawings] = taken.entry(folder.clone()).or_default();
+            tables.push(o.tables.iter().map(|t| format!("{folder}/{}", unique(files, &file_name(t.name())))).collect());
+            // no name of a folder or a figure holds two hyphens in a row: "a--b-c" is none of the figures of "a-b"
+            let near = |other: &String| {
+                let (a, b) = (fold(&folder) + "-", fold(other) + "-");
+                *other != folder && (a.starts_with(&b) || b.starts_with(&a))
+            };
+            let hyphen = if folders.values().any(near) { "--" } else { "-" };
+            let drawing = |name: &str| format!("figures/{folder}{hyphen}{name}");
+            figures.push(o.figures.iter().map(|f| drawing(&unique(drawings, &file_name(&f.name)))).collect());
         }
         Names { tables, figures }
     }
@@ -139,21 +147,48 @@ impl Names {
     }
 }
 
-/// The folders of studies of these names, unique also on systems that ignore case.
+/// Names in the folder of results that are not of a study.
+const RESERVED: [&str; 4] = ["figures", "manifest.json", "report.html", "results.json"];
+
+/// The folders of studies of these names, unique also on systems that ignore case. A folder does not depend on the order of the studies: those whose
+/// names would lead to the same folder all carry a mark of their name behind it.
 ///
 /// ```
-/// assert_eq!(laval::report::folders(["slow run", "slow-run", "figures"]), ["slow-run", "slow-run-2", "figures-2"]);
+/// use laval::report::folders;
+/// assert_eq!(folders(["slow run", "fast"]), ["slow-run", "fast"]);
+/// let [a, b] = folders(["slow run", "slow-run"]).try_into().unwrap();
+/// assert!(a.starts_with("slow-run-") && b.starts_with("slow-run-") && a != b);
+/// assert_eq!(folders(["slow-run", "fast", "slow run"]), [b, "fast".into(), a]);
 /// ```
 pub fn folders<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    // a study of that name would share the folder of the figures
-    let mut taken = HashSet::from(["figures".to_string()]);
-    names.into_iter().map(|n| unique(&mut taken, &file_name(n))).collect()
+    let names: Vec<&str> = names.into_iter().collect();
+    let mut taken: HashMap<String, HashSet<&str>> = RESERVED.iter().map(|r| (r.to_string(), HashSet::from([""]))).collect();
+    for name in &names {
+        taken.entry(fold(&file_name(name))).or_default().insert(name);
+    }
+    let marked = |name: &str| {
+        let plain = file_name(name);
+        // the mark is longer where a name of another study ends in the short one
+        let marks = (8..=64).step_by(8).map(|digits| format!("{plain}-{}", &sha256(name.as_bytes())[..digits]));
+        let free = |m: &String| !taken.contains_key(&fold(m));
+        marks.clone().find(free).or(marks.last()).unwrap_or(plain)
+    };
+    let folder = |name: &&str| {
+        let plain = file_name(name);
+        if taken.get(&fold(&plain)).is_some_and(|all| all.len() > 1) { marked(name) } else { plain }
+    };
+    names.iter().map(folder).collect()
+}
+
+/// Names that differ by this alone are one name to some file systems.
+fn fold(name: &str) -> String {
+    name.chars().flat_map(char::to_uppercase).flat_map(char::to_lowercase).collect()
 }
 
 fn unique(taken: &mut HashSet<String>, name: &str) -> String {
     let mut out = name.to_string();
     let mut n = 2;
-    while !taken.insert(out.to_lowercase()) {
+    while !taken.insert(fold(&out)) {
         out = format!("{name}-{n}");
         n += 1;
     }
@@ -170,11 +205,11 @@ fn unique(taken: &mut HashSet<String>, name: &str) -> String {
 /// [`WriteError::Io`] with the path when a file cannot be written (the files before it are kept); [`WriteError::Outcome`], before
 /// anything is written, when an outcome contradicts itself.
 pub fn write(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<PathBuf>, WriteError> {
-    Ok(write_all(dir, report, formats)?.into_iter().map(|w| dir.join(w.name)).collect())
+    write_all(dir, &compose(report, formats)?)
 }
 
-/// A file that was written.
-pub(super) struct Written {
+/// A file of a report.
+pub(super) struct Composed {
     /// Relative to the folder, with `/`.
     pub name: String,
     /// Number of its study; `None` for what belongs to all.
@@ -182,80 +217,70 @@ pub(super) struct Written {
     pub content: Vec<u8>,
 }
 
-pub(super) fn write_all(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<Written>, WriteError> {
+/// All files of a report, in the order in which they are written.
+pub(super) fn compose(report: &Report, formats: &[Format]) -> Result<Vec<Composed>, WriteError> {
     for o in &report.outcomes {
         for f in &o.figures {
             f.check(&o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
         }
     }
     let names = Names::new(report);
-    let mut out = Writer { dir, written: Vec::new() };
+    let mut out = Vec::new();
+    let mut file = |name: String, study: Option<usize>, content: Vec<u8>| out.push(Composed { name, study, content });
     let wants = |f: Format| formats.contains(&f);
     for (i, o) in report.outcomes.iter().enumerate() {
         for (k, t) in o.tables.iter().enumerate() {
             if wants(Format::Csv) {
-                out.file(&format!("{}.csv", names.table(i, k)), Some(i), csv(t).into_bytes())?;
+                file(format!("{}.csv", names.table(i, k)), Some(i), csv(t).into_bytes());
             }
             #[cfg(feature = "parquet")]
             if wants(Format::Parquet) {
                 let name = format!("{}.parquet", names.table(i, k));
-                match super::parquet(t) {
-                    Ok(bytes) => out.file(&name, Some(i), bytes)?,
-                    Err(e) => return Err(out.failed(dir.join(name), io::Error::other(e))),
-                }
+                let bytes = super::parquet(t);
+                let failed = |e| WriteError::Io { path: name.clone().into(), source: io::Error::other(e), written: Vec::new() };
+                let bytes = bytes.map_err(failed)?;
+                file(name, Some(i), bytes);
             }
         }
         for (k, f) in o.figures.iter().enumerate().filter(|_| wants(Format::Svg)) {
             let text = svg::draw(f, &o.tables).map_err(|source| WriteError::Outcome { study: o.name.clone(), source })?;
-            out.file(&format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes())?;
+            file(format!("{}.svg", names.figure(i, k)), Some(i), text.into_bytes());
         }
     }
     if wants(Format::Json) {
-        out.file("results.json", None, json(report).into_bytes())?;
+        file("results.json".into(), None, json(report).into_bytes());
     }
     if wants(Format::Html) {
         let text = html::page(report, wants(Format::Csv)).map_err(|(study, source)| WriteError::Outcome { study, source })?;
-        out.file("report.html", None, text.into_bytes())?;
+        file("report.html".into(), None, text.into_bytes());
     }
-    Ok(out.written)
+    Ok(out)
 }
 
-struct Writer<'a> {
-    dir: &'a Path,
-    written: Vec<Written>,
+pub(super) fn write_all(dir: &Path, files: &[Composed]) -> Result<Vec<PathBuf>, WriteError> {
+    let mut written = Vec::new();
+    for file in files {
+        let path =
+            place(dir, &file.name, &file.content).map_err(|(path, source)| WriteError::Io { path, source, written: written.clone() })?;
+        written.push(path);
+    }
+    Ok(written)
 }
 
-impl Writer<'_> {
-    fn failed(&self, path: PathBuf, source: io::Error) -> WriteError {
-        WriteError::Io { path, source, written: self.written.iter().map(|w| self.dir.join(&w.name)).collect() }
-    }
-
-    fn file(&mut self, name: &str, study: Option<usize>, content: Vec<u8>) -> Result<(), WriteError> {
-        place(self.dir, name, &content).map_err(|(path, e)| self.failed(path, e))?;
-        self.written.push(Written { name: name.into(), study, content });
-        Ok(())
-    }
-}
-
-/// Writes a file into a folder, whole or not at all; the path that failed, and why.
-pub(super) fn place(dir: &Path, name: &str, content: &[u8]) -> Result<(), (PathBuf, io::Error)> {
+/// Writes a file into a folder, whole or not at all, and returns its path; else the path that failed, and why.
+pub(super) fn place(dir: &Path, name: &str, content: &[u8]) -> Result<PathBuf, (PathBuf, io::Error)> {
     let path = dir.join(name);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(|e| (folder.to_path_buf(), e))?;
     }
-    let mut part = path.clone().into_os_string();
-    part.push(format!(".part{}", std::process::id()));
-    let part = PathBuf::from(part);
-    fs::write(&part, content).and_then(|()| fs::rename(&part, &path)).map_err(|e| {
-        // the reason of the failure matters, not that of the clean-up
-        let _ = fs::remove_file(&part);
-        (path, e)
-    })
+    match write_whole(&path, content, Lasting::Kill) {
+        Ok(()) => Ok(path),
+        Err(e) => Err((path, e)),
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::Provenance;
     use super::*;
     use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Table};
 
@@ -285,7 +310,7 @@ mod tests {
                 "",
             ))
         };
-        Report { machine: "m".into(), provenance: Provenance::default(), input: None, outcomes: names.iter().map(outcome).collect() }
+        Report { outcomes: names.iter().map(outcome).collect(), ..Report::default() }
     }
 
     #[test]
@@ -293,19 +318,7 @@ mod tests {
         let dir = Dir::new("names");
         let files = write(&dir.0, &report(&["../up", "up", "Up", "figures"]), &[Format::Csv, Format::Svg]).unwrap();
         let names: Vec<_> = files.iter().map(|f| f.strip_prefix(&dir.0).unwrap().to_str().unwrap().to_string()).collect();
-        assert_eq!(
-            names,
-            [
-                "up/t.csv",
-                "figures/up-f.svg",
-                "up-2/t.csv",
-                "figures/up-2-f.svg",
-                "Up-3/t.csv",
-                "figures/Up-3-f.svg",
-                "figures-2/t.csv",
-                "figures/figures-2-f.svg"
-            ]
-        );
+        assert_eq!(names, ["up-cc70dadc/t.csv", "figures/up-cc70dadc-f.svg",]);
         assert!(files.iter().all(|f| f.is_file()));
     }
 

@@ -1,45 +1,34 @@
-//! The folder of a study: chunk files, manifest, lock.
+//! The folder of a study: chunk files and manifest.
 
-use super::cells::{Cells, Column};
+use super::cells::{Cells, Column, checksum};
 use super::manifest::{Entry, FORMAT, Manifest};
 use super::{Host, Keep, Plan, parquet};
 use crate::diagnostic::Diagnostic;
+use crate::folder::{Held, Lasting, write_whole};
 use crate::hash::sha256;
-use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, Read, Seek, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 const MANIFEST: &str = "manifest.json";
-const LOCK: &str = ".lock";
 
 /// An open, locked folder.
 pub struct Folder {
     path: PathBuf,
     manifest: Manifest,
-    /// Held while the folder is open; the system releases it when the process ends, however it ends.
-    lock: File,
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // the number of a process that has ended misleads nobody, so a failure here may pass
-        let _ = self.lock.set_len(0);
-    }
+    /// No other process may write it meanwhile.
+    _held: Held,
 }
 
 impl Folder {
     /// Opens or makes the folder, checks that it belongs to this input, and keeps the chunks that are sound.
     pub fn open(keep: &Keep, plan: &Plan, host: &dyn Host) -> Result<Folder, Diagnostic> {
         let path = keep.folder.clone();
-        fs::create_dir_all(&path).map_err(|e| {
-            Diagnostic::error("store.folder", format!("cannot make the folder {}: {e}", path.display())).help("name another one with --out")
-        })?;
-        let lock = lock(&path)?;
-        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, lock };
+        let held = Held::take(&path)?;
+        let mut folder = Folder { manifest: Manifest::new(plan, &keep.input), path, _held: held };
         folder.clean(keep.fresh)?;
         if let Some(old) = folder.read_manifest()? {
             folder.belongs(&old)?;
-            folder.manifest.level = old.level;
             folder.manifest.chunks = old.chunks;
         }
         folder.verify(plan, host)?;
@@ -51,19 +40,20 @@ impl Folder {
         self.path.join(name_of(index))
     }
 
-    /// Removes unfinished files; with `fresh` everything this store has written.
+    /// With `fresh`, removes everything this store has written.
     fn clean(&self, fresh: bool) -> Result<(), Diagnostic> {
+        if !fresh {
+            return Ok(());
+        }
         // the manifest last: killed in between, it names chunks that are missing, and those are computed again
         let mut names = Vec::new();
         for entry in fs::read_dir(&self.path).map_err(|e| self.unreadable(&self.path, &e))? {
             let name = entry.map_err(|e| self.unreadable(&self.path, &e))?.file_name();
-            let Some(name) = name.to_str() else { continue };
-            let ours = index_of(name.trim_end_matches(".part")).is_some();
-            if (ours && (fresh || name.ends_with(".part"))) || name == "manifest.json.part" {
+            if let Some(name) = name.to_str().filter(|n| index_of(n).is_some()) {
                 names.push(name.to_string());
             }
         }
-        if fresh && self.path.join(MANIFEST).exists() {
+        if self.path.join(MANIFEST).exists() {
             names.push(MANIFEST.into());
         }
         for name in names {
@@ -107,12 +97,14 @@ impl Folder {
         if more > 0 {
             all.push(format!("and {more} more"));
         }
-        let message = format!("{} holds results of another input: {}", self.path.display(), all.join("; "));
+        let of = if old.input == self.manifest.input { "another build of the program or another processor" } else { "another input" };
+        let message = format!("{} holds results of {of}: {}", self.path.display(), all.join("; "));
         Err(Diagnostic::error("store.changed", message)
             .help("give the new results another folder with --out, or start anew with --fresh (which removes the old ones)"))
     }
 
-    /// Keeps the chunks whose files are sound: those of the manifest by their checksums, and those written just before a kill by their mark.
+    /// Keeps the chunks whose files are sound: those of the manifest by their checksums, and those written just before a kill when their cells give
+    /// the very same file, whose mark holds the checksum of the cells.
     fn verify(&mut self, plan: &Plan, host: &dyn Host) -> Result<(), Diagnostic> {
         let listed = std::mem::take(&mut self.manifest.chunks);
         for index in 0..plan.chunks() {
@@ -123,16 +115,13 @@ impl Folder {
                 Err(e) if e.kind() == io::ErrorKind::NotFound => None,
                 Err(e) => return Err(self.unreadable(&path, &e)),
             };
-            let sum = bytes.map(|b| sha256(&b));
+            let sum = bytes.as_ref().map(|b| sha256(b));
             let sound = match (&sum, entry) {
                 (None, None) => continue,
                 (None, Some(_)) => Err("missing"),
                 (Some(sum), Some(e)) if *sum == e.sha256 => Ok(()),
                 (Some(_), Some(_)) => Err("damaged"),
-                (Some(_), None) => match self.read(index, &plan.columns) {
-                    Ok((cells, mark)) if mark == self.mark(index) && cells.iter().all(|c| c.len() == plan.range(index).len()) => Ok(()),
-                    _ => Err("not of this study"),
-                },
+                (Some(_), None) => self.unlisted(index, plan, bytes.as_deref().unwrap_or_default()),
             };
             match (sound, sum) {
                 (Ok(()), Some(sha256)) => self.manifest.chunks.push(Entry { chunk: index, file: name_of(index), sha256 }),
@@ -150,16 +139,32 @@ impl Folder {
         self.manifest.chunks.binary_search_by_key(&index, |e| e.chunk).is_ok()
     }
 
-    fn mark(&self, index: usize) -> String {
-        format!("{} chunk {index}", self.manifest.input_hash)
+    /// Whether a chunk that no manifest names is sound, else why not.
+    fn unlisted(&self, index: usize, plan: &Plan, bytes: &[u8]) -> Result<(), &'static str> {
+        let Ok((cells, mark)) = self.read(index, &plan.columns) else { return Err("damaged") };
+        if !mark.starts_with(&self.owner(index)) {
+            return Err("not of this study");
+        }
+        let whole = cells.iter().all(|c| c.len() == plan.range(index).len());
+        let same = || self.encode(index, &plan.columns, &cells).is_ok_and(|again| again == bytes);
+        if whole && same() { Ok(()) } else { Err("damaged") }
+    }
+
+    fn owner(&self, index: usize) -> String {
+        format!("{} chunk {index} ", self.manifest.input_hash)
+    }
+
+    fn encode(&self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<Vec<u8>, String> {
+        parquet::encode(columns, cells, &format!("{}cells {}", self.owner(index), checksum(cells)))
     }
 
     /// Writes a chunk, then the manifest that names it.
     pub fn put(&mut self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<(), Diagnostic> {
-        let bytes = parquet::encode(columns, cells, &self.mark(index))
+        let bytes = self
+            .encode(index, columns, cells)
             .map_err(|e| Diagnostic::error("store.write", format!("chunk {index} cannot be written as Parquet: {e}")))?;
         let path = self.file(index);
-        write_whole(&path, &bytes).map_err(|e| self.unwritable(&path, &e))?;
+        write_whole(&path, &bytes, Lasting::PowerLoss).map_err(|e| self.unwritable(&path, &e))?;
         let at = self.manifest.chunks.partition_point(|e| e.chunk < index);
         self.manifest.chunks.insert(at, Entry { chunk: index, file: name_of(index), sha256: sha256(&bytes) });
         self.write_manifest()
@@ -174,7 +179,7 @@ impl Folder {
         let path = self.path.join(MANIFEST);
         let text = self.manifest.text().map_err(|e| Diagnostic::error("store.write", format!("the manifest cannot be written: {e}")))?;
         // a chunk that no manifest names yet is found by its mark: it is kept too
-        write_whole(&path, text.as_bytes()).map_err(|e| self.unwritable(&path, &e))
+        write_whole(&path, text.as_bytes(), Lasting::PowerLoss).map_err(|e| self.unwritable(&path, &e))
     }
 
     fn unwritable(&self, path: &Path, e: &io::Error) -> Diagnostic {
@@ -196,57 +201,4 @@ fn name_of(index: usize) -> String {
 fn index_of(name: &str) -> Option<usize> {
     let digits = name.strip_prefix("chunk-")?.strip_suffix(".parquet")?;
     if digits.len() >= 6 && digits.bytes().all(|b| b.is_ascii_digit()) { digits.parse().ok() } else { None }
-}
-
-/// Takes the folder for this process.
-fn lock(folder: &Path) -> Result<File, Diagnostic> {
-    let path = folder.join(LOCK);
-    let failed = |e: io::Error| {
-        Diagnostic::error("store.folder", format!("cannot write {}: {e}", path.display()))
-            .help("mend the permissions of the folder, or name another one with --out")
-    };
-    let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
-    match file.try_lock() {
-        Ok(()) => {}
-        Err(TryLockError::WouldBlock) => {
-            let mut who = String::new();
-            // only a courtesy: without the number the message still says what is wrong
-            let _ = file.read_to_string(&mut who);
-            let who = if who.trim().is_empty() { String::new() } else { format!(" (number {})", who.trim()) };
-            let message = format!("another process{who} is working in {}", folder.display());
-            return Err(Diagnostic::error("store.locked", message).help("wait until it has ended, or name another folder with --out"));
-        }
-        // a file system without locks: nothing can be held, and nothing is gained by refusing
-        Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
-        Err(TryLockError::Error(e)) => return Err(failed(e)),
-    }
-    let number = std::process::id().to_string();
-    file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(number.as_bytes())).map_err(failed)?;
-    Ok(file)
-}
-
-/// A file that is whole or not there, also after a kill or a loss of power.
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    let part = PathBuf::from(part);
-    let write = || {
-        let mut file = File::create(&part)?;
-        file.write_all(bytes)?;
-        file.sync_all()?;
-        drop(file);
-        fs::rename(&part, path)
-    };
-    if let Err(e) = write() {
-        // the reason of the failure matters, not that of the clean-up
-        let _ = fs::remove_file(&part);
-        return Err(e);
-    }
-    // the name itself; not every system can do this to a folder
-    if let Some(folder) = path.parent()
-        && let Ok(folder) = File::open(folder)
-    {
-        let _ = folder.sync_all();
-    }
-    Ok(())
 }

@@ -2,24 +2,27 @@
 
 use super::Plan;
 use super::cells::Column;
+use crate::build;
 use crate::hash::sha256;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
 /// Version of the layout of the folder.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 
 /// `manifest.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
     pub format: u32,
     pub laval: String,
+    /// The build that computes.
+    pub build: String,
+    /// Widest instructions of its processor.
+    pub processor: String,
     pub study: String,
     /// SHA-256 of all that settles the numbers.
     pub input_hash: String,
-    /// Lane level the study began with.
-    pub level: String,
     pub rows: usize,
     pub chunk_rows: usize,
     pub columns: Vec<Column>,
@@ -40,26 +43,26 @@ impl Manifest {
         let mut out = Manifest {
             format: FORMAT,
             laval: env!("CARGO_PKG_VERSION").into(),
+            build: build::ID.into(),
+            processor: build::processor().into(),
             study: plan.study.clone(),
             input_hash: String::new(),
-            level: plan.level.clone(),
             rows: plan.rows,
             chunk_rows: plan.chunk,
             columns: plan.columns.clone(),
             input: input.clone(),
             chunks: Vec::new(),
         };
-        let mut text = String::new();
-        canonical(&out.identity(), &mut text);
-        out.input_hash = format!("sha256:{}", sha256(text.as_bytes()));
+        out.input_hash = hash_of(&out.identity());
         out
     }
 
-    /// All that settles the numbers and how they lie in files. The lane level is not part of it: results are the same at every level.
+    /// All that settles the numbers and how they lie in files. Rows of two builds or processors may differ in their last digits, so that they may not
+    /// stand in one table.
     fn identity(&self) -> Json {
         let columns: Vec<String> = self.columns.iter().map(|c| format!("{} [{}] {:?}", c.name, c.unit, c.kind)).collect();
         json!({
-            "laval version": self.laval, "kind of study": self.study, "number of rows": self.rows, "rows of a chunk": self.chunk_rows,
+            "laval version": self.laval, "build": self.build, "processor": self.processor, "kind of study": self.study, "number of rows": self.rows, "rows of a chunk": self.chunk_rows,
             "columns": columns, "input": self.input,
         })
     }
@@ -83,6 +86,12 @@ impl Manifest {
     pub fn text(&self) -> Result<String, String> {
         serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| e.to_string())
     }
+}
+
+fn hash_of(identity: &Json) -> String {
+    let mut text = String::new();
+    canonical(identity, &mut text);
+    format!("sha256:{}", sha256(text.as_bytes()))
 }
 
 /// JSON with the keys of every object in order.
@@ -133,7 +142,7 @@ mod tests {
     use super::*;
 
     fn manifest(input: Json) -> Manifest {
-        let plan = Plan { study: "s".into(), columns: vec![Column::float("x", "m", "")], rows: 10, chunk: 3, level: "base".into() };
+        let plan = Plan { study: "s".into(), columns: vec![Column::float("x", "m", "")], rows: 10, chunk: 3 };
         Manifest::new(&plan, &input)
     }
 
@@ -145,6 +154,16 @@ mod tests {
         let c = manifest(json!({"a": 1.5, "part": [{"name": "drum", "mass": 2.0000000000000004, "speed": "x"}]}));
         assert_ne!(a.input_hash, c.input_hash);
         assert_eq!(a.differences(&c), ["part.drum.mass was 2.0, now 2.0000000000000004", "part.drum.speed was not given, now \"x\""]);
+    }
+
+    #[test]
+    fn another_build_or_processor_is_another_identity() {
+        let a = manifest(json!({}));
+        for other in [Manifest { build: "x".into(), ..a.clone() }, Manifest { processor: "x".into(), ..a.clone() }] {
+            assert_ne!(hash_of(&other.identity()), a.input_hash);
+            assert_eq!(a.differences(&other).len(), 1);
+        }
+        assert_eq!(hash_of(&a.identity()), a.input_hash);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //! A study is a number of rows, each computed from its index alone. Rows come in chunks; each chunk is one Parquet file, written under a
 //! temporary name, flushed to the disk and renamed, and then named in `manifest.json`. Whatever happens, the folder holds whole chunks only,
 //! and the same study in the same folder computes what is missing: its files are then those of the undisturbed run, byte for byte. A folder of
-//! another input is refused, with what differs.
+//! another input, another build or another processor level is refused, with what differs.
 //!
 //! Without a folder ([`Host::keep`]) chunks stay in memory.
 //!
@@ -12,7 +12,7 @@
 //! use laval::study::Context;
 //!
 //! # fn main() -> Result<(), laval::diagnostic::Diagnostic> {
-//! let plan = Plan { study: "squares".into(), columns: vec![Column::float("square", "", "i^2")], rows: 1000, chunk: 64, level: "base".into() };
+//! let plan = Plan { study: "squares".into(), columns: vec![Column::float("square", "", "i^2")], rows: 1000, chunk: 64 };
 //! let results = store::run(plan, &Context::quiet("squares"), |rows, _| {
 //!     Ok(Some(vec![Cells::Float(rows.map(|i| (i * i) as f64).collect())]))
 //! })?;
@@ -87,8 +87,6 @@ pub struct Plan {
     pub rows: usize,
     /// Rows of a chunk: what memory holds, and what a kill can lose.
     pub chunk: usize,
-    /// Lane level used, for the manifest.
-    pub level: String,
 }
 
 impl Plan {

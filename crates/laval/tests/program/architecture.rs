@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Module, and the modules it may use besides itself. `units`, `diagnostic` and `hash` are open to all. What one crate may use of another
+/// Module, and the modules it may use besides itself. `units`, `diagnostic`, `hash`, `plain`, `build` and `folder` are open to all. What one crate may use of another
 /// Cargo enforces; this holds between the modules of a crate, and keeps concrete parts out of `laval-solve`.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("units", &[]),
@@ -15,13 +15,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("separation", &["model"]),
     ("outcome", &[]),
     ("hash", &[]),
+    ("plain", &[]),
+    ("build", &[]),
+    ("folder", &[]),
     ("store", &["outcome"]),
     ("study", &["model", "solve", "separation", "outcome", "store"]),
     ("report", &["outcome"]),
     ("file", &["model", "parts", "study"]),
     ("validation", &["file", "study", "outcome", "report"]),
 ];
-const OPEN: &[&str] = &["units", "diagnostic", "hash"];
+const OPEN: &[&str] = &["units", "diagnostic", "hash", "plain", "build", "folder"];
 
 /// A source file of the crate: its module, its path, and its code without comments and unit tests.
 struct Source {

@@ -132,6 +132,24 @@ fn places_outside_of_the_text_are_shown_somehow() {
 }
 
 #[test]
+fn nothing_of_a_file_steers_the_terminal() {
+    let evil = "\u{1b}]0;title\u{7}\u{9b}2J\u{202e}";
+    let text = format!("a = 1\r\nb = \"{evil}µ{evil}\" # {evil}\r\n");
+    let at = text.find('µ').unwrap();
+    let mut d = Diagnostics::default();
+    d.push(Diagnostic::error("x", format!("message {evil}")).at(at..at + 2).label(evil).help(evil));
+    for form in [Form::Lines, Form::Excerpts { width: 110, colour: true }, Form::Excerpts { width: 110, colour: false }] {
+        let shown = render(&d, &text, &format!("f{evil}"), form);
+        assert_eq!(crate::plain::painted(&shown), shown);
+        assert!(form == Form::Lines || shown.contains(r"\u001b]0;title\u0007\u009b2J\u202eµ\u001b"), "{shown}");
+    }
+    let shown = render(&d, &text, "f", Form::Excerpts { width: 110, colour: false });
+    let (line, mark) = (shown.lines().find(|l| l.contains('µ')).unwrap(), shown.lines().find(|l| l.contains('┬')).unwrap());
+    let column = |l: &str, c| l.chars().position(|x| x == c);
+    assert_eq!(column(line, 'µ'), column(mark, '┬'), "{shown}");
+}
+
+#[test]
 fn colours_and_endless_lists() {
     let text = EXAMPLE.replace("2.4 kg", "2.4 m");
     let d = read(&text, &catalog()).1;

@@ -32,7 +32,6 @@ use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use axes::{Axis, MOST_POINTS};
-use laval_num::lanes::Level;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -215,7 +214,6 @@ points = 50
             columns: columns.iter().map(|c| c.column.clone()).collect(),
             rows: count,
             chunk: count.div_ceil(50).clamp(64, 256),
-            level: Level::best().name().into(),
         };
         match fleet.undecaying() {
             Some(what) => {

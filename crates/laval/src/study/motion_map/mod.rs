@@ -24,7 +24,6 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use laval_num::lanes::Level;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -169,7 +168,6 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             columns: columns.iter().map(|c| c.column.clone()).collect(),
             rows: count,
             chunk: count.div_ceil(50).clamp(64, 1024),
-            level: Level::best().name().into(),
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;

@@ -136,7 +136,6 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             rows,
             // settled by the request alone, so that a resumed study finds its chunks
             chunk: rows.div_ceil(50).clamp(16, 256),
-            level: "one".into(),
         };
         context.announce(rows as f64, 400.0, "responses to compute");
         let mut request = self.request;

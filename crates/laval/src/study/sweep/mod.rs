@@ -30,7 +30,6 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use laval_num::lanes::Level;
 use lyapunov::{Exponent, Pairs};
 use rayon::prelude::*;
 use rows::Row;
@@ -202,7 +201,6 @@ start = "up_and_down"
             columns: rows.iter().map(|r| r.column.clone()).collect(),
             rows: steps * ways,
             chunk: chunk * ways,
-            level: Level::best().name().into(),
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run_on(plan, context, |range, counter, before| {

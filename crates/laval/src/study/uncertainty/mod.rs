@@ -25,7 +25,6 @@ use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
 pub(super) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
-use laval_num::lanes::Level;
 use laval_num::sampling::quantile::Interval;
 use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol};
 use rayon::prelude::*;
@@ -140,7 +139,6 @@ samples = 256
             rows,
             // settled by the request alone, so that a resumed study finds its chunks
             chunk: rows.div_ceil(50).clamp(16, 4096),
-            level: Level::best().name().into(),
         };
         context.announce(rows as f64, 1000.0, &format!("runs of the study {}", self.study.kind()));
         let results = store::run(plan, context, |range, counter| {

@@ -33,7 +33,6 @@ use crate::study::stationary::classify::{Scale, Seen};
 use crate::study::stationary::states_at;
 use atlas::{Atlas, Attractor};
 use follow::{Begin, Course, Follow, Goal};
-use laval_num::lanes::Level;
 use laval_num::sampling::Points;
 use space::Space;
 use std::sync::Arc;
@@ -291,7 +290,6 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
         columns: columns.iter().map(|c| c.column.clone()).collect(),
         rows: count,
         chunk: count.div_ceil(50).clamp(64, 4096),
-        level: Level::best().name().into(),
     };
     let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
     report::report(&fleet, &seen, &results)
