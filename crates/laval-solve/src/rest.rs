@@ -4,7 +4,7 @@ use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_secto
 use super::sectors::{Sectors, real_part};
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, Rows};
+use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{Slot, System, Workspace};
 use laval_num::complex::C64;
 use laval_num::dense::{Lu, Mat, max_abs};
@@ -19,7 +19,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
         return Err(refused);
     }
     let found = settle(system, start.clone())
-        .or_else(|d| sink(system, &start).and_then(|sunk| settle(system, sunk).ok()).ok_or(d))
+        .or_else(|d| sink(system, &start, &[]).and_then(|sunk| settle(system, sunk).ok()).ok_or(d))
         .map_err(|d| unlinearised(system, &start).unwrap_or(d))?;
     if let Some(refused) = unlinearised(system, &found) {
         return Err(refused);
@@ -41,6 +41,20 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
         }
     }
     Ok(found)
+}
+
+/// Where the bodies of a machine hang whose forces turn with the rotor: equilibrium of the means over a turn of the loads, with what moves inside the rotor (balls) held
+/// where `places` says, at 0 otherwise.
+///
+/// # Errors
+/// No equilibrium.
+pub fn hanging(system: &System, speed: f64, places: &[(usize, f64)]) -> Result<Equilibrium, Diagnostic> {
+    let mut start = Equilibrium::zero(system, Frame::Fixed, speed);
+    places.iter().for_each(|&(i, x)| start.q[i] = x);
+    let kinds = system.coordinates().iter().map(|c| c.dof.kind);
+    let held: Vec<usize> = kinds.enumerate().filter(|(_, k)| *k == DofKind::Scalar).map(|(i, _)| i).collect();
+    settle_with(system, start.clone(), &held)
+        .or_else(|d| sink(system, &start, &held).and_then(|sunk| settle_with(system, sunk, &held).ok()).ok_or(d))
 }
 
 /// What is said of the first part that cannot be linearised about a state: it carries no load there, and either it is about to or nothing else holds
@@ -111,7 +125,7 @@ fn held(system: &System, slot: &Slot, about: &Equilibrium) -> bool {
 fn loaded(system: &System, at: &Equilibrium) -> bool {
     let mut t = Characteristic::new(system, at);
     let x = vec![0.0; system.n() + t.states().len()];
-    residual(system, at, &mut t, &coordinate_sectors(system), &x).iter().any(|r| *r != 0.0)
+    residual(system, at, &mut t, &coordinate_sectors(system), &x, &[]).iter().any(|r| *r != 0.0)
 }
 
 fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec<f64> {
@@ -125,8 +139,11 @@ fn part_force(system: &System, slot: &Slot, at: &Equilibrium, phase: f64) -> Vec
     force
 }
 
-/// Residual over the unknowns of the characteristic matrix.
-fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinates: &Sectors, x: &[f64]) -> Vec<f64> {
+/// Spin angles over which the mean of forces that turn is taken: exact up to the order below their number.
+const PHASES: usize = 8;
+
+/// Residual over the unknowns of the characteristic matrix; with coordinates that are held its mean over a turn, and none of theirs.
+fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinates: &Sectors, x: &[f64], held: &[usize]) -> Vec<f64> {
     let mut r = if x.iter().all(|&x| x == 0.0) {
         vec![0.0; x.len()]
     } else {
@@ -142,11 +159,17 @@ fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinat
     let n = system.n();
     let (v, a) = (at.velocity(coordinates), at.acceleration(coordinates));
     let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; system.m()], 0.0);
-    let point = At { q: &at.q, v: &v, a: &a, z: &at.z, phase: 0.0, speed: at.speed, spin_accel: 0.0, t: 0.0 };
-    let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
-    system.residual(system.params(), &point, &mut rows, &mut Workspace::default(), |s| !s.is_linear());
+    let phases = if held.is_empty() { 1 } else { PHASES };
+    for k in 0..phases {
+        let phase = std::f64::consts::TAU * k as f64 / phases as f64;
+        let point = At { q: &at.q, v: &v, a: &a, z: &at.z, phase, speed: at.speed, spin_accel: 0.0, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &point, &mut rows, &mut Workspace::default(), |s| !s.is_linear());
+    }
+    let share = 1.0 / phases as f64;
+    rate.iter_mut().for_each(|r| *r *= share);
     for (r, f) in r.iter_mut().zip(&force) {
-        *r += f;
+        *r += share * f;
     }
     let own = nonlinear_states(system);
     let turn = Sectors::new(system.states().iter().map(|s| s.dof.kind)).quarter_turn(&at.z);
@@ -156,7 +179,18 @@ fn residual(system: &System, at: &Equilibrium, t: &mut Characteristic, coordinat
             r[n + k] += at.speed * turn[state];
         }
     }
+    held.iter().for_each(|&i| r[i] = 0.0);
     r
+}
+
+/// Coordinates that are held take no part in a Newton step.
+fn hold(k: &mut Mat<f64>, held: &[usize]) {
+    for &i in held {
+        for j in 0..k.rows() {
+            (k[(i, j)], k[(j, i)]) = (0.0, 0.0);
+        }
+        k[(i, i)] = 1.0;
+    }
 }
 
 /// The machine rests where it is: nothing is deflected and no constant force acts, which needs no tangent to be seen.
@@ -179,6 +213,10 @@ fn undeflected(system: &System, at: &Equilibrium) -> bool {
 
 /// Newton's method on the equilibrium, from a start, with steps shortened until the residual falls.
 pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium, Diagnostic> {
+    settle_with(system, start, &[])
+}
+
+fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Equilibrium, Diagnostic> {
     let n = system.n();
     let coordinates = coordinate_sectors(system);
     let place = |states: &[usize], x: &[f64], at: &mut Equilibrium| {
@@ -196,7 +234,7 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
     let typical: Vec<f64> =
         system.coordinates().iter().map(|c| c.dof.typical).chain(states.iter().map(|&s| system.states()[s].dof.typical)).collect();
     let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
-    let mut r = residual(system, &at, &mut t, &coordinates, &x);
+    let mut r = residual(system, &at, &mut t, &coordinates, &x, held);
     if r.iter().all(|&r| r == 0.0) {
         return Ok(at);
     }
@@ -205,7 +243,9 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
         let (mut k, mut d) = (Mat::default(), Mat::default());
         t.at(C64::zero(), &mut k, &mut d);
         t.sectors().restore_matrix(t.sectors(), &mut k);
-        let Ok(lu) = Lu::new(&real_part(&k)) else { return Err(not_held()) };
+        let mut k = real_part(&k);
+        hold(&mut k, held);
+        let Ok(lu) = Lu::new(&k) else { return Err(not_held()) };
         if lu.pivot_ratio().is_nan() {
             return Err(not_held());
         }
@@ -222,7 +262,7 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
             let trial: Vec<f64> = x.iter().zip(&step).map(|(x, s)| x - share * s).collect();
             let mut moved = at.clone();
             place(&states, &trial, &mut moved);
-            let mut again = residual(system, &moved, &mut t, &coordinates, &trial);
+            let mut again = residual(system, &moved, &mut t, &coordinates, &trial, held);
             lu.solve(&mut again);
             let rest = max_abs(&again.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
             if rest <= (1.0 - 0.25 * share) * length || length <= 1e-12 * (size + 1e-12) {
@@ -236,7 +276,7 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
         (x, at) = (next, moved);
         (at.iterations, at.last_step) = (iteration, length);
         t = Characteristic::new(system, &at);
-        r = residual(system, &at, &mut t, &coordinates, &x);
+        r = residual(system, &at, &mut t, &coordinates, &x, held);
         if length <= 1e-13 * size || (length >= 0.5 * last && length <= 1e-9 * (size + 1e-9)) || length <= 1e-18 {
             return Ok(at);
         }
@@ -247,7 +287,7 @@ pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium,
 
 /// Near the equilibrium of a machine that has no stiffness where it starts: bodies sink under their loads, slowed by a support that moves along, until
 /// what they meet carries them. `None` when they sink on and on.
-fn sink(system: &System, start: &Equilibrium) -> Option<Equilibrium> {
+fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibrium> {
     const MOST: usize = 300;
     const CARRIED: f64 = 1e-6;
     let coordinates = coordinate_sectors(system);
@@ -260,7 +300,7 @@ fn sink(system: &System, start: &Equilibrium) -> Option<Equilibrium> {
         let mut t = Characteristic::new(system, &at);
         let states = t.states().to_vec();
         let mut x: Vec<f64> = at.q.iter().copied().chain(states.iter().map(|&s| at.z[s])).collect();
-        let mut r = residual(system, &at, &mut t, &coordinates, &x);
+        let mut r = residual(system, &at, &mut t, &coordinates, &x, held);
         let work = max_abs(&r[..n].iter().zip(&typical).map(|(r, t)| r * t).collect::<Vec<_>>());
         let load = *first.get_or_insert(work);
         if work <= CARRIED * load {
@@ -270,6 +310,7 @@ fn sink(system: &System, start: &Equilibrium) -> Option<Equilibrium> {
         t.at(C64::zero(), &mut k, &mut d);
         t.sectors().restore_matrix(t.sectors(), &mut k);
         let mut k = real_part(&k);
+        hold(&mut k, held);
         for i in 0..n {
             k[(i, i)] += load / (typical[i] * typical[i]);
         }

@@ -38,6 +38,8 @@ macro_rules! erased {
             fn lightens(&self, p: &[f64]) -> Option<String>;
             fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
+            fn drives(&self, p: &[f64], speed: f64) -> Option<f64>;
+            fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
             fn places(&self, p: &[f64]) -> Vec<(usize, f64)>;
@@ -108,6 +110,12 @@ macro_rules! erased {
             }
             fn warnings(&self, p: &[f64]) -> Vec<String> {
                 Part::warnings(self, &T::Family::from_slice(p))
+            }
+            fn drives(&self, p: &[f64], speed: f64) -> Option<f64> {
+                Part::drives(self, &T::Family::from_slice(p), speed)
+            }
+            fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
+                Part::lacks_spin_inertia(self, &T::Family::from_slice(p))
             }
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
                 Part::domain(self, &T::Family::from_slice(p), speed)

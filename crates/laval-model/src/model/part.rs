@@ -493,6 +493,14 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
         Vec::new()
     }
+    /// Torque with which a drive moves the spin at a speed, N m; `None` for a part that is no drive, whatever power it supplies.
+    fn drives(&self, _p: &Params<Self, f64>, _speed: f64) -> Option<f64> {
+        None
+    }
+    /// Of a part that spins with the rotor and has mass: the parameter for its inertia about the axis, while that is 0.
+    fn lacks_spin_inertia(&self, _p: &Params<Self, f64>) -> Option<&'static str> {
+        None
+    }
     /// Where own coordinates are when a motion begins and nothing is said of them: local coordinate and value; others rest.
     fn places(&self, _p: &Params<Self, f64>) -> Vec<(usize, f64)> {
         Vec::new()

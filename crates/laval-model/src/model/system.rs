@@ -494,6 +494,15 @@ impl System {
     pub fn validity(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Validity)> {
         self.each(at, ws, |slot, l, out| slot.part.validity(&self.params[slot.params.clone()], l, out))
     }
+    /// Torque of all drives at a speed, N m; `None` without a drive.
+    pub fn drive_torque(&self, speed: f64) -> Option<f64> {
+        self.slots.iter().filter_map(|s| s.part.drives(&self.params[s.params.clone()], speed)).reduce(|a, b| a + b)
+    }
+    /// Parameters of parts that spin without inertia about the axis although they have mass, by path.
+    pub fn without_spin_inertia(&self) -> Vec<String> {
+        let lacks = |s: &Slot| Some(format!("{}.{}", s.name, s.part.lacks_spin_inertia(&self.params[s.params.clone()])?));
+        self.slots.iter().filter_map(lacks).collect()
+    }
     /// What keeps parts from doing what they are there for, as (part, sentence).
     pub fn warnings(&self) -> Vec<(usize, String)> {
         let all = self.slots.iter().enumerate();

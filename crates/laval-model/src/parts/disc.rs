@@ -32,7 +32,7 @@ params! {
         eccentricity: scalar, "m", Bounds::up_to(0.5), default 0.0, "distance e of the centre of mass from the shaft centre";
         eccentricity_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "direction of the eccentricity from the key mark";
         unbalance: scalar, "kg m", Bounds::up_to(1e4), default 0.0, "additional unbalance in the direction of the eccentricity";
-        polar_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "polar moment of inertia C";
+        polar_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "polar moment of inertia C; left out it is 0, and neither a torque nor a run-up with drive = \"free\" counts this disc";
         diametral_inertia: scalar, "kg m^2", Bounds::up_to(1e8), default 0.0, "diametral moment of inertia A; when given, the disc tilts";
         skew: scalar, "rad", Bounds::within(0.5), default 0.0, "angle tau by which the principal axis is turned out of the shaft (dynamic unbalance)";
         skew_phase: scalar, "rad", Bounds::within(1e3), default 0.0, "angle phi_t from the key mark to the axis about which the skew turns; the upper end of the principal axis then leans a quarter turn behind it";
@@ -171,6 +171,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
         out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
     }
 
+    fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
+        (p.polar_inertia == 0.0).then_some("polar_inertia")
+    }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let mut wrong = Vec::new();
         if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {

@@ -12,6 +12,7 @@ pub mod motor;
 pub mod shaft_lumped;
 pub mod shaft_span;
 pub mod shaft_viscoelastic;
+pub mod spin_load;
 pub mod stop;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -49,6 +50,7 @@ pub fn registry() -> Vec<PartKind> {
         kind::<liquid::Liquid>(),
         kind::<balancer_ball::BallBalancer>(),
         kind::<motor::Motor>(),
+        kind::<spin_load::SpinLoad>(),
     ]
 }
 

@@ -183,6 +183,9 @@ inertia = "0.02 kg m^2"
         let w = at.speed;
         Some(Energy { stored: (p.inertia * w * w).scale(0.5), dissipated: p.drag * w * w, supplied: self.torque(p, w) * w })
     }
+    fn drives(&self, p: &Params<Self, f64>, speed: f64) -> Option<f64> {
+        Some(self.torque(p, speed))
+    }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "torque", unit: "N m", value: self.torque(p, at.speed) });
         out.push(Observed { name: "power", unit: "W", value: self.torque(p, at.speed) * at.speed });

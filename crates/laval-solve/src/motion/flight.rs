@@ -71,6 +71,12 @@ pub struct Use {
     pub t: f64,
     /// When it first exceeded 1.
     pub exceeded: Option<f64>,
+    /// When it was first seen.
+    pub begin: f64,
+    /// When it was seen above 1 for the last time.
+    pub until: Option<f64>,
+    /// Largest ratio after that.
+    pub after: f64,
 }
 
 /// Where a motion passed its bound.
@@ -453,7 +459,16 @@ impl<'a> Watch<'a> {
             let entry = match self.validity.iter_mut().find(|u| u.slot == slot && u.what == v.what) {
                 Some(u) => u,
                 None => {
-                    self.validity.push(Use { slot, what: v.what, ratio: f64::NEG_INFINITY, t, exceeded: None });
+                    self.validity.push(Use {
+                        slot,
+                        what: v.what,
+                        ratio: f64::NEG_INFINITY,
+                        t,
+                        exceeded: None,
+                        begin: t,
+                        until: None,
+                        after: 0.0,
+                    });
                     let last = self.validity.len() - 1;
                     &mut self.validity[last]
                 }
@@ -462,8 +477,11 @@ impl<'a> Watch<'a> {
             if v.ratio > entry.ratio || v.ratio.is_nan() {
                 (entry.ratio, entry.t) = (v.ratio, t);
             }
-            if (v.ratio.is_nan() || v.ratio > 1.0) && entry.exceeded.is_none() {
-                entry.exceeded = Some(t);
+            if v.ratio <= 1.0 {
+                entry.after = entry.after.max(v.ratio);
+            } else {
+                entry.exceeded.get_or_insert(t);
+                (entry.until, entry.after) = (Some(t), 0.0);
             }
         }
     }

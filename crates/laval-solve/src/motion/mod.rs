@@ -152,7 +152,7 @@ impl<'a> Motion<'a> {
         }
         let fail = |what: Failure| {
             Diagnostic::error("motion.mass", format!("the machine has no equations of motion: {what}"))
-                .help("every coordinate needs inertia; give the part that owns it a mass")
+                .help("every coordinate needs inertia: give the part that owns it a mass, and a spin that is free a moment of inertia about the axis")
         };
         motion.accelerate(0.0, &y).map_err(fail)?;
         motion.direct.check_mass(system).map_err(fail)?;

@@ -171,7 +171,7 @@ impl Spinning<'_> {
     }
 
     /// The exit of a particle that settled at full speed, put where the run-up of a tube delays it to.
-    fn counted(&self, exit: Option<Exit>) -> Option<Exit> {
+    pub(super) fn counted(&self, exit: Option<Exit>) -> Option<Exit> {
         match (&self.ramp, &self.climb) {
             (Some(_), None) => exit.map(|e| Exit { time: self.clock.time(e.time), ..e }),
             _ => exit,
@@ -210,6 +210,20 @@ impl Spinning<'_> {
     /// # Errors
     /// When the integration fails.
     pub fn travel(&self, particle: &Particle, start: [f64; 3], tolerance: f64) -> Result<(Option<Exit>, f64), Lost> {
+        self.travel_from(particle, start, [0.0; 3], tolerance)
+    }
+
+    /// The same from a velocity relative to the cup, m/s.
+    ///
+    /// # Errors
+    /// When the integration fails.
+    pub fn travel_from(
+        &self,
+        particle: &Particle,
+        start: [f64; 3],
+        velocity: [f64; 3],
+        tolerance: f64,
+    ) -> Result<(Option<Exit>, f64), Lost> {
         let Some(journey) = self.journey(*particle) else {
             return Err(Lost("no path in space".into()));
         };
@@ -220,7 +234,7 @@ impl Spinning<'_> {
         };
         let rates = journey.medium.rates(particle);
         let swinging = journey.ramp.duration() + if damping > 0.0 { 40.0 / damping } else { 0.0 };
-        let mut state = journey.start(start);
+        let mut state = journey.start_from(start, velocity);
         let (mut t, mut reynolds) = (0.0, 0.0);
         if swinging > 0.0 {
             let a = journey.follow(state, swinging, tolerance, &[])?;

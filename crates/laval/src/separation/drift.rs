@@ -228,7 +228,13 @@ pub fn settle(medium: &Medium, particle: &Particle, steady: &Steady, inside: &In
     follow(medium, particle, steady, inside, start, &mut ())
 }
 
-/// The same, with a look at every step.
+/// Velocity at a held speed where drag balances the field, m/s.
+pub fn velocity(medium: &Medium, particle: &Particle, steady: &Steady, place: [f64; 3]) -> [f64; 3] {
+    let field = Field::new((steady.speed, 0.0), steady.tilt, steady.hinge, steady.gravity);
+    Settling::new(medium, particle).velocity(field.at(place))
+}
+
+/// As [`settle`], with a look at every step.
 pub fn follow(
     medium: &Medium,
     particle: &Particle,
@@ -404,6 +410,12 @@ impl Climb {
         }
         let f = Field::new((self.steady.speed, 0.0), self.steady.tilt, self.hinge, self.gravity).at(r);
         after(r, s.velocity(f)).map(|e| Exit { time: e.time + t, ..e })
+    }
+
+    /// Velocity at a time and a place, m/s.
+    pub fn velocity(&self, medium: &Medium, particle: &Particle, t: f64, place: [f64; 3]) -> [f64; 3] {
+        let field = Field::new(self.ramp.at(t), self.tilt(t), self.hinge, self.gravity);
+        Settling::new(medium, particle).velocity(field.at(place))
     }
 
     /// The held state after the run-up.

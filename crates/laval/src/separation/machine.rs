@@ -254,12 +254,18 @@ impl Turning {
 
     /// First exit of a particle released at rest, with its inertia where the machine has a path in space.
     pub fn settle(&self, rates: &Rates, start: [f64; 3]) -> Option<Exit> {
+        self.settle_from(rates, start, [0.0; 3])
+    }
+
+    /// The same released at a velocity relative to the cup, m/s.
+    pub fn settle_from(&self, rates: &Rates, start: [f64; 3], velocity: [f64; 3]) -> Option<Exit> {
         let steady = match self.steady() {
             Some(s) if s.speed != 0.0 || s.gravity != 0.0 => s,
             _ => return self.drift(rates.sedimentation, start),
         };
-        let path = Closed::new(rates, &steady, start, [0.0; 3]);
-        self.first(&path, rates.sedimentation, &steady, start)
+        let path = Closed::new(rates, &steady, start, velocity);
+        let thrown = velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
+        self.first(&path, rates.sedimentation, thrown, &steady, start)
     }
 
     /// First exit of a particle without inertia; `sedimentation` in s (with 1 s the time is the product of both).
@@ -284,14 +290,15 @@ impl Turning {
             }
             _ => {
                 let steady = self.steady()?;
-                self.first(&Drifting::new(sedimentation, &steady, start), sedimentation, &steady, start)
+                self.first(&Drifting::new(sedimentation, &steady, start), sedimentation, 0.0, &steady, start)
             }
         }
     }
 
-    fn first(&self, path: &impl super::closed::Path, sedimentation: f64, steady: &Steady, start: [f64; 3]) -> Option<Exit> {
+    /// `thrown` is the size of the velocity at the start, m/s.
+    fn first(&self, path: &impl super::closed::Path, sedimentation: f64, thrown: f64, steady: &Steady, start: [f64; 3]) -> Option<Exit> {
         let field = (steady.speed * steady.speed * steady.radius(start)).hypot(steady.gravity);
-        let settling = sedimentation.abs() * field;
+        let settling = (sedimentation.abs() * field).max(thrown);
         match &self.space {
             Space::Path(_, inside) => {
                 let way = match inside {

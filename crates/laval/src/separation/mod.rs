@@ -23,6 +23,7 @@ pub mod particle;
 pub mod places;
 pub mod ramp;
 pub mod recovery;
+pub mod release;
 pub mod root;
 mod series;
 pub mod slowest;

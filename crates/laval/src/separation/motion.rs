@@ -180,11 +180,17 @@ impl Journey {
 
     /// State at the start: at rest relative to the cup; a swinging cup hangs as it does at the first speed.
     pub fn start(&self, position: [f64; 3]) -> [f64; STATES] {
+        self.start_from(position, [0.0; 3])
+    }
+
+    /// The same at a velocity relative to the cup, m/s.
+    pub fn start_from(&self, position: [f64; 3], velocity: [f64; 3]) -> [f64; STATES] {
         let tilt = match &self.tilt {
             Tilt::Fixed { tilt, .. } => *tilt,
             Tilt::Swinging(cup) => cup.equilibrium(self.ramp.at(0.0).0),
         };
-        [position[0], position[1], position[2], 0.0, 0.0, 0.0, tilt, 0.0]
+        let ([x, y, z], [vx, vy, vz]) = (position, velocity);
+        [x, y, z, vx, vy, vz, tilt, 0.0]
     }
 
     /// Follows the particle from `start` until it leaves the liquid, at most to `t_end`, with the local error `tolerance` (relative); `outputs` are

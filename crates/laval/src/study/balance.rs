@@ -11,10 +11,15 @@ use crate::solve::motion::flight::Flight;
 use crate::solve::pencil::modes_about;
 use crate::solve::rest::rest;
 use crate::solve::unbalance::{Unbalance, unbalance};
+use laval_num::complex::C64;
 use std::f64::consts::TAU;
 
 /// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
 const SETTLED: f64 = 0.05;
+/// Drift over a part of the record, over the unbalance without balancing, that counts as none.
+const STILL: f64 = 1e-4;
+/// Fewest outputs from which a drift is told.
+const FEWEST: usize = 25;
 
 /// Unbalance at the outputs of a flight.
 struct Series {
@@ -49,7 +54,8 @@ pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome)
         return Ok(outcome);
     }
     let Some(series) = series(motion, flight) else { return Ok(outcome) };
-    for finding in findings(&series, flight).into_iter().chain(caught(motion, flight)) {
+    let caught = caught(motion, flight);
+    for finding in findings(&series, flight, caught.is_some()).into_iter().chain(caught) {
         outcome = outcome.finding(finding);
     }
     let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
@@ -85,10 +91,10 @@ pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome)
 const LATE: usize = 5;
 /// Mean rate in the rotor over its speed from which masses do not follow it.
 const SLIPS: f64 = 0.01;
-/// Distance of their rate from a natural frequency, over it, at which that holds them.
+/// Distance of their rate from a natural frequency, over it, at which that is named.
 const HELD: f64 = 0.1;
 
-/// That masses do not follow the rotor at the end, and the resonance that holds them.
+/// That masses do not follow the rotor at the end, and the natural frequency near which they go round.
 fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
     let system = motion.system();
     let (dim, count) = (flight.state.len().max(1), flight.times.len());
@@ -105,7 +111,7 @@ fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
     let near =
         own.iter().flat_map(|s| &s.modes).map(|m| m.frequency()).min_by(|a, b| (a - rate.abs()).abs().total_cmp(&(b - rate.abs()).abs()));
     let near = near.filter(|f| *f > 0.0 && (f - rate.abs()).abs() <= HELD * f);
-    let held = near.map_or(String::new(), |f| format!(", caught at the natural frequency of {}", quantity(f, "rad/s")));
+    let held = near.map_or(String::new(), |f| format!(", near the natural frequency of {}", quantity(f, "rad/s")));
     let text = format!(
         "Of the masses {} did not follow the rotor: in the end going round at {{}} on average, the rotor at {}{held}.",
         slips.len(),
@@ -144,7 +150,8 @@ fn angles(system: &System) -> Option<Figure> {
     (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
 }
 
-fn findings(series: &Series, flight: &Flight) -> Vec<Finding> {
+/// What is said of the unbalance; `slips` where masses do not follow the rotor in the end.
+fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
     let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
@@ -168,19 +175,35 @@ fn findings(series: &Series, flight: &Flight) -> Vec<Finding> {
         out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
     }
     let away = |u: &Unbalance| !((u.moment.abs() - left).abs() <= SETTLED * without);
-    let count = series.at.len();
-    match series.at.iter().rposition(away) {
-        // settled for a fifth of the time at least
-        Some(i) if i + count / 5 < count => {
-            let text = "The unbalance settles at its last value after {}.";
-            out.push(Finding::info("time_to_balance", text).value(flight.times[i + 1], "s").evidence(
-                "within this share of the unbalance without balls",
-                SETTLED,
-                "",
-            ));
-        }
-        None => {}
-        Some(_) => out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled."))),
+    let (count, since) = (series.at.len(), series.at.iter().rposition(away));
+    // for a fifth of the time at least
+    let lasting = since.is_none_or(|i| i + count / LATE < count);
+    if slips || !lasting || !(remaining(&series.at) <= SETTLED * without) {
+        out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled.")));
+    } else if let (Some(i), false) = (since, harm) {
+        let text = "The balls reduce the unbalance. After {} it has its last value, to within 5 % of the unbalance without the balls.";
+        let finding = Finding::info("time_to_balance", text).value(flight.times[i + 1], "s");
+        out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
     }
     out
+}
+
+/// How far an unbalance may still go from where it is at the end of the record, kg m: what its means over the last parts of the record differ by, summed like a geometric
+/// series. Infinite where it drifts on at an undiminished rate.
+fn remaining(at: &[Unbalance]) -> f64 {
+    let (Some(last), part) = (at.last(), at.len() / LATE) else { return f64::INFINITY };
+    if at.len() < FEWEST {
+        return f64::INFINITY;
+    }
+    let mean = |k: usize| {
+        let range = &at[at.len() - (k + 1) * part..at.len() - k * part];
+        range.iter().fold(C64::zero(), |sum, u| sum + u.moment).scale(1.0 / part as f64)
+    };
+    let [first, second, third] = [2, 1, 0].map(mean);
+    let (before, late) = ((second - first).abs(), (third - second).abs());
+    if late <= STILL * last.without() {
+        return late;
+    }
+    // NaN goes on
+    if late < before { late * late / (before - late) + late } else { f64::INFINITY }
 }

@@ -1,4 +1,4 @@
-//! What motors do: whether a free spin is caught by a vibration (Sommerfeld effect) before the speed it could reach, and whether they could follow a programme.
+//! What drives do: whether a free spin is caught by a vibration (Sommerfeld effect) before the speed it could reach, and whether they could follow a programme.
 
 use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
@@ -78,7 +78,7 @@ pub(super) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Finding>, Optio
     } else {
         "without vibration it would rise on and on".into()
     };
-    let text = format!("The drive is caught at {{}}: the vibration takes all its torque, and the speed no longer rises; {instead}.");
+    let text = format!("The drive is caught at {{}}: the vibration takes its torque, and the speed hardly changes any more; {instead}.");
     let mut finding = Finding::warning("capture", text)
         .value(speed, "rad/s")
         .evidence("torque the vibration takes", surplus, "N m")
@@ -96,11 +96,13 @@ pub(super) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Finding>, Optio
 /// Share of a flight over which torques are averaged: the unbalance makes them swing.
 const WINDOW: f64 = 0.02;
 
-/// That the motors of a machine, which bring the power `supplied` (W), cannot follow a programme: where `torque` (N m) is missing beside theirs on average.
-pub(super) fn short(speeds: &[f64], torque: &[f64], supplied: &[f64]) -> Option<Finding> {
+/// Whether the drives among the parts can follow a programme: where `torque` (N m) is missing beside theirs on average. Nothing without drives, nor where the inertia that
+/// a change of speed takes is not known.
+pub(super) fn short(system: &System, speeds: &[f64], torque: &[f64], accelerates: bool) -> Option<Finding> {
     let count = torque.len();
     let half = (0.5 * WINDOW * count as f64) as usize;
-    if !supplied.iter().any(|p| *p > 0.0) {
+    let first = *speeds.first()?;
+    if system.drive_torque(first).is_none() || (accelerates && !system.without_spin_inertia().is_empty()) {
         return None;
     }
     let mean = |i: usize| {
@@ -109,14 +111,21 @@ pub(super) fn short(speeds: &[f64], torque: &[f64], supplied: &[f64]) -> Option<
     };
     let lacks: Vec<f64> = (0..count).map(mean).collect();
     let (at, most) = lacks.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    if !(most > 0.0) {
-        return Some(
-            Finding::info("drive_suffices", "The motor can follow this programme: at least {} is left to spare.").value(-most, "N m"),
-        );
+    if most <= 0.0 {
+        let text = "The motor can follow this programme: at least {} is left to spare.";
+        return Some(Finding::info("drive_suffices", text).value(-most, "N m"));
     }
     let first = lacks.iter().position(|x| *x > 0.0).unwrap_or(at);
     let text =
         format!("The motor cannot follow this programme: from {} on torque is missing, up to {{}}.", quantity(speeds[first], "rad/s"));
     let finding = Finding::warning("drive_short", text).value(most, "N m").evidence("first at speed", speeds[first], "rad/s");
     Some(finding.evidence("most at speed", speeds[at], "rad/s"))
+}
+
+/// That changes of the speed leave out parts whose inertia about the axis is 0.
+pub(super) fn without_inertia(system: &System, what: &str) -> Option<Finding> {
+    let missing = system.without_spin_inertia();
+    let list = missing.iter().map(|path| format!("\"{path}\"")).collect::<Vec<_>>().join(", ");
+    let text = format!("{what} without the inertia about the axis of what has none in the file: give {list}.");
+    (!missing.is_empty()).then(|| Finding::warning("spin_inertia", text))
 }

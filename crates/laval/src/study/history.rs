@@ -10,7 +10,7 @@ use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
 use crate::solve::motion::envelope::{Window, growth_of};
-use crate::solve::motion::flight::{Choice, Flight, Plan, fly};
+use crate::solve::motion::flight::{Choice, Flight, Plan, Use, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use laval_num::ode;
 use std::f64::consts::TAU;
@@ -282,6 +282,8 @@ pub(super) struct Balance {
     pub missing: f64,
     /// Largest flows and changes, and the largest stored energy beside that of the spin alone, J.
     pub exchanged: f64,
+    /// Largest stored energy, J.
+    pub stored: f64,
 }
 
 /// `None` without an account.
@@ -291,7 +293,7 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
     let rows: Vec<&[f64]> = flight.states.chunks_exact(dim).collect();
     let stored: Vec<f64> = flight.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
     let first = stored.first().copied().unwrap_or(f64::NAN);
-    let (mut missing, mut swing, mut vibration) = (0.0f64, 0.0f64, 0.0f64);
+    let (mut missing, mut swing, mut vibration, mut most) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
     let grow = |m: &mut f64, x: f64| {
         if x > *m || x.is_nan() {
             *m = x;
@@ -306,6 +308,7 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
         }
         let spin = motion.stored_energy(t, &motionless).unwrap_or(f64::NAN);
         grow(&mut vibration, (e - spin).abs());
+        grow(&mut most, e.abs());
         let change = e - first;
         let x = change - (-y[k] + y[k + 1] + y[k + 2] + y[k + 3]);
         lack.push(x);
@@ -329,8 +332,12 @@ pub(super) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Bal
         table: c.table("energy", "Energy balance against time")?,
         missing,
         exchanged: flows.iter().sum::<f64>() + swing + vibration,
+        stored: most,
     }))
 }
+
+/// Rounding of an energy over its size: some tens of operations.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The balance in a sentence; of a motion that goes beyond all bounds it says nothing.
 pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Finding> {
@@ -340,6 +347,14 @@ pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Find
     if !(balance.missing.is_finite() && balance.exchanged.is_finite()) {
         let text = "The energy balance could not be formed: energies leave the range of numbers.";
         return Some(Finding::warning("no_energy_balance", text));
+    }
+    // differences of stored energies hold no more digits than these
+    let rounding = ROUNDING * (balance.stored + balance.exchanged);
+    if balance.missing <= rounding {
+        let text = "The energy balance closes to rounding: {} are missing.";
+        let finding =
+            Finding::info("energy_balance", text).value(balance.missing, "J").evidence("energy exchanged", balance.exchanged, "J");
+        return Some(finding.evidence("largest stored energy", balance.stored, "J"));
     }
     let ratio = if balance.exchanged > 0.0 { balance.missing / balance.exchanged } else { balance.missing };
     let make = if ratio < 1e-4 { Finding::info } else { Finding::warning };
@@ -360,28 +375,48 @@ pub(super) fn time_forms(system: &System, mut outcome: Outcome) -> Outcome {
     outcome
 }
 
+/// What a motion uses of the validity of a part. One that starts outside, as the layer of a liquid that is not yet held on its wall, and is inside from some time on is
+/// told by that time.
+fn validity(motion: &Motion, flight: &Flight, u: &Use) -> Finding {
+    let part = &motion.system().slots()[u.slot].name;
+    let (Some(first), Some(until)) = (u.exceeded, u.until) else {
+        let text = format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what);
+        return Finding::info("validity", text).value(u.ratio, "").evidence("reached at", u.t, "s");
+    };
+    if first == u.begin && until < flight.run.t {
+        let speed = speed_at(motion, flight, until);
+        let after = crate::outcome::significant(u.after, 3);
+        if until == 0.0 && speed == 0.0 {
+            let text = format!(
+                "\"{part}\" has no validity at standstill, where the motion starts. From the first step on {} is at most {{}}.",
+                u.what
+            );
+            return Finding::info("validity", text).value(u.after, "");
+        }
+        let text = format!("\"{part}\" is not valid before {{}}: there {} exceeds 1. From then on it is at most {after}.", u.what);
+        let finding = Finding::warning("validity", text).value(until, "s").evidence("speed then", speed, "rad/s");
+        return finding.evidence("largest value from then on", u.after, "");
+    }
+    if u.ratio.is_infinite() {
+        let text = format!("\"{part}\" leaves its model: {} grows without bound.", u.what);
+        return Finding::invalid("validity", text).evidence("first exceeded at", first, "s");
+    }
+    let finding = Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what));
+    finding.evidence("first exceeded at", first, "s").value(u.ratio, "").evidence("reached at", u.t, "s")
+}
+
+/// Spin speed at a time, rad/s; of a free spin at the output before it.
+fn speed_at(motion: &Motion, flight: &Flight, t: f64) -> f64 {
+    let last = flight.times.partition_point(|&x| x <= t).saturating_sub(1);
+    let state = flight.states.chunks_exact(flight.state.len().max(1)).nth(last).unwrap_or(&flight.state);
+    motion.spin(t, state).speed
+}
+
 /// Findings on validity, time forms and contacts.
 pub(super) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Outcome) -> Outcome {
     let system = motion.system();
     for u in &flight.validity {
-        let part = &system.slots()[u.slot].name;
-        if u.ratio.is_infinite() {
-            let text = format!("\"{part}\" leaves its model: {} grows without bound.", u.what);
-            outcome = outcome.finding(Finding::invalid("validity", text).evidence("first exceeded at", u.exceeded.unwrap_or(u.t), "s"));
-            continue;
-        }
-        let inside = u.ratio <= 1.0 && u.exceeded.is_none();
-        let finding = if inside {
-            Finding::info("validity", format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what))
-        } else {
-            let since = u.exceeded.unwrap_or(u.t);
-            Finding::invalid("validity", format!("\"{part}\" leaves its model: {} reaches {{}}, above 1.", u.what)).evidence(
-                "first exceeded at",
-                since,
-                "s",
-            )
-        };
-        outcome = outcome.finding(finding.value(u.ratio, "").evidence("reached at", u.t, "s"));
+        outcome = outcome.finding(validity(motion, flight, u));
     }
     outcome = time_forms(system, outcome);
     for slot in system.slots() {

@@ -39,6 +39,7 @@ pub mod sweep;
 pub mod transient;
 mod turns;
 pub mod uncertainty;
+mod unstable;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};

@@ -8,7 +8,7 @@ use crate::solve::programme::Spin;
 use std::f64::consts::PI;
 
 /// A peak stands out when the envelope falls to this fraction of it on both sides.
-const PROMINENT: f64 = 0.7;
+pub(super) const PROMINENT: f64 = 0.7;
 /// Half of a little more than one beat, as an angle of the forced motion against the free one.
 const BEAT: f64 = 1.25 * PI;
 

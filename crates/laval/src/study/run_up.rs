@@ -13,10 +13,11 @@ use super::balance;
 use super::drive;
 use super::history::{self, ABSOLUTE, Columns, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::moved_roots::moved_roots;
-use super::passages::{envelope, passages};
+use super::passages::{PROMINENT, envelope, passages};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::turns::Turns;
+use super::unstable::{Range, Rates};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Grid;
@@ -26,8 +27,9 @@ use crate::model::part::At;
 use crate::model::system::{Drive, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use crate::model::timed::Speeds;
-use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status};
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status, quantity, significant};
 use crate::solve::characteristic::{Equilibrium, Frame};
+use crate::solve::motion::envelope::Peak;
 use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
@@ -197,7 +199,7 @@ hold = "2 s"
                     outcome = outcome.finding(f.evidence("speed there", speed, "rad/s"));
                 }
             }
-            None => outcome = self.peaks(system, &flight, still, outcome),
+            None => outcome = self.peaks(system, &flight, still, plan.cancel, outcome),
         }
         outcome = moved_roots(exact, &timed, last.speed, context).into_iter().fold(outcome, Outcome::finding);
         outcome = self.drive(&mut motion, &flight, outcome)?;
@@ -285,7 +287,8 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 
 impl RunUp {
     /// Largest displacements and the passages through resonances.
-    fn peaks(&self, system: &System, flight: &Flight, still: f64, mut outcome: Outcome) -> Outcome {
+    fn peaks(&self, system: &System, flight: &Flight, still: f64, stop: &dyn Fn() -> bool, mut outcome: Outcome) -> Outcome {
+        let mut rates: Option<Option<Rates>> = None;
         for ((b, peak), windows) in system.bodies().iter().zip(&flight.peaks).zip(&flight.windows) {
             let speed = self.programme.at(peak.t).speed;
             let largest = history::largest(&b.name, peak.amplitude, still);
@@ -297,7 +300,11 @@ impl RunUp {
             let seen = envelope(windows, &spin);
             let slips = |t: f64| balance::slips(system, flight, t, &|t| spin(t).phase);
             let mut round: Vec<(f64, f64)> = Vec::new();
-            for i in passages(&seen, &spin) {
+            let passed = passages(&seen, &spin);
+            if !passed.is_empty() && rates.is_none() {
+                rates = Some(Rates::along(system, flight.run.t, &|t| spin(t).speed, stop));
+            }
+            for &i in &passed {
                 let p = seen[i];
                 let speed = |k: usize| self.programme.at(seen[k].t).speed;
                 let beside = |mut k: Box<dyn Iterator<Item = usize>>| k.find(|&k| seen[k].t != p.t).map_or(speed(i), speed);
@@ -311,8 +318,12 @@ impl RunUp {
                     round.push((p.amplitude, at));
                     continue;
                 }
-                let text = format!("\"{}\" passes a resonance: its envelope peaks at {{}}.", b.name);
-                let finding = Finding::info("peak", text).of(&b.name).value(at, "rad/s").evidence("amplitude", p.amplitude, "m");
+                let since = lowest_before(&seen, &passed, i);
+                let finding = self.passage(&b.name, rates.as_ref().and_then(Option::as_ref), [since, p.t]).value(at, "rad/s").evidence(
+                    "amplitude",
+                    p.amplitude,
+                    "m",
+                );
                 let point = SpecialPoint::new("peak", at, (before.min(after), before.max(after))).status(Status::Bracketed);
                 outcome =
                     outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, "m"));
@@ -329,6 +340,24 @@ impl RunUp {
         outcome
     }
 
+    /// What a peak of the envelope is, from the time since which it rises: a resonance of a machine that is stable on the way, growth through a range in which it is not,
+    /// or no more than a peak where the machine cannot be linearised.
+    fn passage(&self, body: &str, rates: Option<&Rates>, [since, until]: [f64; 2]) -> Finding {
+        match rates.map(|r| r.most(since, until).filter(|range| range.factor > 1.0 / PROMINENT)) {
+            None => Finding::info("peak", format!("The envelope of \"{body}\" peaks at {{}}.")),
+            Some(None) => Finding::info("peak", format!("\"{body}\" passes a resonance: its envelope peaks at {{}}.")),
+            Some(Some(Range { speeds: [a, b], factor, rate })) => {
+                let (a, b, times) = (quantity(a, "rad/s"), quantity(b, "rad/s"), significant(factor, 2));
+                let text = format!(
+                    "\"{body}\" grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \
+                     quickly, or add damping."
+                );
+                Finding::warning("unstable_range", text).evidence("largest growth rate there", rate, "1/s")
+            }
+        }
+        .of(body)
+    }
+
     /// Torque and power of the drive at the outputs.
     fn drive(&self, motion: &mut Motion, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let dim = flight.state.len();
@@ -338,13 +367,13 @@ impl RunUp {
             torque.push(motion.torque(t, y).unwrap_or(f64::NAN));
         }
         let power: Vec<f64> = torque.iter().zip(&spins).map(|(m, s)| m * s.speed).collect();
-        let mut supplied = Vec::with_capacity(flight.times.len());
-        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
-            supplied.push(motion.powers(t, y).map_or(0.0, |p| p.supplied));
-        }
+        let system = motion.system();
+        let accelerates = spins.iter().any(|s| s.accel != 0.0);
         let speeds: Vec<f64> = spins.iter().map(|s| s.speed).collect();
-        let beyond = if supplied.iter().any(|p| *p != 0.0) { "Beyond its motors the drive" } else { "The drive" };
-        let short = drive::short(&speeds, &torque, &supplied);
+        let driven = speeds.first().is_some_and(|&w| system.drive_torque(w).is_some());
+        let beyond = if driven { "Beyond its motors the drive" } else { "The drive" };
+        let short = drive::short(system, &speeds, &torque, accelerates);
+        let lacking = if accelerates { drive::without_inertia(system, "Torque and power of the drive are") } else { None };
         let largest =
             |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
         let ((most, at), (strongest, when)) = (largest(&torque), largest(&power));
@@ -365,7 +394,7 @@ impl RunUp {
         if flight.left.is_some() {
             return Ok(outcome);
         }
-        let outcome = short.into_iter().fold(outcome, Outcome::finding);
+        let outcome = short.into_iter().chain(lacking).fold(outcome, Outcome::finding);
         Ok(outcome
             .finding(Finding::info("largest_torque", format!("{beyond} must bring a torque of up to {{}}.")).value(most, "N m").evidence(
                 "at speed",
@@ -420,6 +449,12 @@ impl RunUp {
         }
         Ok(outcome.table(columns.table("envelope", "Envelope of the motion against speed")?).figure(figure))
     }
+}
+
+/// The time of the lowest place of an envelope between a passage and the one before it.
+fn lowest_before(seen: &[Peak], passed: &[usize], at: usize) -> f64 {
+    let from = passed.iter().copied().take_while(|&k| k < at).last().unwrap_or(0);
+    seen[from..=at].iter().min_by(|a, b| a.amplitude.total_cmp(&b.amplitude)).map_or(0.0, |p| p.t)
 }
 
 /// Steady unbalance response of the machine linearised at rest.

@@ -5,7 +5,7 @@ use crate::model::field::{Field, FieldKind, Values};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Axis, System, Workspace};
 use crate::outcome::Finding;
-use crate::solve::rest::rest;
+use crate::solve::rest::{hanging, rest};
 use crate::units::check_dimension;
 use laval_num::dense::{Lu, Mat};
 
@@ -31,14 +31,14 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// At the static equilibrium at a spin speed; undeflected where there is none.
+    /// At the static equilibrium at a spin speed, with masses that move round in the rotor held where they begin; undeflected where there is none.
     pub fn new(system: &System, speed: f64) -> Self {
         let places = system.places();
-        match rest(system, speed) {
+        let loaded = system.machine.axis == Axis::Horizontal;
+        match rest(system, speed).or_else(|d| if loaded { hanging(system, speed, &places) } else { Err(d) }) {
             Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, finding: None },
             Err(d) => {
                 let text = format!("The motion starts undeflected and is measured from there: {}.", d.message);
-                let loaded = system.machine.axis == Axis::Horizontal;
                 Start {
                     rest: vec![0.0; system.n()],
                     states: vec![0.0; system.m()],

@@ -268,6 +268,7 @@ impl Transient {
             out.push(finding.evidence("t", flight.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
+            out.extend(drive::without_inertia(system, "The spin speed changes"));
             let speed = motion.spin(flight.run.t, &flight.state).speed;
             let text = format!("{at} the spin speed is {{}}.");
             out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));

@@ -53,6 +53,39 @@ fn column<'a>(o: &'a Outcome, table: &str, name: &str) -> &'a [f64] {
     }
 }
 
+/// Balls that make the unbalance larger, or are still on their way, or go round: no time to balance.
+#[test]
+fn a_time_to_balance_needs_balls_that_balance() {
+    let machine = |duration: &str, drag: f64, initial: &str| {
+        format!(
+            "[machine]\nspeed = \"900 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = \"8.91 kg\"\neccentricity = \"5e-05 m\"\n\
+             [[part]]\nkind = \"shaft_lumped\"\nbetween = [\"disc\", \"ground\"]\nstiffness = \"2920000.0 N/m\"\n\
+             [[part]]\nkind = \"damper\"\nbetween = [\"disc\", \"ground\"]\ndamping = \"400.0 N s/m\"\n\
+             [[part]]\nkind = \"balancer_ball\"\nname = \"b\"\non = \"disc\"\nballs = 2\nball_mass = \"3.6 g\"\ntrack_radius = \"100 mm\"\n\
+             drag = \"{drag} N m s\"\nbody_tilt = false\n\
+             [[study]]\nkind = \"transient\"\nduration = \"{duration}\"\nobservables = false\n[study.initial]\n{initial}"
+        )
+    };
+    let together = "\"b.ball_1\" = \"20 deg\"\n\"b.ball_2\" = \"60 deg\"\n";
+    let slow = run(&machine("3 s", 0.5, together), 0);
+    assert!(has(&slow, "balance_unsettled") && !has(&slow, "time_to_balance"), "{:?}", slow.findings);
+    let slipping = run(&machine("250 ms", 1e-5, "\"b.ball_1'\" = -400\n\"b.ball_2'\" = -500\n"), 0);
+    assert!(
+        has(&slipping, "masses_caught") && has(&slipping, "balance_unsettled") && !has(&slipping, "time_to_balance"),
+        "{:?}",
+        slipping.findings
+    );
+    // with less drag the same balls from the same start are there in time
+    let there = run(&machine("3 s", 0.005, together), 0);
+    assert!(has(&there, "time_to_balance") && !has(&there, "balance_unsettled"), "{:?}", there.findings);
+    assert!(value(&there, "residual_unbalance") < 0.1 * evidence(&there, "residual_unbalance", "without the balls"));
+    let since = value(&there, "time_to_balance");
+    let (t, unbalance) = (column(&there, "balance", "t"), column(&there, "balance", "unbalance"));
+    let (last, without) = (unbalance[unbalance.len() - 1], column(&there, "balance", "without")[0]);
+    let late = t.iter().zip(unbalance).filter(|(t, _)| **t >= since);
+    assert!(late.clone().count() > 100 && late.map(|(_, u)| (u - last).abs()).all(|d| d <= 0.05 * without));
+}
+
 /// The balls bring the centre of the ring to the axis: what remains is closed form.
 #[test]
 fn the_example_balances_to_the_eccentricity_of_its_ring() {

@@ -4,7 +4,9 @@
 mod common;
 
 mod basins;
+mod claims;
 mod motion_map;
+mod spin_load;
 mod sweep;
 mod transient_motion;
 mod transient_start;

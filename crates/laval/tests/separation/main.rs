@@ -7,4 +7,5 @@ mod ensemble;
 mod motion;
 mod operating_window;
 mod recovery;
+mod release;
 mod window_edges;

@@ -149,9 +149,9 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
         map.found.attractors.iter().enumerate().map(|(k, a)| (k, a, map.count(a))).filter(|x| x.2 > 0).collect();
     let repeating = own.iter().filter(|x| x.1.period.is_some()).count();
     let text = match repeating {
-        0 => format!("No cell of the grid ends in a motion that repeats, at {speed}."),
-        1 => format!("{{}} motion that repeats is reached from the grid, at {speed}."),
-        _ => format!("{{}} different motions that repeat are reached from the grid, at {speed}."),
+        0 => format!("No cell of the grid was found to end in a motion that repeats within {LONGEST} turns, at {speed}."),
+        1 => format!("{{}} motion that repeats was found to be reached from the grid, at {speed}."),
+        _ => format!("{{}} different motions that repeat were found to be reached from the grid, at {speed}."),
     };
     let tolerance = AGREE * map.fleet.study.rules.tolerance;
     let mut finding = Finding::info("attractors", text).value(repeating as f64, "").evidence("cells", cells as f64, "");
@@ -167,7 +167,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
         let what = match a.period {
             Some(1) => "which repeats every turn".to_string(),
             Some(turns) => format!("which repeats after {turns} turns"),
-            None => "motions that do not repeat within 16 turns, one or several attractors".into(),
+            None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
         };
         let body = map.fleet.bodies.first().map_or("", |b| b.name.as_str());
         let moves = quantity(map.peak(a, 0), "m");
@@ -202,7 +202,8 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
         };
         return outcome.finding(Finding::warning("undisturbed", format!("The motion from the undisturbed start ({place}) {what}.")));
     };
-    let ends = if map.found.attractors[home].period.is_some() { format!("ends in {}", map.name(home)) } else { map.name(home) };
+    let repeats = map.found.attractors[home].period.is_some();
+    let ends = if repeats { format!("ends in {}", map.name(home)) } else { format!("does not repeat within {LONGEST} turns") };
     let from = format!("The motion from the undisturbed start ({place}) {ends}");
     let at_home = |row: usize| map.found.of[row] == Some(home);
     if !(complete && axes[0].holds(start[0]) && axes[1].holds(start[1])) {
@@ -221,7 +222,11 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     let inside = map.cells().filter(nearer).filter(|&r| at_home(r)).map(distance).fold(0.0, f64::max);
     let unknown = map.cells().filter(nearer).filter(|&r| map.found.of[r].is_none()).count();
     let target = map.word(row);
-    let leads = if target.starts_with("attractor") { format!("to {target}") } else { "to motion that does not repeat".into() };
+    let leads = if target.starts_with("attractor") {
+        format!("to {target}")
+    } else {
+        format!("to motion that does not repeat within {LONGEST} turns")
+    };
     let text = format!("{from}; the smallest disturbance on the grid that leads {leads} is {}, {{}} away.", map.at(map.place[row]));
     let same = axes[0].unit == axes[1].unit && scale[0] == scale[1];
     let (unit, factor, shown) = if same { (axes[0].unit.as_str(), scale[0], "") } else { ("", 1.0, " over typical sizes") };

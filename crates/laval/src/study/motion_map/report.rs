@@ -4,6 +4,7 @@ use super::{Fleet, MotionMap, REFUSED};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::{Kind, Results};
+use crate::study::settled::period::LONGEST;
 use crate::study::settled::told;
 use crate::study::support::inconsistent;
 use crate::study::{Context, Study};
@@ -101,7 +102,7 @@ fn repetition(map: &Map) -> Vec<Finding> {
     for class in all_classes().into_iter().filter(|c| c != "every turn" && c != "failed" && c != "not settled") {
         let count = map.count(|c| c == class);
         let Some(first) = map.classes.iter().position(|c| *c == class) else { continue };
-        let how = if class == "not periodic" { "do not repeat".into() } else { format!("repeat {class}") };
+        let how = if class == "not periodic" { format!("do not repeat within {LONGEST} turns") } else { format!("repeat {class}") };
         let text = format!("{{}} of {all} motions {how}, for instance at {}.", map.place(first));
         out.push(map.with_place(Finding::info("other_motions", text).of(class).value(count as f64, ""), first));
     }

@@ -8,12 +8,15 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::Attach;
 use crate::model::system::System;
 use crate::model::timed::Speeds;
+use crate::outcome::Finding;
 use crate::separation::load::Ring;
 use crate::solve::motion::flight::{Choice, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
 use crate::study::Context;
+use crate::study::drive::without_inertia;
 use crate::study::limits::Limits;
+use crate::study::start::Start;
 use crate::study::support::largest;
 use laval_num::ode::End;
 use std::f64::consts::TAU;
@@ -25,6 +28,8 @@ pub(super) struct Passage {
     flights: Vec<Flight>,
     /// Steps of all integrations.
     pub steps: u64,
+    /// That the torque is without the inertia of parts.
+    pub lacks: Option<Finding>,
 }
 
 /// A passage with the load of the cups at one speed.
@@ -68,7 +73,8 @@ impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed.
     pub fn simulate(system: &System, cups: &[(Attach, Ring)], top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
         let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
-        let mut out = Passage { bodies, flights: vec![], steps: 0 };
+        let lacks = without_inertia(system, "The torque of the run-up is");
+        let mut out = Passage { bodies, flights: vec![], steps: 0, lacks };
         context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in each simulation of the passage");
         out.add(system, cups, top, (top, duration), context)?;
         while !cups.is_empty() && out.flights.len() < MOST_FLIGHTS {
@@ -169,7 +175,15 @@ fn both_ways(
         let programme = Programme::ramp(from, to, duration, Shape::Linear, phase)
             .map_err(|e| Diagnostic::error("operating_window.ramp", e.0).help("give the ramp another duration"))?;
         let mut motion = Motion::new(system, SpinLaw::Programme(programme.clone()))?;
-        let y = state.take().map_or_else(|| vec![0.0; laval_num::ode::Ode::dim(&motion)], |s| s.0);
+        let start = Start::new(system, from);
+        let y = state.take().map_or_else(
+            || {
+                let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
+                start.write(&[], &mut y);
+                y
+            },
+            |s| s.0,
+        );
         let outputs: Vec<f64> = (0..=WINDOWS).map(|k| duration * k as f64 / WINDOWS as f64).collect();
         let plan = Plan {
             t_end: duration,
@@ -179,7 +193,7 @@ fn both_ways(
             absolute: 1e-8,
             outputs: &outputs,
             windows: WINDOWS,
-            rest: &[],
+            rest: &start.rest,
             bound: f64::INFINITY,
             kick: None,
             max_steps: context.work_limit.min(20_000_000),

@@ -342,6 +342,7 @@ impl Found<'_> {
                 out = out.finding(f.of(peak.body));
             }
             out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque(top), "N m"));
+            out = p.lacks.clone().into_iter().fold(out, Outcome::finding);
         }
         if let (Some(t), Some(duty), Some(best)) = (m.asked.ramp, &m.asked.duty, &m.best) {
             let (_, r2) = duty.vessel.separator.at(best.speed).radii();

@@ -139,7 +139,8 @@ impl Found<'_> {
                 .evidence("width of the bracket", bracket, "rad/s")
                 .evidence("places of the fixed set", s.batch.places as f64, ""),
             Err(highest) => {
-                let text = format!("No speed up to {} rpm catches {name} {time}{with}.", significant(highest * RPM, 4));
+                let text =
+                    format!("None of the speeds computed, up to {} rpm, catches {name} {time}{with}.", significant(highest * RPM, 4));
                 Finding::warning("speed_needed", text)
             }
         };

@@ -42,6 +42,8 @@ pub struct Separation {
     pub speed: f64,
     /// Start of one particle to follow, m.
     pub release: Option<[f64; 3]>,
+    /// Its velocity relative to the cup, m/s.
+    pub release_velocity: [f64; 3],
     /// Paths shown.
     pub paths: usize,
     /// k-factor of another rotor, S h.
@@ -78,7 +80,13 @@ ramp = "30 s"
             "release",
             FieldKind::List { unit: "m", bounds: Bounds::within(100.0) },
             "",
-            "place [x, y, z] in the cup of one particle of median size, released at rest and followed",
+            "place [x, y, z] in the cup of one particle of median size, released and followed by the model of the study: with its inertia unless model = \"drifting\"",
+        ),
+        Field::optional(
+            "release_velocity",
+            FieldKind::List { unit: "m/s", bounds: Bounds::within(1000.0) },
+            "",
+            "velocity [x', y', z'] relative to the cup with which that particle is released; at rest when left out",
         ),
         Field::optional(
             "paths",
@@ -138,19 +146,24 @@ ramp = "30 s"
                 wrong("ramp", "separation.programme", "both a programme and a ramp are given".into(), "keep one of them");
             }
         }
-        let release = match values.list("release") {
+        let mut three = |field: &'static str, what: &str, help: &str| match values.list(field) {
             None => None,
             Some([x, y, z]) => Some([*x, *y, *z]),
             Some(other) => {
-                wrong(
-                    "release",
-                    "separation.release",
-                    format!("a place has three coordinates, not {}", other.len()),
-                    "release = [\"0 mm\", \"20 mm\", \"0 mm\"]",
-                );
+                wrong(field, "separation.release", format!("{what} has three components, not {}", other.len()), help);
                 None
             }
         };
+        let release = three("release", "a place", "release = [\"0 mm\", \"20 mm\", \"0 mm\"]");
+        let thrown = three("release_velocity", "a velocity", "release_velocity = [\"0 m/s\", \"0.1 m/s\", \"0 m/s\"]");
+        if thrown.is_some() && values.list("release").is_none() {
+            let message = "a velocity belongs to a particle that is released".into();
+            wrong("release_velocity", "separation.release", message, "add release = [\"0 mm\", \"20 mm\", \"0 mm\"]");
+        }
+        if thrown.is_some() && values.choice("model") == Some("drifting") {
+            let message = "a particle whose drag balances the field has no velocity of its own to begin with".into();
+            wrong("release_velocity", "separation.release", message, "take it out, or take model = \"exact\"");
+        }
         let speed = match programmed {
             Some(w) => Some(w),
             None => speed(values, system, diagnostics),
@@ -195,6 +208,7 @@ ramp = "30 s"
             task,
             speed,
             release,
+            release_velocity: thrown.unwrap_or([0.0; 3]),
             paths: values.integer("paths").map_or(12, |n| n.max(0) as usize),
             transfer: values.number("transfer_k"),
         })

@@ -4,12 +4,11 @@ use super::ONE;
 use super::report::{Built, Found};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome, Table, quantity};
-use crate::separation::closed::{Closed, Path};
-use crate::separation::ensemble::Model;
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::Separator;
 use crate::separation::motion::Tilt;
 use crate::separation::places::Place;
+use crate::separation::release::{Moment, Release};
 use crate::study::duty::task::lost;
 
 impl Found<'_> {
@@ -93,28 +92,23 @@ impl Found<'_> {
     /// The one particle released at a place.
     pub fn followed(&self, mut out: Outcome) -> Result<Outcome, Diagnostic> {
         let (s, batch) = (self.study, self.spinning.batch);
-        let Some(start) = s.release else { return Ok(out) };
+        let Some(place) = s.release else { return Ok(out) };
         let particle = self.median();
+        let release = Release { particle, place, velocity: s.release_velocity };
         let rates = batch.medium.rates(&particle);
-        let integrated = self.spinning.integrated();
-        let (exit, reynolds) = if integrated {
-            self.spinning.travel(&particle, start, ONE).map_err(lost)?
-        } else {
-            let turning = &self.spinning.turning;
-            let exit = match batch.model {
-                Model::Inertial | Model::Adaptive => turning.settle(&rates, start),
-                Model::Drifting => turning.drift(rates.sedimentation, start),
-            };
-            let speed = exit.map_or(0.0, |e| e.velocity.iter().map(|v| v * v).sum::<f64>().sqrt());
-            (exit, batch.medium.reynolds(&particle, speed))
-        };
+        let (exit, reynolds) = self.spinning.released(&release, ONE).map_err(lost)?;
         let Some(e) = exit else {
             return Ok(out.finding(Finding::warning("released", "The particle released never meets a surface.")));
         };
         if e.time == 0.0 {
             return Ok(out.finding(Finding::warning("released", "The place of the release does not lie in the liquid.")));
         }
-        let speed = e.velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let path = self.spinning.release_path(&release, e.time, 200, ONE).map_err(lost)?;
+        let size = |v: &[f64; 3]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let speed = size(&e.velocity);
+        // between release and exit as well
+        let fastest = path.iter().map(|m| size(&m.velocity)).fold(speed, f64::max);
+        let reynolds = reynolds.max(batch.medium.reynolds(&particle, fastest));
         let text = format!(
             "The particle released reaches the {} after {{}}, at {} along the cup.",
             e.surface.word(),
@@ -130,26 +124,19 @@ impl Found<'_> {
                 .evidence("largest Reynolds number", reynolds, "")
                 .evidence("drag rate over spin speed n/w", 0.5 * rates.two_n / s.speed.abs(), ""),
         );
-        let path: Vec<(f64, [f64; 3], f64)> = if let (Some(journey), true) = (self.spinning.journey(particle), integrated) {
-            let times: Vec<f64> = (0..=200).map(|k| e.time * k as f64 / 200.0 * (1.0 - 1e-12)).collect();
-            let arrival = journey.follow(journey.start(start), e.time, ONE, &times);
-            let moments = arrival.map(|a| a.moments).unwrap_or_default();
-            moments.iter().map(|m| (m.t, [m.state[0], m.state[1], m.state[2]], m.state[6])).collect()
-        } else if let Some(steady) = self.spinning.turning.steady() {
-            let path = Closed::new(&rates, &steady, start, [0.0; 3]);
-            (0..=200).map(|k| e.time * k as f64 / 200.0).map(|t| (t, path.at(t).0, steady.tilt)).collect()
-        } else {
-            vec![]
-        };
+        let column = |f: &dyn Fn(&Moment) -> f64| path.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("released", "Path of the particle released")
-            .float("time", "s", "time", path.iter().map(|p| p.0).collect())
-            .float("x", "m", "across the cup", path.iter().map(|p| p.1[0]).collect())
-            .float("y", "m", "along the cup", path.iter().map(|p| p.1[1]).collect())
-            .float("z", "m", "across the cup, in the sense of rotation", path.iter().map(|p| p.1[2]).collect())
-            .float("tilt", "rad", "tilt of the cup", path.iter().map(|p| p.2).collect());
+            .float("time", "s", "time", column(&|m| m.time))
+            .float("x", "m", "across the cup", column(&|m| m.place[0]))
+            .float("y", "m", "along the cup", column(&|m| m.place[1]))
+            .float("z", "m", "across the cup, in the sense of rotation", column(&|m| m.place[2]))
+            .float("x'", "m/s", "velocity relative to the cup, across it", column(&|m| m.velocity[0]))
+            .float("y'", "m/s", "along it", column(&|m| m.velocity[1]))
+            .float("z'", "m/s", "across it, in the sense of rotation", column(&|m| m.velocity[2]))
+            .float("tilt", "rad", "tilt of the cup", column(&|m| m.tilt));
         if let Some(Tilt::Swinging(cup)) = self.spinning.journey(particle).map(|j| j.tilt) {
             let ramp = self.spinning.ramp.as_ref();
-            let speeds: Vec<f64> = path.iter().map(|p| ramp.map_or(s.speed, |r| r.at(p.0).0)).collect();
+            let speeds: Vec<f64> = path.iter().map(|p| ramp.map_or(s.speed, |r| r.at(p.time).0)).collect();
             table = table
                 .float(
                     "static tilt",

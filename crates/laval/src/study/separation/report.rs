@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Finding, Outcome, OutcomeError, quantity, significant};
 use crate::separation::batch::Spinning;
-use crate::separation::ensemble::{cut_size, products, sorted};
+use crate::separation::ensemble::{Model, cut_size, products, sorted};
 use crate::separation::exit::{Exit, Surface};
 use crate::separation::machine::Separator;
 use crate::separation::measures;
@@ -246,7 +246,13 @@ impl<'a> Found<'a> {
         let d = cut_size(&taus, &s.suspension.medium, self.median().density, 0.5, self.full_time());
         if d.is_finite() && d > 0.0 && self.stokes() {
             let kind = if heavy { "" } else { " (light particles)" };
-            out = out.finding(Finding::info("cut_size", format!("Half of the particles of {{}} are caught{kind}.")).value(d, "m"));
+            // sizes and times scale without inertia only, and a run-up counts by its field
+            let how = match (&self.spinning.ramp, s.batch.model) {
+                (Some(_), _) => ", by an estimate without inertia (run-up by the field at mean radius)",
+                (None, Model::Drifting) => "",
+                (None, _) => ", inertia left out",
+            };
+            out = out.finding(Finding::info("cut_size", format!("Half of the particles of {{}} are caught{kind}{how}.")).value(d, "m"));
         }
         out
     }

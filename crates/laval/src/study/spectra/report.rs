@@ -47,7 +47,9 @@ fn words(class: Class) -> String {
         Class::Fraction(p, 1) => format!("part of the spin frequency, {}", way(p > 0)),
         Class::Fraction(p, q) if p.abs() == 1 => format!("subharmonic of order 1/{q}, {}", way(p > 0)),
         Class::Fraction(p, q) => format!("part of order {}/{q}, {}", p.abs(), way(p > 0)),
-        Class::Free(forward) => format!("part whose frequency is no simple fraction of the spin frequency, {}", way(forward)),
+        Class::Free(forward) => {
+            format!("part whose frequency is no fraction of the spin frequency with a denominator up to {DENOMINATORS}, {}", way(forward))
+        }
     }
 }
 
@@ -162,7 +164,9 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         Finding::info("fleeting_components", text).of(name).value(o.largest.amplitude, "m").evidence("order", o.largest.order, "")
     });
     if classes.is_empty() {
-        let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}.");
+        let short = windows.len() - judged.len();
+        let except = if short > 0 { format!(", {short} windows of fewer than four turns left out") } else { String::new() };
+        let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}{except}.");
         let none = Finding::info("no_components", if fleeting.is_some() { text.replace("no part", "no lasting part") } else { text });
         return std::iter::once(none.of(name).evidence("highest line", top, "m")).chain(fleeting).collect();
     }
@@ -174,13 +178,16 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         // the part exceeds the threshold somewhere between the window before and this one
         let before = seen.first.checked_sub(1).map_or(f64::NAN, |k| (speed(seen.first) - speed(k)).abs());
         let what = words(*class);
+        let between = judged.iter().filter(|k| (seen.first..=seen.last).contains(k)).count();
+        // not throughout: a part that comes and goes
+        let share = if seen.count < between { format!("in {} of {between} windows ", seen.count) } else { String::new() };
         let times = format!("{} to {}", quantity(windows[seen.first].t, "s"), quantity(windows[seen.last].t, "s"));
         let (largest, order) = (quantity(seen.largest.amplitude, "m"), significant(seen.largest.order, 4));
         let text = if speed(seen.first) == speed(seen.last) {
-            format!("\"{name}\" has a {what}: above {limit} at {{}} (from {times}), up to {largest}, where its order is {order}.")
+            format!("\"{name}\" has a {what}: above {limit} {share}at {{}} (from {times}), up to {largest}, where its order is {order}.")
         } else {
             format!(
-                "\"{name}\" has a {what}: above {limit} from {{}} to {} rad/s ({times}), up to {largest} at {} rad/s, where its order is {order}.",
+                "\"{name}\" has a {what}: above {limit} {share}from {{}} to {} rad/s ({times}), up to {largest} at {} rad/s, where its order is {order}.",
                 significant(speed(seen.last), 5),
                 significant(at.speed, 5),
             )

@@ -1,0 +1,103 @@
+//! What the rotor turns besides the parts of the machine: inertia about the axis, and torques that resist the spin.
+//!
+//! Equations, the share of the spin row, spin speed W:
+//!
+//! ```text
+//! J W' + c W + k |W| W
+//! ```
+//!
+//! Symbols: J inertia, kg m^2; c drag, N m s; k windage, N m s^2.
+//!
+//! The spin is a coordinate when the machine says `drive = "free"`. While it is prescribed, these torques are part of the torque of the drive that a study
+//! reports.
+//!
+//! Validity: what it stands for is rigidly coupled to the rotor; slow changes of speed, so that the steady drag holds.
+//!
+//! Sources: linear drag of lubricated bearings; windage with the square of the speed, as for turbulent flow around discs (H. Schlichting, Boundary-Layer Theory,
+//! McGraw-Hill 1979, chapter XXI).
+
+use crate::diagnostic::Diagnostics;
+use crate::model::blocks::Blocks;
+use crate::model::field::{Bounds, Field, ParamValues, Values};
+use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics};
+use crate::params;
+use laval_num::scalar::Scalar;
+
+params! {
+    /// Parameters of a [`SpinLoad`].
+    pub struct SpinLoadParams in SpinLoadFamily {
+        inertia: scalar, "kg m^2", Bounds::up_to(1e9), default 0.0, "moment of inertia J about the axis";
+        drag: scalar, "N m s", Bounds::up_to(1e9), default 0.0, "drag c of bearings and seals: torque over speed";
+        windage: scalar, "N m s^2", Bounds::up_to(1e9), default 0.0, "windage k: torque over the square of the speed";
+    }
+}
+
+/// See the [module](self).
+pub struct SpinLoad;
+
+impl SpinLoad {
+    #[inline(always)]
+    fn resists<S: Scalar>(&self, p: &SpinLoadParams<S>, speed: S) -> S {
+        p.drag * speed + p.windage * speed.abs() * speed
+    }
+}
+
+impl Part for SpinLoad {
+    const KIND: &'static str = "spin_load";
+    const DOC: &'static str = "Inertia about the axis and torques that resist the spin: a coupling or gear on the shaft, drag of bearings, windage. It counts in the \
+        torque and power of the drive, and with drive = \"free\" in how the speed changes, as in a run-down.";
+    type Family = SpinLoadFamily;
+    const FIELDS: &'static [Field] = &[];
+
+    fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
+        Some(SpinLoad)
+    }
+    fn layout(&self) -> Layout {
+        Layout::default()
+    }
+    /// Nothing but a share of the spin row.
+    fn physics(&self) -> Physics {
+        Physics::Linear
+    }
+    #[inline(always)]
+    fn linear<S: Scalar>(&self, _: &Params<Self, S>, _: S, _: &mut Blocks<S>) {}
+    #[inline(always)]
+    fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
+        p.inertia * at.spin_accel + self.resists(p, at.speed)
+    }
+    fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
+        let w = at.speed;
+        Some(Energy { stored: (p.inertia * w * w).scale(0.5), dissipated: self.resists(p, w) * w, supplied: S::zero() })
+    }
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        out.push(Observed { name: "torque", unit: "N m", value: self.resists(p, at.speed) });
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let nothing = p.inertia == 0.0 && p.drag == 0.0 && p.windage == 0.0;
+        if nothing { vec![("inertia", "this part does nothing: give inertia, drag or windage".into())] } else { Vec::new() }
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    pub(super) fn params() -> SpinLoadParams {
+        SpinLoadParams { inertia: 0.3, drag: 2e-3, windage: 4e-6 }
+    }
+
+    #[test]
+    fn resists_either_way() {
+        let torque = |w: f64| SpinLoad.resists(&params(), w);
+        assert!((torque(500.0) - 2.0).abs() < 1e-14 && torque(-500.0) == -torque(500.0));
+        assert_eq!(SpinLoad.drives(&params(), 500.0), None);
+        assert_eq!(SpinLoad.check(&SpinLoadParams { inertia: 0.0, drag: 0.0, windage: 0.0 })[0].0, "inertia");
+    }
+}
+
+crate::conformance! {
+    SpinLoad {
+        all: SpinLoad, tests::params(), Options::default();
+        inertia: SpinLoad, SpinLoadParams { drag: 0.0, windage: 0.0, ..tests::params() }, Options::default();
+    }
+}

@@ -1,0 +1,104 @@
+//! What studies of motions say is what was computed: where a motion starts, what a peak of its envelope is, what the energy balance misses, where a part is valid.
+
+use super::spin_load::{column, find, run, value};
+use laval::outcome::Level;
+
+const GRAVITY: f64 = 9.80665;
+
+/// Balls that go round in a horizontal drum leave no rest to start from; the drum hangs by the weight of all of it nevertheless, at any angles of the balls.
+#[test]
+fn a_horizontal_drum_with_balls_starts_where_it_hangs() {
+    let (drum, balls, ball, kx, ky) = (35.0, 3.0, 0.03, 8e3, 1e4);
+    let machine = |axis: &str, initial: &str| {
+        format!(
+            "[machine]\naxis = \"{axis}\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = {drum}\nunbalance = 0.06\npolar_inertia = 1.1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"drum\", \"ground\"]\nkxx = {kx}\nkyy = {ky}\ncxx = 150\ncyy = 180\n\
+             [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"drum\"\nballs = {balls}\nball_mass = {ball}\ntrack_radius = 0.24\n\
+             ball_radius = \"9.5 mm\"\ndrag = 5e-3\ngravity = 0\n\
+             [[study]]\nkind = \"run_up\"\nfrom = 5\nto = 6\nduration = 1\npoints = 50\n{initial}"
+        )
+    };
+    let sag = (drum + balls * ball) * GRAVITY / ky;
+    for initial in ["", "initial = { \"ring.ball_1\" = 1.5, \"ring.ball_2\" = 2.5 }\n"] {
+        let o = run(&machine("horizontal", initial));
+        let (x, y) = (column(&o, "motion", "drum.x"), column(&o, "motion", "drum.y"));
+        assert!(x[0].abs() < 1e-9 * sag && (y[0] / -sag - 1.0).abs() < 1e-9, "{} {} {sag}", x[0], y[0]);
+        assert!(find(&o, "start").is_none(), "{:?}", o.findings);
+        // the drum does not fall: what it does is what the unbalance at 5 rad/s makes of it
+        assert!(value(&o, "largest_displacement") < 0.1 * sag, "{}", value(&o, "largest_displacement"));
+    }
+    let o = run(&machine("vertical", ""));
+    assert_eq!(column(&o, "motion", "drum.y")[0], 0.0);
+}
+
+/// Cross-coupled stiffness q above c w drives a whirl between two speeds: what grows there is no resonance. Without it one resonance is left.
+#[test]
+fn growth_through_an_unstable_range_is_no_resonance() {
+    let (m, k, c): (f64, f64, f64) = (10.0, 1e6, 300.0);
+    let own = (k / m).sqrt();
+    let machine = |factor: f64| {
+        let q = factor * c * own;
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m}\neccentricity = \"20 um\"\npolar_inertia = 0.1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\n\
+             table = {{ speed = [0, 400, 450, 500, 900], kxx = [{k}, {k}, {k}, {k}, {k}], kyy = [{k}, {k}, {k}, {k}, {k}], kxy = [0, 0, {q}, 0, 0], \
+             kyx = [0, 0, {}, 0, 0], cxx = [{c}, {c}, {c}, {c}, {c}], cyy = [{c}, {c}, {c}, {c}, {c}] }}\n\
+             [[study]]\nkind = \"run_up\"\nto = 800\nduration = 20\npoints = 500\n",
+            -q
+        )
+    };
+    let stable = run(&machine(0.9));
+    assert!(find(&stable, "unstable_range").is_none(), "{:?}", stable.findings);
+    let o = run(&machine(1.6));
+    let peaks: Vec<_> = o.findings.iter().filter(|f| f.id == "peak").collect();
+    assert!(peaks.iter().all(|f| f.text.contains("passes a resonance")) && peaks.len() == 1, "{:?}", o.findings);
+    assert!((peaks[0].value.unwrap() - own).abs() < 0.1 * own);
+    let grown = find(&o, "unstable_range").unwrap_or_else(|| panic!("{:?}", o.findings));
+    assert_eq!(grown.level, Level::Warning);
+    assert!(!grown.text.contains("resonance"));
+    // s = (-c +- sqrt(c^2 - 4 m (k -+ i q)))/2m of the larger of the two: the largest growth is that at 450 rad/s
+    let rate = grown.evidence.iter().find(|e| e.what == "largest growth rate there").unwrap().value;
+    let q = 1.6 * c * own;
+    let disc = laval_num::complex::C64 { re: c * c - 4.0 * m * k, im: 4.0 * m * q }.sqrt();
+    let expected = (disc.re.abs() - c) / (2.0 * m);
+    assert!((rate / expected - 1.0).abs() < 0.01, "{rate} {expected}");
+    assert!((440.0..520.0).contains(&grown.value.unwrap()), "{grown:?}");
+}
+
+/// A free disc: 500 J of spin, nothing exchanged, and what is missing is the rounding of 500 J. What is truly missing still warns.
+#[test]
+fn an_energy_balance_closes_to_rounding() {
+    let text = "study = [{ kind = \"transient\", duration = \"0.1 s\", speed = \"100 rad/s\" }]\n[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\n\
+                mass = 1.0\neccentricity = 1e-05\ndiametral_inertia = 0.1\npolar_inertia = 0.1\n";
+    let o = run(text);
+    let f = find(&o, "energy_balance").unwrap();
+    assert!(f.level == Level::Info && f.text.contains("rounding") && f.value.unwrap() <= 500.0 * 1e-13, "{f:?}");
+    let spring = format!("{text}[[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nkxx = 1e5\nkyy = 1e5\n");
+    let rough = spring.replace("speed =", "relative_tolerance = 1e-2, absolute_tolerance = 1e-2, initial = { \"d.x\" = 1e-3 }, speed =");
+    assert_eq!(find(&run(&rough), "energy_balance").unwrap().level, Level::Warning);
+}
+
+/// A layer of liquid is not held on its wall at standstill: that is said as the time until which, not as a ratio without bound.
+#[test]
+fn a_liquid_is_valid_from_a_time_on() {
+    let machine = |from: f64| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"wheel\"\nmass = 18\npolar_inertia = 0.2\neccentricity = \"40 um\"\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"wheel\", \"ground\"]\nkxx = 9e6\nkyy = 9e6\ncxx = 900\ncyy = 900\n\
+             [[part]]\nkind = \"liquid\"\nname = \"liquid\"\nin = \"wheel\"\ncavity_radius = 0.15\ncavity_height = 0.08\ndensity = 1000\n\
+             fill = {{ volume_fraction = 0.1 }}\nwave_damping = 4\n\
+             [[study]]\nkind = \"run_up\"\nfrom = {from}\nto = 200\nduration = 1\npoints = 200\n"
+        )
+    };
+    let o = run(&machine(0.0));
+    let told: Vec<_> = o.findings.iter().filter(|f| f.id == "validity").collect();
+    assert!(told.iter().all(|f| f.level != Level::Invalid && !f.text.contains("without bound")), "{told:?}");
+    let wall = told.iter().find(|f| f.text.contains("wall acceleration")).unwrap();
+    let standstill = wall.text.contains("at standstill");
+    assert!(standstill || wall.text.contains("not valid before"), "{wall:?}");
+    if !standstill {
+        assert!(wall.value.unwrap() < 0.05, "{wall:?}");
+    }
+    let moving = run(&machine(50.0));
+    assert!(moving.findings.iter().filter(|f| f.id == "validity").all(|f| f.level == Level::Info && f.text.contains("stays inside")));
+}
