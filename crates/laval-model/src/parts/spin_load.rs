@@ -44,6 +44,9 @@ impl SpinLoad {
 
 impl Part for SpinLoad {
     const KIND: &'static str = "spin_load";
+    const EXAMPLE: &'static str = r#"inertia = "0.05 kg m^2"
+drag = "2e-3 N m s"
+"#;
     const DOC: &'static str = "Inertia about the axis and torques that resist the spin: a coupling or gear on the shaft, drag of bearings, windage. It counts in the \
         torque and power of the drive, and with drive = \"free\" in how the speed changes, as in a run-down.";
     type Family = SpinLoadFamily;
