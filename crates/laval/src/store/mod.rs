@@ -120,11 +120,16 @@ pub struct Rows<'a> {
     /// Rows under way, by what is done of them, in thousandths.
     part: AtomicI64,
     total: u64,
+    /// Work beside the rows is not counted.
+    aside: bool,
 }
 
 impl Rows<'_> {
     /// Of a row under way so many thousandths more are done; what was added is taken back before the row counts as done.
     pub fn advance(&self, thousandths: i64) {
+        if self.aside {
+            return;
+        }
         let part = self.part.fetch_add(thousandths, Ordering::Relaxed) + thousandths;
         if thousandths > 0 {
             self.host.part(part.max(0) as f64 / 1000.0);
@@ -132,6 +137,9 @@ impl Rows<'_> {
     }
     /// `n` more rows are done.
     pub fn add(&self, n: u64) {
+        if self.aside {
+            return;
+        }
         let done = self.done.fetch_add(n, Ordering::Relaxed) + n;
         self.host.part(self.part.load(Ordering::Relaxed).max(0) as f64 / 1000.0);
         self.host.report(done.min(self.total), self.total);
@@ -139,6 +147,10 @@ impl Rows<'_> {
     /// The user asked to stop.
     pub fn cancelled(&self) -> bool {
         self.host.cancelled()
+    }
+    /// For work that serves a row and is none.
+    pub fn aside(&self) -> Rows<'_> {
+        Rows { host: self.host, done: AtomicU64::new(0), part: AtomicI64::new(0), total: 0, aside: true }
     }
     fn set(&self, done: u64) {
         self.done.store(done, Ordering::Relaxed);
@@ -222,7 +234,7 @@ pub fn run_on(
     plan.check()?;
     let mut place = Place::open(host, &plan)?;
     let present = (0..plan.chunks()).filter(|&i| place.has(i)).map(|i| plan.range(i).len() as u64).sum();
-    let rows = Rows { host, done: AtomicU64::new(present), part: AtomicI64::new(0), total: plan.rows as u64 };
+    let rows = Rows { host, done: AtomicU64::new(present), part: AtomicI64::new(0), total: plan.rows as u64, aside: false };
     if present > 0 {
         host.restored(present, rows.total);
     }

@@ -406,3 +406,54 @@ fn fast_modes_are_followed_by_the_stiff_method() {
     }
     assert!(5.0 * steps(&chosen) < steps(&explicit), "{} {}", steps(&chosen), steps(&explicit));
 }
+
+/// A step of the speed so long that the motion at its beginning is thrown off the branch is no jump: smaller steps stay on it to its fold.
+#[test]
+fn coarse_steps_do_not_make_jumps() {
+    let machine = r#"
+[machine]
+name = "d"
+[[part]]
+kind = "disc"
+name = "d"
+mass = 2.52863
+eccentricity = 8.81435e-5
+[[part]]
+kind = "bearing_cubic"
+name = "b"
+between = ["d", "ground"]
+law = "isotropic"
+stiffness = 1710720
+cubic_stiffness = 2.46479e12
+[[part]]
+kind = "damper"
+name = "c"
+between = ["d", "ground"]
+damping = 234.348
+"#;
+    // of circular motion the fold is a double root in the amplitude of (k + k3 a^2 - m W^2)^2 + (c W)^2 = (m e W^2 / a)^2
+    let (m, e, k, k3, c) = (2.52863, 8.81435e-5, 1_710_720.0, 2.46479e12, 234.348);
+    let balance = |w: f64, a: f64| (k + k3 * a * a - m * w * w).hypot(c * w) * a - m * e * w * w;
+    let roots =
+        |w: f64| (1..40_000).filter(|&i| (balance(w, 1e-7 * f64::from(i)) > 0.0) != (balance(w, 1e-7 * f64::from(i - 1)) > 0.0)).count();
+    let (mut lo, mut hi) = (2000.0, 2467.0);
+    for _ in 0..30 {
+        let middle = 0.5 * (lo + hi);
+        if roots(middle) > 1 { lo = middle } else { hi = middle }
+    }
+    for points in [12, 20, 40] {
+        let study = format!("start = \"up\"\ntolerance = 1e-4\nperiods = 48\nspeed = {{ from = 411.26, to = 2467.56, points = {points} }}");
+        let o = run(machine, &study);
+        let told: Vec<f64> = o.findings.iter().filter(|f| f.id == "jump_up").map(|f| f.value.unwrap()).collect();
+        assert_eq!(told.len(), 1, "{points}: {:?}", o.findings);
+        assert!((told[0] / lo - 1.0).abs() < 2e-3, "{points}: {told:?} {lo}");
+        let at = numbers(&o, "jumps", "placed_before")[0];
+        assert!(told[0] - at <= 2056.3 / f64::from(points - 1) / 64.0 * 1.001, "{at} {told:?}");
+        // up to the row before the fold the motion is that of the upper branch
+        let (speed, amplitude) = (numbers(&o, "sweep", "speed"), numbers(&o, "sweep", "amplitude.d"));
+        for (w, a) in speed.iter().zip(&amplitude).filter(|x| *x.0 < 0.999 * lo) {
+            assert!(balance(*w, *a).abs() < 1e-2 * m * e * w * w, "{points} {w} {a}");
+            assert!(*w < 1200.0 || *a > 7e-4, "{points} {w} {a}");
+        }
+    }
+}

@@ -13,6 +13,7 @@
 
 mod figures;
 mod lyapunov;
+mod refine;
 mod report;
 mod rows;
 
@@ -30,8 +31,9 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use lyapunov::{Exponent, Pairs};
+use lyapunov::Pairs;
 use rayon::prelude::*;
+use refine::{Followed, Found};
 use rows::Row;
 use std::ops::Range;
 use std::sync::Arc;
@@ -245,7 +247,7 @@ struct Fleet<'a> {
 }
 
 /// State a followed motion brings along, for each way; none where it failed.
-type Carried = Vec<Option<Vec<f64>>>;
+type Carried = Vec<Option<Followed>>;
 
 impl Fleet<'_> {
     /// The speed of a step: downward sweeps begin at the top.
@@ -254,8 +256,7 @@ impl Fleet<'_> {
     }
 
     /// A member, from its own start or the state it brings along.
-    fn member(&self, way: Way, step: usize, carried: Option<&Vec<f64>>) -> Member {
-        let speed = self.speed(way, step);
+    fn member_at(&self, speed: f64, carried: Option<&Vec<f64>>) -> Member {
         let start = Start::new(&self.system, speed);
         let y = carried.cloned().unwrap_or_else(|| {
             let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
@@ -266,7 +267,7 @@ impl Fleet<'_> {
     }
 
     /// Settled motions of members, with their exponents; none when stopped.
-    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<(Settled, Option<Exponent>)>> {
+    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<Found>> {
         let form = Form::of(&self.system, true);
         let bodies = self.bodies.iter().map(|b| b.x).collect();
         let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
@@ -290,25 +291,30 @@ impl Fleet<'_> {
     fn rows(&self, steps: Range<usize>, carried: Option<Carried>, counter: &Rows) -> Option<Vec<Row>> {
         let ways = &self.study.ways;
         let mut out: Vec<Vec<Row>> = ways.iter().map(|_| Vec::with_capacity(steps.len())).collect();
-        let row = |way: Way, m: &Member, found: (Settled, Option<Exponent>)| Row {
+        let row = |way: Way, m: &Member, found: Found, jump: Option<(f64, f64)>| Row {
             way,
             speed: m.speed,
             rate: m.rate,
             settled: found.0,
             exponent: found.1,
+            jump,
         };
         if let Some(w) = ways.iter().position(|w| *w == Way::Rest) {
-            let members: Vec<Member> = steps.clone().into_par_iter().map(|step| self.member(Way::Rest, step, None)).collect();
+            let members: Vec<Member> =
+                steps.clone().into_par_iter().map(|step| self.member_at(self.speed(Way::Rest, step), None)).collect();
             let found = self.settle(&members, counter)?;
-            out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f)).collect();
+            out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f, None)).collect();
         }
         let followed: Vec<usize> = (0..ways.len()).filter(|&w| ways[w] != Way::Rest).collect();
         let mut carried = carried.unwrap_or_else(|| vec![None; ways.len()]);
         for step in steps.clone().filter(|_| !followed.is_empty()) {
-            let members: Vec<Member> = followed.iter().map(|&w| self.member(ways[w], step, carried[w].as_ref())).collect();
+            let member = |&w: &usize| self.member_at(self.speed(ways[w], step), carried[w].as_ref().map(|c| &c.y));
+            let members: Vec<Member> = followed.iter().map(member).collect();
             for ((&w, m), found) in followed.iter().zip(&members).zip(self.settle(&members, counter)?) {
-                carried[w] = found.0.measure.is_some().then(|| found.0.y.clone());
-                out[w].push(row(ways[w], m, found));
+                let from = self.speed(ways[w], step.saturating_sub(1));
+                let (found, jump) = self.step(ways[w], (from, carried[w].as_ref()), m.speed, found, counter)?;
+                carried[w] = Followed::of(&found.0);
+                out[w].push(row(ways[w], m, found, jump));
             }
         }
         let mut each: Vec<_> = out.into_iter().map(Vec::into_iter).collect();

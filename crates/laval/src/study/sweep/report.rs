@@ -5,6 +5,7 @@ use super::super::settled::period::LONGEST;
 use super::super::settled::told::{limits, words};
 use super::super::start::Start;
 use super::super::support::inconsistent;
+use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
 use super::{Fleet, Sweep, Way, figures};
 use crate::diagnostic::Diagnostic;
@@ -14,8 +15,6 @@ use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-/// Share of the larger amplitude that a jump changes, at least.
-const JUMP: f64 = 0.25;
 /// Times the changes on both sides that a jump is, at least: a resonance between two speeds is none.
 const BEYOND: f64 = 4.0;
 /// Share of the larger amplitude by which motions of both directions differ where there is hysteresis.
@@ -30,6 +29,8 @@ pub(super) struct Path {
     pub bounded: Vec<bool>,
     /// By body.
     pub amplitude: Vec<Vec<f64>>,
+    /// Speeds between which smaller steps place a jump on the way to each row; NaN where there is none.
+    pub placed: Vec<(f64, f64)>,
 }
 
 /// A change between two neighbouring speeds that the motion on either side does not announce.
@@ -38,6 +39,8 @@ pub(super) struct Jump {
     pub way: Way,
     pub before: f64,
     pub after: f64,
+    /// The same in smaller steps.
+    pub placed: (f64, f64),
     pub body: usize,
     pub amplitudes: (f64, f64),
 }
@@ -55,6 +58,7 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
             motion: motion.iter().skip(w).step_by(ways.len()).cloned().collect(),
             period: own("period", w)?,
             bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
+            placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
             amplitude: fleet.bodies.iter().map(|b| own(&format!("amplitude.{}", b.name), w)).collect::<Result<_, _>>()?,
         })
     };
@@ -74,7 +78,9 @@ fn jumps(path: &Path) -> Vec<Jump> {
         };
         let found = path.amplitude.iter().enumerate().filter(|(_, a)| clear(a)).max_by(|a, b| change(a.1, i).total_cmp(&change(b.1, i)));
         if let Some((body, a)) = found {
-            out.push(Jump { way: path.way, before: path.speed[i], after: path.speed[i + 1], body, amplitudes: (a[i], a[i + 1]) });
+            let (before, after) = (path.speed[i], path.speed[i + 1]);
+            let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite()).unwrap_or((before, after));
+            out.push(Jump { way: path.way, before, after, placed, body, amplitudes: (a[i], a[i + 1]) });
         }
     }
     out
@@ -161,7 +167,7 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
     for j in jumps {
         let name = &fleet.bodies[j.body].name;
         let (from, to) = (quantity(j.amplitudes.0, "m"), quantity(j.amplitudes.1, "m"));
-        let between = format!("between {} and {{}}", quantity(j.before, "rad/s"));
+        let between = format!("between {} and {{}}", quantity(j.placed.0, "rad/s"));
         let (id, text) = match j.way {
             Way::Rest => (
                 "start_jump",
@@ -174,9 +180,9 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
                 format!("A slow sweep {} jumps {between}: \"{name}\" goes from {from} to {to}.", way.word()),
             ),
         };
-        let finding = Finding::info(id, text).value(j.after, "rad/s").evidence("last speed before", j.before, "rad/s");
+        let finding = Finding::info(id, text).value(j.placed.1, "rad/s").evidence("last speed before", j.placed.0, "rad/s");
         let finding = finding.evidence("amplitude before", j.amplitudes.0, "m").evidence("amplitude after", j.amplitudes.1, "m");
-        let special = SpecialPoint::new(id, j.after, (j.before, j.after)).status(Status::Bracketed);
+        let special = SpecialPoint::new(id, j.placed.1, j.placed).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
     }
     // nothing is said of speeds that could not be computed
@@ -367,6 +373,8 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
         .text("body", "body whose amplitude changes most", jumps.iter().map(|j| fleet.bodies[j.body].name.clone()).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
+        .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
+        .float("placed_after", "rad/s", "first speed after, in smaller steps", column(&|j| j.placed.1))
         .float("amplitude_before", "m", "largest displacement before", column(&|j| j.amplitudes.0))
         .float("amplitude_after", "m", "largest displacement after", column(&|j| j.amplitudes.1));
     Ok(outcome.table(table.build().map_err(inconsistent)?))
@@ -407,6 +415,7 @@ mod tests {
             period: vec![1.0; n],
             bounded: vec![false; n],
             amplitude: vec![amplitude.to_vec()],
+            placed: vec![(f64::NAN, f64::NAN); n],
         }
     }
 

@@ -5,6 +5,7 @@ use super::super::settled::columns::{self, RowColumn, body, number, word};
 use super::super::settled::measure::{HIGHEST, LINES, ORDERS, POINTS};
 use super::super::start::state_names;
 use super::lyapunov::Exponent;
+use super::refine::Followed;
 use super::{Carried, Fleet, Sweep, Way};
 use crate::store::{Cells, Kind};
 
@@ -15,6 +16,8 @@ pub(super) struct Row {
     pub rate: Option<f64>,
     pub settled: Settled,
     pub exponent: Option<Exponent>,
+    /// Speeds between which the motion jumped on the way from the speed before, rad/s.
+    pub jump: Option<(f64, f64)>,
 }
 
 impl columns::Row for Row {
@@ -33,6 +36,10 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         number("speed", "rad/s", "spin speed", |r: &Row| r.speed),
         number("decay", "1/s", "decay rate of the slowest mode at rest", |r: &Row| r.rate.unwrap_or(f64::NAN)),
     ];
+    let jump = |r: &Row| r.jump.unwrap_or((f64::NAN, f64::NAN));
+    let doc = "in smaller steps from the speed before: last speed before the amplitude changes by a quarter within";
+    out.push(number("jump_before", "rad/s", &format!("{doc} 1/64 of the step"), move |r: &Row| jump(r).0));
+    out.push(number("jump_after", "rad/s", "first speed after that change", move |r: &Row| jump(r).1));
     out.extend(columns::judged(&study.rules));
     for (b, own) in fleet.bodies.iter().enumerate() {
         let n = &own.name;
@@ -82,14 +89,21 @@ pub(super) fn spectrum(line: usize) -> String {
     format!("spectrum_{line}")
 }
 
-/// The states at the end of a chunk, for each way; none where a motion failed.
+/// The motions at the end of a chunk, for each way; none where a motion failed.
 pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], ways: usize) -> Carried {
-    let own: Vec<&Cells> =
-        columns.iter().zip(cells).filter(|(c, _)| c.column.kind == Kind::Float && c.column.name.starts_with(STATE)).map(|x| x.1).collect();
+    let own = |what: &str| -> Vec<&Cells> {
+        let fits = |c: &RowColumn<Row>| c.column.kind == Kind::Float && c.column.name.starts_with(what);
+        columns.iter().zip(cells).filter(|(c, _)| fits(c)).map(|x| x.1).collect()
+    };
+    let (state, amplitude) = (own(STATE), own("amplitude."));
+    let period = columns.iter().zip(cells).find(|(c, _)| c.column.name == "period").map(|x| x.1);
     let rows = cells.first().map_or(0, Cells::len);
     let last = |w: usize| {
-        let y: Vec<f64> = own.iter().map(|c| c.number(rows.saturating_sub(ways) + w)).collect();
-        y.iter().all(|x| x.is_finite()).then_some(y)
+        let row = rows.saturating_sub(ways) + w;
+        let numbers = |cells: &[&Cells]| cells.iter().map(|c| c.number(row)).collect::<Vec<f64>>();
+        let y = numbers(&state);
+        let periodic = period.is_some_and(|p| p.number(row).is_finite());
+        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude: numbers(&amplitude), periodic })
     };
     (0..ways).map(last).collect()
 }

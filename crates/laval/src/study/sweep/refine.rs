@@ -1,0 +1,91 @@
+//! Steps of the speed that throw a followed motion off its branch, in smaller steps: the motion goes on, or the place where it jumps is known closely.
+
+use super::lyapunov::Exponent;
+use super::{Fleet, Way};
+use crate::store::Rows;
+use crate::study::settled::Settled;
+use crate::study::settled::period::Verdict;
+
+/// Share of the larger amplitude that a jump changes, at least.
+pub(super) const JUMP: f64 = 0.25;
+/// Parts of a step, at most: so closely a jump is placed.
+const PARTS: f64 = 64.0;
+/// Motions that one step may cost.
+const MOST: usize = 24;
+
+/// What a followed motion brings along to the next speed.
+#[derive(Clone)]
+pub(super) struct Followed {
+    /// State at phase zero.
+    pub y: Vec<f64>,
+    /// Largest displacement of each body, m.
+    pub amplitude: Vec<f64>,
+    /// It repeats.
+    pub periodic: bool,
+}
+
+impl Followed {
+    /// `None` of a motion that failed.
+    pub fn of(settled: &Settled) -> Option<Followed> {
+        let m = settled.measure.as_ref()?;
+        let periodic = matches!(settled.verdict, Verdict::Period(_));
+        Some(Followed { y: settled.y.clone(), amplitude: m.bodies.iter().map(|b| b.peak).collect(), periodic })
+    }
+
+    /// The motions are too different for neighbours of a branch. What does not repeat has no amplitude to compare.
+    fn jumps_to(&self, other: &Followed) -> bool {
+        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b);
+        self.periodic && other.periodic && self.amplitude.iter().zip(&other.amplitude).any(apart)
+    }
+}
+
+/// A settled motion with its exponent.
+pub(super) type Found = (Settled, Option<Exponent>);
+
+/// What a step comes to: the motion at its end, and the speeds between which it jumped.
+pub(super) type Step = (Found, Option<(f64, f64)>);
+
+impl Fleet<'_> {
+    /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.
+    pub(super) fn step(&self, way: Way, (from, before): (f64, Option<&Followed>), to: f64, found: Found, counter: &Rows) -> Option<Step> {
+        let jumps = |a: &Followed, b: &Found| Followed::of(&b.0).is_some_and(|b| a.jumps_to(&b));
+        let Some(before) = before.filter(|b| way != Way::Rest && jumps(b, &found)) else { return Some((found, None)) };
+        let quiet = counter.aside();
+        let at = |from: &Followed, speed: f64| self.settle(&[self.member_at(speed, Some(&from.y))], &quiet)?.pop();
+        // a motion on the branch, and one that the step from there leads to beyond a jump
+        let (mut on, mut beyond) = ((from, before.clone()), (to, found.clone()));
+        let narrow = (to - from).abs() / PARTS;
+        let mut count = 0;
+        while (beyond.0 - on.0).abs() > narrow * (1.0 + 1e-9) && count < MOST {
+            let middle = 0.5 * (on.0 + beyond.0);
+            let half = at(&on.1, middle)?;
+            count += 1;
+            let Some(next) = Followed::of(&half.0) else { return Some((found, None)) };
+            if on.1.jumps_to(&next) {
+                beyond = (middle, half);
+                continue;
+            }
+            on = (middle, next);
+            // from here the rest of the step again, and what is beyond it
+            for end in [beyond.0, to] {
+                let whole = at(&on.1, end)?;
+                count += 1;
+                let Some(next) = Followed::of(&whole.0) else { return Some((found, None)) };
+                if on.1.jumps_to(&next) {
+                    beyond = (end, whole);
+                    break;
+                }
+                if end == to {
+                    return Some((whole, None));
+                }
+                on = (end, next);
+            }
+        }
+        let place = (on.0, beyond.0);
+        if beyond.0 == to {
+            return Some((beyond.1, Some(place)));
+        }
+        let landed = Followed::of(&beyond.1.0)?;
+        Some((at(&landed, to)?, Some(place)))
+    }
+}
