@@ -133,6 +133,10 @@ impl Backbone {
 /// Largest order the automatic choice goes to.
 pub const MOST_HARMONICS: usize = 31;
 
+/// A backward and a forward mode this near to each other, relative to their value or to the largest of all, are one motion and its mirror image: so exact
+/// are eigenvalues.
+const MIRRORED: (f64, f64) = (1e-9, 1e-12);
+
 /// Modes that decay faster than this part of their frequency do not whirl freely.
 const LIGHT: f64 = 0.3;
 
@@ -226,7 +230,9 @@ fn attempt<'a>(
         iterations: 0,
         stopped: false,
     };
-    let mut taken: Vec<C64> = Vec::new();
+    let forward = |m: &MachineMode| m.sector == Some(Sector::Forward);
+    let largest = modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+    let mirrored = |m: &MachineMode| (MIRRORED.0 * m.value.abs()).max(MIRRORED.1 * largest);
     for mode in &modes {
         let turned = backward(mode, d.symmetry);
         let value = if turned { mode.value.conj() } else { mode.value };
@@ -238,7 +244,9 @@ fn attempt<'a>(
             () if !matches!(d.symmetry, Symmetry::None) && mode.sector == Some(Sector::Axial) => Some("moves along or about the axis"),
             () if band => Some("inside an instability band, where two linear modes have merged"),
             () if mode.growth().abs() > LIGHT * mode.frequency() => Some("decays or grows too fast to whirl"),
-            () if turned && taken.iter().any(|t| (*t - mode.value).abs() <= 1e-9 * t.abs()) => Some("the mirror image of the forward one"),
+            () if turned && modes.iter().any(|m| forward(m) && (m.value - mode.value).abs() <= mirrored(mode)) => {
+                Some("the mirror image of the forward one")
+            }
             () => None,
         };
         if left.is_none() {
@@ -255,7 +263,6 @@ fn attempt<'a>(
                         && defect(&mut free, &x, from) <= BALANCED
                         && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
                     if near {
-                        taken.push(value);
                         let origin = Origin::Mode(out.modes.len());
                         follow(&mut free, &x, (from, Direction::Up), request, origin, &mut out)?;
                         tick(out.points());

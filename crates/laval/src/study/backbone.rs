@@ -208,7 +208,8 @@ impl Shown<'_> {
         let mut out = Vec::new();
         let (Some(first), Some(last)) = (f.motions.first(), f.motions.last()) else { return out };
         let name = format!("family {}", k + 1);
-        let turns = if self.directed() { if first.frequency < 0.0 { " backward" } else { " forward" } } else { "" };
+        let named = self.named(f);
+        let turns = if self.directed() { if named < 0.0 { " backward" } else { " forward" } } else { "" };
         let six = |w: f64| format!("{} rad/s", significant(w, 6));
         let word = if last.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
         let turning = turning(&f.motions).map_or_else(String::new, |m| {
@@ -238,11 +239,11 @@ impl Shown<'_> {
         };
         let residual = largest(f.motions.iter().map(|m| m.residual));
         out.push(
-            Finding::info("family", text)
-                .of(&name)
-                .value(first.frequency, "rad/s")
-                .evidence("scaled residual, worst point", residual, "")
-                .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
+            Finding::info("family", text).of(&name).value(named, "rad/s").evidence("scaled residual, worst point", residual, "").evidence(
+                "orders kept",
+                self.found.discretisation.harmonics as f64,
+                "",
+            ),
         );
         for (a, bracket) in &f.synchronous {
             out.push(
@@ -258,7 +259,7 @@ impl Shown<'_> {
         if last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
             let text = format!(
                 "Beyond an amplitude of {{}} the whirl of {} has no restoring force left: its frequency falls to zero.",
-                quantity(first.frequency, "rad/s")
+                quantity(named, "rad/s")
             );
             out.push(Finding::warning("whirl_ends", text).of(&name).value(last.amplitude, "m").evidence(
                 "frequency",
@@ -266,17 +267,25 @@ impl Shown<'_> {
                 "rad/s",
             ));
         } else if let Some(why) = unfinished(&f.end) {
-            let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(first.frequency, "rad/s"));
+            let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(named, "rad/s"));
             out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
         }
         out
+    }
+
+    /// The frequency that names a family: of the linear mode it begins at, else of its first motion.
+    fn named(&self, f: &Family) -> f64 {
+        match f.origin {
+            Origin::Mode(k) => self.found.modes.get(k).map_or(f64::NAN, |m| m.value.im),
+            Origin::Asymptote(_) => f.motions.first().map_or(f64::NAN, |m| m.frequency),
+        }
     }
 
     /// Where a family begins, in words.
     fn begins(&self, k: usize) -> String {
         let f = &self.found.families[k];
         match f.origin {
-            Origin::Mode(_) => format!("from {}", f.motions.first().map_or(String::new(), |m| quantity(m.frequency, "rad/s"))),
+            Origin::Mode(_) => format!("from {}", quantity(self.named(f), "rad/s")),
             Origin::Asymptote(a) => {
                 format!("beside {}", self.found.asymptotes.get(a).map_or(String::new(), |a| quantity(a.value.im, "rad/s")))
             }
