@@ -8,6 +8,7 @@ use crate::model::blocks::Blocks;
 use crate::model::erased::Evaluate;
 use crate::model::part::{At, Rows};
 use crate::model::system::{Slot, System, Workspace, gather};
+use laval_num::complex::C64;
 use std::f64::consts::TAU;
 
 /// A quantity with a size at every instant.
@@ -65,9 +66,9 @@ impl Measure {
         }
     }
 
-    /// Its square at base phase `tau` of a motion of this period in turns.
-    pub fn square_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
-        let [x, y] = match self {
+    /// Both components at base phase `tau` of a motion of this period in turns.
+    pub fn components_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> [f64; 2] {
+        match self {
             Measure::Displacement(x) => orbit.pair_at(x, tau)[0],
             Measure::Force(slot) => {
                 let (n, m) = (system.n(), system.m());
@@ -76,7 +77,26 @@ impl Measure {
                 let now = Instant { q: &q, v: &v, z: &z, phase: turns as f64 * tau, speed: orbit.speed };
                 force(&system.slots()[slot], system.params(), &now)
             }
-        };
+        }
+    }
+
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`.
+    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize) -> [C64; 2] {
+        let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
+        let mut out = [C64::zero(); 2];
+        for j in 0..count {
+            let tau = TAU * j as f64 / count as f64;
+            let back = C64::cis(-(turns as f64) * tau).scale(2.0 / count as f64);
+            for (o, f) in out.iter_mut().zip(self.components_at(system, orbit, turns, tau)) {
+                *o += back.scale(f);
+            }
+        }
+        out
+    }
+
+    /// The square of its size at base phase `tau` of a motion of this period in turns.
+    pub fn square_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
+        let [x, y] = self.components_at(system, orbit, turns, tau);
         x * x + y * y
     }
 

@@ -36,6 +36,7 @@ pub mod sensitivity;
 pub mod settle;
 mod sizes;
 mod slopes;
+mod starts;
 pub mod switching;
 pub mod terms;
 pub mod unclosed;

@@ -6,7 +6,7 @@ use super::families;
 use super::floquet::Unjudged;
 use super::orbit::Orbit;
 use super::problem::{Balance, Discretisation, Nonlinear};
-use super::raise::raised;
+use super::starts::Starts;
 use super::terms::{Terms, admitted};
 use super::unclosed::{Unclosed, unclosed};
 use crate::diagnostic::Diagnostic;
@@ -14,7 +14,6 @@ use crate::model::system::System;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
-use laval_num::newton::{Options, newton};
 use std::sync::atomic::AtomicBool;
 
 pub use super::branch::{Fold, State, Traced};
@@ -100,6 +99,8 @@ pub struct Response {
     pub more_families: bool,
     /// Ends of the range at which no motion was found, rad/s: no branch begins there.
     pub unstarted: Vec<f64>,
+    /// Ends of the range whose states were found there alone, rad/s: no branch was followed to them from beyond the range.
+    pub unfollowed: Vec<f64>,
     /// A branch that does not close in the range.
     pub unclosed: Option<Unclosed>,
     /// Stability of some states by two other methods.
@@ -157,12 +158,13 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
     let mut spent = 0;
     let mut before: Option<(usize, f64)> = None;
     let mut settled = false;
+    let mut starts = Starts::default();
     loop {
         let d =
             Discretisation { harmonics, divisor: request.divisor, samples: oversampling * samples(harmonics, request.divisor), symmetry };
         // stability is judged once the orders are chosen
         let trial = Request { stability: request.stability && (!automatic || settled), ..*request };
-        let response = attempt(system, &trial, d, cancel, tick)?;
+        let response = attempt(system, &trial, d, &mut starts, cancel, tick)?;
         let worst = worst_truncation(&response);
         // a law with kinks converges slowly: wider steps then
         let slow = harmonics >= 4 * 7 * request.divisor;
@@ -194,7 +196,8 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
         } else if complete && response.sampling > 1e-9 && oversampling < 4 {
             oversampling *= 2;
         } else {
-            let response = if trial.stability == request.stability { response } else { attempt(system, request, d, cancel, tick)? };
+            let response =
+                if trial.stability == request.stability { response } else { attempt(system, request, d, &mut starts, cancel, tick)? };
             let mut response = Response { broken, ..response };
             if request.states == States::All && complete {
                 families::extend(system, request, &mut response, cancel, tick)?;
@@ -219,6 +222,7 @@ fn attempt<'a>(
     system: &'a System,
     request: &Request,
     d: Discretisation,
+    starts: &mut Starts,
     cancel: &'a AtomicBool,
     tick: Tick,
 ) -> Result<Response, Diagnostic> {
@@ -229,10 +233,13 @@ fn attempt<'a>(
         |e: laval_num::continuation::Invalid| Diagnostic::error("response.settings", format!("the response cannot be followed: {e}"));
     let mut branches: Vec<(Branch, bool)> = Vec::new();
     let mut unstarted = Vec::new();
-    let (from_lo, from_hi) = (start(&mut balance, lo), start(&mut balance, hi));
+    let from_lo = starts.at(system, &mut balance, request, lo, cancel)?;
+    let from_hi = starts.at(system, &mut balance, request, hi, cancel)?;
+    let unfollowed = [(&from_lo, lo), (&from_hi, hi)];
+    let unfollowed = unfollowed.into_iter().filter(|(s, _)| s.as_ref().is_some_and(|s| !s.followed)).map(|f| f.1).collect();
     unstarted.extend([(&from_lo, lo), (&from_hi, hi)].into_iter().filter(|(found, _)| found.is_none()).map(|f| f.1));
     if let Some(start) = from_lo {
-        branches.push((trace(&mut balance, &start, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
+        branches.push((trace(&mut balance, &start.x, lo, Direction::Up, &settings, &mut []).map_err(invalid)?, true));
         tick(branches[0].0.points.len() as u64);
     }
     if let Some(start) = from_hi {
@@ -241,14 +248,14 @@ fn attempt<'a>(
             .iter()
             .flat_map(|(b, _)| [b.points.first(), b.points.last()])
             .flatten()
-            .any(|p| p.p == hi && p.x.iter().zip(&start).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs())));
+            .any(|p| p.p == hi && p.x.iter().zip(&start.x).zip(&scale).all(|((a, b), s)| (a - b).abs() <= 1e-6 * s.max(a.abs())));
         if !met {
-            branches.push((trace(&mut balance, &start, hi, Direction::Down, &settings, &mut []).map_err(invalid)?, false));
+            branches.push((trace(&mut balance, &start.x, hi, Direction::Down, &settings, &mut []).map_err(invalid)?, false));
         }
     }
     if branches.is_empty() {
         return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
-            .help("start the range at a lower speed, where the unbalance force is small"));
+            .help("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all"));
     }
     let mut judge = Judge::new(system, (request.stability, request.determinant), request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;
@@ -271,6 +278,7 @@ fn attempt<'a>(
         discretisation: d,
         more_families: false,
         unstarted,
+        unfollowed,
         unclosed: None,
         agreement: None,
         broken: Vec::new(),
@@ -293,23 +301,6 @@ pub(super) fn finish(system: &System, request: &Request, branch: &mut Traced) {
         branch.folds.iter_mut().for_each(|f| f.upper = !f.upper);
     }
     confirm_with_more_harmonics(system, branch.discretisation, request, &mut branch.folds);
-}
-
-/// A motion at one speed: from rest, else by raising the load.
-fn start(balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
-    let options = Options { to_rounding: true, ..Options::default() };
-    let mut x = vec![0.0; balance.dim()];
-    if newton(balance, &mut x, speed, &options).is_ok() {
-        return Some(x);
-    }
-    // a linear estimate with the reference stiffness, then with a tenth of it
-    for part in [1.0, 0.1, 10.0] {
-        let mut x = balance.linear_estimate(speed, part)?;
-        if newton(balance, &mut x, speed, &options).is_ok() {
-            return Some(x);
-        }
-    }
-    raised(balance, speed)
 }
 
 /// The same folds with four more orders, as evidence.

@@ -18,5 +18,6 @@ mod planar;
 mod reference;
 mod response_map;
 mod response_starts;
+mod sagged;
 mod spectra;
 mod unbounded;

@@ -2,6 +2,7 @@
 
 use super::largest::Rising;
 use super::shown::{Shown, words, worst};
+use super::stretches::{range_words, stretches};
 use super::{families, stability, sweeps};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
@@ -14,17 +15,16 @@ use crate::solve::harmonic::terms::admitted;
 use crate::solve::stationary::images::Images;
 use crate::solve::turning::isotropic;
 use crate::study::region::dense_orders;
-use crate::study::support::runs;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
-use std::ops::Range;
 
 impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
         for up in [true, false] {
-            out.extend(sweeps::findings(response, up, request.speeds));
+            out.extend(sweeps::findings(response, up, request.speeds, &|f| self.size_at(response, f)));
         }
+        out.extend(sweeps::unfollowed(response));
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
             out.extend(unfinished(branch));
         }
@@ -149,30 +149,24 @@ impl Shown<'_> {
         self.system.slots().iter().filter_map(fit).collect()
     }
 
-    /// Intervals of speed in which a branch is unstable between its folds.
+    /// Intervals of speed in which a branch is unstable between its folds, stretch by stretch.
     fn unstable(&self, response: &Response) -> Vec<Finding> {
         let mut out = Vec::new();
         // of further states their own finding says where they are stable
-        for branch in response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High)) {
-            let told = unstable_runs(branch).into_iter().flat_map(|run| &branch.points[run]);
-            let Some(worst) = told.filter(|p| p.growth() > 0.0).max_by(|a, b| a.growth().total_cmp(&b.growth())) else { continue };
-            out.push(
-                Finding::warning(
-                    "unstable_states",
-                    format!(
-                        "States {} are unstable {}; the fastest growth is {{}} at {} rad/s.",
-                        words(branch.origin),
-                        unstable_words(branch),
-                        significant(worst.speed, 5)
-                    ),
-                )
-                .value(worst.growth(), "1/s")
-                .evidence(
-                    "error of the growth rate",
-                    worst.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error),
-                    "1/s",
-                ),
+        let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
+        for stretch in main.flat_map(stretches) {
+            let Some(worst) = stretch.fastest() else { continue };
+            let text = format!(
+                "States {} are unstable {}; the fastest growth is {{}} at {} rad/s.",
+                stretch.words(),
+                range_words(&stretch.unstable_ranges()),
+                significant(worst.speed, 5)
             );
+            out.push(Finding::warning("unstable_states", text).value(worst.growth(), "1/s").evidence(
+                "error of the growth rate",
+                worst.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error),
+                "1/s",
+            ));
         }
         out
     }
@@ -230,49 +224,6 @@ fn determinant(response: &Response) -> Option<Finding> {
          that decay some are known."
     );
     (judged > 0).then(|| Finding::info("stability_by_determinant", text).value(error, "1/s"))
-}
-
-/// Consecutive unstable points of a branch, but not the middle of a curve that turns back, though its other fold may lie beyond the range: that is said by
-/// the jumps, and no machine is there.
-pub(super) fn unstable_runs(branch: &Traced) -> Vec<Range<usize>> {
-    let turned_back = |r: &Range<usize>| branch.folds.windows(2).any(|f| f[0].after < r.start && r.end <= f[1].after + 1);
-    let at_fold = |i: usize| branch.folds.iter().any(|f| f.after.abs_diff(i) <= 1);
-    let last = branch.points.len().saturating_sub(1);
-    let bounded = |run: &Range<usize>| {
-        let (a, b) = (at_fold(run.start.saturating_sub(1)), at_fold(run.end - 1));
-        (a || run.start == 0) && (b || run.end > last) && (a || b)
-    };
-    let unstable = runs(branch.points.iter().map(State::unstable));
-    unstable.into_iter().map(|(first, last)| first..last + 1).filter(|r| !turned_back(r) && !bounded(r)).collect()
-}
-
-/// Ranges of speed over which consecutive points of a branch are unstable, ascending ends.
-pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
-    ranges_of(branch, unstable_runs(branch))
-}
-
-/// Speeds of runs of points.
-pub(super) fn ranges_of(branch: &Traced, runs: Vec<Range<usize>>) -> Vec<(f64, f64)> {
-    let range = |run: Range<usize>| {
-        // to where the stability is lost and regained, not to the nearest points computed
-        let located = branch.changes.iter().filter(|c| c.after + 1 == run.start || c.after + 1 == run.end).map(|c| c.speed);
-        let speeds = branch.points[run.clone()].iter().map(|p| p.speed).chain(located);
-        speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(s), b.max(s)))
-    };
-    runs.into_iter().map(range).collect()
-}
-
-/// The same in words.
-fn unstable_words(branch: &Traced) -> String {
-    const MOST: usize = 4;
-    let words = |(from, to): (f64, f64)| {
-        let (from, to) = (significant(from, 4), significant(to, 4));
-        if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") }
-    };
-    let ranges: Vec<String> = unstable_ranges(branch).into_iter().map(words).collect();
-    let more = ranges.len().saturating_sub(MOST);
-    let shown = ranges[..ranges.len() - more].join(", ");
-    if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
 }
 
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.

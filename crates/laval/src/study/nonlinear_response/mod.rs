@@ -32,6 +32,7 @@ mod picture;
 mod self_centring;
 mod shown;
 mod stability;
+mod stretches;
 pub(super) mod summary;
 mod sweeps;
 mod tables;

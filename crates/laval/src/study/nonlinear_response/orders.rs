@@ -375,6 +375,13 @@ fn stretches_of(
                 ends[1] = fold;
             }
         }
+        // or where it turns without a fold, as at a pitchfork: the branch spans its points
+        for (k, beyond) in [(0, least < ends[0].speed), (1, most > ends[1].speed)] {
+            let speed = [least, most][k];
+            if let Some(p) = points[first..=last].iter().find(|p| beyond && p.speed == speed) {
+                ends[k] = Edge { speed, bracket: (speed, speed), residual: p.residual, located: true, cut: true };
+            }
+        }
         let Some(top) = (first..=last).max_by(|&a, &b| axis(values[a]).total_cmp(&axis(values[b]))) else { continue };
         let (mut at, mut largest) = (points[top].speed, values[top]);
         for (a, b) in [(top.checked_sub(1), Some(top)), (Some(top), Some(top + 1).filter(|&b| b < points.len()))] {

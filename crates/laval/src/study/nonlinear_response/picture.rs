@@ -1,7 +1,7 @@
 //! The figure.
 
-use super::findings::unstable_ranges;
 use super::shown::{Shown, judged};
+use super::stretches::unstable_ranges;
 use super::sweeps::reached;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
 use crate::solve::harmonic::branch::Origin;

@@ -4,7 +4,7 @@ use super::NonlinearResponse;
 use super::forces::Extremes;
 use super::largest::{Largest, Rising};
 use super::self_centring::Centring;
-use super::tables::{branch_table, change_table, fold_table};
+use super::tables::{branch_table, change_table};
 use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
@@ -15,7 +15,7 @@ use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
-use crate::solve::harmonic::response::{Request, Response, State, States, Traced};
+use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
 use crate::solve::symmetry::Symmetry;
 use crate::study::support::{larger, largest};
 use crate::study::{Context, Study};
@@ -28,8 +28,14 @@ pub(super) struct Shown<'a> {
     /// By the discretisation of a branch.
     balances: Vec<Balance<'a>>,
     pub(super) bodies: Vec<(String, usize)>,
-    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin, root of the mean square.
-    pub(super) amplitudes: Vec<Vec<Vec<[f64; 5]>>>,
+    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin, root of the mean square,
+    /// largest y, amplitudes of x and y at the spin frequency.
+    pub(super) amplitudes: Vec<Vec<Vec<[f64; 8]>>>,
+    /// By branch and fold: per body the largest distance from the axis.
+    pub(super) at_folds: Vec<Vec<Vec<f64>>>,
+    /// Slots of parts whose force is measured; by branch, point and slot the force at the spin frequency: semi-major axis, amplitudes of x and y.
+    pub(super) force_slots: Vec<usize>,
+    pub(super) first_forces: Vec<Vec<Vec<[f64; 3]>>>,
     /// Names and units of observed quantities, and by branch and point their largest values.
     pub(super) observed: Vec<(String, &'static str)>,
     pub(super) observations: Vec<Vec<Vec<f64>>>,
@@ -63,6 +69,9 @@ impl<'a> Shown<'a> {
             balances,
             bodies,
             amplitudes: vec![],
+            at_folds: vec![],
+            force_slots: Measure::forces(system),
+            first_forces: vec![],
             observed: vec![],
             observations: vec![],
             validity: vec![],
@@ -106,23 +115,52 @@ impl<'a> Shown<'a> {
     pub(super) fn measure(&mut self, response: &Response) {
         for branch in &response.branches {
             let balance = self.balance_of(branch);
-            let (mut amplitudes, mut observations, mut validity) = (Vec::new(), Vec::new(), Vec::new());
+            let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
             for state in &branch.points {
                 let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
                 amplitudes.push(self.amplitudes_of(&orbit, branch.turns()));
+                forces.push(self.forces_of(&orbit, branch.turns()));
                 let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
                 observations.push(seen);
                 validity.push(valid);
             }
+            let mut folds = Vec::new();
+            for f in &branch.folds {
+                let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
+                folds.push(self.amplitudes_of(&orbit, branch.turns()).iter().map(|a| a[1]).collect());
+            }
+            self.at_folds.push(folds);
+            self.first_forces.push(forces);
             self.amplitudes.push(amplitudes);
             self.observations.push(observations);
             self.validity.push(validity);
         }
     }
 
-    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 5]> {
+    /// The body that moves most at a fold, and its largest displacement.
+    pub(super) fn size_at(&self, response: &Response, fold: &Fold) -> Option<(String, f64)> {
+        let place = |(b, t): (usize, &Traced)| Some((b, t.folds.iter().position(|f| std::ptr::eq(f, fold))?));
+        let (b, k) = response.branches.iter().enumerate().find_map(place)?;
+        let sizes = self.bodies.iter().map(|b| b.0.clone()).zip(self.at_folds.get(b)?.get(k)?.iter().copied());
+        sizes.filter(|s| s.1.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Of every part whose force is measured, its force at the spin frequency.
+    fn forces_of(&self, orbit: &Orbit, turns: usize) -> Vec<[f64; 3]> {
+        let one = |&slot: &usize| {
+            if orbit.orders.is_empty() {
+                return [f64::NAN; 3];
+            }
+            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, turns);
+            let (forward, backward) = ((x + y.mul_i()).scale(0.5), (x - y.mul_i()).scale(0.5));
+            [forward.abs() + backward.abs(), x.abs(), y.abs()]
+        };
+        self.force_slots.iter().map(one).collect()
+    }
+
+    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 8]> {
         if orbit.orders.is_empty() {
-            return vec![[f64::NAN; 5]; self.bodies.len()];
+            return vec![[f64::NAN; 8]; self.bodies.len()];
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -130,28 +168,31 @@ impl<'a> Shown<'a> {
             let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
             whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
         };
-        let mut out: Vec<[f64; 5]> = self.bodies.iter().map(|&(_, x)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0]).collect();
+        let first = orbit.orders.iter().position(|&k| k == divisor);
+        let own = |x: usize| first.map_or(0.0, |i| orbit.coordinates[i][x].abs());
+        let start = |&(_, x): &(String, usize)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0, 0.0, own(x), own(x + 1)];
+        let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
         let samples = SAMPLES * divisor;
         let h = TAU / samples as f64;
-        // by instant, body after body: squares of the distance from the axis and of x, smooth where the sizes themselves have kinks
+        // by instant, body after body: squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
         let mut squares = |tau: f64| -> Vec<f64> {
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let of = |&(_, i): &(String, usize)| {
                 let [x0, y0] = orbit.rest_of(i);
                 let (x, y) = (q[i] - x0, q[i + 1] - y0);
-                [x * x + y * y, x * x]
+                [x * x + y * y, x * x, y * y]
             };
             self.bodies.iter().flat_map(of).collect()
         };
         let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(h * j as f64)).collect();
         for (b, o) in out.iter_mut().enumerate() {
-            for (which, k) in [(1, 2 * b), (2, 2 * b + 1)] {
+            for (which, k) in [(1, 3 * b), (2, 3 * b + 1), (5, 3 * b + 2)] {
                 o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
                     let mut near = |shift: f64| squares(h * (top as f64 + beside + shift * CLOSER))[k];
                     larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
                 });
             }
-            o[4] = (series.iter().map(|s| s[2 * b]).sum::<f64>() / samples as f64).sqrt();
+            o[4] = (series.iter().map(|s| s[3 * b]).sum::<f64>() / samples as f64).sqrt();
         }
         out
     }
@@ -210,7 +251,7 @@ impl<'a> Shown<'a> {
             out = out.finding(f);
         }
         let all = request.states == States::All;
-        for t in [self.table(response, all)?, fold_table(response)?, change_table(response)?] {
+        for t in [self.table(response, all)?, self.fold_table(response)?, change_table(response)?] {
             if t.rows() > 0 {
                 out = out.table(t);
             }

@@ -1,6 +1,6 @@
 //! What is said of changes of stability, and of judging it again by other methods.
 
-use super::shown::words;
+use super::stretches::stretch_of;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::agreement::{Agreement, TOLERANCE};
 use crate::solve::harmonic::bifurcation::{Change, Event};
@@ -13,8 +13,7 @@ const MOST: usize = 6;
 /// Every place where states that could be held cease to be stable, or become so, away from folds.
 pub(super) fn changes(response: &Response) -> Vec<Finding> {
     let all = || response.branches.iter().flat_map(|b| b.changes.iter().map(move |c| (b, c)));
-    let of_stability = |c: &Change| c.unstable.0 == 0 || c.unstable.1 == 0;
-    let mut out: Vec<Finding> = all().filter(|(_, c)| of_stability(c)).take(MOST).map(|(b, c)| change(b, c)).collect();
+    let mut out: Vec<Finding> = all().filter_map(|(b, c)| change(b, c)).take(MOST).collect();
     let more = all().count() - out.len();
     if more > 0 {
         let text = format!("{more} more bifurcations are listed in the table, most of them of states that are unstable on both sides.");
@@ -24,29 +23,37 @@ pub(super) fn changes(response: &Response) -> Vec<Finding> {
     out
 }
 
-fn change(branch: &Traced, c: &Change) -> Finding {
+/// A change between two neighbouring states one of which is stable and one unstable, no fold between them.
+fn change(branch: &Traced, c: &Change) -> Option<Finding> {
+    let (a, b) = (branch.points.get(c.after)?, branch.points.get(c.after + 1)?);
+    if a.stable() == b.stable() || a.unstable() == b.unstable() || branch.folds.iter().any(|f| f.after == c.after) {
+        return None;
+    }
     // along rising speed, whichever way the branch runs
-    let rising = branch.points.get(c.after + 1).is_some_and(|b| b.speed.abs() > branch.points[c.after].speed.abs());
-    let lost = (c.unstable.0 == 0) == rising;
+    let rising = b.speed.abs() > a.speed.abs();
+    let lost = a.stable() == rising;
     let what = match c.event {
-        Event::NeimarkSacker => format!(
-            "Neimark-Sacker: a disturbance of {} rad/s, beside the spin, {}",
-            significant(c.frequency, 5),
-            if lost { "begins to grow" } else { "dies out above it" }
-        ),
+        Event::NeimarkSacker => {
+            let disturbance = if c.frequency.is_finite() {
+                format!("a disturbance of {} rad/s, beside the spin,", significant(c.frequency, 5))
+            } else {
+                "a disturbance beside the spin".into()
+            };
+            format!("Neimark-Sacker: {disturbance} {}", if lost { "begins to grow" } else { "dies out above it" })
+        }
         Event::PeriodDoubling => "period doubling: every other turn of the rotor begins to differ".into(),
         Event::SymmetryBreaking => "symmetry breaking: the orbit loses its symmetry, and less symmetric states branch off".into(),
         Event::BranchPoint => "branch point: other states cross".into(),
     };
     let way = if lost { "lose their stability" } else { "become stable" };
-    let text = format!("With rising speed the states {} {way} at {{}} ({what}).", words(branch.origin));
+    let (from, to) = (c.bracket.0.min(c.bracket.1), c.bracket.0.max(c.bracket.1));
+    let place =
+        if c.located { "at {}".into() } else { format!("near {{}}, between {} and {} rad/s", significant(from, 5), significant(to, 5)) };
+    let text = format!("With rising speed the states {} {way} {place} ({what}).", stretch_of(branch, c.after)?.words());
     let id = if lost { "stability_lost" } else { "stability_gained" };
-    Finding::warning(id, text)
-        .of(c.event.name())
-        .value(c.speed, "rad/s")
-        .evidence("growth rate there", c.growth, "1/s")
-        .evidence("frequency of the disturbance", c.frequency, "rad/s")
-        .evidence("width of the bracket", c.bracket.1 - c.bracket.0, "rad/s")
+    let finding = Finding::warning(id, text).of(c.event.name()).value(c.speed, "rad/s").evidence("growth rate there", c.growth, "1/s");
+    let finding = if c.frequency.is_finite() { finding.evidence("frequency of the disturbance", c.frequency, "rad/s") } else { finding };
+    Some(finding.evidence("width of the bracket", to - from, "rad/s"))
 }
 
 /// What the other methods say.

@@ -1,7 +1,7 @@
 //! A response in a few numbers: what a study of many machines keeps of each.
 
-use super::findings::{ranges_of, unstable_runs};
 use super::shown::{Shown, end, worst};
+use super::stretches::{ranges_of, unstable_runs};
 use super::sweeps::{jumps, swept};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;

@@ -2,6 +2,7 @@
 
 use super::findings::reason;
 use super::shown::words;
+use super::stretches::{range_words, ranges_of, unstable_runs};
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, Traced};
@@ -9,9 +10,6 @@ use laval_num::continuation::End;
 
 /// Relative distance beyond a fold at which the states left are looked for.
 const BEYOND: f64 = 1e-6;
-
-/// States before a fold that are looked at.
-const NEAR: usize = 4;
 
 /// A jump of a slow sweep.
 pub(super) struct Jump<'r> {
@@ -21,9 +19,12 @@ pub(super) struct Jump<'r> {
     pub onto: Option<&'r Traced>,
     /// Stable states of the branches from both ends just beyond it; `None` where stability is not known.
     pub stable: Option<usize>,
-    /// Growth rate, 1/s, of the states before it where they are unstable: no sweep comes to it.
-    pub unstable: Option<f64>,
+    /// Speeds at which the states that lead to it are unstable, rad/s, and the fastest growth there, 1/s: no sweep comes to it.
+    pub unstable: Option<(Vec<(f64, f64)>, f64)>,
 }
+
+/// The body that moves most at a fold, and its largest displacement, m.
+type Size<'a> = &'a dyn Fn(&Fold) -> Option<(String, f64)>;
 
 /// The branches from both ends of the range.
 fn main_branches(response: &Response) -> impl Iterator<Item = &Traced> {
@@ -55,7 +56,9 @@ pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> 
         }
         for fold in met {
             if out.last().is_none_or(|last| further(fold.speed, last.fold.speed)) {
-                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up), unstable: before(branch, fold, up) });
+                let since = out.last().map(|last| last.fold.speed);
+                let unstable = before(branch, Some(fold), since, up);
+                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up), unstable });
             }
         }
         let Some(last) = out.last_mut() else { break };
@@ -76,16 +79,26 @@ pub(super) fn reached(response: &Response, up: bool, speeds: (f64, f64)) -> Vec<
     jumps.iter().take_while(|j| j.unstable.is_none()).map(|j| j.fold.speed).collect()
 }
 
-/// Growth rate of the states a sweep meets before a fold, where all of them that are near are unstable; beside the fold one is so by rounding.
-fn before(branch: &Traced, fold: &Fold, up: bool) -> Option<f64> {
-    let onwards = up == branch.from_low();
-    let near: Vec<_> = if onwards {
-        branch.points[..(fold.after + 1).min(branch.points.len())].iter().rev().take(NEAR).collect()
-    } else {
-        branch.points.iter().skip(fold.after + 1).take(NEAR).collect()
+/// Where the states that a sweep meets on a branch before a fold, or on to its end, are unstable: from the end where it begins, or beyond the speed of the
+/// jump before.
+fn before(branch: &Traced, fold: Option<&Fold>, since: Option<f64>, up: bool) -> Option<(Vec<(f64, f64)>, f64)> {
+    let count = branch.points.len();
+    let met = match fold {
+        None => 0..count,
+        Some(f) if up == branch.from_low() => 0..(f.after + 1).min(count),
+        Some(f) => f.after + 1..count,
     };
-    let all = !near.is_empty() && near.iter().all(|p| p.unstable());
-    all.then(|| near.iter().map(|p| p.growth()).fold(f64::NEG_INFINITY, f64::max))
+    let reached = |i: usize| since.is_none_or(|s| (branch.points[i].speed.abs() > s.abs()) == up);
+    let runs: Vec<_> = unstable_runs(branch)
+        .into_iter()
+        .map(|r| {
+            let inside = || r.clone().filter(|i| met.contains(i) && reached(*i));
+            inside().min().unwrap_or(0)..inside().max().map_or(0, |i| i + 1)
+        })
+        .filter(|r| !r.is_empty())
+        .collect();
+    let growth = runs.iter().cloned().flatten().map(|i| branch.points[i].growth()).fold(f64::NEG_INFINITY, f64::max);
+    (!runs.is_empty()).then(|| (ranges_of(branch, runs), growth))
 }
 
 fn beyond(speed: f64, up: bool) -> f64 {
@@ -105,7 +118,7 @@ fn landings(response: &Response, speed: f64, up: bool) -> Option<usize> {
 }
 
 /// Where a slow sweep jumps, that it does not, or that its states are not known.
-pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> Vec<Finding> {
+pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size: Size) -> Vec<Finding> {
     let Some(branch) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
     let way = if up { "up" } else { "down" };
     let begin = begins(up, (lo, hi));
@@ -114,11 +127,24 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> V
     if !jumps.is_empty() {
         // what lies behind states that no machine stays on is reached from elsewhere
         let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
-        let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0));
-        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j.fold, j.unstable?)));
+        let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0, size));
+        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j.fold, j.unstable.as_ref()?)));
         return told.chain(lost).collect();
     }
-    let none = if branch.end == End::Reached {
+    let none = if let (End::Reached, Some((ranges, growth))) = (branch.end, before(branch, None, None, up)) {
+        let first = ranges
+            .iter()
+            .copied()
+            .min_by(|a, b| (a.0 - begin).abs().min((a.1 - begin).abs()).total_cmp(&(b.0 - begin).abs().min((b.1 - begin).abs())));
+        let at = first.map_or(f64::NAN, |(a, b)| if (a - begin).abs() <= (b - begin).abs() { a } else { b });
+        let text = format!(
+            "The states of a slow sweep {way} from {} to {} rad/s meet no fold, but they are unstable {}: from {{}} on a machine is not on them.",
+            significant(begin, 5),
+            significant(end, 5),
+            range_words(&ranges)
+        );
+        Finding::warning(format!("sweep_{way}_unstable"), text).value(at, "rad/s").evidence("fastest growth rate", growth, "1/s")
+    } else if branch.end == End::Reached {
         Finding::info(
             format!("no_jump_{way}"),
             format!(
@@ -142,16 +168,22 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64)) -> V
 }
 
 impl Jump<'_> {
-    fn told(&self, way: &str, first: bool) -> Finding {
+    fn told(&self, way: &str, first: bool, size: Size) -> Finding {
         let again = if first { "jumps" } else { "jumps again" };
         let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
         let which = match self.stable {
+            Some(0) => " None of the states followed is stable just beyond it.".into(),
             Some(n @ 2..) => format!(" {n} states are stable there: which of them it comes to is not told by the branches."),
             _ => String::new(),
         };
         let f = self.fold;
-        Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}"))
-            .value(f.speed, "rad/s")
+        let finding =
+            Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}")).value(f.speed, "rad/s");
+        let finding = match size(f) {
+            Some((body, size)) => finding.evidence(format!("largest displacement of \"{body}\" at the fold"), size, "m"),
+            None => finding,
+        };
+        finding
             .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
             .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
             .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
@@ -164,12 +196,22 @@ fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
     if up == (lo >= 0.0) { lo } else { hi }
 }
 
-/// That the states before a fold are unstable.
-fn unstable(way: &str, fold: &Fold, growth: f64) -> Finding {
+/// That the states that lead to a fold are unstable.
+fn unstable(way: &str, fold: &Fold, (ranges, growth): &(Vec<(f64, f64)>, f64)) -> Finding {
     let text = format!(
-        "The states of a slow sweep {way} turn back at {{}}, but those before it are unstable: a machine has left them before, and no jump is told."
+        "The states of a slow sweep {way} turn back at {{}}, but before it they are unstable {}: a machine is no longer on them, and no jump is told.",
+        range_words(ranges)
     );
-    Finding::warning(format!("sweep_{way}_unstable"), text).value(fold.speed, "rad/s").evidence("growth rate before it", growth, "1/s")
+    Finding::warning(format!("sweep_{way}_unstable"), text).value(fold.speed, "rad/s").evidence("growth rate before it", *growth, "1/s")
+}
+
+/// That states at an end of the range were found there alone.
+pub(super) fn unfollowed(response: &Response) -> Vec<Finding> {
+    let begun = |w: f64| response.branches.iter().any(|b| b.points.first().is_some_and(|p| p.speed == w));
+    let text = "The state at {}, an end of the range, could not be followed from beyond the range: it was found there alone, and a machine brought to this \
+                speed may be on another.";
+    let told = |&w: &f64| Finding::info("start_not_followed", text).value(w, "rad/s");
+    response.unfollowed.iter().filter(|w| begun(**w)).map(told).collect()
 }
 
 /// That the states of a sweep are not known.

@@ -48,7 +48,10 @@ impl Shown<'_> {
                     "largest distance of the centre from its rest position over a period",
                     column(1),
                 )
-                .float(format!("{name} largest x"), "m", "largest |x| over a period", column(2));
+                .float(format!("{name} largest x"), "m", "largest |x| over a period", column(2))
+                .float(format!("{name} largest y"), "m", "largest |y| over a period", column(5))
+                .float(format!("{name} first order x"), "m", "amplitude of x at the spin frequency", column(6))
+                .float(format!("{name} first order y"), "m", "amplitude of y at the spin frequency", column(7));
             if all_states {
                 t = t.float(format!("{name} rms displacement"), "m", "root of the mean square distance from the rest position", column(4));
             }
@@ -59,6 +62,14 @@ impl Shown<'_> {
         for (k, (name, unit)) in self.observed.iter().enumerate() {
             let column = all.iter().map(|a| self.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
             t = t.float(name, *unit, "largest value over a period", column);
+        }
+        for (k, &slot) in self.force_slots.iter().enumerate() {
+            let name = &self.system.slots()[slot].name;
+            let column = |c: usize| all.iter().map(|a| self.first_forces[a.0][a.1][k][c]).collect::<Vec<f64>>();
+            t = t
+                .float(format!("{name} first-order force"), "N", "force at the spin frequency: semi-major axis of its ellipse", column(0))
+                .float(format!("{name} first-order force x"), "N", "amplitude of its x component at the spin frequency", column(1))
+                .float(format!("{name} first-order force y"), "N", "amplitude of its y component at the spin frequency", column(2));
         }
         t.float(
             "growth rate",
@@ -84,30 +95,40 @@ impl Shown<'_> {
         )
         .build()
     }
-}
 
-pub(super) fn fold_table(response: &Response) -> Result<Table, OutcomeError> {
-    let all: Vec<(usize, &Fold)> =
-        response.branches.iter().enumerate().flat_map(|(b, t)| t.folds.iter().map(move |f| (b + 1, f))).collect();
-    let column = |f: &dyn Fn(&Fold) -> f64| all.iter().map(|(_, x)| f(x)).collect::<Vec<f64>>();
-    Table::new("folds", "Folds of the response: speeds at which a state ceases to exist")
-        .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64).collect())
-        .float("speed", "rad/s", "spin speed", column(&|f| f.speed))
-        .text("direction", "sweep that jumps here", all.iter().map(|(_, f)| if f.upper { "up" } else { "down" }.to_string()).collect())
-        .float("residual", "", "scaled residual of the extended system", column(&|f| f.residual))
-        .float(
-            "methods differ",
-            "rad/s",
-            "speed by the extended system minus speed located along the branch; NaN when the second found none",
-            column(&|f| f.methods_differ),
-        )
-        .float(
-            "harmonics change",
-            "rad/s",
-            "change when four more orders are kept; NaN when no fold was found with them",
-            column(&|f| f.harmonics_change),
-        )
-        .build()
+    /// The folds, with the size of the motion there.
+    pub(super) fn fold_table(&self, response: &Response) -> Result<Table, OutcomeError> {
+        let all: Vec<(usize, &Fold)> =
+            response.branches.iter().enumerate().flat_map(|(b, t)| t.folds.iter().map(move |f| (b + 1, f))).collect();
+        let column = |f: &dyn Fn(&Fold) -> f64| all.iter().map(|(_, x)| f(x)).collect::<Vec<f64>>();
+        let mut t = Table::new("folds", "Folds of the response: speeds at which a state ceases to exist")
+            .int("branch", "", "number of the branch", all.iter().map(|a| a.0 as i64).collect())
+            .float("speed", "rad/s", "spin speed", column(&|f| f.speed))
+            .text("direction", "sweep that jumps here", all.iter().map(|(_, f)| if f.upper { "up" } else { "down" }.to_string()).collect())
+            .float("residual", "", "scaled residual of the extended system", column(&|f| f.residual))
+            .float(
+                "methods differ",
+                "rad/s",
+                "speed by the extended system minus speed located along the branch; NaN when the second found none",
+                column(&|f| f.methods_differ),
+            )
+            .float(
+                "harmonics change",
+                "rad/s",
+                "change when four more orders are kept; NaN when no fold was found with them",
+                column(&|f| f.harmonics_change),
+            );
+        for (k, (name, _)) in self.bodies.iter().enumerate() {
+            let sizes = self.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
+            t = t.float(
+                format!("{name} largest displacement"),
+                "m",
+                "largest distance of the centre from its rest position over a period at the fold",
+                sizes,
+            );
+        }
+        t.build()
+    }
 }
 
 /// Changes of stability away from folds.
@@ -129,7 +150,7 @@ pub(super) fn change_table(response: &Response) -> Result<Table, OutcomeError> {
         .float(
             "frequency",
             "rad/s",
-            "frequency of the disturbance that starts or ceases to grow; 0 where the motion is left without oscillation",
+            "frequency of the disturbance that starts or ceases to grow; 0 where the motion is left without oscillation, NaN where its order beside the spin is open",
             column(&|c| c.frequency),
         )
         .float("growth rate", "1/s", "growth rate left there: how well it is located", column(&|c| c.growth))
