@@ -2,7 +2,7 @@
 
 use crate::{DONE, FAILED, WRONG, input, terminal};
 use laval::diagnostic::{Diagnostic, nearest};
-use std::fs::OpenOptions;
+use std::fs::{self, File, OpenOptions};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -100,7 +100,15 @@ pub fn new(args: &Args) -> u8 {
     }
     let text = template.named(&path.file_stem().map_or_else(|| template.name.into(), |s| s.to_string_lossy()));
     // create_new: a file that appears in between is not overwritten either
-    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(|mut f| f.write_all(text.as_bytes())) {
+    let fill = |mut file: File| {
+        let filled = file.write_all(text.as_bytes());
+        if filled.is_err() {
+            // the reason of the failure matters, not that of the clean-up
+            let _ = fs::remove_file(&path);
+        }
+        filled
+    };
+    match OpenOptions::new().write(true).create_new(true).open(&path).and_then(fill) {
         Ok(()) => {
             terminal::print(&format!("{}\n", path.display()));
             DONE

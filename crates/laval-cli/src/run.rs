@@ -201,6 +201,15 @@ impl<'a> Run<'a> {
             Ok(files) => files,
             Err(code) => return code,
         };
+        let outdated = report::outdated(&self.dir, &self.report);
+        if !outdated.is_empty() && !self.args.quiet {
+            let (studies, are) = if outdated.len() == 1 { ("study", "is") } else { ("studies", "are") };
+            let names = outdated.iter().map(|n| format!("\"{}\"", plain::line(n))).collect::<Vec<_>>().join(", ");
+            let out = plain::line(&self.dir.to_string_lossy()).into_owned();
+            terminal::complain(&format!(
+                "warning: {out} also holds results of {studies} {names}, which {are} of an earlier machine file\n"
+            ));
+        }
         let page = files.into_iter().find(|f| f.ends_with("report.html"));
         let place = page.unwrap_or_else(|| self.dir.clone()).display().to_string();
         self.paragraph(&format!("{}\n", plain::line(&place)));

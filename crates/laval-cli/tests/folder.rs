@@ -81,6 +81,19 @@ fn the_folder_of_a_study_does_not_depend_on_what_else_is_run() {
 }
 
 #[test]
+fn results_of_another_machine_file_beside_those_of_this_run_are_named() {
+    let dir = Dir::new("outdated");
+    let studies = [response("a", 5), response("b", 6)].concat();
+    dir.file("x.toml", format!("{ROTOR}{studies}"));
+    dir.laval(["run", "x.toml", "--out", "o"]).done();
+    dir.laval(["run", "x.toml", "--out", "o", "--only", "b"]).done();
+    dir.file("x.toml", format!("{}{studies}", ROTOR.replace("1 kg", "2 kg")));
+    let said = dir.laval(["run", "x.toml", "--out", "o", "--only", "b"]);
+    assert_eq!((said.code, said.err.as_str()), (0, "warning: o also holds results of study \"a\", which is of an earlier machine file\n"));
+    dir.laval(["run", "x.toml", "--out", "o", "--only", "a"]).done();
+}
+
+#[test]
 fn names_that_are_no_folder_or_are_one_twice() {
     let dir = Dir::new("names");
     let long = "a long name of a study, ".repeat(20);
@@ -139,7 +152,6 @@ fn a_folder_that_another_run_writes_is_refused() {
     let before = tree(&dir.0.join("o"));
     // nothing on standard output: there is no report
     dir.laval(["run", "x.toml", "--out", "o"]).refused(&[&format!("another process (number {number}) is writing into o"), "--out"]);
-    dir.laval(["validate", "--out", "o", "--only", "x", "."]).refused(&[]);
     assert_eq!(tree(&dir.0.join("o")), before);
     first.kill().unwrap();
     first.wait().unwrap();
@@ -273,6 +285,9 @@ fn a_disk_that_fails_on_the_way_leaves_whole_files_and_the_next_run_mends() {
         }
     }
     assert!(failed > 3, "{failed}");
+    let limited = format!("trap '' XFSZ; ulimit -f 1; exec {} new oil-separator 2>err", env!("CARGO_BIN_EXE_laval"));
+    assert!(!std::process::Command::new("sh").args(["-c", &limited]).current_dir(&dir.0).status().unwrap().success());
+    assert!(!dir.0.join("oil-separator.toml").exists());
     dir.laval(["run", "x.toml", "--out", "o"]).done();
     assert!(tree(&dir.0.join("o")) == whole);
 }

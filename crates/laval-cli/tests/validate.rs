@@ -129,6 +129,35 @@ fn a_request_that_is_wrong_is_told() {
 }
 
 #[test]
+fn a_gallery_that_another_process_writes_is_left_alone() {
+    let dir = Dir::new("validate-locked");
+    dir.file("validation/linear/mass.md", PAGE);
+    let lock = dir.file("out/validation/.lock", "12");
+    let held = fs::OpenOptions::new().write(true).open(lock).unwrap();
+    held.lock().unwrap();
+    let (code, out, err) = validate(&dir, &[]);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("another process (number 12) is writing into out/validation"), "{err}");
+    assert!(!dir.0.join("out/validation/index.html").exists());
+    drop(held);
+    dir.file("out/validation/.laval-1-0.part", "half");
+    assert_eq!(validate(&dir, &[]).0, 0);
+    assert!(!dir.0.join("out/validation/.laval-1-0.part").exists());
+}
+
+#[test]
+#[cfg(unix)]
+fn a_page_that_is_a_link_is_replaced_and_not_followed() {
+    let dir = Dir::new("validate-link");
+    dir.file("validation/linear/mass.md", PAGE);
+    let precious = dir.file("precious", "mine");
+    fs::create_dir_all(dir.0.join("out/validation")).unwrap();
+    std::os::unix::fs::symlink(&precious, dir.0.join("out/validation/index.html")).unwrap();
+    assert_eq!(validate(&dir, &[]).0, 0);
+    assert!(dir.read("precious") == "mine" && dir.read("out/validation/index.html").contains("Mass on a spring"));
+}
+
+#[test]
 fn a_case_of_the_repository() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation");
     let dir = Dir::new("validate-repository");

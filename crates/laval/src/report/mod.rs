@@ -44,7 +44,7 @@ pub use json::{SCHEMA, json};
 pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
-pub use renew::{prepare, renew};
+pub use renew::{outdated, prepare, renew};
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};

@@ -20,6 +20,8 @@ struct Entry {
     study: Option<String>,
     /// What it holds; while files are being written, one of these.
     hashes: Vec<String>,
+    /// Hash of the input it follows from.
+    input: Option<String>,
 }
 
 /// Takes the folder that a report will be written into, for the studies of these names: before anything is computed it is certain that nobody else writes
@@ -102,15 +104,28 @@ pub fn renew(dir: &Path, report: &Report, formats: &[Format]) -> Result<Vec<Path
     Ok(written)
 }
 
+/// The studies whose files in the folder follow from another input than those of this report, because they were not run with it.
+pub fn outdated(dir: &Path, report: &Report) -> Vec<String> {
+    let Earlier::Ours(files) = read(dir) else { return Vec::new() };
+    let other = |e: &Entry| e.input.as_ref().is_some_and(|i| *i != report.provenance.input_hash);
+    let studies: BTreeSet<String> = files.into_values().filter(other).filter_map(|e| e.study).collect();
+    studies.into_iter().collect()
+}
+
 fn entry(file: &Composed, report: &Report) -> Entry {
-    Entry { study: file.study.map(|k| report.outcomes[k].name.clone()), hashes: vec![hash(&file.content)] }
+    let input = &report.provenance.input_hash;
+    Entry {
+        study: file.study.map(|k| report.outcomes[k].name.clone()),
+        hashes: vec![hash(&file.content)],
+        input: (!input.is_empty()).then(|| input.clone()),
+    }
 }
 
 /// Writes the list.
 fn list(dir: &Path, files: &BTreeMap<String, Entry>, complete: bool) -> Result<(), WriteError> {
     let one = |(name, e): (&String, &Entry)| {
         let hash = if let [one] = e.hashes.as_slice() { json!(one) } else { json!(e.hashes) };
-        json!({ "file": name, "study": e.study, "hash": hash })
+        json!({ "file": name, "study": e.study, "hash": hash, "input": e.input })
     };
     let list: Vec<Value> = files.iter().map(one).collect();
     let about = "the files laval wrote here; a later run removes those of studies that are no longer in the machine file";
@@ -140,7 +155,7 @@ fn read(dir: &Path) -> Earlier {
         let words = |v: &Value| v.as_str().map(String::from);
         let hashes =
             v["hash"].as_array().map_or_else(|| words(&v["hash"]).into_iter().collect(), |all| all.iter().filter_map(words).collect());
-        Some((words(&v["file"])?, Entry { study: words(&v["study"]), hashes }))
+        Some((words(&v["file"])?, Entry { study: words(&v["study"]), hashes, input: words(&v["input"]) }))
     };
     Earlier::Ours(all["files"].as_array().into_iter().flatten().filter_map(entry).collect())
 }

@@ -188,3 +188,33 @@ fn the_rules_can_be_broken() {
     assert_eq!(named("    .help(\"kind = \\\"disc\\\"\")", &["disc"]), None);
     assert_eq!(code("let a = 1;\n// crate::x\n#[cfg(test)]\nmod tests {\nuse crate::parts;\n}").len(), 1);
 }
+
+#[test]
+fn crates_without_unsafe_code_forbid_it() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut with = Vec::new();
+    for entry in fs::read_dir(&crates).unwrap() {
+        let root = entry.unwrap().path().join("src");
+        let mut open = vec![root.clone()];
+        let mut found = false;
+        while let Some(folder) = open.pop() {
+            for path in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+                if path.is_dir() {
+                    open.push(path);
+                } else if path.extension().is_some_and(|e| e == "rs") {
+                    let text = fs::read_to_string(&path).unwrap();
+                    let word = |l: &str| l.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| w == "unsafe");
+                    found |= text.lines().map(|l| l.split("//").next().unwrap_or_default()).any(word);
+                }
+            }
+        }
+        let name = root.parent().unwrap().file_name().unwrap().to_string_lossy().into_owned();
+        let forbids = fs::read_to_string(root.join("lib.rs")).unwrap().contains("#![forbid(unsafe_code)]");
+        assert!(found != forbids, "{name}: unsafe code {found}, forbidden {forbids}");
+        if found {
+            with.push(name);
+        }
+    }
+    with.sort();
+    assert_eq!(with, ["laval-num", "laval-solve"]);
+}
