@@ -81,11 +81,12 @@ fn calm(what: &str, said: &Said, dir: &Path) {
 #[test]
 fn no_word_of_a_file_steers_the_terminal() {
     let dir = Dir::new("shown");
-    let evil = serde_json::Value::from(EVIL).to_string();
+    // as a machine file must write it
+    let written = |c: char| if c.is_ascii_graphic() { c.to_string() } else { format!("\\u{:04x}", u32::from(c)) };
+    let evil = format!("\"{}\"", EVIL.chars().map(written).collect::<String>());
     let mut shown = 0;
     for (i, (start, end)) in words().into_iter().enumerate() {
         let text = format!("{}{evil}{}", &MACHINE[..start], &MACHINE[end..]);
-        // also as a key, where a word stands for one
         let name = format!("{i}.toml");
         dir.file(&name, &text);
         for args in [&["check", &name][..], &["check", &name, "--json"], &["run", &name, "--out", "o", "--format", "csv,json,svg,html"]] {

@@ -57,11 +57,7 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     if !p.input_name.is_empty() {
         from.push(format!("from {}", escape(&p.input_name)));
     }
-    let version = match p.build.is_empty() {
-        true => escape(&p.version),
-        false => format!("<span title=\"build {}, processor {}\">{}</span>", escape(&p.build), escape(&p.processor), escape(&p.version)),
-    };
-    from.push(format!("laval {version}").trim_end().to_string());
+    from.push(format!("laval {}", escape(&p.version)).trim_end().to_string());
     if !p.input_hash.is_empty() {
         let short: String = p.input_hash.chars().take(12).collect();
         from.push(format!("input <span title=\"{}\">{}</span>", escape(&p.input_hash), escape(&short)));
@@ -84,6 +80,10 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         let _ = write!(s, "<dt>{}</dt><dd>{}</dd>", escape(k), escape(v));
     };
     row("laval", &p.version);
+    if !p.build.is_empty() {
+        row("build", &p.build);
+        row("processor level", &p.processor);
+    }
     row("input", &p.input_name);
     row("hash of the input", &p.input_hash);
     if let Some(seed) = p.seed {

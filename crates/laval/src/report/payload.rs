@@ -7,6 +7,7 @@ use super::svg::{DOTS, WIDE};
 use super::thin;
 use super::ticks::AxisView;
 use crate::outcome::unit_text;
+use crate::plain;
 use serde_json::{Value, json};
 
 /// Most points in all drawings of a page: about 11 bytes each.
@@ -47,24 +48,25 @@ pub(super) fn payload(scene: &Scene, column: f64) -> String {
                         Kind::Solid | Kind::Dashed => ("l", 0),
                     };
                     let data = floats(rows.iter().flat_map(|i| [s.points[*i].0, s.points[*i].1]));
-                    json!({ "n": s.name, "st": s.state, "k": kind, "sh": shape, "e": s.entry, "d": data })
+                    json!({ "n": plain::line(&s.name), "st": s.state, "k": kind, "sh": shape, "e": s.entry, "d": data })
                 })
                 .collect();
-            json!({ "y": axis(&p.y), "n": p.y.label, "u": unit_text(&p.y.unit), "s": series, "h": p.heat.as_ref().map(heat) })
+            json!({ "y": axis(&p.y), "n": plain::line(&p.y.label), "u": unit_text(&p.y.unit), "s": series, "h": p.heat.as_ref().map(heat) })
         })
         .collect();
     json!({ "x": axis(&scene.x), "p": panels }).to_string().replace('<', "\\u003c")
 }
 
 fn axis(a: &AxisView) -> Value {
-    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": a.label, "u": unit_text(&a.unit), "bare": a.bare })
+    json!({ "lo": a.lo, "hi": a.hi, "log": a.log, "e": a.exponent, "n": plain::line(&a.label), "u": unit_text(&a.unit), "bare": a.bare })
 }
 
 fn heat(h: &HeatView) -> Value {
     let pack = |v: &[f64]| floats(v.iter().copied());
-    let mut out = json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": h.axis.label, "u": unit_text(&h.axis.unit) });
+    let mut out =
+        json!({ "x": pack(&h.xs), "y": pack(&h.ys), "v": pack(&h.values), "n": plain::line(&h.axis.label), "u": unit_text(&h.axis.unit) });
     if !h.classes.is_empty() {
-        out["c"] = h.classes.iter().map(|c| c.0.as_str()).collect();
+        out["c"] = h.classes.iter().map(|c| plain::line(&c.0).into_owned()).collect();
     }
     out
 }
