@@ -166,7 +166,7 @@ impl Shown<'_> {
         let driven = motions().map(|m| (m.drive.abs(), m.frequency.abs())).max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
         if let Some((drive, w)) = driven {
             out.push(if drive <= ROUNDING * w {
-                Finding::info("undamped", "Nothing damps these whirls: they go on by themselves, at any amplitude.")
+                Finding::info("undamped", "Nothing damps these whirls: they go on by themselves, at all amplitudes computed.")
                     .evidence("largest drive over frequency", drive / w, "")
             } else {
                 Finding::info(
@@ -258,8 +258,9 @@ impl Shown<'_> {
         }
         if last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
             let text = format!(
-                "Beyond an amplitude of {{}} the whirl of {} has no restoring force left: its frequency falls to zero.",
-                quantity(named, "rad/s")
+                "The whirl of {} could be followed to an amplitude of {{}}, where its frequency has fallen to {}: next to no restoring force is left.",
+                quantity(named, "rad/s"),
+                quantity(last.frequency, "rad/s")
             );
             out.push(Finding::warning("whirl_ends", text).of(&name).value(last.amplitude, "m").evidence(
                 "frequency",

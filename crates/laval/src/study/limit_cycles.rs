@@ -159,13 +159,14 @@ impl Shown<'_> {
         let (lo, hi) = self.request.speeds;
         if found.onsets.is_empty() {
             let unstable = found.rest.samples.first().is_some_and(|s| found.rest.unstable(s, 0.0));
+            let count = found.rest.samples.len();
             let between = format!("between {} and {} rad/s", significant(lo, 5), significant(hi, 5));
             out.push(if unstable {
                 let most = found.rest.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);
                 Finding::warning(
                     "no_edge_unstable",
                     format!(
-                        "Rest is unstable at every speed {between}, growing at up to {{}}: no cycle begins in this range. Widen it, or give the machine the damping \
+                        "Rest is unstable at each of {count} speeds {between}, growing at up to {{}}: no cycle begins in this range. Widen it, or give the machine the damping \
                          that bounds the range (of the liquid's wave: wave_damping)."
                     ),
                 )
@@ -173,7 +174,7 @@ impl Shown<'_> {
             } else {
                 Finding::info(
                     "no_edge",
-                    format!("Rest is stable at every speed {between}: no whirl begins by itself. Large whirls that a disturbance might start are not excluded."),
+                    format!("Rest is stable at each of {count} speeds {between}: no whirl begins by itself there. Large whirls that a disturbance might start are not excluded."),
                 )
             });
         }
@@ -207,7 +208,7 @@ impl Shown<'_> {
                 let side = if o.curvature > 0.0 { "higher" } else { "lower" };
                 let text = if o.hard {
                     format!(
-                        "{head}. The onset is hard: small cycles lie at {side} speeds, beside a stable rest, and are the disturbance that starts a large whirl."
+                        "{head}. The onset is hard: small cycles lie at {side} speeds, beside a stable rest, and a disturbance beyond them grows."
                     )
                 } else {
                     format!("{head}. The onset is soft: a small whirl grows towards {side} speeds.")
@@ -278,13 +279,11 @@ impl Shown<'_> {
                 .evidence("scaled residual", c.residual, ""),
             );
         } else if f.cycles.iter().all(|c| c.exponents.is_some()) && !f.cycles.is_empty() {
-            out.push(
-                Finding::info("unstable_family", "All cycles of this family are unstable: they part rest from larger motions.").of(&name),
-            );
+            out.push(Finding::info("unstable_family", "All cycles of this family are unstable: no whirl of this family lasts.").of(&name));
         }
         for p in &f.folds {
             out.push(
-                Finding::info("fold_of_cycles", "Cycles turn back at {}: beyond it this whirl dies out or jumps.")
+                Finding::info("fold_of_cycles", "Cycles turn back at {}: beyond it this whirl does not exist.")
                     .of(&name)
                     .value(p.speed, "rad/s")
                     .evidence("scaled residual", p.residual, ""),

@@ -99,3 +99,19 @@ fn a_subharmonic_begins_at_its_fold() {
     let onset = o.special_points.iter().find(|p| p.kind == "subharmonic onset").unwrap();
     assert!((onset.at - f.value.unwrap()).abs() < 1e-9);
 }
+
+/// A branch that turns without a fold, where both planes fold at once, spans its points all the same.
+#[test]
+fn a_range_spans_its_branch() {
+    let study = "speed = { from = 2300, to = 2900 }\nharmonics = 5\nstates = \"all\"\nstarts = 0\norder_threshold = 1e-6";
+    let o = machine("per_axis", "1 mm", study);
+    let fold = o.special_points.iter().find(|p| p.kind == "fold").unwrap().at;
+    let mixed = o.findings.iter().filter(|f| f.id == "superharmonic_range" && f.text.contains("x and y on different states"));
+    let mut count = 0;
+    for f in mixed {
+        let (from, to) = (f.value.unwrap(), evidence(f, "end"));
+        assert!((from - fold).abs() < 1.0 && to == 2900.0, "{} {fold}", f.text);
+        count += 1;
+    }
+    assert!(count > 1, "{:?}", o.findings);
+}

@@ -74,7 +74,7 @@ points = 50
 "#;
     const DOC: &'static str = "Basins of attraction at one speed: which motion the machine settles on from every pair of two initial values on a grid, \
         how many motions there are, which share of the grid leads to each, and the smallest disturbance that leads to another. \
-        nonlinear_response finds all periodic motions; basins show which of them a disturbance reaches. For a machine with movable masses they show from which \
+        nonlinear_response follows branches of periodic motions; basins show which of them a disturbance reaches. For a machine with movable masses they show from which \
         places the balls of a balancer reach the balanced state, and from which they stay elsewhere or go round for ever.";
     const FIELDS: &'static [Field] = &[
         Field::optional("speed", SPEED, "", "spin speed, above zero; the machine's when left out"),

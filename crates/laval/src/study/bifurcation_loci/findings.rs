@@ -84,13 +84,11 @@ impl Shown<'_> {
 
     fn corner(&self, name: &str, locus: &Locus, c: &Corner) -> Finding {
         let (path, speed, t) = (self.path(), significant(c.speed, 7), &c.turn);
-        let (here, beyond) = if t.opens_up { ("larger", "smaller") } else { ("smaller", "larger") };
+        let here = if t.opens_up { "larger" } else { "smaller" };
         let finding = match corner_name(locus, c) {
             "cusp" => Finding::info(
                 "cusp",
-                format!(
-                    "Two folds vanish in a cusp at {path} = {{}} and {speed} rad/s: at {here} values the response jumps there, at {beyond} ones it does not."
-                ),
+                format!("Two folds vanish in a cusp at {path} = {{}} and {speed} rad/s: they exist at {here} values only."),
             ),
             "folds meet" => Finding::info(
                 "folds_meet",
@@ -174,7 +172,7 @@ impl Shown<'_> {
             ""
         };
         let text = format!(
-            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, the state depends on how it was reached.{cut}",
+            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, there are several states.{cut}",
             self.path(),
             self.of(value),
             significant(lo, 6),

@@ -6,6 +6,19 @@
 //!
 //! Validity: periodic motion at the spin frequency (or its submultiple); a motion that has lost its stability is shown, not followed.
 //!
+//! What proves each statement:
+//!
+//! | statement | proof |
+//! | --- | --- |
+//! | a slow sweep jumps | a fold, with bracket and second method, that turns against the sweep on the branch followed from beyond the range; states next to it stable |
+//! | it jumps onto a stable state, or none | exponents of the states of both main branches just beyond the fold |
+//! | no jump | the branch meets the other end of the range without such a fold; where its states are unstable is said with it |
+//! | states are unstable, fastest growth | exponents at the points of one stretch from fold to fold, with their error; a saddle between two folds is left out |
+//! | stability is lost, gained | a zero of a growth rate between a stable and an unstable point of one stretch |
+//! | largest displacement, force | maximum over the states not unstable, refined between points; nothing is said where a branch was left rising |
+//! | a start is not followed | no branch led from beyond the range to its end: the state was found there alone |
+//! | further states, none found | each is solved for and followed; what is not found is not excluded |
+//!
 //! With all states the search combines the planes of known states, switches branches at bifurcations, and starts from subharmonic and from arbitrary
 //! motions (see [`crate::solve::harmonic::families`]).
 //!

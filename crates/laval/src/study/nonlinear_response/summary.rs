@@ -21,6 +21,8 @@ pub enum Sweep {
     Passes,
     /// Its states could not be followed to the end.
     Unfinished,
+    /// Its states are unstable where they would jump first.
+    Unstable,
 }
 
 impl Sweep {
@@ -134,6 +136,7 @@ impl Summary {
 fn sweep(response: &Response, up: bool, speeds: (f64, f64)) -> Sweep {
     let Some(branch) = swept(response, up, speeds) else { return Sweep::Unfinished };
     match jumps(response, branch, up).first() {
+        Some(jump) if jump.unstable.is_some() => Sweep::Unstable,
         Some(jump) => Sweep::Jumps(jump.fold.speed),
         None if branch.end == End::Reached => Sweep::Passes,
         None => Sweep::Unfinished,

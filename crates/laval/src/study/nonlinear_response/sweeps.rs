@@ -7,6 +7,7 @@ use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, Traced};
 use laval_num::continuation::End;
+use std::ops::Range;
 
 /// Relative distance beyond a fold at which the states left are looked for.
 const BEYOND: f64 = 1e-6;
@@ -19,9 +20,14 @@ pub(super) struct Jump<'r> {
     pub onto: Option<&'r Traced>,
     /// Stable states of the branches from both ends just beyond it; `None` where stability is not known.
     pub stable: Option<usize>,
-    /// Speeds at which the states that lead to it are unstable, rad/s, and the fastest growth there, 1/s: no sweep comes to it.
-    pub unstable: Option<(Vec<(f64, f64)>, f64)>,
+    /// Growth rate, 1/s, of the states next to it where they are unstable: no sweep comes to it.
+    pub unstable: Option<f64>,
+    /// Speeds at which the states that lead to it are unstable, rad/s.
+    pub on_the_way: Vec<(f64, f64)>,
 }
+
+/// States before a fold that are looked at.
+const NEAR: usize = 4;
 
 /// The body that moves most at a fold, and its largest displacement, m.
 type Size<'a> = &'a dyn Fn(&Fold) -> Option<(String, f64)>;
@@ -57,8 +63,9 @@ pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> 
         for fold in met {
             if out.last().is_none_or(|last| further(fold.speed, last.fold.speed)) {
                 let since = out.last().map(|last| last.fold.speed);
-                let unstable = before(branch, Some(fold), since, up);
-                out.push(Jump { fold, onto: None, stable: landings(response, fold.speed, up), unstable });
+                let on_the_way = on_the_way(branch, Some(fold), since, up);
+                let (stable, unstable) = (landings(response, fold.speed, up), before(branch, fold, up));
+                out.push(Jump { fold, onto: None, stable, unstable, on_the_way });
             }
         }
         let Some(last) = out.last_mut() else { break };
@@ -79,9 +86,21 @@ pub(super) fn reached(response: &Response, up: bool, speeds: (f64, f64)) -> Vec<
     jumps.iter().take_while(|j| j.unstable.is_none()).map(|j| j.fold.speed).collect()
 }
 
+/// Growth rate of the states a sweep meets before a fold, where all of them that are near are unstable; beside the fold one is so by rounding.
+fn before(branch: &Traced, fold: &Fold, up: bool) -> Option<f64> {
+    let onwards = up == branch.from_low();
+    let near: Vec<_> = if onwards {
+        branch.points[..(fold.after + 1).min(branch.points.len())].iter().rev().take(NEAR).collect()
+    } else {
+        branch.points.iter().skip(fold.after + 1).take(NEAR).collect()
+    };
+    let all = !near.is_empty() && near.iter().all(|p| p.unstable());
+    all.then(|| near.iter().map(|p| p.growth()).fold(f64::NEG_INFINITY, f64::max))
+}
+
 /// Where the states that a sweep meets on a branch before a fold, or on to its end, are unstable: from the end where it begins, or beyond the speed of the
 /// jump before.
-fn before(branch: &Traced, fold: Option<&Fold>, since: Option<f64>, up: bool) -> Option<(Vec<(f64, f64)>, f64)> {
+fn on_the_way(branch: &Traced, fold: Option<&Fold>, since: Option<f64>, up: bool) -> Vec<(f64, f64)> {
     let count = branch.points.len();
     let met = match fold {
         None => 0..count,
@@ -89,16 +108,11 @@ fn before(branch: &Traced, fold: Option<&Fold>, since: Option<f64>, up: bool) ->
         Some(f) => f.after + 1..count,
     };
     let reached = |i: usize| since.is_none_or(|s| (branch.points[i].speed.abs() > s.abs()) == up);
-    let runs: Vec<_> = unstable_runs(branch)
-        .into_iter()
-        .map(|r| {
-            let inside = || r.clone().filter(|i| met.contains(i) && reached(*i));
-            inside().min().unwrap_or(0)..inside().max().map_or(0, |i| i + 1)
-        })
-        .filter(|r| !r.is_empty())
-        .collect();
-    let growth = runs.iter().cloned().flatten().map(|i| branch.points[i].growth()).fold(f64::NEG_INFINITY, f64::max);
-    (!runs.is_empty()).then(|| (ranges_of(branch, runs), growth))
+    let cut = |r: Range<usize>| {
+        let inside = || r.clone().filter(|i| met.contains(i) && reached(*i));
+        inside().min().unwrap_or(0)..inside().max().map_or(0, |i| i + 1)
+    };
+    ranges_of(branch, unstable_runs(branch).into_iter().map(cut).filter(|r| !r.is_empty()).collect())
 }
 
 fn beyond(speed: f64, up: bool) -> f64 {
@@ -128,22 +142,18 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size
         // what lies behind states that no machine stays on is reached from elsewhere
         let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
         let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0, size));
-        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j.fold, j.unstable.as_ref()?)));
+        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j, j.unstable?)));
         return told.chain(lost).collect();
     }
-    let none = if let (End::Reached, Some((ranges, growth))) = (branch.end, before(branch, None, None, up)) {
-        let first = ranges
-            .iter()
-            .copied()
-            .min_by(|a, b| (a.0 - begin).abs().min((a.1 - begin).abs()).total_cmp(&(b.0 - begin).abs().min((b.1 - begin).abs())));
-        let at = first.map_or(f64::NAN, |(a, b)| if (a - begin).abs() <= (b - begin).abs() { a } else { b });
+    let lost = on_the_way(branch, None, None, up);
+    let none = if branch.end == End::Reached && !lost.is_empty() {
         let text = format!(
-            "The states of a slow sweep {way} from {} to {} rad/s meet no fold, but they are unstable {}: from {{}} on a machine is not on them.",
+            "The states of a slow sweep {way} from {} to {} rad/s go on to the end of the range without a fold, but they are unstable {}.",
             significant(begin, 5),
             significant(end, 5),
-            range_words(&ranges)
+            range_words(&lost)
         );
-        Finding::warning(format!("sweep_{way}_unstable"), text).value(at, "rad/s").evidence("fastest growth rate", growth, "1/s")
+        Finding::info(format!("no_jump_{way}"), text)
     } else if branch.end == End::Reached {
         Finding::info(
             format!("no_jump_{way}"),
@@ -173,7 +183,7 @@ impl Jump<'_> {
         let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
         let which = match self.stable {
             Some(0) => " None of the states followed is stable just beyond it.".into(),
-            Some(n @ 2..) => format!(" {n} states are stable there: which of them it comes to is not told by the branches."),
+            Some(n @ 2..) => format!(" {n} states are stable there: the branches do not decide which of them it comes to."),
             _ => String::new(),
         };
         let f = self.fold;
@@ -196,13 +206,13 @@ fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
     if up == (lo >= 0.0) { lo } else { hi }
 }
 
-/// That the states that lead to a fold are unstable.
-fn unstable(way: &str, fold: &Fold, (ranges, growth): &(Vec<(f64, f64)>, f64)) -> Finding {
+/// That the states before a fold are unstable.
+fn unstable(way: &str, jump: &Jump, growth: f64) -> Finding {
     let text = format!(
-        "The states of a slow sweep {way} turn back at {{}}, but before it they are unstable {}: a machine is no longer on them, and no jump is told.",
-        range_words(ranges)
+        "The states of a slow sweep {way} turn back at {{}}, but before it they are unstable {}: a machine is no longer on them, and no jump is reported.",
+        range_words(&jump.on_the_way)
     );
-    Finding::warning(format!("sweep_{way}_unstable"), text).value(fold.speed, "rad/s").evidence("growth rate before it", *growth, "1/s")
+    Finding::warning(format!("sweep_{way}_unstable"), text).value(jump.fold.speed, "rad/s").evidence("growth rate before it", growth, "1/s")
 }
 
 /// That states at an end of the range were found there alone.

@@ -23,13 +23,15 @@ pub(super) const DOWN: &str = "jumps down only";
 pub(super) const UP: &str = "jumps up only";
 pub(super) const APART: &str = "no jump between two families";
 pub(super) const UNFINISHED: &str = "unfinished";
+pub(super) const UNSTABLE: &str = "unstable before a jump";
 pub(super) const FAILED: &str = "failed";
 /// All of them, in the order of the legend.
-pub(super) const SWEEPS: [&str; 7] = [NO_JUMP, BOTH, DOWN, UP, APART, UNFINISHED, FAILED];
+pub(super) const SWEEPS: [&str; 8] = [NO_JUMP, BOTH, DOWN, UP, APART, UNSTABLE, UNFINISHED, FAILED];
 
 fn sweeps(s: &Summary) -> &'static str {
     match s.sweeps {
         [Sweep::Unfinished, _] | [_, Sweep::Unfinished] => UNFINISHED,
+        [Sweep::Unstable, _] | [_, Sweep::Unstable] => UNSTABLE,
         [Sweep::Jumps(_), Sweep::Jumps(_)] => BOTH,
         [Sweep::Jumps(_), Sweep::Passes] => UP,
         [Sweep::Passes, Sweep::Jumps(_)] => DOWN,

@@ -90,7 +90,7 @@ start = "up_and_down"
 "#;
     const DOC: &'static str = "Settled motion over the spin speed by integration in time, from the same start at every speed or followed up and down: amplitudes, \
         orders, jumps and hysteresis, period doubling and motions that do not repeat, bifurcation diagram, order spectra, largest Lyapunov exponent. \
-        nonlinear_response finds all periodic motions, unstable ones too; a sweep shows which of them a machine reaches.";
+        nonlinear_response follows branches of periodic motions, unstable ones too; a sweep shows which of them a machine reaches.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds, above zero; 200 points unless given"),
         Field::optional("start", FieldKind::Choice(STARTS), "up_and_down", "how the motion begins at each speed"),

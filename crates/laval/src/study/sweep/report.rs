@@ -153,10 +153,14 @@ fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> 
 
 fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
     for (b, body) in fleet.bodies.iter().enumerate() {
-        let all = paths.iter().flat_map(|p| p.amplitude[b].iter().zip(&p.speed).map(move |(a, w)| (p.way, *w, *a)));
-        let Some((way, speed, a)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
-        let text =
-            format!("The largest settled displacement of \"{}\" is {{}}, at {} ({}).", body.name, quantity(speed, "rad/s"), begun(way));
+        let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[b][i], p.motion[i] == "periodic");
+        let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));
+        let Some((way, speed, a, repeats)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
+        // of a motion that does not repeat the largest of the periods recorded
+        let what = if repeats { "settled" } else { "recorded" };
+        let open = if repeats { "" } else { ", where the motion does not repeat" };
+        let place = quantity(speed, "rad/s");
+        let text = format!("The largest {what} displacement of \"{}\" is {{}}, at {place} ({}){open}.", body.name, begun(way));
         outcome =
             outcome.finding(Finding::info("largest_displacement", text).of(&body.name).value(a, "m").evidence("speed", speed, "rad/s"));
     }
