@@ -1,5 +1,6 @@
 //! What a continuation returns: points, special points, ends, and the work done.
 
+use super::branch_point::BranchPoint;
 use super::fold::FoldPoint;
 use crate::newton::{Cause, Work};
 
@@ -93,7 +94,7 @@ pub enum Kind {
 /// How well a special point is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// Located, and found again by the extended system of a fold.
+    /// Located, and found again by the extended system of a fold or branch point.
     Confirmed,
     /// Located by its test function on corrected points.
     Located,
@@ -108,6 +109,8 @@ pub struct Side {
     pub s: f64,
     /// Parameter.
     pub p: f64,
+    /// Its derivative in arclength.
+    pub dp_ds: f64,
     /// Test function.
     pub value: f64,
 }
@@ -129,6 +132,36 @@ pub struct Special {
     pub status: Status,
     /// For a fold: the same point by the extended system, and its distance.
     pub fold: Option<FoldPoint>,
+    /// For a branch point, and an extremum of the parameter there: what the extended system gave, which is then its place.
+    pub crossing: Option<BranchPoint>,
+}
+
+impl Special {
+    /// Width of the bracket in the parameter.
+    pub fn width(&self) -> f64 {
+        let [Side { p: a, .. }, Side { p: b, .. }] = self.bracket;
+        (a - b).abs()
+    }
+
+    /// Parameters between which it lies. Where the parameter turns back it lies beyond both sides of the bracket, by no more than their slopes allow.
+    pub fn range(&self) -> (f64, f64) {
+        if let Some(c) = &self.crossing {
+            return (c.p - c.p_error, c.p + c.p_error);
+        }
+        let [a, b] = &self.bracket;
+        let (low, high) = (a.p.min(b.p).min(self.point.p), a.p.max(b.p).max(self.point.p));
+        let length = (b.s - a.s).abs();
+        let reach = |sign: f64| {
+            let beyond = [a, b].map(|s| sign * s.p + s.dp_ds.abs() * length);
+            sign * beyond[0].min(beyond[1])
+        };
+        // rising to the extremum or falling to it
+        match (a.dp_ds > 0.0, b.dp_ds > 0.0) {
+            (false, true) => (low.min(reach(-1.0)), high),
+            (true, false) => (low, high.max(reach(1.0))),
+            _ => (low, high),
+        }
+    }
 }
 
 /// Work done and choices made.
@@ -188,6 +221,7 @@ impl Branch {
             special.residual *= sign;
             for side in &mut special.bracket {
                 side.s = -side.s;
+                side.dp_ds = -side.dp_ds;
                 side.value *= sign;
             }
         }

@@ -101,7 +101,8 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
 
     /// What there is to say of a corner: itself, and a fold where the parameter turns back at it.
     pub fn corner_specials(&self, [before, after]: &[Node; 2], index: usize) -> Vec<Special> {
-        let side = |node: &Node| Side { s: node.s, p: node.p, value: node.slope() };
+        let scale = self.scale[self.n()];
+        let side = |node: &Node| Side { s: node.s, p: node.p, dp_ds: node.slope() * scale, value: node.slope() };
         let special = |kind| Special {
             kind,
             point: self.point(after),
@@ -110,6 +111,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             residual: before.evidence.residual,
             status: Status::Located,
             fold: None,
+            crossing: None,
         };
         let turns = (before.slope() < 0.0) != (after.slope() < 0.0);
         [Kind::Corner].into_iter().chain(turns.then_some(Kind::Fold)).map(special).collect()

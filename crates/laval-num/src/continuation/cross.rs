@@ -3,12 +3,12 @@
 //! At a simple branch point the `n` by `n + 1` Jacobian [dr/dx dr/dp] has two null vectors: the tangent t, and a second v normal to it. A point of the
 //! crossing branch lies near `y0 + d v`; Newton's method in the hyperplane normal to v through it cannot fall back on the branch left.
 
+use super::Kind;
 use super::branch::{Point, Special};
 use super::problem::Zero;
 use super::settings::{Invalid, Settings};
 use super::step::{Node, Tracer, distance, extended};
 use super::trace::Direction;
-use super::{Kind, Side};
 use crate::dense::{Lu, Mat, dot, norm};
 use crate::newton::Options;
 
@@ -34,7 +34,7 @@ pub fn cross<P: Zero + ?Sized>(problem: &mut P, point: &Point, settings: &Settin
     let mut tracer = Tracer::new(problem, settings);
     let origin = tracer.node(point);
     let n = tracer.n();
-    let Some(v) = tracer.second_null_vector(&origin) else { return Ok(Vec::new()) };
+    let Some((v, _)) = tracer.second_null_vectors(&origin) else { return Ok(Vec::new()) };
     let size = norm(&origin.y[..n]).max(1.0);
     let options = Options { max_iterations: 15, damped: false, to_rounding: true, noise: 1e-13, ..settings.corrector.clone() };
     let mut out = Vec::new();
@@ -76,14 +76,6 @@ pub fn zero_between<P: Zero + ?Sized>(
     Ok(tracer.found(zero, Kind::User(0), ends, 0).special)
 }
 
-impl Special {
-    /// Width of the bracket in the parameter.
-    pub fn width(&self) -> f64 {
-        let [Side { p: a, .. }, Side { p: b, .. }] = self.bracket;
-        (a - b).abs()
-    }
-}
-
 impl<P: Zero + ?Sized> Tracer<'_, P> {
     /// The node of a point.
     fn node(&self, point: &Point) -> Node {
@@ -100,8 +92,9 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         }
     }
 
-    /// The right singular vector of the least singular value of the Jacobian with the tangent as last row, by inverse iteration.
-    fn second_null_vector(&mut self, at: &Node) -> Option<Vec<f64>> {
+    /// The right and the left singular vector of the least singular value of the Jacobian with the tangent as last row, by inverse iteration; of the left
+    /// one the part that belongs to the equations, weighed by the lengths of their rows.
+    pub(super) fn second_null_vectors(&mut self, at: &Node) -> Option<(Vec<f64>, Vec<f64>)> {
         let n = self.n();
         let length = norm(&at.t);
         let mut shift = 0.0;
@@ -118,10 +111,12 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             b.row_mut(n).iter_mut().zip(&at.t).for_each(|(b, t)| *b = t / length);
             let (Ok(lu), Ok(transposed)) = (Lu::new(&b), Lu::new(&b.transpose())) else { continue };
             let mut v: Vec<f64> = (0..=n).map(|i| 1.0 + 0.3 * (1.7 * i as f64).sin()).collect();
+            let mut left = Vec::new();
             for _ in 0..8 {
                 let before = norm(&v);
                 v.iter_mut().for_each(|x| *x /= before);
                 transposed.solve(&mut v);
+                left.clone_from(&v);
                 lu.solve(&mut v);
             }
             let size = norm(&v);
@@ -134,7 +129,10 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             v.iter_mut().zip(&at.t).for_each(|(v, t)| *v -= along * t);
             let size = norm(&v);
             v.iter_mut().for_each(|x| *x /= size);
-            return Some(v);
+            left.truncate(n);
+            let size = norm(&left);
+            left.iter_mut().for_each(|x| *x /= size);
+            return (size.is_finite() && size > 0.0).then_some((v, left));
         }
         None
     }

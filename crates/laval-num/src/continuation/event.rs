@@ -1,6 +1,7 @@
 //! Special points between two accepted points, located on corrected points in between.
 
 use super::branch::{Kind, Point, Refusal, Side, Special, Status};
+use super::branch_point::BranchPoint;
 use super::fold::fold;
 use super::problem::Zero;
 use super::step::{Node, Tracer, distance, hermite};
@@ -21,6 +22,14 @@ pub(super) struct Zeroed {
     value: f64,
     bracket: [Side; 2],
     narrow: bool,
+}
+
+/// Share of a step within which a zero of the slope lies on a branch point: as the determinant has it, and as its extended system does.
+const BESIDE: (f64, f64) = (1e-5, 1e-3);
+
+/// Without the word of a fold's extended system.
+fn narrowed(status: Status) -> Status {
+    if status == Status::Confirmed { Status::Located } else { status }
 }
 
 /// Sign with zero on the positive side.
@@ -60,7 +69,8 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
 
     /// Zero of `g` between `a` and `b` by Chandrupatla's method (inverse quadratic steps within a bracket).
     pub(super) fn locate(&mut self, a: &Node, b: &Node, ends: [f64; 2], g: &mut dyn FnMut(&mut Self, &Node) -> f64) -> Zeroed {
-        let side = |node: &Node, value| Side { s: node.s, p: node.p, value };
+        let scale = self.scale[self.n()];
+        let side = |node: &Node, value| Side { s: node.s, p: node.p, dp_ds: node.slope() * scale, value };
         let [mut f1, mut f2] = ends;
         let (mut x1, mut x2) = (0.0, 1.0);
         let (mut s1, mut s2) = (side(a, f1), side(b, f2));
@@ -115,7 +125,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         let sharp = zero.value.abs() <= 1e-6 * ends[0].abs().max(ends[1].abs());
         let status = if zero.narrow && sharp { Status::Located } else { Status::Bracketed };
         let point = self.point(&zero.node);
-        let special = Special { kind, point, after, bracket: zero.bracket, residual: zero.value, status, fold: None };
+        let special = Special { kind, point, after, bracket: zero.bracket, residual: zero.value, status, fold: None, crossing: None };
         Found { special, node: zero.node }
     }
 
@@ -148,8 +158,12 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             if zero.value.abs() > (0.1 * small).max(1e-9 * large) {
                 return Err(Refusal::Reversal);
             }
-            crossing = Some(zero.node.s);
-            all.push(self.found(zero, Kind::BranchPoint, ends, after));
+            let mut found = self.found(zero, Kind::BranchPoint, ends, after);
+            if let Some((exact, node)) = self.branch_point(a, b, &found.node) {
+                self.place(&mut found, exact, node);
+            }
+            crossing = Some((found.node.clone(), found.special.crossing.clone()));
+            all.push(found);
         }
         let mut inner = Vec::new();
         self.resolve(a, b, 0, &mut inner);
@@ -158,11 +172,18 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
             let ends = [left.slope(), right.slope()];
             if differ(ends[0], ends[1]) {
                 let zero = self.locate(left, right, ends, &mut |_, node| node.slope());
-                let on_crossing = crossing.is_some_and(|s| (s - zero.node.s).abs() <= 1e-5 * (b.s - a.s));
-                let kind = if on_crossing { Kind::ParameterExtremum } else { Kind::Fold };
-                let mut found = self.found(zero, kind, ends, after);
-                if kind == Kind::Fold {
-                    self.confirm(&mut found.special);
+                let mut found = self.found(zero, Kind::Fold, ends, after);
+                self.confirm(&mut found.special);
+                // a fold beside the branch point is one by its own equations, which have no solution at it
+                let own = found.special.status == Status::Confirmed;
+                let near = |exact: &Option<BranchPoint>| if exact.is_some() && !own { BESIDE.1 } else { BESIDE.0 };
+                let apart = |node: &Node| (node.s - found.node.s).abs() / (b.s - a.s);
+                if let Some((node, exact)) = crossing.as_ref().filter(|c| apart(&c.0) <= near(&c.1)) {
+                    (found.special.kind, found.special.status) = (Kind::ParameterExtremum, narrowed(found.special.status));
+                    found.special.fold = None;
+                    if let Some(exact) = exact {
+                        self.place(&mut found, exact.clone(), node.clone());
+                    }
                 }
                 all.push(found);
             }
@@ -180,6 +201,15 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         }
         all.sort_by(|a, b| a.node.s.total_cmp(&b.node.s));
         Ok(all)
+    }
+
+    /// Puts a point where its extended system has it.
+    fn place(&self, found: &mut Found, exact: BranchPoint, node: Node) {
+        found.special.point = self.point(&node);
+        (found.special.point.residual, found.special.point.error) = (exact.residual, exact.error);
+        found.special.status = Status::Confirmed;
+        found.special.crossing = Some(exact);
+        found.node = node;
     }
 
     /// Solves the extended system of a fold from its located point and compares.

@@ -13,6 +13,7 @@
 //! number of branch points or of zeros of a user's test within one step.
 
 mod branch;
+mod branch_point;
 mod corner;
 mod cross;
 mod event;
@@ -23,6 +24,7 @@ mod step;
 mod trace;
 
 pub use branch::{Branch, Counters, End, Kind, Point, Refusal, Side, Special, Status};
+pub use branch_point::BranchPoint;
 pub use cross::{Crossing, cross, zero_between};
 pub use event::Test;
 pub use fold::{FoldPoint, fold};
