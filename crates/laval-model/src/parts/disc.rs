@@ -13,13 +13,20 @@
 //! Symbols: m mass, kg; e eccentricity, m; A diametral and C polar moment of inertia about the centre of mass, kg m^2; tau skew, rad; phi_e, phi_t angles of
 //! eccentricity and skew from the key mark, rad.
 //!
+//! Unbalances u_k at heights z_k in directions phi_k (`unbalances`), with `U = p m + sum u_k exp(i (phi + phi_k))`:
+//!
+//! ```text
+//! add (W^2 - i W') u_k exp(i (phi + phi_k)) at z_k,  Im(conj(u_k exp(i (phi + phi_k))) z_k'') to the torque
+//! C + |U|^2/m + |sum u_k (z_k - h)|^2/A + (A - C) tau^2      in place of the factor of W': moments of inertia are those with the masses that make the unbalances
+//! ```
+//!
 //! Validity: small tilt; spin row linear in skew.
 //!
 //! Sources: `000_a291f7ede1484e56` sections 1.1 and 2.1 (planar rotor); tilt terms from the kinetic energy of a symmetric top to second order.
 
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Blocks, rotating};
-use crate::model::field::{Bounds, Field, ParamValues, Values};
+use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
 use crate::params;
 use laval_num::complex::{Complex, c};
@@ -40,19 +47,52 @@ params! {
     }
 }
 
+/// An unbalance in a plane of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Unbalance {
+    /// kg m.
+    size: f64,
+    /// Direction from the key mark, rad.
+    phase: f64,
+    /// Height above the reference point, m.
+    at: f64,
+}
+
 /// See the [module](self).
 pub struct Disc {
     tilts: bool,
+    unbalances: Vec<Unbalance>,
 }
 
 impl Disc {
     /// Two coordinates: x, y.
     pub fn planar() -> Self {
-        Disc { tilts: false }
+        Disc { tilts: false, unbalances: Vec::new() }
     }
     /// Four coordinates: x, y and tilt; needs the inertias.
     pub fn tilting() -> Self {
-        Disc { tilts: true }
+        Disc { tilts: true, unbalances: Vec::new() }
+    }
+    /// With one more unbalance (kg m) in this direction from the key mark (rad), at this height above the reference point (m).
+    pub fn unbalanced(mut self, size: f64, phase: f64, at: f64) -> Self {
+        self.unbalances.push(Unbalance { size, phase, at });
+        self
+    }
+    /// `U` at a spin angle.
+    #[inline(always)]
+    fn turning<S: Scalar>(&self, p: &DiscParams<S>, phase: S) -> Complex<S> {
+        let own = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
+        self.unbalances.iter().fold(own, |sum, u| sum + Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size)))
+    }
+    /// `Im(conj(u) z')` of all unbalances, each with the motion (rate or acceleration) of its own height.
+    #[inline(always)]
+    fn carried<S: Scalar>(&self, p: &DiscParams<S>, phase: S, motion: &[S]) -> S {
+        let own = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
+        let own = (own.conj() * self.centre(p.centre_of_mass, motion)).im;
+        self.unbalances.iter().fold(own, |sum, u| {
+            let turning = Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size));
+            sum + (turning.conj() * self.centre(S::cst(u.at), motion)).im
+        })
     }
 }
 
@@ -63,6 +103,12 @@ impl Disc {
         if self.tilts { c(d[0] + h * d[3], d[1] - h * d[2]) } else { c(d[0], d[1]) }
     }
 }
+
+const UNBALANCES: &[(&str, &str, bool, &str)] = &[
+    ("unbalance", "kg m", true, "size"),
+    ("phase", "rad", false, "direction from the key mark"),
+    ("at", "m", false, "height of its plane above the reference point, for a disc that tilts"),
+];
 
 impl Part for Disc {
     const KIND: &'static str = "disc";
@@ -76,10 +122,37 @@ skew = "0.1 mrad"                   # dynamic unbalance
     const DOC: &'static str = "A rigid disc on the shaft: mass, static unbalance, and with diametral_inertia also tilt, gyroscopic coupling \
         and dynamic unbalance. Other parts attach to it.";
     type Family = DiscFamily;
-    const FIELDS: &'static [Field] = &[];
+    const FIELDS: &'static [Field] = &[Field::optional(
+        "unbalances",
+        FieldKind::Columns(UNBALANCES),
+        "",
+        "several unbalances, in addition to eccentricity and unbalance: sizes, directions and heights; a study that varies parameters leaves them as they are",
+    )];
 
-    fn build(values: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
-        Some(Disc { tilts: values.number("diametral_inertia").is_some_and(|x| x > 0.0) })
+    fn build(values: &Values, _: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let disc = Disc { tilts: values.number("diametral_inertia").is_some_and(|x| x > 0.0), unbalances: Vec::new() };
+        let Some(columns) = values.columns("unbalances") else { return Some(disc) };
+        let sizes = columns.get("unbalance")?;
+        let entry = |name: &str, k: usize| columns.get(name).and_then(|c| c.get(k)).copied().unwrap_or(0.0);
+        let mut refuse = |message: String, help: &str| {
+            diagnostics.push(Diagnostic::error("disc.unbalances", message).at(values.span_of("unbalances")).help(help));
+        };
+        if let Some(u) = sizes.iter().find(|u| !(0.0..=1e4).contains(*u)) {
+            refuse(format!("an unbalance of {u} kg m"), "sizes are positive; phase = \"180 deg\" turns one round");
+            return None;
+        }
+        if (0..sizes.len()).any(|k| !(entry("phase", k).abs() <= 1e3 && entry("at", k).abs() <= 100.0)) {
+            refuse("an unbalance has no place".into(), "phase is an angle up to 1000 rad, at a height up to 100 m");
+            return None;
+        }
+        if !disc.tilts && (0..sizes.len()).any(|k| entry("at", k) != 0.0) {
+            refuse(
+                "the height of an unbalance acts on the tilt, and this disc does not tilt".into(),
+                "give diametral_inertia as well, or leave at out",
+            );
+            return None;
+        }
+        Some((0..sizes.len()).fold(disc, |disc, k| disc.unbalanced(sizes[k], entry("phase", k), entry("at", k))))
     }
 
     fn layout(&self) -> Layout {
@@ -101,6 +174,13 @@ skew = "0.1 mrad"                   # dynamic unbalance
         b.mass[(1, 1)] = p.mass;
         let static_unbalance = rotating(p.mass * p.eccentricity + p.unbalance, p.eccentricity_phase);
         b.add_rotating([(0, one), (1, one)], static_unbalance, one, one);
+        for u in &self.unbalances {
+            let (own, z) = (rotating(S::cst(u.size), S::cst(u.phase)), S::cst(u.at));
+            b.add_rotating([(0, one), (1, one)], own, one, one);
+            if self.tilts {
+                b.add_rotating([(3, z), (2, -z)], own, one, one);
+            }
+        }
         if self.tilts {
             let (a, cp, h) = (p.diametral_inertia, p.polar_inertia, p.centre_of_mass);
             let mh = p.mass * h;
@@ -122,10 +202,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
 
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
-        let u = p.mass * p.eccentricity + p.unbalance;
-        let turning = Complex::cis(at.phase + p.eccentricity_phase).scale(u);
-        let zc = self.centre(p.centre_of_mass, at.a);
-        let mut r = self.spin_inertia(p) * at.spin_accel + (turning.conj() * zc).im;
+        let mut r = self.spin_inertia(p) * at.spin_accel + self.carried(p, at.phase, at.a);
         if self.tilts {
             let (a, cp) = (p.diametral_inertia, p.polar_inertia);
             r += (at.a[2] * at.q[3] - at.q[2] * at.a[3]) * cp.scale(0.5);
@@ -140,11 +217,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
     }
 
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
-        let u = p.mass * p.eccentricity + p.unbalance;
-        let turning = Complex::cis(at.phase + p.eccentricity_phase).scale(u);
         let vc = self.centre(p.centre_of_mass, at.v);
         let w = at.speed;
-        let mut t = (p.mass * vc.norm_sqr() + self.spin_inertia(p) * w * w).scale(0.5) + w * (turning.conj() * vc).im;
+        let mut t = (p.mass * vc.norm_sqr() + self.spin_inertia(p) * w * w).scale(0.5) + w * self.carried(p, at.phase, at.v);
         if self.tilts {
             let (a, cp) = (p.diametral_inertia, p.polar_inertia);
             let (theta, rate) = (c(at.q[2], at.q[3]), c(at.v[2], at.v[3]));
@@ -166,8 +241,7 @@ skew = "0.1 mrad"                   # dynamic unbalance
 
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
-        let centre = self.centre(p.centre_of_mass, at.q)
-            + Complex::cis(at.phase + p.eccentricity_phase).scale(p.eccentricity + p.unbalance / p.mass);
+        let centre = self.centre(p.centre_of_mass, at.q) + self.turning(p, at.phase).scale(1.0 / p.mass);
         out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
     }
 
@@ -196,9 +270,16 @@ skew = "0.1 mrad"                   # dynamic unbalance
 impl Disc {
     #[inline(always)]
     fn spin_inertia<S: Scalar>(&self, p: &DiscParams<S>) -> S {
-        let u = p.mass * p.eccentricity + p.unbalance;
         let skew = if self.tilts { (p.diametral_inertia - p.polar_inertia) * p.skew * p.skew } else { S::zero() };
-        p.polar_inertia + u * u / p.mass + skew
+        if self.unbalances.is_empty() {
+            let u = p.mass * p.eccentricity + p.unbalance;
+            return p.polar_inertia + u * u / p.mass + skew;
+        }
+        let moment = self.unbalances.iter().fold(Complex::zero(), |sum: Complex<S>, u| {
+            sum + Complex::cis(S::cst(u.phase)).scale((S::cst(u.at) - p.centre_of_mass).scale(u.size))
+        });
+        let pair = if self.tilts { moment.norm_sqr() / p.diametral_inertia } else { S::zero() };
+        p.polar_inertia + self.turning(p, S::zero()).norm_sqr() / p.mass + pair + skew
     }
 }
 
@@ -218,6 +299,50 @@ mod tests {
         let skewed = DiscParams { mass: 1.0, skew: 0.01, ..DiscFamily::defaults() };
         assert!(Disc::planar().check(&skewed)[0].1.contains("give diametral_inertia"));
         assert_eq!(Disc::planar().check(&DiscParams { skew: 0.0, centre_of_mass: 0.1, ..skewed })[0].0, "centre_of_mass");
+    }
+
+    /// One part whose unbalances stand for eccentricity, unbalance at a height, and a pair in two planes: the same forces.
+    #[test]
+    fn several_unbalances_are_the_sum_of_each() {
+        let p = DiscParams { mass: 2.0, polar_inertia: 0.02, diametral_inertia: 0.03, centre_of_mass: 0.05, ..DiscFamily::defaults() };
+        let forces = |disc: Disc, p: &DiscParams| {
+            let mut b = Blocks::default();
+            b.reset(4, 0, 50.0);
+            disc.linear(p, 50.0, &mut b);
+            [b.force_cos, b.force_sin, b.spin_accel_cos, b.spin_accel_sin].concat()
+        };
+        let near = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-13 * (1.0 + b.abs()));
+        // at the height of the centre of mass an unbalance is that of the disc itself
+        let own = forces(Disc::tilting(), &DiscParams { unbalance: 3e-4, eccentricity_phase: 0.4, ..p });
+        assert!(near(own, forces(Disc::tilting().unbalanced(1e-4, 0.4, 0.05).unbalanced(2e-4, 0.4, 0.05), &p)));
+        // equal and opposite in two planes: no force, a moment u W^2 l about the axis a quarter turn from them
+        let (u, l) = (2e-4, 0.3);
+        let pair = forces(Disc::tilting().unbalanced(u, 0.0, 0.2).unbalanced(u, std::f64::consts::PI, 0.2 - l), &p);
+        let mut want = vec![0.0; 16];
+        // along x at the height z bends about y; sin: along y about -x
+        (want[3], want[4 + 2]) = (u * 2500.0 * l, -u * 2500.0 * l);
+        assert!(near(pair[..8].to_vec(), want[..8].to_vec()), "{pair:?}");
+    }
+
+    #[test]
+    fn unbalances_have_a_size_and_a_place() {
+        use crate::model::field::{ParamValues, Value, Values};
+        let build = |columns: &[(&'static str, Vec<f64>)], inertia: Option<f64>| {
+            let (mut values, mut d) = (Values::default(), Diagnostics::default());
+            values.set("unbalances", Value::Columns(columns.iter().cloned().collect()), None);
+            if let Some(x) = inertia {
+                values.set("diametral_inertia", Value::Number(x), None);
+            }
+            let disc = Disc::build(&values, &mut ParamValues::default(), &mut d);
+            (disc.map(|d| d.unbalances.len()), d.0.iter().map(|d| d.to_string()).collect::<String>())
+        };
+        let two = [("unbalance", vec![1e-5, 2e-5]), ("phase", vec![0.1, 0.2])];
+        assert_eq!(build(&two, None), (Some(2), String::new()));
+        let high = [two[0].clone(), ("at", vec![0.0, 0.1])];
+        assert_eq!(build(&high, Some(0.1)).0, Some(2));
+        assert!(build(&high, None).1.contains("does not tilt"));
+        assert!(build(&[("unbalance", vec![-1e-5])], None).1.contains("-0.00001 kg m"));
+        assert!(build(&[("unbalance", vec![f64::NAN])], None).0.is_none());
     }
 
     /// Unbalance in two languages: m e and an unbalance are the same force.
@@ -245,6 +370,15 @@ crate::conformance! {
             DiscParams {
                 mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
                 skew: 0.02, skew_phase: -0.4, centre_of_mass: 0.06,
+            },
+            Options::default();
+        planar_unbalances: Disc::planar().unbalanced(2e-4, 0.3, 0.0).unbalanced(1e-4, 2.0, 0.0),
+            DiscParams { mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscFamily::defaults() },
+            Options::default();
+        tilting_unbalances: Disc::tilting().unbalanced(2e-4, 0.3, 0.1).unbalanced(1e-4, 2.0, -0.07),
+            DiscParams {
+                mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, diametral_inertia: 0.013,
+                skew: 0.0, skew_phase: 0.0, centre_of_mass: 0.06,
             },
             Options::default();
     }

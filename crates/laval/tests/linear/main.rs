@@ -3,8 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod claims;
-mod criticals;
 mod memory;
 mod model_planar;
 mod modes;
@@ -13,6 +11,7 @@ mod optimum;
 mod parts_physics;
 mod response;
 mod sensitivity;
+mod several_unbalances;
 mod stability;
 mod uncertainty;
 mod viscoelastic;

@@ -7,14 +7,14 @@ use super::passage::Passage;
 use super::steady::{Branches, State, linear, spectrum};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::Attach;
-use crate::model::system::System;
+use crate::model::system::{Body, System};
 use crate::separation::load::Ring;
 use crate::separation::machine::Separator;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
 use crate::study::duty::task::{Task, needed};
 use crate::study::limits::Limits;
-use laval_num::complex::C64;
+use laval_num::complex::{C64, c};
 
 /// Names of the requirements, in the order they are shown.
 pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
@@ -285,11 +285,9 @@ impl Judge<'_> {
         }
         let mut all = Vec::new();
         for (k, b) in system.bodies().iter().enumerate() {
-            let n = |p: &str| system.param(&format!("{}.{p}", b.name)).and_then(|i| system.params().get(*i.first()?).copied());
-            let (Some(mass), Some(e)) = (n("mass"), n("eccentricity")) else { continue };
-            let size = e + n("unbalance").unwrap_or(0.0) / mass;
-            if size > 0.0 {
-                let e = C64::cis(n("eccentricity_phase").unwrap_or(0.0)).scale(size);
+            let e = eccentricity(system, b);
+            let size = e.abs();
+            if size > 0.0 && size.is_finite() {
                 all.extend(met.iter().map(|s| (1.0 - (s.forward[k] + e).abs() / size / c0, format!("centre of mass of {}", b.name))));
             }
         }
@@ -303,6 +301,25 @@ fn worst_growth(judged: &[&State], states: &[State]) -> f64 {
         Some(g) => g,
         None => states.iter().filter(|s| !s.stable).map(|s| s.growth).reduce(f64::min).unwrap_or(f64::NAN),
     }
+}
+
+/// Where the centre of mass of a body lies in rotor axes, from the force with which it turns and its inertia, m.
+fn eccentricity(system: &System, body: &Body) -> C64 {
+    use crate::model::part::{At, Rows};
+    const SPEED: f64 = 100.0;
+    let (n, m) = (system.n(), system.m());
+    let (zero, z) = (vec![0.0; n], vec![0.0; m]);
+    let row = |speed: f64, a: &[f64]| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let at = At { q: &zero, v: &zero, a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut Default::default(), |s| s.name == body.name);
+        c(force[body.x], force[body.x + 1])
+    };
+    let mut one = zero.clone();
+    one[body.x] = 1.0;
+    let (still, turning, carried) = (row(0.0, &zero), row(SPEED, &zero), row(0.0, &one));
+    (still - turning).scale(1.0 / (SPEED * SPEED * (carried.re - still.re)))
 }
 
 /// Moment of inertia about the spin axis, from the spin row, kg m^2.
