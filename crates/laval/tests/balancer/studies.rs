@@ -136,6 +136,10 @@ fn bad_machines_are_told() {
         ("balls = 2", "balls = 0", "balls"),
         ("balls = 2", "mass_ratios = [1, 2, 3]", "3 mass ratios are given for 2 balls"),
         ("balls = 2", "tracks = { balls = [2, 1.5] }", "a track has 1.5 balls"),
+        // balls on several tracks are counted on the tracks; a number beside them is their sum
+        ("balls = 2", "balls = 2\ntracks = { balls = [3, 2] }", "balls = 2, and the tracks have 3 + 2 = 5"),
+        ("balls = 2", "balls = 5\ntracks = { balls = [3, 2] }", ""),
+        ("balls = 2", "mass_ratios = [1, 2]\ntracks = { balls = [3, 2] }", "2 mass ratios are given for 5 balls on 2 tracks"),
         ("balls = 2", "rings = \"free\"", "free ring needs inertia"),
         ("balls = 2", "contact_stiffness = 1e3", "give ball_radius"),
         ("balls = 2", "polar_inertia = 1", "no ring has a polar inertia"),

@@ -35,6 +35,7 @@
 
 mod inertia;
 mod laws;
+mod moment;
 #[cfg(test)]
 mod tests;
 mod tilt;
@@ -215,24 +216,6 @@ impl BallBalancer {
             }
         }
     }
-    /// Largest moment of the balls, sum of m r, kg m.
-    pub fn capacity(&self, p: &BalancerBallParams) -> f64 {
-        let moment = |t: &Track| self.masses[t.balls.clone()].iter().sum::<f64>() * t.radius;
-        p.ball_mass * p.track_radius * self.tracks.iter().map(moment).sum::<f64>()
-    }
-    /// Moment of the balls in the plane, about the ring centre, in rotor axes, kg m.
-    pub fn moment(&self, p: &BalancerBallParams, at: &At<f64>) -> Complex<f64> {
-        let mut sum = Complex::zero();
-        for (k, track) in self.tracks.iter().enumerate() {
-            let ring = self.ring(p, at, k);
-            for i in track.balls.clone() {
-                let (s, co) = at.q[self.row(i)].sin_cos();
-                let u = Complex { re: co, im: ring.cos * s } * ring.line;
-                sum += u.scale(p.ball_mass * self.masses[i] * ring.radius);
-            }
-        }
-        sum
-    }
 }
 
 /// The unit vector in a direction, rad.
@@ -243,8 +226,11 @@ fn direction<S: Scalar>(angle: S) -> Complex<S> {
 
 /// Names of what is shown of ball or ring `k`.
 fn named(what: usize, k: usize) -> &'static str {
-    static NAMES: OnceLock<Vec<[&'static str; 3]>> = OnceLock::new();
-    let make = |k: usize| [format!("ball {k} angle, wrapped"), format!("ball {k} slip"), format!("tilt {k}")].map(|s| &*s.leak());
+    static NAMES: OnceLock<Vec<[&'static str; 4]>> = OnceLock::new();
+    let make = |k: usize| {
+        let moment = format!("moment of the balls on track {k}");
+        [format!("ball {k} angle, wrapped"), format!("ball {k} slip"), format!("tilt {k}"), moment].map(|s| &*s.leak())
+    };
     NAMES.get_or_init(|| (1..=MOST).map(make).collect())[k.min(MOST - 1)][what]
 }
 
@@ -254,7 +240,7 @@ fn wrapped(angle: f64) -> f64 {
 }
 
 const TRACKS: &[(&str, &str, bool, &str)] = &[
-    ("balls", "", true, "number of balls"),
+    ("balls", "", true, "number of balls on each track"),
     ("radius", "", false, "radius over track_radius"),
     ("tilt", "rad", false, "tilt in addition to tilt"),
     ("node_line", "rad", false, "node line in addition to node_line"),
@@ -279,14 +265,20 @@ body_tilt = false                   # the drum moves in its plane
             "balls",
             FieldKind::Integer { min: 1, max: MOST as i64 },
             "2",
-            "number of balls on the one track, unless there are several tracks",
+            "number of balls on the one track; with tracks, which say how many each has, leave it out or give their sum",
         ),
-        Field::optional("tracks", FieldKind::Columns(TRACKS), "", "several tracks about one centre, one row each"),
+        Field::optional(
+            "tracks",
+            FieldKind::Columns(TRACKS),
+            "",
+            "several tracks about one centre, one entry of each column for each track; { balls = [3, 2] } is three balls on the first and two on the second, \
+                numbered through: ball_1 to ball_3 run on the first, ball_4 and ball_5 on the second",
+        ),
         Field::optional(
             "mass_ratios",
             FieldKind::List { unit: "", bounds: Bounds::positive(1e6) },
             "",
-            "mass of each ball over ball_mass, track by track, when they are unequal",
+            "mass of each ball over ball_mass in the order of their numbers, track by track, when they are unequal",
         ),
         Field::optional(
             "rings",
@@ -331,6 +323,12 @@ body_tilt = false                   # the drum moves in its plane
                 if (0..counts.len()).any(|k| !(entry("tilt", k, 0.0).abs() <= 1.5 && entry("node_line", k, 0.0).abs() <= 1e3)) {
                     refuse("tracks", "a track is tilted by more than 1.5 rad".into(), "tilt is in addition to that of the balancer");
                 }
+                let all = counts.iter().sum::<f64>();
+                if let Some(n) = values.integer("balls").filter(|n| *n as f64 != all) {
+                    let each = counts.iter().map(|n| format!("{n}")).collect::<Vec<_>>().join(" + ");
+                    let help = "balls is the number on all tracks together; leave it out, the tracks say how many each has";
+                    refuse("balls", format!("balls = {n}, and the tracks have {each} = {all}"), help);
+                }
                 (0..counts.len()).fold(one, |part, k| {
                     part.track(counts[k] as usize, entry("radius", k, 1.0), entry("tilt", k, 0.0), entry("node_line", k, 0.0))
                 })
@@ -338,7 +336,8 @@ body_tilt = false                   # the drum moves in its plane
         };
         if let Some(ratios) = values.list("mass_ratios") {
             if ratios.len() != part.masses.len() {
-                let message = format!("{} mass ratios are given for {} balls", ratios.len(), part.masses.len());
+                let on = if part.tracks.len() > 1 { format!(" on {} tracks", part.tracks.len()) } else { String::new() };
+                let message = format!("{} mass ratios are given for {} balls{on}", ratios.len(), part.masses.len());
                 refuse("mass_ratios", message, "one ratio for each ball, track by track");
             }
             part = part.masses(ratios);
@@ -429,6 +428,9 @@ body_tilt = false                   # the drum moves in its plane
         let centre = Complex::cis(at.phase) * Self::centre(p);
         out.push(Observed { name: "ring centre", unit: "m", value: (at.q[0] + centre.re).hypot(at.q[1] + centre.im) });
         out.push(Observed { name: "moment of the balls", unit: "kg m", value: self.moment(p, at).abs() });
+        for k in (0..self.tracks.len()).filter(|_| self.tracks.len() > 1) {
+            out.push(Observed { name: named(3, k), unit: "kg m", value: self.moment_of(p, at, k).abs() });
+        }
     }
 
     fn validity(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
