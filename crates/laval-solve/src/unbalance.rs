@@ -28,10 +28,15 @@ pub struct Unbalance {
     pub contact: f64,
 }
 
+/// Share of what goes into it below which a difference is rounding.
+const ROUNDING: f64 = 1e-12;
+
 impl Unbalance {
-    /// Without the movable masses, kg m.
+    /// Without the movable masses, kg m; zero where it is rounding beside what the masses have.
     pub fn without(&self) -> f64 {
-        (self.moment - self.correction).abs()
+        let own = (self.moment - self.correction).abs();
+        let size = self.moment.abs() + self.correction.abs() + self.capacity;
+        if own <= ROUNDING * size { 0.0 } else { own }
     }
     /// Grade number of an unbalance (kg m) at a speed (rad/s), m/s.
     pub fn grade(&self, unbalance: f64, speed: f64) -> f64 {

@@ -3,6 +3,7 @@
 //!
 //! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is told instead.
 
+pub mod along;
 mod continuum;
 mod found;
 mod grip;
@@ -349,11 +350,15 @@ impl<'a> Search<'a> {
                 points.push(next);
                 continue;
             };
-            let turns: Vec<_> = branch.specials.iter().filter(|s| s.after + 1 == i && s.kind != Kind::Corner).collect();
+            let within = |k: Kind| branch.specials.iter().filter(move |s| s.after + 1 == i && s.kind == k);
+            // where the parameter has its extremum at a branch point the two are one
+            let crossed = within(Kind::BranchPoint).count() > 0;
+            let turns: Vec<_> =
+                within(Kind::Fold).chain(within(Kind::BranchPoint)).chain(within(Kind::ParameterExtremum).filter(|_| !crossed)).collect();
             let growing = (last.stability.growing, next.stability.growing);
             for s in &turns {
                 let change = if s.kind == Kind::Fold { Change::Fold } else { Change::BranchPoint };
-                let bracket = (s.bracket[0].p.min(s.bracket[1].p), s.bracket[0].p.max(s.bracket[1].p));
+                let bracket = s.range();
                 let located = s.status != laval_num::continuation::Status::Bracketed;
                 let state = State { branch: k, speed: s.point.p, x: s.point.x.clone(), error: s.point.error };
                 let place = s.point.s.clamp(last.s, next.s);
@@ -380,7 +385,7 @@ impl<'a> Search<'a> {
     }
 
     /// The state of a branch at a speed between two of its points that do not turn back.
-    fn between(&mut self, a: &Sample, b: &Sample, speed: f64) -> Option<Sample> {
+    pub fn between(&mut self, a: &Sample, b: &Sample, speed: f64) -> Option<Sample> {
         let share = (speed - a.state.speed) / (b.state.speed - a.state.speed);
         let mut x: Vec<f64> = a.state.x.iter().zip(&b.state.x).map(|(p, q)| p + share * (q - p)).collect();
         let from = x.clone();

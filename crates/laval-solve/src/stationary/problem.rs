@@ -31,6 +31,8 @@ pub struct Stationary<'a> {
     pub load: Vec<(usize, f64)>,
     cancel: &'a AtomicBool,
     params: Vec<D1>,
+    /// 1 where the parameter of the family is the speed, 0 where it is another.
+    by_speed: f64,
     /// Global indices of the states among the unknowns: those of linear parts, then those of nonlinear ones.
     states: Vec<usize>,
     linear_states: usize,
@@ -58,6 +60,7 @@ impl<'a> Stationary<'a> {
             params: system.params().iter().map(|&x| Dual::lift(x)).collect(),
             system,
             load: Vec::new(),
+            by_speed: 1.0,
             speed_scale,
             cancel,
             states,
@@ -72,6 +75,15 @@ impl<'a> Stationary<'a> {
         }
     }
 
+    /// With the derivative of these parameters, changed together, in place of that of the speed.
+    pub fn varying(mut self, parameters: &[usize]) -> Self {
+        self.by_speed = 0.0;
+        for (i, p) in self.params.iter_mut().enumerate() {
+            p.eps = [if parameters.contains(&i) { 1.0 } else { 0.0 }];
+        }
+        self
+    }
+
     /// The state as an equilibrium in turning axes.
     pub fn equilibrium(&self, x: &[f64], speed: f64) -> Equilibrium {
         let n = self.system.n();
@@ -83,15 +95,15 @@ impl<'a> Stationary<'a> {
         out
     }
 
-    /// Residual of the linear parts, its derivatives in x and W.
+    /// Residual of the linear parts, its derivatives in x and W (or what [varies](Self::varying)).
     fn linear(&mut self, x: &[f64], speed: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) {
         let (n, size) = (self.system.n(), x.len());
-        self.system.linear(&self.params, Dual { re: speed, eps: [1.0] }, Form::Frequency, &mut self.model, &mut self.scratch);
+        self.system.linear(&self.params, Dual { re: speed, eps: [self.by_speed] }, Form::Frequency, &mut self.model, &mut self.scratch);
         let held = n + self.linear_states;
         let (mut value, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
         for kind in [Sector::Axial, Sector::Forward, Sector::Backward] {
             let k = kind.winding();
-            let s = c(Dual { re: 0.0, eps: [0.0] }, Dual { re: k * speed, eps: [k] });
+            let s = c(Dual { re: 0.0, eps: [0.0] }, Dual { re: k * speed, eps: [k * self.by_speed] });
             self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
             let (mut v, mut d) = (Mat::zeros(size, size), Mat::zeros(size, size));
             for i in 0..held {
@@ -139,7 +151,8 @@ impl<'a> Stationary<'a> {
         let at = self.equilibrium(x, speed);
         let jq = self.coordinates.quarter_turn(&at.q);
         let jjq = self.coordinates.quarter_turn(&jq);
-        let dual = |re: f64, eps: f64| Dual { re, eps: [eps] };
+        let by_speed = self.by_speed;
+        let dual = |re: f64, eps: f64| Dual { re, eps: [eps * by_speed] };
         let q: Vec<D1> = at.q.iter().map(|&x| dual(x, 0.0)).collect();
         let v: Vec<D1> = jq.iter().map(|&x| dual(speed * x, x)).collect();
         let a: Vec<D1> = jjq.iter().map(|&x| dual(speed * speed * x, 2.0 * speed * x)).collect();
@@ -162,7 +175,7 @@ impl<'a> Stationary<'a> {
                 out[i] += force[i].eps[0];
             }
             for (k, &s) in own.iter().enumerate() {
-                out[held + k] += turned[s] - rate[s].eps[0];
+                out[held + k] += self.by_speed * turned[s] - rate[s].eps[0];
             }
         }
         let Some(jac) = jac else { return };

@@ -12,7 +12,6 @@ mod drive;
 pub mod duty;
 pub mod forced_response;
 mod free_motion;
-mod growing;
 mod history;
 pub mod limit_cycles;
 pub mod limits;
@@ -32,7 +31,6 @@ pub mod sensitivity;
 pub mod separation;
 mod settled;
 mod spectra;
-pub mod speed_range;
 pub mod stability_map;
 mod start;
 pub mod stationary;
@@ -184,8 +182,6 @@ pub trait Study: Send + Sync + Sized + 'static {
     const EXAMPLE: &'static str = "";
     /// What may be said of it.
     const FIELDS: &'static [Field];
-    /// It rests on the motion of the machine at its spin speeds, and so on parts that are known at some speeds only.
-    const TURNS: bool = true;
 
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
@@ -306,9 +302,6 @@ pub fn blocks() -> Vec<BlockKind> {
 pub fn kind<T: Study>() -> StudyKind {
     StudyKind {
         info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec() },
-        build: |values, system, diagnostics| {
-            let study = T::build(values, system, diagnostics)?;
-            Some(Box::new(speed_range::Ranged::new(study, values, system)) as Box<dyn ErasedStudy>)
-        },
+        build: |values, system, diagnostics| T::build(values, system, diagnostics).map(|s| Box::new(s) as Box<dyn ErasedStudy>),
     }
 }

@@ -106,7 +106,7 @@ fn motions_told_early_end_there() {
     let finding = o.findings.iter().find(|f| f.id == "recognition").unwrap();
     println!("{} of 196 differ: {wrong:?}", wrong.len());
     assert!(finding.value.unwrap() > 0.9 * early.len() as f64, "{}", finding.sentence());
-    assert!(finding.evidence.iter().any(|e| e.what == "told wrongly" && e.value <= 2.0), "{finding:?}");
+    assert!(finding.evidence.iter().any(|e| e.what == "concluded wrongly" && e.value <= 2.0), "{finding:?}");
     assert!(wrong.len() <= 2, "{wrong:?}");
     for k in wrong {
         assert!(at_a_border(&early, 66, same(k), false), "{k}: {} {}", early[same(k)], full[k]);

@@ -9,5 +9,6 @@ mod run_up;
 mod stationary;
 mod stationary_file;
 mod stationary_grip;
+mod stationary_limits;
 mod stationary_machines;
 mod studies;

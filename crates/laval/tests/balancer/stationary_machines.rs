@@ -395,7 +395,11 @@ fn errors_of_the_ring_cost_what_the_closed_form_says() {
     assert_eq!(costs.len(), 2);
     assert_eq!(costs[0].value.unwrap(), left[8]);
     // r sin^2 of the tilt reaches 250 um: the balls are locked, and the study says from where on
-    assert!(costs[1].level == Level::Warning && evidence(costs[1], "no stable state balances from") > 0.0, "{:?}", costs[1]);
+    assert!(
+        costs[1].level == Level::Warning && evidence(costs[1], "first value at which no stable state balances") > 0.0,
+        "{:?}",
+        costs[1]
+    );
 }
 
 params! {

@@ -2,21 +2,18 @@
 
 use super::classify::{Class, Scale, Seen};
 use super::continua::{Continua, continua};
-use super::least::judge;
-use super::{Context, alone, changed, listed, spread, wide};
+use super::follow::{Follower, Why};
+use super::{Context, changed, listed, spread, wide};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
-use crate::solve::stationary::{Change, Found, Request, Search};
+use crate::solve::stationary::{Change, Found, Request, Search, State};
 use crate::study::support::larger;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Seed speeds of a row: neighbouring rows see what one would miss.
 const SEEDS: usize = 3;
-
-/// Halvings of the step between two rows in which the boundary lies.
-const HALVINGS: usize = 30;
 
 /// What may be the case at a cell.
 pub const WORDS: &[&str] = &["balanced only", "balanced or not", "not balanced", "none stable"];
@@ -36,8 +33,9 @@ pub struct Cell {
     x: Option<Vec<f64>>,
     /// Stable states; a continuum counts once.
     pub stable: usize,
-    /// One of them balances.
+    /// One of them balances, and one does not.
     pub balances: bool,
+    pub other: bool,
     /// Largest unbalance of a stable state over that without the movable masses; NaN where none is stable.
     pub share: f64,
 }
@@ -45,12 +43,34 @@ pub struct Cell {
 impl Cell {
     /// One of [`WORDS`].
     pub fn word(&self) -> &'static str {
-        WORDS[match (self.balances, self.stable) {
-            (_, 0) => 3,
-            (true, 1) => 0,
-            (true, _) => 1,
-            _ => 2,
+        WORDS[match (self.balances, self.other) {
+            (true, false) => 0,
+            (true, true) => 1,
+            (false, true) => 2,
+            (false, false) => 3,
         }]
+    }
+}
+
+/// What happens at a point of the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The state vanishes, or meets its mirror image.
+    Exists,
+    /// It goes on, and leaves more than half of the unbalance.
+    Half,
+    /// Its stability changes.
+    Stability,
+}
+
+impl Kind {
+    /// The words in the table.
+    pub fn words(self) -> &'static str {
+        match self {
+            Kind::Exists => "limit of existence",
+            Kind::Half => "half of the unbalance left",
+            Kind::Stability => "stability changes",
+        }
     }
 }
 
@@ -59,8 +79,7 @@ impl Cell {
 pub struct Edge {
     pub speed: f64,
     pub value: f64,
-    /// It ceases to exist there; otherwise its stability changes.
-    pub exists: bool,
+    pub kind: Kind,
     /// Frequency of the root that crosses, rad/s in turning axes; NaN for limits of existence and continua.
     pub frequency: f64,
 }
@@ -95,8 +114,18 @@ fn row(
     let mut cells = Vec::new();
     for &speed in speeds {
         let rows = listed(system, &mut search, &found, speed)?;
-        let mut cell =
-            Cell { speed, value, growth: f64::NAN, class: None, calm: false, x: None, stable: 0, balances: false, share: f64::NAN };
+        let mut cell = Cell {
+            speed,
+            value,
+            growth: f64::NAN,
+            class: None,
+            calm: false,
+            x: None,
+            stable: 0,
+            balances: false,
+            other: false,
+            share: f64::NAN,
+        };
         let own = rows.iter().map(|r| (r.class, r.stability.growth(), r.stable(), r.seen.share().unwrap_or(f64::NAN), Some(&r.state.x)));
         let sheets = loose.sheets.iter().filter(|s| s.speed == speed).map(|s| (s.class, s.growth.0, s.stable > 0, s.share, None));
         for (class, growth, stable, share, x) in own.chain(sheets) {
@@ -106,6 +135,7 @@ fn row(
             if stable {
                 cell.stable += 1;
                 cell.balances |= class.balances();
+                cell.other |= !class.balances();
                 cell.share = if cell.share.is_nan() { share } else { larger(cell.share, share) };
             }
         }
@@ -122,32 +152,50 @@ fn row(
 /// Where the balanced state begins, ends or changes its stability along a row.
 fn edges(system: &System, value: f64, search: &mut Search, found: &Found, loose: &Continua) -> Vec<Edge> {
     let mut out: Vec<Edge> = Vec::new();
-    for l in found.paths.iter().flat_map(|p| &p.special).filter(|l| l.located) {
-        let exists = matches!(l.change, Change::Fold | Change::BranchPoint);
-        if !exists && l.growing.0.min(l.growing.1) > 0 {
-            continue;
-        }
-        let scale = Scale::at(system, search, l.state.speed);
-        if !Seen::of(system, search, &l.state).class(&scale).balances() {
-            continue;
-        }
-        let frequency = if exists { f64::NAN } else { l.frequency };
-        let near = |e: &Edge| e.exists == exists && (e.speed - l.state.speed).abs() <= 1e-9 * e.speed.abs();
-        if !out.iter().any(near) {
-            out.push(Edge { speed: l.state.speed, value, exists, frequency });
+    let mut balances = |state: &State| {
+        let scale = Scale::at(system, search, state.speed);
+        Seen::of(system, search, state).class(&scale).balances()
+    };
+    for path in &found.paths {
+        for l in path.special.iter().filter(|l| l.located) {
+            let steady = l.growing.0.min(l.growing.1) == 0 && l.growing.0 != l.growing.1;
+            let kind = match l.change {
+                Change::Hopf | Change::Real if steady => Kind::Stability,
+                Change::Hopf | Change::Real => continue,
+                Change::Fold | Change::BranchPoint => {
+                    let near = [path.points.iter().rfind(|p| p.s < l.s), path.points.iter().find(|p| p.s > l.s)];
+                    let sides = near.map(|p| p.map(|p| (p.state.speed > l.state.speed, balances(&p.state))));
+                    match sides {
+                        // the state goes on beyond the place where another branch crosses it
+                        [Some((a, true)), Some((b, true))] if a != b && steady => Kind::Stability,
+                        [Some((a, true)), Some((b, true))] if a != b => continue,
+                        [Some((_, true)), _] | [_, Some((_, true))] => Kind::Exists,
+                        _ => continue,
+                    }
+                }
+            };
+            if !balances(&l.state) {
+                continue;
+            }
+            let frequency = if matches!(l.change, Change::Hopf | Change::Real) { l.frequency } else { f64::NAN };
+            let near = |e: &Edge| e.kind == kind && (e.speed - l.state.speed).abs() <= 1e-9 * e.speed.abs();
+            if !out.iter().any(near) {
+                out.push(Edge { speed: l.state.speed, value, kind, frequency });
+            }
         }
     }
     let (first, last) = search.range();
     for s in loose.spans.iter().filter(|s| s.class.balances()) {
         for speed in [s.from, s.to].into_iter().filter(|w| *w > first && *w < last) {
-            out.push(Edge { speed, value, exists: !s.stable, frequency: f64::NAN });
+            out.push(Edge { speed, value, kind: if s.stable { Kind::Stability } else { Kind::Exists }, frequency: f64::NAN });
         }
     }
     out.sort_by(|a, b| a.speed.total_cmp(&b.speed));
     out
 }
 
-/// The boundary between neighbouring rows, where the balanced state exists on one side only or is stable on one side only, at each speed.
+/// The boundary between neighbouring rows, where the balanced state exists on one side only or is stable on one side only, at each speed: the state is
+/// followed from the one value to the other.
 fn across(system: &System, path: &str, rows: &[(Vec<Cell>, Vec<Edge>, bool)], request: &Request, context: &Context) -> Vec<Edge> {
     let count = rows.iter().map(|r| r.0.len()).min().unwrap_or(0);
     let place = |j: usize| {
@@ -158,24 +206,29 @@ fn across(system: &System, path: &str, rows: &[(Vec<Cell>, Vec<Edge>, bool)], re
             // from a side on which there is an isolated state
             let (from, to) = if a.x.is_some() { (a, b) } else { (b, a) };
             let Some(x) = from.x.as_ref().filter(|_| status(a) != status(b)) else { continue };
-            let exists = to.class.is_none();
-            if !exists && to.x.is_none() {
+            if to.class.is_some() && to.x.is_none() {
                 continue;
             }
-            let own = alone(request, from.speed);
-            let (mut yes, mut no) = (from.value, to.value);
-            for _ in 0..HALVINGS {
-                if context.cancelled() {
-                    return out;
-                }
-                let middle = 0.5 * (yes + no);
-                let Ok(machine) = changed(system, path, middle) else { break };
-                let mut search = Search::new(&machine, &own, context.cancel);
-                let found = judge(&machine, &mut search, x, from.speed).filter(|f| f.class.balances());
-                let same = if exists { found.is_some() } else { found.is_some_and(|f| f.stable == from.calm) };
-                if same { yes = middle } else { no = middle }
+            if context.cancelled() {
+                return out;
             }
-            out.push(Edge { speed: from.speed, value: yes, exists, frequency: f64::NAN });
+            let range = RangeValue { from: a.value.min(b.value), to: a.value.max(b.value), points: None };
+            let Ok(mut follower) = Follower::between(system, path, &range, from.speed, request, context.cancel) else { continue };
+            let reach = follower.reach(x, from.value, to.value > from.value);
+            let mut edge = |value: f64, kind: Kind, frequency: f64| out.push(Edge { speed: from.speed, value, kind, frequency });
+            match reach.limit {
+                Some(l) if l.why == Why::Exists && l.located => edge(l.value, Kind::Exists, f64::NAN),
+                Some(l) if l.why == Why::Half => edge(l.value, Kind::Half, f64::NAN),
+                Some(_) => {}
+                None => {
+                    let ends = [from.value, to.value].map(|v| Some((v, follower.at(&reach, v)?.growth)));
+                    if let [Some(p), Some(q)] = ends
+                        && let Some((value, frequency)) = follower.change(&reach, [p, q])
+                    {
+                        edge(value, Kind::Stability, frequency);
+                    }
+                }
+            }
         }
         out
     };

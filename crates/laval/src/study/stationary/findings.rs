@@ -2,12 +2,14 @@
 
 use super::classify::Class;
 use super::errors::Errors;
+use super::follow::Why;
 use super::least::Least;
-use super::ranges::{Range, existing, harmful, rest, union};
+use super::ranges::{Harm, Range, existing, rest, union};
 use super::report::{Report, Told};
-use super::{Row, Varied, unit_of};
+use super::{Varied, unit_of};
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::stationary::Found;
+use crate::solve::unbalance::Unbalance;
 use crate::study::support::larger;
 use laval_num::continuation::End;
 
@@ -87,7 +89,9 @@ impl Report<'_> {
                         speed(s.from)
                     )
                 }
-                true => format!("Of the continuum of states that are {kind} some are stable from {} to {{}}.", speed(s.from)),
+                true => {
+                    format!("Of the samples of the continuum of states that are {kind} some are stable from {} to {{}}.", speed(s.from))
+                }
             };
             let id = match (s.stable, s.class.balances()) {
                 (false, _) => "continuum",
@@ -123,7 +127,7 @@ impl Report<'_> {
         }
         let gaps = rest(self.range, &self.covered(told, false), GAP * (self.range.1 - self.range.0));
         let movable = !self.found.images.angles.is_empty();
-        let why = if movable { "the movable masses slip, the machine whirls, or the starts met none" } else { "the machine whirls" };
+        let why = if movable { "the movable masses slip, the machine whirls, or no start led to one" } else { "the machine whirls" };
         let say = |(from, to): (f64, f64)| {
             let text = format!("No stable state was found from {} to {{}}: {why}.", speed(from));
             Finding::warning("no_stable_state", text)
@@ -145,7 +149,7 @@ impl Report<'_> {
         let seen = told.points.iter().filter_map(|p| Some((p, p.seen.unbalance?)));
         let spans = self.continua.spans.iter().filter(|s| s.class.balances()).map(|s| (s.from, s.to));
         let width = self.range.1 - self.range.0;
-        let exist = union(existing(&told.points).into_iter().chain(spans).collect(), GAP * width);
+        let exist = union(existing(self.found, &told.points).into_iter().chain(spans).collect(), GAP * width);
         for (from, to) in rest(self.range, &exist, GAP * width).into_iter().filter(|(from, to)| speed(*from) != speed(*to)) {
             // at the edge of existence the masses stand together or have nothing left
             let near = |w: f64| (w - from).abs().min((w - to).abs());
@@ -153,7 +157,7 @@ impl Report<'_> {
             let share = edge.map(|(_, u)| u.correction.abs() / u.capacity).filter(|s| s.is_finite());
             let used = share.is_some_and(|s| s > USED_UP);
             let why = if used { ": the masses would need a larger moment than they have" } else { "" };
-            let finding = Finding::warning("not_balanced", format!("No state balances from {} to {{}}{why}.", speed(from)))
+            let finding = Finding::warning("not_balanced", format!("No state that balances was found from {} to {{}}{why}.", speed(from)))
                 .of(format!("from {}", significant(from, 6)))
                 .value(to, "rad/s")
                 .evidence("from", from, "rad/s");
@@ -165,26 +169,26 @@ impl Report<'_> {
     }
 
     fn harm(&self, told: &Told) -> Vec<Finding> {
-        let mut out = Vec::new();
-        for r in &told.ranges {
-            for (from, to, most) in harmful(&told.points, r) {
-                let text = format!(
-                    "The masses do harm from {} to {}: where branch {} ({}) is stable they leave up to {{}} times the unbalance without them.",
-                    speed(from),
-                    speed(to),
-                    r.path + 1,
-                    r.class.words()
-                );
-                out.push(
-                    Finding::warning("harm", text)
-                        .of(format!("branch {} from {}", r.path + 1, significant(from, 6)))
-                        .value(most, "")
-                        .evidence("from", from, "rad/s")
-                        .evidence("to", to, "rad/s"),
-                );
-            }
-        }
-        out
+        let say = |(k, h): &(usize, Harm)| {
+            let r = &told.ranges[*k];
+            let (branch, class) = (r.path + 1, r.class.words());
+            let ends = format!("{} to {}", speed(h.from), speed(h.to));
+            let text = if h.relative {
+                format!(
+                    "The masses increase the unbalance from {ends}: stable states of branch {branch} ({class}) leave up to {{}} times that without them."
+                )
+            } else {
+                format!(
+                    "The masses unbalance the rotor from {ends}: stable states of branch {branch} ({class}) leave up to {{}}, and nothing is out of balance without them."
+                )
+            };
+            Finding::warning("harm", text)
+                .of(format!("branch {branch} from {}", significant(h.from, 6)))
+                .value(h.most, if h.relative { "" } else { "kg m" })
+                .evidence("from", h.from, "rad/s")
+                .evidence("to", h.to, "rad/s")
+        };
+        told.harm.iter().map(say).collect()
     }
 
     /// Speeds of the table at which the balanced state is stable and another is, too.
@@ -217,20 +221,26 @@ impl Report<'_> {
     /// What is stable at the operating speed, the best state first.
     fn operating(&self) -> Option<Finding> {
         let w = self.operating;
-        let nearest = self.rows.iter().map(|r| r.state.speed).min_by(|a, b| (a - w).abs().total_cmp(&(b - w).abs()))?;
-        let stable = || self.rows.iter().filter(|r| r.state.speed == nearest && r.stable());
-        let left = |r: &&Row| r.seen.unbalance.map_or(f64::NAN, |u| u.moment.abs());
-        let best = stable().min_by(|a, b| left(a).total_cmp(&left(b)))?;
-        let u = best.seen.unbalance.filter(|u| u.moment.abs().is_finite() && u.without().is_finite())?;
-        let share = best
-            .seen
-            .share()
-            .filter(|s| *s > NOTHING)
-            .map_or(String::new(), |s| format!(", {} times that without the masses", significant(s, 3)));
-        let text = format!("At {} the best stable state ({}) leaves an unbalance of {{}}{share}.", speed(nearest), best.class.words());
-        let worst = stable().map(|r| left(&r)).fold(u.moment.abs(), larger);
+        let speeds = self.rows.iter().map(|r| r.state.speed).chain(self.continua.sheets.iter().map(|s| s.speed));
+        let nearest = speeds.min_by(|a, b| (a - w).abs().total_cmp(&(b - w).abs()))?;
+        let alone = self.rows.iter().filter(|r| r.state.speed == nearest && r.stable());
+        let alone = alone.filter_map(|r| Some((r.class, r.seen.unbalance?)));
+        let sheets = self.continua.sheets.iter().filter(|s| s.speed == nearest && s.stable > 0);
+        let all: Vec<(Class, Unbalance)> = alone.chain(sheets.filter_map(|s| Some((s.class, s.unbalance?)))).collect();
+        let (class, u) = *all.iter().min_by(|a, b| a.1.moment.abs().total_cmp(&b.1.moment.abs()))?;
+        if !(u.moment.abs().is_finite() && u.without().is_finite()) {
+            return None;
+        }
+        let left = left_of(u.moment.abs(), u.without());
+        let share = match u.without() {
+            0.0 => "; nothing is out of balance without the masses".to_string(),
+            without if left > 0.0 => format!(", {} times that without the masses", significant(left / without, 3)),
+            _ => String::new(),
+        };
+        let text = format!("At {} the best stable state found ({}) leaves an unbalance of {{}}{share}.", speed(nearest), class.words());
+        let worst = all.iter().map(|x| x.1.moment.abs()).fold(u.moment.abs(), larger);
         let finding = Finding::info("residual_unbalance", text)
-            .value(left_of(u.moment.abs(), u.without()), "kg m")
+            .value(left, "kg m")
             .evidence("speed", nearest, "rad/s")
             .evidence("without the masses", u.without(), "kg m")
             .evidence("capacity", u.capacity, "kg m");
@@ -244,40 +254,84 @@ impl Report<'_> {
 
     fn stabilised(&self, least: &Least, asked: &Varied) -> Finding {
         let unit = unit_of(self.system, &asked.path);
-        let at = speed(asked.speed);
-        let (lo, hi) = (quantity(asked.range.from, unit), quantity(asked.range.to, unit));
+        let (at, path) = (speed(asked.speed), &asked.path);
+        let value = |x: f64| quantity(x, unit);
+        let ends = format!("between {} and {}", value(asked.range.from), value(asked.range.to));
         let Some(class) = least.class else {
-            let text = format!("There is no state at {at} that balances, whatever {} between {lo} and {hi}.", asked.path);
-            return Finding::warning("least", text).of(&asked.path);
+            let text = format!(
+                "At {at} no state that balances was found at the {} values of {path} {ends} at which states were sought.",
+                least.sought
+            );
+            return Finding::warning("least", text).of(path).evidence("values at which states were sought", least.sought as f64, "");
         };
         let state = if least.loose {
             format!("one state of the continuum that is {}", class.words())
         } else {
             format!("the state that is {}", class.words())
         };
-        match least.edges.iter().find(|e| e.gains) {
-            Some(e) => {
-                let text = format!("At {at} {state} becomes stable when {} rises above {{}}.", asked.path);
-                let finding = Finding::info("least", text).of(&asked.path).value(e.value, unit);
-                if e.frequency.is_finite() {
-                    finding.evidence("frequency of the root in turning axes", e.frequency, "rad/s")
-                } else {
-                    finding
-                }
+        let limit_at = |x: f64| least.limits.iter().flatten().find(|l| l.value == x);
+        // where it is followed no farther, and why
+        let why = |x: f64| match limit_at(x).map(|l| l.why) {
+            Some(Why::Exists) => ", where it ends",
+            Some(Why::Half) => ", where it leaves half of the unbalance",
+            Some(Why::Lost) => ", as far as it was followed",
+            None => "",
+        };
+        let known: Vec<f64> = least.growth.iter().map(|g| g.1).filter(|g| g.is_finite()).collect();
+        let (low, high) = (least.limits[0].map(|l| l.value), least.limits[1].map(|l| l.value));
+        let exists = |x: f64| limit_at(x).is_some_and(|l| l.why == Why::Exists);
+        let reach = match (low, high) {
+            (None, None) => String::new(),
+            (Some(a), None) if exists(a) => format!(" It exists from {} on.", value(a)),
+            (None, Some(b)) if exists(b) => format!(" It exists up to {}.", value(b)),
+            (Some(a), Some(b)) if exists(a) && exists(b) => format!(" It exists from {} to {}.", value(a), value(b)),
+            (a, b) => {
+                let from = a.map_or(String::new(), |a| format!(" from {}{}", value(a), why(a)));
+                let to = b.map_or(String::new(), |b| format!(" to {}{}", value(b), why(b)));
+                format!(" It was followed{from}{to}.")
             }
-            None => {
-                let stable = least.growth.iter().all(|g| g.1 <= 0.0);
-                let lost = least.edges.first();
-                let text = match lost {
-                    _ if stable => format!("At {at} {state} is stable for every {} between {lo} and {hi}.", asked.path),
-                    Some(e) => format!("At {at} {state} is stable until {} rises above {}.", asked.path, quantity(e.value, unit)),
-                    None => format!("At {at} {state} is nowhere made stable by {} between {lo} and {hi}.", asked.path),
-                };
-                let worst = least.growth.iter().map(|g| g.1).filter(|g| g.is_finite()).reduce(f64::max);
-                let finding = if stable || lost.is_some() { Finding::info("least", text) } else { Finding::warning("least", text) };
-                worst.into_iter().fold(finding.of(&asked.path), |f, worst| f.evidence("largest growth rate in the range", worst, "1/s"))
-            }
+        };
+        let gains = |x: f64| least.edges.iter().find(|e| e.gains && e.value == x);
+        let (from, to) = least.stable.first().copied().unwrap_or((f64::NAN, f64::NAN));
+        let whole = |x: f64, end: f64| x == end;
+        let more = match least.stable.len() {
+            0 | 1 => String::new(),
+            n => format!(" It is stable in {n} ranges of {path}."),
+        };
+        let until = if whole(to, asked.range.to) { String::new() } else { format!(" and stays so up to {}{}", value(to), why(to)) };
+        let (text, shown) = if least.stable.is_empty() {
+            (format!("At {at} {state} is unstable at all {} values of {path} {ends} at which it was computed.{reach}", known.len()), None)
+        } else if gains(from).is_some() {
+            (format!("At {at} {state} becomes stable when {path} rises above {{}}{until}.{more}"), Some(from))
+        } else if limit_at(from).is_some() {
+            let first = if limit_at(from).is_some_and(|l| l.why == Why::Exists) { "exists and is stable" } else { "is stable" };
+            let from_where = why(from).replace(", where it ends", "");
+            (format!("At {at} {state} {first} when {path} rises above {{}}{from_where}{until}.{more}"), Some(from))
+        } else if !whole(from, asked.range.from) {
+            (format!("At {at} {state} is stable from {{}} to {} of {path}, as far as it was computed.{more}", value(to)), Some(from))
+        } else if whole(to, asked.range.to) && least.stable.len() == 1 {
+            (format!("At {at} {state} is stable at all {} values of {path} computed {ends}.", known.len()), None)
+        } else {
+            (format!("At {at} {state} is stable until {path} rises above {{}}{}.{more}", why(to)), Some(to))
+        };
+        let make = if least.stable.is_empty() { Finding::warning } else { Finding::info };
+        let mut finding = make("least", text).of(path);
+        if let Some(x) = shown {
+            finding = finding.value(x, unit);
         }
+        if let Some(frequency) = gains(from).map(|e| e.frequency).filter(|f| f.is_finite()) {
+            finding = finding.evidence("frequency of the root in turning axes", frequency, "rad/s");
+        }
+        if let Some(l) = limit_at(from) {
+            finding = finding.evidence("width of the bracket of the limit", l.bracket.1 - l.bracket.0, unit);
+        }
+        let finding = known
+            .iter()
+            .copied()
+            .reduce(f64::max)
+            .into_iter()
+            .fold(finding, |f, worst| f.evidence("largest growth rate in the range", worst, "1/s"));
+        finding.evidence("values computed", known.len() as f64, "")
     }
 
     fn cost(&self, e: &Errors) -> Option<Finding> {
@@ -285,25 +339,35 @@ impl Report<'_> {
         let (first, last) = (e.costs.first()?, e.costs.last()?);
         let (from, to) = (quantity(first.value, unit), quantity(last.value, unit));
         let at = speed(e.asked.speed);
-        if let Some(lost) = e.costs.iter().find(|c| c.stable == 0) {
-            let text = format!("At {at} no state is stable from {path} = {{}} on.");
-            return Some(Finding::warning("cost", text).of(path).value(lost.value, unit));
+        if let Some(lost) = e.costs.iter().position(|c| c.stable == 0) {
+            let none = e.costs.iter().filter(|c| c.stable == 0).count();
+            let onward = e.costs[lost..].iter().all(|c| c.stable == 0);
+            let rest = if onward && none > 1 { format!(" and the {} larger values computed", none - 1) } else { String::new() };
+            let rest = if onward { rest } else { format!(", and at {none} of {} values in all", e.costs.len()) };
+            let text = format!("At {at} no stable state was found at {path} = {{}}{rest}.");
+            let finding = Finding::warning("cost", text).of(path).value(e.costs[lost].value, unit);
+            let before = lost.checked_sub(1).map(|k| e.costs[k].value);
+            return Some(before.into_iter().fold(finding, |f, b| f.evidence("a stable state is there at", b, unit)));
         }
         if !(last.unbalance.0.is_finite() && first.unbalance.0.is_finite()) {
             return None;
         }
         let text = format!(
-            "At {at}, with {path} from {from} to {to}, the best stable state leaves {} to {{}} of unbalance ({} without the masses).",
+            "At {at} the best stable state found leaves an unbalance of {} with {path} = {from}, and of {{}} with {to} ({} without the masses).",
             quantity(left_of(first.unbalance.0, first.without), "kg m"),
             quantity(last.without, "kg m")
         );
+        let most = e.costs.iter().map(|c| c.unbalance.0).fold(f64::NEG_INFINITY, larger);
         let harm = last.unbalance.0 > last.without;
         let make = if harm || !last.balances && first.balances { Finding::warning } else { Finding::info };
-        let more =
-            [("left by the worst stable state at the end", last.unbalance.1, "kg m"), ("grade number at the end", last.grade, "m/s")];
+        let more = [
+            ("left by the worst stable state at the end", last.unbalance.1, "kg m"),
+            ("largest of the values computed", most, "kg m"),
+            ("grade number at the end", last.grade, "m/s"),
+        ];
         let mut finding = backed(make("cost", text).of(path).value(left_of(last.unbalance.0, last.without), "kg m"), &more);
         if let Some(c) = e.costs.iter().find(|c| first.balances && !c.balances) {
-            finding = finding.evidence("no stable state balances from", c.value, unit);
+            finding = finding.evidence("first value at which no stable state balances", c.value, unit);
         }
         Some(finding)
     }
@@ -314,7 +378,7 @@ impl Report<'_> {
         let [only, both, not, none] = super::chart::WORDS else { return None };
         let all = chart.cells.len();
         let text = format!(
-            "Over speed and {}, of {{}} cells {} only balance, {} may balance or not, {} only do not, {} have no stable state.",
+            "Over speed and {}, of {{}} cells {} have stable states that balance only, {} such and others, {} others only; in {} none was found.",
             chart.path,
             count(only),
             count(both),

@@ -16,6 +16,7 @@ mod continua;
 mod errors;
 mod figures;
 mod findings;
+mod follow;
 mod least;
 mod ranges;
 mod report;

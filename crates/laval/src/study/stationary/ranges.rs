@@ -3,14 +3,20 @@
 use super::classify::{Class, HALF, Scale, Seen};
 use super::continua::Span;
 use crate::model::system::System;
+use crate::solve::scalar::root;
 use crate::solve::stationary::{Found, Located, Sample, Search, State};
 
 /// Share of the unbalance without the masses above which they do harm; equal masses opposite each other leave it as it is.
 const HARM: f64 = 1.001;
 
+/// Share of their capacity below which what the masses leave is rounding.
+const NOTHING: f64 = 1e-9;
+
 /// A point of a branch with what it shows.
 pub struct Shown {
     pub path: usize,
+    /// Which of its points.
+    pub sample: usize,
     /// Arclength along the branch.
     pub s: f64,
     pub speed: f64,
@@ -37,7 +43,7 @@ pub struct Range {
 pub fn points(system: &System, search: &mut Search, found: &Found) -> Vec<Shown> {
     let mut out: Vec<Shown> = Vec::new();
     for (path, p) in found.paths.iter().enumerate() {
-        for sample in &p.points {
+        for (k, sample) in p.points.iter().enumerate() {
             let state: &State = &sample.state;
             let scale = Scale::at(system, search, state.speed);
             let seen = Seen::of(system, search, state);
@@ -48,14 +54,24 @@ pub fn points(system: &System, search: &mut Search, found: &Found) -> Vec<Shown>
             };
             let begins = out.last().is_none_or(|b| b.path != path || b.class != class || turned(b));
             let (growing, growth) = (sample.stability.growing, sample.stability.growth());
-            out.push(Shown { path, s: sample.s, speed: state.speed, seen, class, growing, growth, begins });
+            out.push(Shown { path, sample: k, s: sample.s, speed: state.speed, seen, class, growing, growth, begins });
         }
     }
     out
 }
 
+/// Speed between two neighbouring points of a branch at which the unbalance left has this share of that without the masses; `None` where it does not pass it.
+fn passes(system: &System, search: &mut Search, found: &Found, ends: [&Shown; 2], share: f64) -> Option<f64> {
+    let own = &found.paths.get(ends[0].path)?.points;
+    let [a, b] = [own.get(ends[0].sample)?, own.get(ends[1].sample)?];
+    let off = |seen: &Seen| seen.share().map_or(f64::NAN, |s| s - share);
+    let sides = ends.map(|e| (e.speed, off(&e.seen)));
+    let mut at = |w: f64| search.between(a, b, w).map(|s| off(&Seen::of(system, search, &s.state)));
+    root(&mut at, sides[0], sides[1], 1e-12 * sides[1].0.abs())
+}
+
 /// Where states of a class are stable: from located change to located change. Branches that are images of each other tell the same once.
-pub fn stable(found: &Found, points: &[Shown], width: f64) -> Vec<Range> {
+pub fn stable(system: &System, search: &mut Search, found: &Found, points: &[Shown], width: f64) -> Vec<Range> {
     let mut out: Vec<Range> = Vec::new();
     let mut i = 0;
     while i < points.len() {
@@ -70,19 +86,20 @@ pub fn stable(found: &Found, points: &[Shown], width: f64) -> Vec<Range> {
         }
         // the change between two points of the branch that has no growing root on one side
         let path = points[begin].path;
-        let edge = |a: usize, b: usize| {
+        let special = || found.paths.get(path).into_iter().flat_map(|p| &p.special);
+        let mut edge = |a: usize, b: usize| {
             let inside = |l: &&Located| (points[a].s..=points[b].s).contains(&l.s) && l.growing.0.min(l.growing.1) == 0;
-            let change = found.paths.get(path).and_then(|p| p.special.iter().find(inside));
             // or where the unbalance left is half of that without masses
-            let share = |k: usize| points[k].seen.share().map_or(f64::NAN, |s| s - HALF);
-            let t = Some(share(a) / (share(a) - share(b))).filter(|t| (0.0..=1.0).contains(t)).unwrap_or(0.5);
-            change.map_or(points[a].speed + t * (points[b].speed - points[a].speed), |l| l.state.speed)
+            let half = || passes(system, search, found, [&points[a], &points[b]], HALF);
+            let change = special().find(inside).map(|l| l.state.speed);
+            change.or_else(half).unwrap_or(0.5 * (points[a].speed + points[b].speed))
         };
         let own = |k: usize| points.get(k).is_some_and(|p| p.path == path);
         let from = if begin > 0 && own(begin - 1) { edge(begin - 1, begin) } else { points[begin].speed };
         let to = if own(i + 1) { edge(i, i + 1) } else { points[i].speed };
         // a branch that turns back within the range reaches beyond both its ends
-        let inner = points[begin..=i].iter().map(|p| p.speed);
+        let turns = special().filter(|l| l.located && (points[begin].s..=points[i].s).contains(&l.s)).map(|l| l.state.speed);
+        let inner = points[begin..=i].iter().map(|p| p.speed).chain(turns);
         let (low, high) = inner.chain([from, to]).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)));
         out.push(Range { class: points[begin].class, path, from: low, to: high, points: (begin, i) });
         i += 1;
@@ -142,24 +159,44 @@ pub fn without_stable(found: &Found, spans: &[Span], range: (f64, f64), least: f
     rest(range, &union(isolated.chain(continua).collect(), 0.0), least)
 }
 
-/// Speeds over which branches hold states that balance, stable or not.
-pub fn existing(points: &[Shown]) -> Vec<(f64, f64)> {
+/// Speeds over which branches hold states that balance, stable or not, with the places where such a branch turns back.
+pub fn existing(found: &Found, points: &[Shown]) -> Vec<(f64, f64)> {
     let mut out = Vec::new();
     for w in points.windows(2) {
-        if w[0].path == w[1].path && w[0].class.balances() && w[1].class.balances() {
-            out.push((w[0].speed.min(w[1].speed), w[0].speed.max(w[1].speed)));
+        if w[0].path != w[1].path || !(w[0].class.balances() && w[1].class.balances()) {
+            continue;
         }
+        let special = found.paths.get(w[0].path).into_iter().flat_map(|p| &p.special);
+        let turns = special.filter(|l| l.located && (w[0].s..=w[1].s).contains(&l.s)).map(|l| l.state.speed);
+        let all = turns.chain([w[0].speed, w[1].speed]);
+        out.push(all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w))));
     }
     out
 }
 
-/// Runs of points of a stable range at which the masses make the unbalance larger: speeds, and the largest share.
-pub fn harmful(points: &[Shown], range: &Range) -> Vec<(f64, f64, f64)> {
-    let mut out: Vec<(f64, f64, f64)> = Vec::new();
+/// A run of points of a stable range at which the masses make the unbalance larger.
+pub struct Harm {
+    pub from: f64,
+    pub to: f64,
+    /// Largest unbalance at its points, over that without the masses; where nothing is out of balance without them, kg m.
+    pub most: f64,
+    /// Something is out of balance without them.
+    pub relative: bool,
+}
+
+/// Where in a stable range the masses make the unbalance larger.
+pub fn harmful(system: &System, search: &mut Search, found: &Found, points: &[Shown], range: &Range) -> Vec<Harm> {
+    let mut out: Vec<Harm> = Vec::new();
     let own = &points[range.points.0..=range.points.1];
-    let share: Vec<f64> = own.iter().map(|p| p.seen.share().unwrap_or(0.0)).collect();
-    let above = |k: usize| share[k] > HARM;
-    let between = |a: usize, b: usize| own[a].speed + (own[b].speed - own[a].speed) * (1.0 - share[a]) / (share[b] - share[a]);
+    // over what is there without them, or by itself where that is nothing
+    let size = |p: &Shown| -> (f64, bool, bool) {
+        let Some(u) = p.seen.unbalance else { return (0.0, false, true) };
+        match p.seen.share() {
+            Some(share) => (share, share > HARM, true),
+            None => (u.moment.abs(), u.without() == 0.0 && u.moment.abs() > NOTHING * u.capacity, false),
+        }
+    };
+    let above = |k: usize| size(&own[k]).1;
     let mut k = 0;
     while k < own.len() {
         if !above(k) {
@@ -170,13 +207,16 @@ pub fn harmful(points: &[Shown], range: &Range) -> Vec<(f64, f64, f64)> {
         while k + 1 < own.len() && above(k + 1) {
             k += 1;
         }
+        let mut between = |inside: usize, outside: usize| {
+            passes(system, search, found, [&own[inside.min(outside)], &own[inside.max(outside)]], 1.0).unwrap_or(own[inside].speed)
+        };
         let (first, last) = (own[0].speed, own[own.len() - 1].speed);
         // the ends of the range are located better than its first and last points
         let (low, high) = if first <= last { (range.from, range.to) } else { (range.to, range.from) };
-        let from = if begin == 0 { low } else { between(begin - 1, begin) };
+        let from = if begin == 0 { low } else { between(begin, begin - 1) };
         let to = if k + 1 == own.len() { high } else { between(k, k + 1) };
-        let most = share[begin..=k].iter().copied().fold(1.0, crate::study::support::larger);
-        out.push((from.min(to), from.max(to), most));
+        let most = own[begin..=k].iter().map(|p| size(p).0).fold(0.0, crate::study::support::larger);
+        out.push(Harm { from: from.min(to), to: from.max(to), most, relative: size(&own[begin]).2 });
         k += 1;
     }
     out

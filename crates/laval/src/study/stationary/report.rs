@@ -5,14 +5,14 @@ use super::classify::Seen;
 use super::continua::Continua;
 use super::errors::Errors;
 use super::least::Least;
-use super::ranges::{self, Range, Shown};
+use super::ranges::{self, Harm, Range, Shown};
 use super::slack::{self, Left};
 use super::zones::{self, Zone};
 use super::{Context, Row, Study, Varied, unit_of};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, quantity};
-use crate::solve::stationary::{Found, Located, Path, Search};
+use crate::solve::stationary::{Change, Found, Located, Path, Search};
 
 /// What is to be told.
 pub(super) struct Report<'a> {
@@ -37,6 +37,8 @@ pub(super) struct Report<'a> {
 pub(super) struct Told {
     pub points: Vec<Shown>,
     pub ranges: Vec<Range>,
+    /// Where in which of them the masses make the unbalance larger.
+    pub harm: Vec<(usize, Harm)>,
     /// What the special points show.
     pub special: Vec<Seen>,
 }
@@ -50,9 +52,14 @@ impl Report<'_> {
     pub fn outcome(&self, search: &mut Search, context: &Context) -> Result<Outcome, Diagnostic> {
         let found = self.found;
         let points = ranges::points(self.system, search, found);
-        let ranges = ranges::stable(found, &points, self.range.1.abs());
+        let ranges = ranges::stable(self.system, search, found, &points, self.range.1.abs());
         let special = found.paths.iter().flat_map(|p| &p.special).map(|l| Seen::of(self.system, search, &l.state)).collect();
-        let told = Told { points, ranges, special };
+        let harm = ranges
+            .iter()
+            .enumerate()
+            .flat_map(|(k, r)| ranges::harmful(self.system, search, found, &points, r).into_iter().map(|h| (k, h)).collect::<Vec<_>>());
+        let harm = harm.collect();
+        let told = Told { points, ranges, harm, special };
         let mut out = Outcome::new(super::Stationary::KIND, context.name)
             .over("speed", "rad/s")
             .end(context.end(self.complete))
@@ -61,10 +68,8 @@ impl Report<'_> {
         for f in self.findings(&told) {
             out = out.finding(f);
         }
-        for (k, path) in found.paths.iter().enumerate() {
-            for l in &path.special {
-                out = out.special_point(special_point(k, l));
-            }
+        for place in places(found, search) {
+            out = out.special_point(special_point(&place));
         }
         for t in self.tables(&told).map_err(Diagnostic::from)? {
             out = out.table(t);
@@ -288,18 +293,21 @@ impl Report<'_> {
 
     fn boundary(&self, chart: &Chart) -> Result<Table, OutcomeError> {
         let all = &chart.edges;
-        let edge = |e: &super::chart::Edge| if e.exists { "limit of existence" } else { "stability changes" }.to_string();
         Table::new(
             "boundary",
             "Where the balanced state begins, ends, or changes its stability, located along the speed and between the values",
         )
         .float("speed", "rad/s", "spin speed", all.iter().map(|e| e.speed).collect())
         .float(chart.path.clone(), unit_of(self.system, &chart.path), "parameter", all.iter().map(|e| e.value).collect())
-        .text("edge", "what happens there", all.iter().map(edge).collect())
+        .text(
+            "edge",
+            "limit of existence: the state vanishes or meets its mirror image; half of the unbalance left: it goes on and leaves more; stability changes",
+            all.iter().map(|e| e.kind.words().into()).collect(),
+        )
         .float(
             "frequency",
             "rad/s",
-            "frequency of the root that crosses, in turning axes; NaN at limits of existence, for continua and between the values",
+            "frequency of the root that crosses, in turning axes; NaN where none was located, as at limits of existence and for continua",
             all.iter().map(|e| e.frequency).collect(),
         )
         .build()
@@ -322,10 +330,54 @@ impl Report<'_> {
     }
 }
 
-fn special_point(path: usize, l: &Located) -> SpecialPoint {
+/// Distance in typical sizes within which a branch point of one branch is that of another.
+const ONE: f64 = 1e-4;
+
+/// The special points, those at which branches cross each other once, with the branches.
+fn places<'a>(found: &'a Found, search: &Search) -> Vec<Vec<(usize, &'a Located)>> {
+    let mut out: Vec<Vec<(usize, &Located)>> = Vec::new();
+    for (k, path) in found.paths.iter().enumerate() {
+        for l in &path.special {
+            let known = |place: &&mut Vec<(usize, &Located)>| {
+                let o = place[0].1;
+                let widest = [o, l].iter().map(|l| l.bracket.1 - l.bracket.0).fold(1e-9 * o.state.speed.abs(), f64::max);
+                o.change == Change::BranchPoint
+                    && l.change == Change::BranchPoint
+                    && (o.state.speed - l.state.speed).abs() <= widest
+                    && found.images.distance(&o.state.x, &l.state.x, search.scale()) <= ONE
+            };
+            match out.iter_mut().find(known) {
+                Some(place) => place.push((k, l)),
+                None => out.push(vec![(k, l)]),
+            }
+        }
+    }
+    // the best known first
+    out.iter_mut().for_each(|p| p.sort_by(|a, b| (a.1.bracket.1 - a.1.bracket.0).total_cmp(&(b.1.bracket.1 - b.1.bracket.0))));
+    out
+}
+
+fn special_point(place: &[(usize, &Located)]) -> SpecialPoint {
+    let l = place[0].1;
     let status = if l.located { Status::Located } else { Status::Bracketed };
-    let point = SpecialPoint::new(l.change.word(), l.state.speed, l.bracket).of(format!("branch {}", path + 1)).status(status);
+    let mut branches: Vec<usize> = place.iter().map(|p| p.0 + 1).collect();
+    branches.sort_unstable();
+    branches.dedup();
+    let names = branches.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let subject = match names.split_last() {
+        Some((last, [])) => format!("branch {last}"),
+        Some((last, others)) => format!("branches {} and {last}", others.join(", ")),
+        None => String::new(),
+    };
+    let point = SpecialPoint::new(l.change.word(), l.state.speed, l.bracket).of(subject).status(status);
     // a root that was not located has no frequency
     let point = if l.frequency.is_finite() { point.evidence("frequency in turning axes", l.frequency, "rad/s") } else { point };
-    point.evidence("growing roots before", l.growing.0 as f64, "").evidence("growing roots behind", l.growing.1 as f64, "")
+    place.iter().fold(point, |point, (k, l)| {
+        let of = if branches.len() > 1 { format!(", branch {}", k + 1) } else { String::new() };
+        point.evidence(format!("growing roots before{of}"), l.growing.0 as f64, "").evidence(
+            format!("growing roots behind{of}"),
+            l.growing.1 as f64,
+            "",
+        )
+    })
 }

@@ -93,8 +93,8 @@ pub fn table(system: &System, sheets: &[Sheet], left: &[Left]) -> Result<Table, 
 /// What friction leaves at the speed nearest to the one meant.
 pub fn finding(sheets: &[Sheet], left: &[Left], operating: f64) -> Option<Finding> {
     let off = |l: &&Left| (sheets[l.sheet].speed - operating).abs();
-    let balancing = || left.iter().filter(|l| sheets[l.sheet].class.balances());
-    let nearest = balancing().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+    let balancing = left.iter().filter(|l| sheets[l.sheet].class.balances() && l.unbalance.is_finite());
+    let nearest = balancing.min_by(|a, b| off(a).total_cmp(&off(b)))?;
     let sheet = &sheets[nearest.sheet];
     let text = format!(
         "At {} dry friction may leave an unbalance of {{}} or more where the masses balance in a continuum of ways ({}).",

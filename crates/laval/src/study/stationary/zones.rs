@@ -112,24 +112,30 @@ pub fn finding(rows: &[Row], zones: &[Zone], operating: f64) -> Option<Finding> 
     let row = &rows[best.row];
     let without = row.seen.unbalance.map_or(f64::NAN, |u| u.without());
     if !best.closed {
-        let text =
-            format!("At {at} dry friction of {{}} holds the masses so far from where they balance that no end of the range was found.");
-        return Some(Finding::warning("dead_zone", text).value(best.held[0].friction, "N m").evidence("speed", speed, "rad/s"));
+        let text = format!(
+            "At {at} dry friction of {{}} holds masses over ranges of which not all ends were found: more unbalance may be left than is computed."
+        );
+        let friction = best.held.iter().map(|h| h.friction).fold(0.0, larger);
+        return Some(Finding::warning("dead_zone", text).value(friction, "N m").evidence("speed", speed, "rad/s"));
     }
     let widest = best.held.iter().map(|h| h.reach[1] - h.reach[0]).fold(0.0, larger);
+    let unstable = if best.growth > 0.0 { " With the masses held the machine is unstable there." } else { "" };
     let text = format!(
-        "At {at} dry friction holds masses up to {} from where they balance ({}): it may leave an unbalance of {{}}.",
+        "At {at} dry friction holds masses up to {} from where they balance ({}); at the ends of these ranges an unbalance of up to {{}} is left.{unstable}",
         quantity(best.held.iter().map(|h| larger(-h.reach[0], h.reach[1])).fold(0.0, larger), "rad"),
         row.class.words()
     );
-    let make = if best.unbalance <= without { Finding::info } else { Finding::warning };
-    Some(
-        make("dead_zone", text)
-            .value(best.unbalance, "kg m")
-            .evidence("without the masses", without, "kg m")
-            .evidence("widest range of a mass", widest, "rad")
-            .evidence("grade number (ISO 21940-11)", best.grade, "m/s")
-            .evidence("largest growth rate with the masses held", best.growth, "1/s")
-            .evidence("speed", speed, "rad/s"),
-    )
+    if !best.unbalance.is_finite() {
+        return None;
+    }
+    let make = if best.unbalance <= without && !(best.growth > 0.0) { Finding::info } else { Finding::warning };
+    let finding = make("dead_zone", text)
+        .value(best.unbalance, "kg m")
+        .evidence("without the masses", without, "kg m")
+        .evidence("widest range of a mass", widest, "rad")
+        .evidence("grade number (ISO 21940-11)", best.grade, "m/s")
+        .evidence("speed", speed, "rad/s");
+    // not known for parts without a form in time
+    let held = Some(best.growth).filter(|g| g.is_finite());
+    Some(held.into_iter().fold(finding, |f, g| f.evidence("largest growth rate with the masses held", g, "1/s")))
 }

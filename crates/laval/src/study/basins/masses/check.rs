@@ -72,7 +72,7 @@ impl Checked {
             (_, 0) => format!("; each of the {differ} others has a neighbour that ends elsewhere"),
             _ => format!("; of the {differ} others {inside} have no neighbour that ends elsewhere"),
         };
-        let text = format!("{{}} of {} cells chosen by chance and followed to their ends end where they were told to{rest}.", self.cells);
+        let text = format!("{{}} of {} cells chosen by chance and followed to their ends end where the map has them{rest}.", self.cells);
         let make = if inside > 0 || 500 * differ > self.cells { Finding::warning } else { Finding::info };
         let finding = make("agreement", text)
             .value((self.cells - differ) as f64, "")

@@ -90,7 +90,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
                     balances = class.balances();
                     if !stable {
                         text = format!(
-                            "{}: {{}} of the cells lie on its border to the others, as starts with masses together do.",
+                            "{}: motions from {{}} of the cells end there although it is unstable, as those of masses that start together and stay so.",
                             upper(word)
                         );
                     }
@@ -131,8 +131,8 @@ fn early(fleet: &Fleet, seen: &Rehearsal, told: &[f64], outcome: Outcome) -> Out
     }
     let count = told.iter().filter(|t| **t == 1.0).count();
     let text = format!(
-        "{{}} of {} cells were told before their end, by coming half as near to an attractor as any motion of {} that ended elsewhere; of {} other starts followed to the end \
-         {} would have been told so, {} of them wrongly.",
+        "The end of {{}} of {} cells was concluded before it was reached, from a distance to an attractor half as large as the nearest approach of {} motions that ended \
+         elsewhere; of {} other starts followed to the end {} would have been concluded so, {} of them wrongly.",
         told.len(),
         seen.witnessed,
         seen.tried,
@@ -143,7 +143,7 @@ fn early(fleet: &Fleet, seen: &Rehearsal, told: &[f64], outcome: Outcome) -> Out
     outcome.finding(
         make("recognition", text)
             .value(count as f64, "")
-            .evidence("told wrongly", seen.wrong as f64, "")
+            .evidence("concluded wrongly", seen.wrong as f64, "")
             .evidence("starts followed to the end to see", seen.tried as f64, "")
             .evidence("starts that showed what motions there are", seen.learned as f64, ""),
     )

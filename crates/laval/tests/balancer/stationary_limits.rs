@@ -1,0 +1,190 @@
+//! Where states that balance begin and end: the study `stationary` against the closed form for two balls on a level ring. They bring the ring centre to the
+//! axis, and exist where their moments close a triangle with what that takes,
+//!
+//! ```text
+//! N = |-(k/w^2 - m_r - m_b + i c/w) s_2 - m_r s_1 - m_b s_2|,   |m_1 - m_2| r <= N <= (m_1 + m_2) r
+//! ```
+//!
+//! whatever they weigh. The limits are pitchforks: beyond them the balls stand together (or opposite each other) and the ring centre leaves the axis slowly.
+
+use laval::file::load;
+use laval::outcome::{Data, End, Finding, Level, Outcome};
+use laval::study::Context;
+use laval_num::complex::c;
+
+const EXAMPLE: &str = include_str!("../../../../examples/04-ball-balancer/machine.toml");
+
+/// The example's machine with some words exchanged and a study.
+fn run(changes: &[(&str, &str)], study: &str) -> Outcome {
+    let mut text = EXAMPLE.split("# Above the critical").next().unwrap().to_string();
+    for (old, new) in changes {
+        assert!(text.contains(old), "{old}");
+        text = text.replace(old, new);
+    }
+    let text = format!("{text}\n[[study]]\nkind = \"stationary\"\n{study}\n");
+    let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}\n{text}"));
+    let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("t")).unwrap_or_else(|d| panic!("{d}\n{text}"));
+    assert_eq!(o.end, End::Reached);
+    o
+}
+
+fn column<'a>(o: &'a Outcome, table: &str, name: &str) -> &'a [f64] {
+    match &o.find_table(table).unwrap_or_else(|| panic!("no table {table}")).column(name).unwrap_or_else(|| panic!("no {name}")).data {
+        Data::Float(v) => v,
+        _ => panic!("{name} is no number"),
+    }
+}
+
+fn words<'a>(o: &'a Outcome, table: &str, name: &str) -> &'a [String] {
+    match &o.find_table(table).unwrap().column(name).unwrap().data {
+        Data::Text(v) => v,
+        _ => panic!("{name} is no text"),
+    }
+}
+
+fn whole<'a>(o: &'a Outcome, table: &str, name: &str) -> &'a [i64] {
+    match &o.find_table(table).unwrap().column(name).unwrap().data {
+        Data::Int(v) => v,
+        _ => panic!("{name} is no whole number"),
+    }
+}
+
+fn all<'a>(o: &'a Outcome, id: &str) -> Vec<&'a Finding> {
+    o.findings.iter().filter(|f| f.id == id).collect()
+}
+
+/// What the balls of the example must supply, kg m.
+fn needed(w: f64) -> f64 {
+    let ring = 2e-6;
+    (c(2.92e6 / (w * w) - 8.91 - 1.5, 400.0 / w).scale(-ring) - c(8.91 * 50e-6 + 1.5 * ring, 0.0)).abs()
+}
+
+/// Speed at which a moment is just enough.
+fn enough(moment: f64) -> f64 {
+    let (mut a, mut b) = (500.0, 900.0);
+    assert!(needed(a) > moment && needed(b) < moment);
+    for _ in 0..100 {
+        let middle = 0.5 * (a + b);
+        if needed(middle) > moment { a = middle } else { b = middle }
+    }
+    0.5 * (a + b)
+}
+
+/// Equal balls and unequal ones: the least and the largest mass at every speed, to rounding.
+#[test]
+fn limits_over_the_ball_mass_are_those_of_the_closed_form() {
+    let cases = [
+        ("", 2.0, f64::INFINITY, "from = \"1.2 g\", to = \"4 g\", points = 6"),
+        ("mass_ratios = [1, 1.5]\n", 2.5, 0.5, "from = \"1 g\", to = \"13 g\", points = 7"),
+    ];
+    for (ratios, sum, difference, range) in cases {
+        let balls = format!("balls = 2\n{ratios}");
+        let study = format!(
+            "speed = {{ from = 620, to = 1000, points = 3 }}\nstarts = 60\nchart = {{ parameter = \"balancer.ball_mass\", {range} }}"
+        );
+        let o = run(&[("balls = 2\n", &balls)], &study);
+        let (speed, mass, edge) =
+            (column(&o, "boundary", "speed"), column(&o, "boundary", "balancer.ball_mass"), words(&o, "boundary", "edge"));
+        for w in [620.0, 810.0, 1000.0] {
+            let mut wanted = vec![needed(w) / (sum * 0.1)];
+            wanted.extend(Some(needed(w) / (difference * 0.1)).filter(|m| *m > 0.0 && *m < 0.013));
+            let found: Vec<f64> = (0..speed.len()).filter(|&k| speed[k] == w && edge[k] == "limit of existence").map(|k| mass[k]).collect();
+            assert_eq!(found.len(), wanted.len(), "{w}: {found:?} {wanted:?}");
+            for want in wanted {
+                assert!(found.iter().any(|m| (m - want).abs() < 1e-11 * want), "{w}: {found:?} {want}");
+            }
+        }
+    }
+}
+
+/// The heaviest balls are not needed where the lightest that exist are stable: the limit of existence is that of stability.
+#[test]
+fn a_state_that_is_stable_wherever_it_exists_is_made_stable_by_existing() {
+    let study = "speed = { from = 890, to = 900, points = 2 }\nseeds = 1\nstabilise = { parameter = \"balancer.ball_mass\", from = \"0.1 g\", to = \"10 g\" }";
+    let o = run(&[], study);
+    let told = all(&o, "least")[0];
+    let want = needed(900.0) / 0.2;
+    assert!(told.value.is_some_and(|m| (m - want).abs() < 1e-11 * want), "{told:?} {want}");
+    assert!(told.level == Level::Info && told.text.contains("exists and is stable when balancer.ball_mass rises above"), "{told:?}");
+    // and values of the table above it are stable, those below are none
+    let (value, growth) = (column(&o, "stabilised", "value"), column(&o, "stabilised", "growth"));
+    assert!(value.iter().zip(growth).all(|(m, g)| if *m < want { g.is_nan() } else { *g <= 0.0 }));
+    // with damping as parameter: an edge of stability as before, and none where no value helps
+    let study = |from: f64, to: f64| {
+        format!(
+            "speed = {{ from = 890, to = 900, points = 2 }}\nseeds = 1\nstabilise = {{ parameter = \"losses.damping\", from = {from}, to = {to} }}"
+        )
+    };
+    assert!(all(&run(&[], &study(0.01, 400.0)), "least")[0].text.contains("becomes stable when losses.damping rises above"));
+    let never = run(&[], &study(0.01, 0.1));
+    assert!(
+        all(&never, "least")[0].level == Level::Warning && all(&never, "least")[0].text.contains("is unstable at all"),
+        "{:?}",
+        never.findings
+    );
+    let always = run(&[], &study(10.0, 400.0));
+    assert!(all(&always, "least")[0].text.contains("is stable at all 61 values"), "{:?}", always.findings);
+}
+
+/// Along the speed: one pitchfork, listed once, at the closed form's place and with it in its bracket; ranges begin there.
+#[test]
+fn a_pitchfork_over_the_speed_is_listed_once_where_it_is() {
+    for (ball, change) in [(2.2e-3, "ball_mass = \"2.2 g\""), (2.21e-3, "ball_mass = \"2.21 g\""), (2.19e-3, "ball_mass = \"2.19 g\"")] {
+        let o = run(&[("ball_mass = \"3.6 g\"", change)], "speed = { from = 300, to = 1200, points = 10 }");
+        let want = enough(2.0 * ball * 0.1);
+        let near = |w: f64| (w - want).abs() < 1e-3 * want;
+        let listed: Vec<_> = o.special_points.iter().filter(|p| near(p.at)).collect();
+        assert_eq!(listed.len(), 1, "{want}: {listed:?}");
+        let p = listed[0];
+        assert!((p.at - want).abs() < 1e-11 * want && p.bracket.0 <= want && want <= p.bracket.1, "{want}: {p:?}");
+        assert!(p.kind == "branch_point" && p.subject.starts_with("branches "), "{p:?}");
+        let (branch, speed) = (whole(&o, "changes", "branch"), column(&o, "changes", "speed"));
+        let mut own: Vec<i64> = (0..speed.len()).filter(|&k| near(speed[k])).map(|k| branch[k]).collect();
+        assert_eq!(own.len(), 2);
+        own.dedup();
+        assert_eq!(own.len(), 2, "one row for each branch");
+        let begins = all(&o, "balanced_stable")[0];
+        assert!(begins.evidence.iter().any(|e| e.what == "from" && (e.value - want).abs() < 1e-11 * want), "{begins:?}");
+        let none = all(&o, "not_balanced")[0];
+        assert!(none.value.is_some_and(|w| (w - want).abs() < 1e-11 * want), "{none:?} {want}");
+    }
+}
+
+/// Three equal balls balance in a continuum of ways up to where all three stand together.
+#[test]
+fn a_continuum_ends_where_its_balls_stand_together() {
+    let three = [("balls = 2", "balls = 3"), ("ball_mass = \"3.6 g\"", "ball_mass = \"1.47 g\"")];
+    let o = run(&three, "speed = { from = 500, to = 900, points = 9 }");
+    let want = enough(3.0 * 1.47e-3 * 0.1);
+    let span = all(&o, "continuum")[0];
+    let from = span.evidence.iter().find(|e| e.what == "from").unwrap().value;
+    assert!((from - want).abs() < 1e-5 * want, "{from} {want}");
+}
+
+/// A ring tilted by a degree on a rotor without unbalance: what the balls do is given by itself, not as a multiple of rounding.
+#[test]
+fn nothing_is_a_multiple_of_no_unbalance() {
+    let none = [("eccentricity = \"50 um\" ", "eccentricity = 0 "), ("eccentricity = \"2 um\"", "eccentricity = 0\ntilt = \"1 deg\"")];
+    let o = run(
+        &none,
+        "speed = { from = 300, to = 1200, points = 10 }\nerrors = [{ parameter = \"balancer.tilt\", from = \"0.5 deg\", to = \"1 deg\" }]",
+    );
+    assert!(column(&o, "branches", "without").iter().all(|u| *u == 0.0));
+    assert!(o.findings.iter().all(|f| !f.text.contains("times")), "{:?}", o.findings);
+    let (harm, stable) = (all(&o, "harm"), all(&o, "stable_states"));
+    assert!(!harm.is_empty() && harm.len() <= stable.len(), "{} findings of {} ranges", harm.len(), stable.len());
+    // two balls of 3.6 g at 100 mm
+    assert!(harm.iter().all(|f| f.unit == "kg m" && f.value.is_some_and(|u| u > 1e-9 && u <= 7.2e-4 * (1.0 + 1e-12))), "{harm:?}");
+    assert!(all(&o, "residual_unbalance")[0].text.contains("nothing is out of balance without"), "{:?}", o.findings);
+}
+
+/// The best state at the operating speed may be one of a continuum; here all others leave more.
+#[test]
+fn the_best_state_may_be_one_of_a_continuum() {
+    let o = run(&[("balls = 2", "balls = 3")], "speed = { from = 700, to = 900, points = 3 }");
+    let best = all(&o, "residual_unbalance")[0];
+    // the ring centre on the axis: U = (k/w^2 - M + i c/w) zeta with zeta = -s_2
+    let (w, mass) = (900.0f64, 8.91 + 1.5 + 3.0 * 3.6e-3);
+    let want = c(2.92e6 / (w * w) - mass, 400.0 / w).abs() * 2e-6;
+    assert!(best.text.contains("partly balanced") && best.value.is_some_and(|u| (u - want).abs() < 1e-6 * want), "{best:?} {want}");
+}
