@@ -44,6 +44,8 @@ pub use laval_num;
 pub use laval_solve as solve;
 
 pub mod build;
+#[cfg(feature = "parquet")]
+mod columns;
 pub mod file;
 pub mod folder;
 pub mod hash;

@@ -1,73 +1,41 @@
 //! One chunk as a Parquet file: the same cells give the same bytes.
 
 use super::cells::{Cells, Column, Kind};
-use arrow_array::{Array, ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
-use arrow_schema::{DataType, Field, Schema};
-use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use parquet::basic::Compression;
-use parquet::file::properties::WriterProperties;
-use std::collections::HashMap;
+use crate::columns;
 use std::fs::File;
 use std::path::Path;
-use std::sync::Arc;
+
+fn values(cells: &Cells) -> columns::Values<'_> {
+    match cells {
+        Cells::Float(v) => columns::Values::Float(v),
+        Cells::Int(v) => columns::Values::OptionalInt(v),
+        Cells::Text(v) => columns::Values::OptionalText(v),
+    }
+}
 
 /// Encodes a chunk; `mark` says which study and chunk it belongs to.
 pub fn encode(columns: &[Column], cells: &[Cells], mark: &str) -> Result<Vec<u8>, String> {
-    let mut fields = Vec::new();
-    let mut arrays: Vec<ArrayRef> = Vec::new();
-    for (c, x) in columns.iter().zip(cells) {
-        let (kind, array): (DataType, ArrayRef) = match x {
-            Cells::Float(v) => (DataType::Float64, Arc::new(Float64Array::from(v.clone()))),
-            Cells::Int(v) => (DataType::Int64, Arc::new(Int64Array::from(v.clone()))),
-            Cells::Text(v) => (DataType::Utf8, Arc::new(StringArray::from_iter(v.iter().map(Option::as_deref)))),
-        };
-        let notes = HashMap::from([("unit".to_string(), c.unit.clone()), ("doc".to_string(), c.doc.clone())]);
-        fields.push(Field::new(&c.name, kind, c.kind != Kind::Float).with_metadata(notes));
-        arrays.push(array);
-    }
-    let schema = Arc::new(Schema::new(fields).with_metadata(HashMap::from([("laval".to_string(), mark.to_string())])));
-    let batch = RecordBatch::try_new(schema.clone(), arrays).map_err(|e| e.to_string())?;
-    let properties = WriterProperties::builder().set_compression(Compression::ZSTD(Default::default())).build();
-    let mut out = Vec::new();
-    let mut writer = ArrowWriter::try_new(&mut out, schema, Some(properties)).map_err(|e| e.to_string())?;
-    writer.write(&batch).map_err(|e| e.to_string())?;
-    writer.close().map_err(|e| e.to_string())?;
-    Ok(out)
+    let list: Vec<columns::Column> =
+        columns.iter().zip(cells).map(|(c, x)| columns::Column { name: &c.name, unit: &c.unit, doc: &c.doc, values: values(x) }).collect();
+    columns::encode(&list, &[("laval", mark)])
 }
 
 /// Reads a chunk back, with its mark.
 pub fn decode(path: &Path, columns: &[Column]) -> Result<(Vec<Cells>, String), String> {
     let file = File::open(path).map_err(|e| e.to_string())?;
-    let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|e| e.to_string())?;
-    let mark = builder.schema().metadata().get("laval").cloned().unwrap_or_default();
-    let mut out: Vec<Cells> = columns
-        .iter()
-        .map(|c| match c.kind {
-            Kind::Float => Cells::Float(Vec::new()),
-            Kind::Int => Cells::Int(Vec::new()),
-            Kind::Text => Cells::Text(Vec::new()),
-        })
-        .collect();
-    for batch in builder.build().map_err(|e| e.to_string())? {
-        let batch = batch.map_err(|e| e.to_string())?;
-        if batch.num_columns() != columns.len() {
-            return Err(format!("{} columns instead of {}", batch.num_columns(), columns.len()));
-        }
-        for (array, cells) in batch.columns().iter().zip(&mut out) {
-            append(array, cells).ok_or("a column has another type")?;
-        }
-    }
-    Ok((out, mark))
-}
-
-fn append(array: &ArrayRef, cells: &mut Cells) -> Option<()> {
-    match cells {
-        Cells::Float(v) => v.extend_from_slice(array.as_any().downcast_ref::<Float64Array>()?.values()),
-        Cells::Int(v) => v.extend(array.as_any().downcast_ref::<Int64Array>()?.iter()),
-        Cells::Text(v) => v.extend(array.as_any().downcast_ref::<StringArray>()?.iter().map(|t| t.map(str::to_string))),
-    }
-    Some(())
+    let kind = |c: &Column| match c.kind {
+        Kind::Float => columns::Kind::Float,
+        Kind::Int => columns::Kind::Int,
+        Kind::Text => columns::Kind::Text,
+    };
+    let kinds: Vec<columns::Kind> = columns.iter().map(kind).collect();
+    let (read, mark) = columns::decode(file, &kinds, "laval")?;
+    let cells = read.into_iter().map(|x| match x {
+        columns::Read::Float(v) => Cells::Float(v),
+        columns::Read::Int(v) => Cells::Int(v),
+        columns::Read::Text(v) => Cells::Text(v),
+    });
+    Ok((cells.collect(), mark))
 }
 
 #[cfg(test)]

@@ -18,9 +18,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("plain", &[]),
     ("build", &[]),
     ("folder", &[]),
-    ("store", &["outcome"]),
+    ("columns", &[]),
+    ("store", &["outcome", "columns"]),
     ("study", &["model", "solve", "separation", "outcome", "store"]),
-    ("report", &["outcome"]),
+    ("report", &["outcome", "columns"]),
     ("file", &["model", "parts", "study"]),
     ("validation", &["file", "study", "outcome", "report"]),
 ];
