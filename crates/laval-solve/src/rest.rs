@@ -2,6 +2,7 @@
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
 use super::sectors::{Sectors, real_part};
+use super::turning::preferring;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};
@@ -36,7 +37,7 @@ pub fn rest(system: &System, speed: f64) -> Result<Equilibrium, Diagnostic> {
                     format!("the machine has no rest: the force of \"{}\" turns with the rotor", slot.name),
                 )
                 .at(slot.span.clone())
-                .help("ask a study of the forced motion"));
+                .help(instead(system, speed)));
             }
         }
     }
@@ -55,6 +56,14 @@ pub fn hanging(system: &System, speed: f64, places: &[(usize, f64)]) -> Result<E
     let held: Vec<usize> = kinds.enumerate().filter(|(_, k)| *k == DofKind::Scalar).map(|(i, _)| i).collect();
     settle_with(system, start.clone(), &held)
         .or_else(|d| sink(system, &start, &held).and_then(|sunk| settle_with(system, sunk, &held).ok()).ok_or(d))
+}
+
+/// What a machine without rest can be asked: states that turn exist only where nothing has a preferred direction.
+fn instead(system: &System, speed: f64) -> &'static str {
+    match preferring(system, speed) {
+        None => "stationary gives the states that turn with the rotor and their stability, transient and run_up the motion in time",
+        Some(_) => "transient and run_up give the motion in time",
+    }
 }
 
 /// What is said of the first part that cannot be linearised about a state: it carries no load there, and either it is about to or nothing else holds
@@ -245,15 +254,15 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
         t.sectors().restore_matrix(t.sectors(), &mut k);
         let mut k = real_part(&k);
         hold(&mut k, held);
-        let Ok(lu) = Lu::new(&k) else { return Err(not_held()) };
+        let Ok(lu) = Lu::new(&k) else { return Err(not_held(system, at.speed)) };
         if lu.pivot_ratio().is_nan() {
-            return Err(not_held());
+            return Err(not_held(system, at.speed));
         }
         let mut step = r.clone();
         lu.solve(&mut step);
         let length = max_abs(&step.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
         if !length.is_finite() {
-            return Err(not_held());
+            return Err(not_held(system, at.speed));
         }
         let size = max_abs(&x.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
         // The natural measure of progress is the length of the simplified Newton step with this Jacobian.
@@ -328,9 +337,10 @@ fn sink(system: &System, start: &Equilibrium, held: &[usize]) -> Option<Equilibr
     None
 }
 
-fn not_held() -> Diagnostic {
+fn not_held(system: &System, speed: f64) -> Diagnostic {
+    let free = instead(system, speed);
     Diagnostic::error("rest.not_held", "the machine has no equilibrium under its loads: some coordinate is not held by any stiffness")
-        .help("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, rest nowhere: stationary says where they settle")
+        .help(format!("attach a bearing, shaft or foundation to every body that carries a load; masses that move freely, such as the balls of a balancer, have no equilibrium at rest: {free}"))
 }
 
 fn no_equilibrium(step: f64) -> Diagnostic {

@@ -1,7 +1,7 @@
 //! States that turn with the rotor: q = R(phase) Q for vectors, constant for everything else. Only a machine without preferred direction has them.
 
 use super::characteristic::{Equilibrium, Frame};
-use super::rest::settle;
+use super::rest::{rest, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, Rows};
 use crate::model::system::{Slot, System, Workspace};
@@ -24,15 +24,23 @@ pub fn turning(system: &System, speed: f64, start: Option<Equilibrium>) -> Resul
 /// # Errors
 /// The first part whose forces do not turn along, with its reason.
 pub fn isotropic(system: &System, speed: f64) -> Result<(), Diagnostic> {
-    match system.slots().iter().find(|s| changes(system, s, speed, true)) {
+    match preferring(system, speed) {
         None => Ok(()),
         Some(slot) => Err(Diagnostic::error(
             "turning.anisotropic",
             format!("the machine has no state that turns with the rotor: {}", reason(system, slot, speed)),
         )
         .at(slot.span.clone())
-        .help("studies about rest (about = \"rest\"), by harmonics, and in time (transient, run_up) take such a machine")),
+        .help(match rest(system, speed) {
+            Ok(_) => "studies about rest (about = \"rest\"), by harmonics, and in time (transient, run_up) take such a machine",
+            Err(_) => "the machine has no equilibrium at rest either: transient and run_up give the motion in time",
+        })),
     }
+}
+
+/// The first part with a preferred direction.
+pub(super) fn preferring(system: &System, speed: f64) -> Option<&Slot> {
+    system.slots().iter().find(|s| changes(system, s, speed, true))
 }
 
 /// The part's forces change when state and machine are turned together.

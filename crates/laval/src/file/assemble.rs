@@ -7,6 +7,7 @@ use crate::model::field::Extra;
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Machine, System, Workspace};
 use crate::parts;
+use crate::study::support::turns_alike;
 use crate::study::{self, Context, ErasedStudy};
 
 /// A machine file that has been read and assembled.
@@ -65,7 +66,7 @@ impl Loaded {
             // only some studies can be asked about another state
             let about = |k: &&usize| self.spec.study(&self.studies[**k].name).is_some_and(|b| b.values.get("about").is_some());
             let able: Vec<usize> = r.studies.iter().filter(about).copied().collect();
-            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning") && !able.is_empty() {
+            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning") && !able.is_empty() && turns_alike(&self.system) {
                 let help = r.diagnostic.help.as_deref().unwrap_or_default();
                 r.diagnostic.help = Some(format!("give {} about = \"turning\"; or {help}", self.in_words(&able)).into());
             }

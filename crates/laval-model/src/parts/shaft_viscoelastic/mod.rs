@@ -57,7 +57,7 @@ params! {
         diameter: scalar, "m", Bounds::up_to(10.0), default 0.0, "diameter d of a round shaft";
         length: scalar, "m", Bounds::up_to(1e3), default 0.0, "distance L of the supports";
         position: scalar, "m", Bounds::up_to(1e3), default 0.0, "place x of the disc: distance from the left support, from the clamp of a cantilever, or overhang beyond the second bearing";
-        amplitude: scalar, "", Bounds::up_to(1e9), default 0.0, "amplitude A of the kernel A t^(a-1) exp(-b t), a bare number in 1/s^a";
+        amplitude: scalar, "", Bounds::up_to(1e9), default 0.0, "amplitude A of the kernel A t^(a-1) exp(-b t), a bare number in 1/s^a; to be given with exponent and decay unless terms or exponentials are";
         exponent: scalar, "", Bounds::up_to(0.99), default 0.0, "exponent a of the kernel, above 0";
         decay: scalar, "1/s", Bounds::up_to(1e9), default 0.0, "decay b of the kernel, above 0";
     }
@@ -314,7 +314,7 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
     let (accuracy, band) = (values.number("accuracy").unwrap_or(1e-5), values.number("band").unwrap_or(1e4));
     let terms: Vec<Term> = if lists.is_empty() {
         if given.is_empty() {
-            return refuse(diagnostics, "amplitude", "nothing is said of the memory of the material".into());
+            return refuse(diagnostics, "amplitude", "the memory of the material is not given".into());
         }
         if let Some(missing) = KERNEL[1..].iter().find(|name| !given.contains(name)) {
             return refuse(

@@ -119,7 +119,7 @@ fn mistakes_are_told() {
         let (part, found) = build(set, fields);
         assert!(part.is_none() && found.len() == 1 && found[0].contains(text), "{found:?}");
     };
-    said(&[], &[], "nothing is said of the memory");
+    said(&[], &[], "the memory of the material is not given");
     said(&kernel[..2], &[], "needs its decay beside amplitude and exponent");
     said(&[("amplitude", 0.08), ("exponent", 0.1), ("decay", 0.05)], &[], "keep 1 - K(0) = -0.02691 of its stiffness");
     let prony = columns(&[("share", vec![0.1, 0.2]), ("rate", vec![1.0, 10.0])]);
