@@ -1,12 +1,11 @@
 //! Stability along the speed of a machine with parts that have no time form: at every speed the roots that grow faster than the threshold, counted; between
 //! speeds where their number changes the root that crosses, followed by Newton's method.
 
-use super::characteristic::Characteristic;
-use super::locate::{State, value_and_slope};
+use super::locate::{State, carried, value_and_slope};
 use super::roots::{LEAST, Request, Roots, roots};
 use super::scalar::root;
 use super::sectors::Sector;
-use super::stability::{Edge, Row, Sample, peak};
+use super::stability::{Edge, Row, Sample, peak, tops};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
@@ -34,24 +33,6 @@ fn sample(speed: f64, found: &Roots) -> Option<Sample> {
         growing: found.growing(),
         counted: true,
     })
-}
-
-/// A root from one speed to another: Newton's method from where it was, in halved steps where it leads elsewhere.
-fn carried(system: &System, state: State, from: (f64, C64), to: f64, sector: Option<Sector>, depth: usize) -> Option<C64> {
-    let (value, slope) = value_and_slope(system, state, from.0, from.1, sector)?;
-    let ahead = value + slope.scale(to - from.0);
-    let found = Characteristic::new(system, &state(to).ok()?).polish(ahead, sector).map(|p| p.value);
-    if let Some(found) = found
-        && (found - ahead).abs() <= 0.3 * (ahead - value).abs() + 1e-6 * value.abs()
-    {
-        return Some(found);
-    }
-    if depth == 0 {
-        return found;
-    }
-    let middle = 0.5 * (from.0 + to);
-    let there = carried(system, state, from, middle, sector, depth - 1)?;
-    carried(system, state, (middle, there), to, sector, depth - 1)
 }
 
 /// As [`row`](super::stability::row); growth is judged against `threshold` or, where the domain of the parts ends above it, against that end, which is returned.
@@ -122,11 +103,8 @@ pub fn row(
         }
         out.edges.push(found);
     }
-    for w in out.samples.windows(3) {
-        let top = w[1].value.re;
-        if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
-            continue;
-        }
+    for [a, b, c] in tops(&out, threshold) {
+        let w = [out.samples[a], out.samples[b], out.samples[c]];
         if !each(out.solved) {
             out.stopped = true;
             return Ok(out);
@@ -134,7 +112,7 @@ pub fn row(
         let (near, sector) = ((w[1].speed, w[1].value), w[1].sector);
         let value = |speed: f64| carried(system, state, near, speed, sector, DEPTH);
         let slope = |speed: f64| value_and_slope(system, state, speed, value(speed)?, sector);
-        let found = peak(&out.edges, w, slope, value);
+        let found = peak(&out.edges, &w, slope, value);
         out.peaks.extend(found);
     }
     Ok(out)

@@ -1,11 +1,11 @@
 //! The synchronous response over the speed on a grid that is refined where it bends, and its maxima and minima.
 
 use super::characteristic::Equilibrium;
+use super::criticals::criticals;
 use super::extremum::Search;
 use super::linear_response::{Response, is_known, response};
-use super::locate::{State, crossing};
-use super::sweep::{Sweep, sweep};
-use super::ties::{rank, settle};
+use super::locate::State;
+use super::sweep::{Strongest, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::c;
@@ -44,76 +44,18 @@ pub struct Curve {
     pub solved: u64,
 }
 
-/// A speed where the frequency of a mode is a multiple of the speed.
-#[derive(Clone, Debug)]
-pub struct Critical {
-    /// Multiple.
-    pub order: f64,
-    /// Spin speed, rad/s.
-    pub speed: f64,
-    /// Growth of the mode there, 1/s.
-    pub growth: f64,
-    /// Direction of whirl.
-    pub whirl: super::pencil::Whirl,
-    /// Share of the forward part in the squared amplitudes.
-    pub forward_share: f64,
-    /// Branch of the sweep.
-    pub branch: usize,
-    /// Speeds before and after.
-    pub bracket: (f64, f64),
-    /// Relative distance of the dynamic stiffness from singularity; NaN when only bracketed.
-    pub defect: f64,
-    /// Last Newton step, rad/s.
-    pub step: f64,
-}
-
-/// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function.
-pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
-    let mut out: Vec<Critical> = Vec::new();
-    for &order in orders {
-        for (branch, b) in found.branches.iter().enumerate() {
-            for pair in b.points.windows(2) {
-                let ((w0, m0), (w1, m1)) = (&pair[0], &pair[1]);
-                let gap = |w: f64, m: &super::pencil::MachineMode| m.frequency() - order * w.abs();
-                let (g0, g1) = (gap(*w0, m0), gap(*w1, m1));
-                if !(g0 * g1 < 0.0 || (g0 == 0.0 && g1 != 0.0)) || m0.frequency() == 0.0 && m1.frequency() == 0.0 {
-                    continue;
-                }
-                let start = w0 + (w1 - w0) * g0 / (g0 - g1);
-                let share = (start - w0) / (w1 - w0);
-                let growth = m0.growth() + (m1.growth() - m0.growth()) * share;
-                let sign = if start < 0.0 { -1.0 } else { 1.0 };
-                let slack = 1e-9 * (w1 - w0).abs() + 1e-12 * w1.abs();
-                // at standstill nothing excites
-                if start.abs() <= 1e-12 * w0.abs().max(w1.abs()) {
-                    continue;
-                }
-                let solved = crossing(system, state, sign * order, start, growth, m0.sector)
-                    .filter(|c| c.speed >= w0 - slack && c.speed <= w1 + slack);
-                out.push(Critical {
-                    order,
-                    speed: solved.map_or(start, |c| c.speed),
-                    growth: solved.map_or(growth, |c| c.value.re),
-                    whirl: if share < 0.5 { m0.whirl } else { m1.whirl },
-                    forward_share: if share < 0.5 { m0.forward_share } else { m1.forward_share },
-                    branch,
-                    bracket: (*w0, *w1),
-                    defect: solved.map_or(f64::NAN, |c| c.defect),
-                    step: solved.map_or(w1 - w0, |c| c.step),
-                });
-            }
-        }
-    }
-    out.sort_by(|a, b| a.order.total_cmp(&b.order));
-    for same in out.chunk_by_mut(|a, b| a.order == b.order) {
-        settle(same, |x| c(x.growth, x.speed), |x| rank(x.whirl));
-    }
-    out
-}
-
 /// Frequency above which no mode can meet an excitation of this frequency on its way through the speeds computed.
 pub fn above(excitation: f64) -> f64 {
     2.0 * excitation
+}
+
+/// Where a response is looked at closely, and how stable the machine is on the way.
+#[derive(Clone, Debug, Default)]
+pub struct Seeds {
+    /// Speeds, rad/s.
+    pub speeds: Vec<f64>,
+    /// The mode that grows most at every speed of the search.
+    pub strongest: Vec<Strongest>,
 }
 
 /// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` is told the spectra computed
@@ -121,7 +63,7 @@ pub fn above(excitation: f64) -> f64 {
 ///
 /// # Errors
 /// As the spectrum.
-pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn FnMut(u64) -> bool) -> Result<Vec<f64>, Diagnostic> {
+pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn FnMut(u64) -> bool) -> Result<Seeds, Diagnostic> {
     // eigenvalues of a large machine are dear, and between far speeds the sweep halves by itself where shapes mix
     let points = if system.n() > 40 { 20 } else { 60 };
     let speeds = crate::model::field::RangeValue { from, to, points: Some(points) }.linspace(points);
@@ -134,7 +76,7 @@ pub fn seeds(system: &System, state: State, from: f64, to: f64, each: &mut dyn F
         }
     }
     out.retain(|&w| w >= from && w <= to);
-    Ok(out)
+    Ok(Seeds { speeds: out, strongest: found.strongest })
 }
 
 /// Deepest halving of an interval.

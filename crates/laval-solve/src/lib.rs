@@ -6,6 +6,7 @@ use laval_model::{diagnostic, model};
 pub mod centring;
 pub mod characteristic;
 pub mod counted;
+pub mod criticals;
 pub mod ensemble;
 pub mod exact;
 pub mod extrema;

@@ -67,6 +67,24 @@ pub fn value_and_slope(system: &System, state: State, speed: f64, near: C64, sec
     slope.is_finite().then_some((found.value, slope))
 }
 
+/// A root from one speed to another: Newton's method from where it was, in halved steps where it leads elsewhere.
+pub(super) fn carried(system: &System, state: State, from: (f64, C64), to: f64, sector: Option<Sector>, depth: usize) -> Option<C64> {
+    let (value, slope) = value_and_slope(system, state, from.0, from.1, sector)?;
+    let ahead = value + slope.scale(to - from.0);
+    let found = Characteristic::new(system, &state(to).ok()?).polish(ahead, sector).map(|p| p.value);
+    if let Some(found) = found
+        && (found - ahead).abs() <= 0.3 * (ahead - value).abs() + 1e-6 * value.abs()
+    {
+        return Some(found);
+    }
+    if depth == 0 {
+        return found;
+    }
+    let middle = 0.5 * (from.0 + to);
+    let there = carried(system, state, from, middle, sector, depth - 1)?;
+    carried(system, state, (middle, there), to, sector, depth - 1)
+}
+
 /// Speed and growth at which the frequency is `order` times the speed: `T(growth + i order W, W)` singular.
 pub fn crossing(system: &System, state: State, order: f64, speed: f64, growth: f64, sector: Option<Sector>) -> Option<Located> {
     let (mut w, mut growth) = (speed, growth);

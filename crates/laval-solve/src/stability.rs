@@ -97,6 +97,11 @@ fn sample(speed: f64, s: &Spectrum, on_grid: bool) -> Option<Sample> {
 
 /// Relative growth that counts as rounding in an undamped machine: eigenvalues near a double root lose half the digits.
 const NOISE: f64 = 1e-8;
+/// Distance of two speeds, over the speed, at which they are one.
+const APART: f64 = 1e-10;
+/// Rise of the growth that makes a peak: over the eigenvalue, and over the largest of all where their rounding is larger.
+const TOP: f64 = 1e-9;
+const ROUNDING: f64 = 1e-14;
 
 impl Row {
     /// The growth of a sample is above the threshold, and above rounding where nothing dissipates.
@@ -166,12 +171,20 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
         solved += more;
         all.extend(closer);
     }
+    let on_grid = |w: f64| speeds.binary_search_by(|x| x.total_cmp(&w)).is_ok();
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all.dedup_by(|a, b| a.0 == b.0);
+    // two samples at one speed differ by rounding: that of the grid stays
+    all.dedup_by(|b, a| {
+        let same = b.0 - a.0 <= APART * b.0.abs();
+        if same && on_grid(b.0) {
+            std::mem::swap(a, b);
+        }
+        same
+    });
     out.solved = solved;
     let asymmetric = all.iter().filter(|p| !symmetric(&p.1)).count();
     out.undamped = asymmetric * 20 <= all.len();
-    out.samples = all.iter().filter_map(|p| sample(p.0, &p.1, speeds.binary_search_by(|x| x.total_cmp(&p.0)).is_ok())).collect();
+    out.samples = all.iter().filter_map(|p| sample(p.0, &p.1, on_grid(p.0))).collect();
     for k in 1..out.samples.len() {
         out.samples[k].other = !goes_on(&out.samples[k - 1], &out.samples[k], &all);
     }
@@ -184,11 +197,8 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
         let edge = edge.unwrap_or_else(|| threshold_edge(system, state, a, b, threshold));
         out.edges.push(edge);
     }
-    for w in out.samples.windows(3) {
-        let top = w[1].value.re;
-        if !(out.unstable(&w[1], threshold) && top >= w[0].value.re && top > w[2].value.re) {
-            continue;
-        }
+    for [a, b, c] in tops(&out, threshold) {
+        let w = [out.samples[a], out.samples[b], out.samples[c]];
         let strongest = |speed: f64| -> Option<(C64, Option<Sector>)> {
             let s = spectrum(system, state, speed).ok()?.1;
             s.least_stable().map(|m| (m.value, m.sector))
@@ -197,10 +207,25 @@ pub fn row(system: &System, state: State, speeds: &[f64], threshold: f64, mut ea
             let (value, sector) = strongest(speed)?;
             value_and_slope(system, state, speed, value, sector)
         };
-        let found = peak(&out.edges, w, slope, |speed| strongest(speed).map(|s| s.0));
+        let found = peak(&out.edges, &w, slope, |speed| strongest(speed).map(|s| s.0));
         out.peaks.extend(found);
     }
     Ok(out)
+}
+
+/// Samples above the threshold that exceed their neighbours by more than rounding, between the nearest samples that are below them by more than that.
+pub(super) fn tops(row: &Row, threshold: f64) -> Vec<[usize; 3]> {
+    let s = &row.samples;
+    let growth = |k: usize| s[k].value.re;
+    let between = |k: usize| {
+        let top = growth(k);
+        let noise = TOP * s[k].value.abs() + ROUNDING * s[k].size;
+        let fallen = |j: &usize| !(growth(*j) >= top - noise);
+        let before = (0..k).rev().find(|j| fallen(j) || growth(*j) > top).filter(fallen)?;
+        let after = (k + 1..s.len()).find(|j| fallen(j) || growth(*j) >= top).filter(fallen)?;
+        Some([before, k, after])
+    };
+    (0..s.len()).filter(|&k| row.unstable(&s[k], threshold)).filter_map(between).collect()
 }
 
 /// The largest growth between the neighbours of the middle one of three samples, or the ends of the unstable range where these are nearer: where its `slope` vanishes, and

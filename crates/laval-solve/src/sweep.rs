@@ -41,6 +41,31 @@ pub struct Sweep {
     pub passings: Vec<Passing>,
     /// Spectra computed.
     pub solved: u64,
+    /// The mode that grows most at every speed computed, with what its growth may be off by: also where its frequency is not followed.
+    pub strongest: Vec<Strongest>,
+}
+
+/// The mode that grows most at a speed.
+#[derive(Clone, Copy, Debug)]
+pub struct Strongest {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Eigenvalue.
+    pub value: C64,
+    /// It grows by more than its error.
+    pub grows: bool,
+}
+
+impl Strongest {
+    /// Of a spectrum.
+    pub fn of(speed: f64, spectrum: &Spectrum) -> Option<Self> {
+        let m = spectrum.least_stable()?;
+        let largest = spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+        let error = if m.error.is_nan() { 0.0 } else { m.error };
+        // of a machine without damping pairs of modes that meet lose half the digits
+        let grows = !(m.value.re <= GROWS * m.value.abs() + error + ROUNDING * largest);
+        Some(Strongest { speed, value: m.value, grows })
+    }
 }
 
 /// Spectrum at a speed.
@@ -66,6 +91,10 @@ const STILL: f64 = 1e-4;
 
 /// Steps between two speeds: more where two roots seem to lead to one.
 const PIECES: [usize; 4] = [1, 4, 16, 64];
+
+/// Growth over the eigenvalue, and over the largest of all, that is rounding.
+const GROWS: f64 = 1e-7;
+const ROUNDING: f64 = 1e-13;
 
 /// Deepest halving of a step where shapes mix.
 const DEPTH: usize = 7;
@@ -128,6 +157,7 @@ impl Follower<'_> {
         let middle = 0.5 * (from + to);
         if ambiguous && depth < DEPTH && from < middle && middle < to && (self.each)(self.place, self.out.solved) {
             let mut between = self::spectrum(self.system, self.state, middle)?.1;
+            self.out.strongest.extend(Strongest::of(middle, &between));
             band(&mut between, self.limit);
             self.out.solved += 1;
             self.advance(from, middle, between, depth + 1)?;
@@ -224,6 +254,7 @@ pub fn sweep(
             break;
         }
         let mut s = spectrum(system, state, speed)?.1;
+        f.out.strongest.extend(Strongest::of(speed, &s));
         band(&mut s, limit);
         f.out.solved += 1;
         if k == 0 {
@@ -277,6 +308,7 @@ fn follow(
         let dense = system.domains(speed).iter().any(|d| !d.axis);
         let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
         let found = roots(system, &about, &request)?.spectrum;
+        out.strongest.extend(Strongest::of(speed, &found));
         out.solved += 1;
         ids = found.modes.iter().map(|_| usize::MAX).collect();
         for (id, value, sector) in led {

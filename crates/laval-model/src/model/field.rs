@@ -196,7 +196,7 @@ impl Attach {
 /// Most points of a range: as many speeds or values as a study keeps the modes of.
 pub const MOST_POINTS: usize = 100_000;
 
-/// `{ from, to, points }` in SI units.
+/// `{ from, to, points }` in SI units; one value has two equal ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RangeValue {
     /// First value.
@@ -208,8 +208,16 @@ pub struct RangeValue {
 }
 
 impl RangeValue {
+    /// One value: both ends are the same.
+    pub fn is_one(&self) -> bool {
+        self.from == self.to
+    }
+
     /// Equally spaced values, `points` of them (or `default` when none were given).
     pub fn linspace(&self, default: usize) -> Vec<f64> {
+        if self.is_one() {
+            return vec![self.from];
+        }
         let n = self.points.unwrap_or(default).max(1);
         (0..n)
             .map(|i| if i + 1 == n && n > 1 { self.to } else { self.from + (self.to - self.from) * i as f64 / (n.max(2) - 1) as f64 })

@@ -147,7 +147,10 @@ pub fn takes(f: &Field) -> String {
         FieldKind::Attach { ground: false } => "a point: \"drum\" or { body = \"drum\", at = \"40 mm\" }".into(),
         FieldKind::Between => "two points: [\"drum\", \"base\"]; one of them may be \"ground\", each may be { body = .., at = .. }".into(),
         FieldKind::Range { unit, bounds } => {
-            format!("{{ from = .., to = .., points = .. }}, points optional, at most {MOST_POINTS}; {}", number(unit, &bounds))
+            format!(
+                "one value, or {{ from = .., to = .., points = .. }}, points optional, at most {MOST_POINTS}; {}",
+                number(unit, &bounds)
+            )
         }
         FieldKind::List { unit, bounds } => format!("a list; {}", number(unit, &bounds)),
         FieldKind::ParameterPath => "the path of a parameter: \"drum.mass\"".into(),

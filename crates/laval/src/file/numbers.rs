@@ -160,9 +160,13 @@ impl Context<'_> {
     }
 
     pub(super) fn range(&mut self, field: &str, node: &Node, extra: &[&str], unit: Option<(&str, Bounds)>) -> Option<RangeValue> {
+        let single = unit.filter(|_| extra.is_empty());
+        if let (Some((u, b)), Data::Text(_) | Data::Integer(_) | Data::Float(_)) = (single, &node.data) {
+            return self.quantity(field, node, u, &b).map(|x| RangeValue { from: x, to: x, points: None });
+        }
         let Some(table) = node.table() else {
             let example = format!(
-                "write {{ from = .., to = .., points = .. }} with {}",
+                "write one value, or {{ from = .., to = .., points = .. }}, with {}",
                 unit.map_or("numbers".into(), |u| format!("values in {}", units::examples(u.0)))
             );
             self.wrong_type(field, node, "a range", example);
@@ -199,6 +203,9 @@ impl Context<'_> {
             }
         }
         let (from, to) = (from?, to?);
+        if from == to && single.is_some() {
+            return fine.then_some(RangeValue { from, to, points: None });
+        }
         if from == to {
             let message = format!("{} begins and ends at {}", subject(self.who, field), units::format_si(from, unit.map_or("", |u| u.0)));
             self.error("range.empty", node.span.clone(), message, "empty range", "from and to must differ".to_string());

@@ -180,7 +180,7 @@ fn field(f: &Field) -> Json {
         FieldKind::Coordinate | FieldKind::ParameterPath => json!({ "type": "string", "minLength": 1 }),
         FieldKind::Attach { ground } => point(ground),
         FieldKind::Between => json!({ "type": "array", "items": point(true), "minItems": 2, "maxItems": 2 }),
-        FieldKind::Range { unit, bounds } => range(&[], quantity(unit, &bounds)),
+        FieldKind::Range { unit, bounds } => json!({ "anyOf": [quantity(unit, &bounds), range(&[], quantity(unit, &bounds))] }),
         FieldKind::List { unit, bounds } => json!({ "type": "array", "items": quantity(unit, &bounds), "minItems": 1 }),
         FieldKind::ParameterRange => range(&[("parameter", json!({ "type": "string", "minLength": 1 }))], quantity("", &any)),
         FieldKind::ParameterRanges => {

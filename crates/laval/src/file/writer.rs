@@ -42,6 +42,9 @@ fn point(a: &Attach) -> String {
 }
 
 fn range(r: &RangeValue, unit: &str, head: &str) -> String {
+    if r.is_one() && head.is_empty() {
+        return quantity(r.from, unit);
+    }
     let points = r.points.map_or(String::new(), |n| format!(", points = {n}"));
     format!("{{ {head}from = {}, to = {}{points} }}", quantity(r.from, unit), quantity(r.to, unit))
 }

@@ -128,6 +128,10 @@ pub struct Line {
     pub solid_where: Option<String>,
     /// Flag column: where it is true the curve begins anew, with a gap before it.
     pub begins_where: Option<String>,
+    /// Column whose values give pieces of the curves their colour and their name in the legend, in place of the groups.
+    pub class: Option<String>,
+    /// Values of `class` that always have the same colour, whichever of them occur.
+    pub classes: &'static [&'static str],
     /// Curves of groups coincide: the earlier are drawn wider, so that all are seen.
     pub nested: bool,
     /// Pieces that would be dashed are left out.
@@ -150,6 +154,8 @@ impl Line {
             group: None,
             solid_where: None,
             begins_where: None,
+            class: None,
+            classes: &[],
             nested: false,
             solid_only: false,
             solid_dashed: ("stable".into(), "unstable".into()),
@@ -161,6 +167,13 @@ impl Line {
     /// One line per value of this column.
     pub fn group(mut self, column: impl Into<String>) -> Self {
         self.group = Some(column.into());
+        self
+    }
+
+    /// Colours and names the pieces by this column, the same for each of these values in every figure: where there are more curves than colours.
+    pub fn classes(mut self, column: impl Into<String>, classes: &'static [&'static str]) -> Self {
+        self.class = Some(column.into());
+        self.classes = classes;
         self
     }
 
@@ -449,7 +462,10 @@ impl Figure {
     pub fn check(&self, tables: &[Table]) -> Result<(), OutcomeError> {
         for mark in self.panels.iter().flat_map(|p| &p.marks) {
             let (table, numbers, group, flag): (&str, Vec<&str>, Option<&String>, Option<&String>) = match mark {
-                Mark::Line(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.solid_where.as_ref().or(m.begins_where.as_ref())),
+                Mark::Line(m) => {
+                    let group = m.group.as_ref().or(m.class.as_ref());
+                    (&m.table, vec![&m.x, &m.y], group, m.solid_where.as_ref().or(m.begins_where.as_ref()))
+                }
                 Mark::Points(m) => (&m.table, vec![&m.x, &m.y], m.group.as_ref(), m.filled_where.as_ref()),
                 Mark::Heat(m) if m.classes.is_empty() => (&m.table, vec![&m.x, &m.y, &m.value], None, None),
                 Mark::Heat(m) => (&m.table, vec![&m.x, &m.y], Some(&m.value), None),

@@ -169,6 +169,11 @@ impl TableBuilder {
         self.add(name, unit, doc, Data::Float(values))
     }
 
+    /// Adds a column of real numbers unless there are rows and none has a value.
+    pub fn float_if_any(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<f64>) -> Self {
+        if !values.is_empty() && values.iter().all(|x| x.is_nan()) { self } else { self.float(name, unit, doc, values) }
+    }
+
     /// Adds a column of whole numbers.
     pub fn int(self, name: impl Into<String>, unit: impl Into<String>, doc: impl Into<String>, values: Vec<i64>) -> Self {
         self.add(name, unit, doc, Data::Int(values))

@@ -198,6 +198,23 @@ impl Build<'_> {
         groups
     }
 
+    /// Groups cut where the class of their rows changes, each piece with its class; a piece reaches to the first row of the next.
+    fn classed(&self, groups: Vec<Group>, table: &str, class: Option<&String>) -> Vec<(Group, Option<String>)> {
+        let Some(Data::Text(words)) = class.and_then(|c| self.column(table, c)).map(|c| &c.data) else {
+            return groups.into_iter().map(|g| (g, None)).collect();
+        };
+        let mut out: Vec<(Group, Option<String>)> = Vec::new();
+        for g in groups {
+            let mut begin = 0;
+            for run in g.rows.chunk_by(|a, b| words[*a] == words[*b]) {
+                let end = (begin + run.len() + 1).min(g.rows.len());
+                out.push((Group { name: g.name.clone(), rows: g.rows[begin..end].to_vec() }, Some(words[run[0]].clone())));
+                begin += run.len();
+            }
+        }
+        out
+    }
+
     fn colour(&mut self, name: &str, index: usize, of: usize) -> Colour {
         if of > PALETTE_GROUPS {
             return Colour::Ramp(index as f64 / (of - 1) as f64);
@@ -254,13 +271,18 @@ impl Build<'_> {
                     let solid = self.flags(&m.table, m.solid_where.as_ref()).map(<[bool]>::to_vec);
                     let begins = self.flags(&m.table, m.begins_where.as_ref()).map(<[bool]>::to_vec);
                     let groups = self.groups(&m.table, m.group.as_ref(), &m.name, xs.len());
-                    let of = groups.len();
-                    for (k, g) in groups.into_iter().enumerate() {
-                        let colour = if m.reference { Colour::Muted } else { self.colour(&g.name, k, of) };
+                    for class in m.classes {
+                        self.colour(class, 0, 1);
+                    }
+                    let groups = self.classed(groups, &m.table, m.class.as_ref());
+                    let of = if m.class.is_some() { 1 } else { groups.len() };
+                    for (k, (g, class)) in groups.into_iter().enumerate() {
+                        let label = class.as_ref().unwrap_or(&g.name);
+                        let colour = if m.reference { Colour::Muted } else { self.colour(label, k, of) };
                         // curves on a heat map are black
                         let on_heat = colour == Colour::Slot(0) && panel.marks.iter().any(|m| matches!(m, Mark::Heat(_)));
                         let glyph = if on_heat { Glyph::Contour } else { Glyph::Line };
-                        let entry = (!m.reference).then(|| self.entry(&g.name, colour, glyph));
+                        let entry = (!m.reference).then(|| self.entry(label, colour, glyph));
                         let at = |i: usize| (xs[i], ys[i]);
                         let pieces = match &solid {
                             None => vec![(Kind::Solid, String::new(), pieces_of(&g.rows, at, begins.as_deref()))],
@@ -276,7 +298,7 @@ impl Build<'_> {
                             }
                         };
                         for (kind, state, points) in pieces.into_iter().filter(|p: &(Kind, String, Vec<_>)| !p.2.is_empty()) {
-                            let below = if m.nested { of - 1 - k } else { 0 };
+                            let below = if m.nested { of.saturating_sub(1 + k) } else { 0 };
                             view.series.push(Series {
                                 name: g.name.clone(),
                                 state,

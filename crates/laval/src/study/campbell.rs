@@ -9,16 +9,16 @@
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
 use super::approximation;
-use super::modes::THRESHOLD;
+use super::modes::{THRESHOLD, WHIRLS};
 use super::region;
-use super::support::{About, COUNTS, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
+use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
-use crate::solve::extrema::{Critical, criticals};
+use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, transcendental};
@@ -42,13 +42,23 @@ pub(super) fn orders(values: &Values) -> Vec<f64> {
 
 /// A crossing as a special point.
 pub(super) fn special(c: &Critical) -> SpecialPoint {
-    let status = if c.defect.is_nan() { Status::Bracketed } else { Status::Located };
+    let status = if c.located() { Status::Located } else { Status::Bracketed };
     SpecialPoint::new("critical_speed", c.speed, c.bracket)
         .status(status)
         .evidence("order", c.order, "")
         .evidence("growth", c.growth, "1/s")
         .evidence("relative defect of the dynamic stiffness", c.defect, "")
-        .evidence("last Newton step", c.step, "rad/s")
+        .evidence(if c.located() { "last Newton step" } else { "width of the bracket" }, c.step, "rad/s")
+}
+
+/// That a crossing lies between two speeds, and could not be located.
+pub(super) fn bracketed(c: &Critical) -> Finding {
+    let text = format!(
+        "Between {{}} and {} the frequency of a mode crosses order {}; the place could not be located: give a range with more points there.",
+        quantity(c.bracket.1, "rad/s"),
+        c.order
+    );
+    Finding::warning("critical_speed_not_located", text).of(format!("order {}", c.order)).value(c.bracket.0, "rad/s")
 }
 
 /// Damping ratio of a mode at its critical speed.
@@ -78,11 +88,11 @@ pub(super) fn critical_table(found: &[Critical]) -> Result<Table, Diagnostic> {
         .float("damping_ratio", "", "damping ratio of the mode", column(damping))
         .text("whirl", "direction of whirl", found.iter().map(|c| c.whirl.word().into()).collect())
         .int("mode", "", "branch of the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
-        .float("uncertainty", "rad/s", "last Newton step", column(|c| c.step))
+        .float("uncertainty", "rad/s", "last Newton step; the width of the bracket where it is not located", column(|c| c.step))
         .flag(
             "located",
             "solved for on the characteristic function; otherwise read between two speeds",
-            found.iter().map(|c| !c.defect.is_nan()).collect(),
+            found.iter().map(Critical::located).collect(),
         )
         .build()
         .map_err(inconsistent)
@@ -118,8 +128,8 @@ pub(super) fn follow(system: &System, context: &Context, speeds: &[f64], limit: 
     Ok((found, context.end(whole)))
 }
 
-/// Modes that are told apart in the figure, at most.
-const MOST_NAMED: usize = 40;
+/// Modes that have a name and a colour of their own in the figure, at most.
+const MOST_NAMED: usize = 8;
 
 impl Study for Campbell {
     const KIND: &'static str = "campbell";
@@ -179,7 +189,12 @@ orders = [1, 2]
         let fastest = self.speed.from.abs().max(self.speed.to.abs());
         let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
         let threshold = if slow { self.threshold.max(LEAST * fastest) } else { self.threshold };
-        let limit = |m: &crate::solve::pencil::MachineMode| m.growth() <= threshold + m.error;
+        // beside the largest eigenvalue, what is smaller than this is rounding
+        let rounding = ROUNDING * rows.iter().map(|r| r.1.1.value.abs()).fold(0.0, f64::max);
+        let within = |m: &crate::solve::pencil::MachineMode, limit: f64| {
+            m.growth() <= limit + rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
+        };
+        let limit = |m: &crate::solve::pencil::MachineMode| within(m, threshold);
         let table = Table::new("modes", "Modes followed over the spin speed")
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1.0).collect())
             .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| label(r.0)).collect())
@@ -191,7 +206,7 @@ orders = [1, 2]
                 "direction of whirl; none without oscillation across the axis, and at standstill",
                 rows.iter().map(|r| r.1.1.whirl.at(r.1.0).word().into()).collect(),
             )
-            .flag("stable", "growth not above the threshold", rows.iter().map(|r| limit(&r.1.1)).collect())
+            .flag("stable", "growth rate not above growth_threshold", rows.iter().map(|r| within(&r.1.1, self.threshold)).collect())
             .build()
             .map_err(inconsistent)?;
         let (from, to) = (self.speed.from, self.speed.to);
@@ -207,31 +222,30 @@ orders = [1, 2]
         }
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
-        for c in &crossings {
-            let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
-            outcome = outcome
-                .finding(
-                    Finding::info("critical_speed", text)
-                        .of(format!("order {} {}", c.order, c.whirl.word()))
-                        .value(c.speed, "rad/s")
-                        .evidence("relative defect of the dynamic stiffness", c.defect, "")
-                        .evidence("growth", c.growth, "1/s"),
-                )
-                .special_point(special(c));
-        }
-        if crossings.is_empty() {
-            let text = if end == End::Reached {
-                "No frequency meets an excitation line in this range."
-            } else {
-                "No frequency met an excitation line before the study stopped."
-            };
-            outcome = outcome.finding(Finding::info("no_critical_speed", text));
-        }
         let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
         if let Some((k, (w, m))) = worst {
             let text =
                 format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
             outcome = outcome.finding(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"));
+        }
+        for c in &crossings {
+            let finding = if c.located() {
+                let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
+                Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
+            } else {
+                bracketed(c)
+            };
+            outcome = outcome
+                .finding(finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence("growth", c.growth, "1/s"))
+                .special_point(special(c));
+        }
+        if crossings.is_empty() {
+            let text = if end == End::Reached {
+                "No crossing of a frequency with an excitation line was found in this range."
+            } else {
+                "No frequency met an excitation line before the study stopped."
+            };
+            outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         if !found.ambiguous.is_empty() {
             let (a, b) = found.ambiguous[0];
@@ -265,10 +279,10 @@ orders = [1, 2]
         let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));
         let axis = Axis::new("frequency", "rad/s");
         let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
-        // a legend of more lines is a wall
+        // a legend of more lines is a wall: then the direction of whirl names and colours them
         let line = |y: &str| {
             let line = Line::new("modes", "speed", y).group("mode").solid_where("stable");
-            if found.branches.len() > MOST_NAMED { line.reference() } else { line }
+            if found.branches.len() > MOST_NAMED { line.classes("whirl", WHIRLS) } else { line }
         };
         let mut frequency = Panel::new(axis).mark(line("frequency"));
         for k in &self.orders {
@@ -282,9 +296,7 @@ orders = [1, 2]
             crossings.len(),
             beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
         );
-        // lines without names do not span the axis by themselves
         let speeds = Axis::new("spin speed", "rad/s");
-        let speeds = if found.branches.len() > MOST_NAMED { speeds.range(from, to) } else { speeds };
         let figure = Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth);
         outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
         if self.compare {
@@ -309,6 +321,7 @@ fn beyond(top: f64, modes: &[String]) -> String {
     match modes {
         [] => String::new(),
         [one] => format!(" Above the axis, beyond {}: mode {one}.", quantity(top, "rad/s")),
+        many if many.len() > MOST_NAMED => format!(" Above the axis, beyond {}: {} modes.", quantity(top, "rad/s"), many.len()),
         many => format!(" Above the axis, beyond {}: modes {}.", quantity(top, "rad/s"), many.join(", ")),
     }
 }

@@ -9,7 +9,8 @@
 //!
 //! Sources: `theory/planar-rotor.md` sections 6 and 9.
 
-use super::campbell::{ORDERS, critical_table, damping, damping_words, follow, orders, special};
+use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words, follow, orders, special};
+use super::growing::{Follows, unstable};
 use super::modes::WHIRLS;
 use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
 use super::{Context, Study};
@@ -18,8 +19,8 @@ use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
-use crate::solve::extrema::{above, criticals, curve, seeds};
-use crate::solve::pencil::Whirl;
+use crate::solve::criticals::{Critical, criticals};
+use crate::solve::extrema::{Extremum, above, curve, seeds};
 use crate::solve::rest::rest;
 
 /// See the [module](self).
@@ -71,7 +72,7 @@ margin = 0.15
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
             let mut each = |done| context.goes_on(done);
-            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
+            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?.speeds);
             let response = curve(system, &state, speeds, &at, &mut each)?;
             if !response.complete {
                 end = context.end(false);
@@ -83,46 +84,51 @@ margin = 0.15
         let complete = end == End::Reached;
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
+        if let Some(f) = unstable(system, &found.strongest, &Follows::Speeds) {
+            outcome = outcome.finding(f);
+        }
+        let name = |p: &Extremum| bodies[p.body].name.as_str();
         for c in &crossings {
-            let near =
-                peaks.iter().filter(|_| c.order == 1.0).min_by(|a, b| (a.speed - c.speed).abs().total_cmp(&(b.speed - c.speed).abs()));
-            // a peak belongs to a critical speed when it lies within a few widths of its resonance
-            let near = near.filter(|p| (p.speed - c.speed).abs() <= 4.0 * c.growth.abs() + 1e-6 * c.speed.abs());
-            // and to the nearest one only; of two at one place, to the one unbalance drives
-            let near = near.filter(|p| {
-                let own = ((c.speed - p.speed).abs(), c.whirl == Whirl::Backward);
-                !crossings.iter().filter(|o| o.order == 1.0).any(|o| {
-                    let other = ((o.speed - p.speed).abs(), o.whirl == Whirl::Backward);
-                    other.0 < own.0 - 1e-9 * p.speed.abs() || ((other.0 - own.0).abs() <= 1e-9 * p.speed.abs() && !other.1 && own.1)
-                })
-            });
-            let beside = match near {
-                Some(p) if p.unbounded => format!("; there the response of {} has no bound", bodies[p.body].name),
-                Some(p) => format!("; the response of {} peaks at {}", bodies[p.body].name, quantity(p.speed, "rad/s")),
-                None if forced && c.order == 1.0 => "; the unbalance response has no peak there".into(),
-                None => String::new(),
+            let beside = match own_peak(c, &crossings, &peaks) {
+                _ if !forced || c.order != 1.0 => String::new(),
+                Some(p) if p.unbounded => format!("; there the response of {} has no bound", name(p)),
+                Some(p) => format!("; the response of {} peaks at {}", name(p), quantity(p.speed, "rad/s")),
+                None if !c.driven_by_unbalance() => "; in this machine unbalance does not excite it".into(),
+                None => "; the unbalance response has no peak there".into(),
             };
-            let text = format!(
-                "Critical speed of order {} at {{}}: {}, {}{beside}.",
-                c.order,
-                c.whirl.of("whirl", c.forward_share),
-                damping_words(c)
+            let whirl = c.whirl.of("whirl", c.forward_share);
+            let finding = if c.located() {
+                let text = format!("Critical speed of order {} at {{}}: {whirl}, {}{beside}.", c.order, damping_words(c));
+                Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
+            } else {
+                bracketed(c)
+            };
+            let finding = finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence(
+                if c.located() { "last Newton step" } else { "width of the bracket" },
+                c.step,
+                "rad/s",
             );
-            let mut finding = Finding::info("critical_speed", text)
-                .of(format!("order {} {}", c.order, c.whirl.word()))
-                .value(c.speed, "rad/s")
-                .evidence("relative defect of the dynamic stiffness", c.defect, "")
-                .evidence("last Newton step", c.step, "rad/s");
-            if let Some(p) = near {
-                finding = finding.evidence("peak of the response", p.speed, "rad/s");
-            }
+            let finding = match own_peak(c, &crossings, &peaks) {
+                Some(p) => finding.evidence("peak of the response", p.speed, "rad/s"),
+                None => finding,
+            };
             outcome = outcome.finding(finding).special_point(special(c));
         }
+        let loose = loose(&crossings, &peaks);
+        for p in &loose {
+            let text = format!(
+                "The unbalance response of {} peaks at {{}}, where the frequency of no mode equals the speed: {}.",
+                name(p),
+                if p.unbounded { "it has no bound there".into() } else { format!("it moves {}", quantity(p.value, "m")) }
+            );
+            let finding = Finding::info("response_peak", text).of(name(p)).value(p.speed, "rad/s");
+            outcome = outcome.finding(finding.evidence("amplitude", p.value, "m"));
+        }
         if crossings.is_empty() {
-            let text = if complete {
-                "There is no critical speed in this range."
-            } else {
-                "No critical speed was found before the study stopped."
+            let text = match (complete, loose.is_empty()) {
+                (true, true) => "No critical speed was found in this range.",
+                (true, false) => "No speed was found in this range at which the frequency of a mode equals it.",
+                _ => "No critical speed was found before the study stopped.",
             };
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
@@ -135,18 +141,34 @@ margin = 0.15
         }
         // a machine at rest has no distance in parts of its speed
         if let Some(w) = system.machine.speed.filter(|w| *w != 0.0) {
+            let near = |x: &Critical, y: &Critical| (x.speed - w).abs().total_cmp(&(y.speed - w).abs());
             // a mode with a tenth of critical damping or more does not show as a resonance
-            let close =
-                crossings.iter().filter(|c| damping(c).abs() < 0.1).min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
-            if let Some(c) = close {
-                let distance = (c.speed - w).abs() / w.abs();
+            let lightly = || crossings.iter().filter(|c| damping(c).abs() < 0.1);
+            let excited = |c: &&Critical| !forced || c.order != 1.0 || own_peak(c, &crossings, &peaks).is_some();
+            let peak = loose.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
+            let close = lightly().filter(excited).min_by(|a, b| near(a, b));
+            let peak = peak.filter(|p| close.is_none_or(|c| (p.speed - w).abs() < (c.speed - w).abs()));
+            // without any that the load excites the nearest of the others is named, and is no reason for a warning
+            let (close, quiet) = match (peak, close) {
+                (None, None) => (lightly().min_by(|a, b| near(a, b)), true),
+                (None, c) => (c, false),
+                _ => (None, false),
+            };
+            let place = peak.map(|p| (p.speed, "peak of the unbalance response".to_string())).or(close.map(|c| {
+                let order = if c.order == 1.0 { String::new() } else { format!(" of order {}", c.order) };
+                let not = if c.located() { "" } else { " (not located)" };
+                (c.speed, format!("lightly damped critical speed{order}{not}"))
+            }));
+            if let Some((speed, what)) = place {
+                let distance = (speed - w).abs() / w.abs();
                 let text = format!(
-                    "The nearest lightly damped critical speed, {}{}, is {{}} of the operating speed, {}, away from it.",
-                    quantity(c.speed, "rad/s"),
-                    if c.order == 1.0 { String::new() } else { format!(" (order {})", c.order) },
+                    "The nearest {what}, {}, is {{}} of the operating speed, {}, away from it{}.",
+                    quantity(speed, "rad/s"),
                     quantity(w, "rad/s"),
+                    if quiet { "; the unbalance of this machine excites no resonance there" } else { "" }
                 );
-                let finding = if distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
+                let finding =
+                    if quiet || distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
                 outcome = outcome.finding(
                     finding
                         .of("to the nearest critical speed, over the operating speed")
@@ -160,20 +182,56 @@ margin = 0.15
             outcome = outcome.finding(f);
         }
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
-            .text("body", "body", peaks.iter().map(|p| bodies[p.body].name.clone()).collect())
+            .text("body", "body", peaks.iter().map(|p| name(p).to_string()).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound", peaks.iter().map(|p| p.value).collect())
             .build()
             .map_err(inconsistent)?;
-        let mut panel = Panel::new(Axis::new("damping ratio", ""))
-            .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
-        if let Some(w) = system.machine.speed {
-            panel = panel.mark(Rule::x(w, "operating speed"));
+        outcome = outcome.table(critical_table(&crossings)?).table(peak_table);
+        if !crossings.is_empty() {
+            let mut panel = Panel::new(Axis::new("damping ratio", ""))
+                .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
+            if let Some(w) = system.machine.speed {
+                panel = panel.mark(Rule::x(w, "operating speed"));
+            }
+            let alt = format!("Damping ratio at each of {} critical speeds.", crossings.len());
+            let figure = Figure::new("critical_speeds", "Critical speeds", alt)
+                .x(Axis::new("spin speed", "rad/s").range(self.speed.from, self.speed.to))
+                .panel(panel);
+            outcome = outcome.figure(figure);
         }
-        let alt = format!("Damping ratio at each of {} critical speeds.", crossings.len());
-        let figure = Figure::new("critical_speeds", "Critical speeds", alt)
-            .x(Axis::new("spin speed", "rad/s").range(self.speed.from, self.speed.to))
-            .panel(panel);
-        outcome.table(critical_table(&crossings)?).table(peak_table).figure(figure).checked().map_err(inconsistent)
+        outcome.checked().map_err(inconsistent)
     }
+}
+
+/// Widths of a resonance within which a peak belongs to it.
+const WIDTHS: f64 = 2.0;
+
+/// A peak is beside a critical speed that unbalance can excite: within a few widths of its resonance.
+fn beside(c: &Critical, p: &Extremum) -> bool {
+    c.driven_by_unbalance() && (p.speed - c.speed).abs() <= WIDTHS * c.growth.abs() + 1e-6 * c.speed.abs()
+}
+
+/// The nearest peak of the response that belongs to a critical speed, and to no nearer one.
+fn own_peak<'p>(c: &Critical, all: &[Critical], peaks: &'p [Extremum]) -> Option<&'p Extremum> {
+    let distance = |c: &Critical, p: &Extremum| (c.speed - p.speed).abs();
+    let nearest = peaks.iter().filter(|p| beside(c, p)).min_by(|a, b| distance(c, a).total_cmp(&distance(c, b)))?;
+    let nearer = |o: &Critical| beside(o, nearest) && distance(o, nearest) < distance(c, nearest) - 1e-9 * nearest.speed.abs();
+    (!all.iter().any(nearer)).then_some(nearest)
+}
+
+/// Peaks that belong to no critical speed: of those of several bodies at one speed the largest.
+fn loose<'p>(all: &[Critical], peaks: &'p [Extremum]) -> Vec<&'p Extremum> {
+    const ONE: f64 = 0.02;
+    let mut out: Vec<&Extremum> = Vec::new();
+    let mut own: Vec<&Extremum> = peaks.iter().filter(|p| !all.iter().any(|c| beside(c, p))).collect();
+    // what has no bound is larger than any
+    own.sort_by(|a, b| b.unbounded.cmp(&a.unbounded).then(b.value.total_cmp(&a.value)));
+    for p in own {
+        if out.iter().all(|o| (o.speed - p.speed).abs() > ONE * p.speed.abs()) {
+            out.push(p);
+        }
+    }
+    out.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    out
 }

@@ -9,7 +9,8 @@
 //!
 //! Sources: `theory/planar-rotor.md` sections 5 and 9.
 
-use super::support::{SPEED_RANGE, inconsistent, range, remarks};
+use super::growing::{Follows, unstable};
+use super::support::{SPEED_RANGE, inconsistent, one_or_range, remarks};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
@@ -21,6 +22,7 @@ use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::linear_response::{Response, response};
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
+use crate::solve::sweep::{Strongest, spectrum};
 use laval_num::complex::{C64, c};
 use std::collections::BTreeMap;
 
@@ -36,11 +38,14 @@ impl Study for ForcedResponse {
 "#;
     const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, forces of linear parts, with \
         resonances and antiresonances located. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
-    const FIELDS: &'static [Field] =
-        &[Field::required("speed", SPEED_RANGE, "spin speeds; points (400 unless given) are added where the response bends")];
+    const FIELDS: &'static [Field] = &[Field::required(
+        "speed",
+        SPEED_RANGE,
+        "one spin speed, or a range: points (400 unless given) are added where the response bends",
+    )];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let speed = range("speed", values.range("speed")?, 3, values, diagnostics)?;
+        let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
         if system.bodies().is_empty() {
             diagnostics.push(Diagnostic::error("forced_response.no_body", "no body of this machine moves across the axis"));
             return None;
@@ -70,8 +75,14 @@ impl Study for ForcedResponse {
         };
         // eigenvalues tell where a narrow resonance hides; a machine without time form has none to tell
         let known = time_forms(system).is_ok();
-        if known {
-            speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?);
+        let one = self.speed.is_one();
+        let mut strongest = Vec::new();
+        if known && one {
+            strongest.extend(Strongest::of(self.speed.from, &spectrum(system, &state, self.speed.from)?.1));
+        } else if known {
+            let more = seeds(system, &state, self.speed.from, self.speed.to, &mut each)?;
+            speeds.extend(more.speeds);
+            strongest = more.strongest;
         }
         let found: Curve = curve(system, &state, speeds, &at, &mut each)?;
         let points = &found.points;
@@ -91,7 +102,7 @@ impl Study for ForcedResponse {
                         f.abs() - b.abs()
                     }),
                 )
-                .float(
+                .float_if_any(
                     format!("direction.{n}"),
                     "rad",
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
@@ -115,10 +126,18 @@ impl Study for ForcedResponse {
         let residual = points.iter().map(|r| r.residual).fold(0.0, f64::max);
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete)).work("solutions", found.solved);
+        if let Some(f) = unstable(system, &strongest, &Follows::Response) {
+            outcome = outcome.finding(f);
+        }
         let name = |e: &Extremum| bodies[e.body].name.clone();
         let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
-        if let Some(e) = peaks.first() {
+        if one {
+            for b in points.iter().flat_map(|_| &bodies) {
+                let finding = Finding::info("amplitude", format!("At {} {} moves {{}}.", quantity(self.speed.from, "rad/s"), b.name));
+                outcome = outcome.finding(finding.of(&b.name).value(points[0].major(b.x), "m").evidence("residual", residual, ""));
+            }
+        } else if let Some(e) = peaks.first() {
             let so_far = if found.complete { "" } else { " found before the study stopped" };
             let finding = if e.unbounded {
                 let text = format!("Nothing dissipates at the resonance{so_far} at {{}}: there {} moves without bound.", name(e));
@@ -153,10 +172,10 @@ impl Study for ForcedResponse {
                 "m",
             ));
         }
-        if !known {
+        if !known && !one {
             outcome = outcome.finding(Finding::info(
                 "frequency_only",
-                "A part is given in the frequency domain only, so that no eigenvalues guided the search: resonances narrower than the step of speeds may be missed.",
+                "A part is given in the frequency domain only, so that no eigenvalues guided the search: resonances narrower than the step of speeds may be missed, and stability was not assessed.",
             ));
         }
         // other poles than the one already named
@@ -225,7 +244,12 @@ impl Study for ForcedResponse {
             None => format!("Amplitudes of {} bodies over spin speed, without resonance.", bodies.len()),
         };
         let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s")).panel(amplitude).panel(phase);
-        outcome.table(table.build().map_err(inconsistent)?).table(extrema).figure(figure).checked().map_err(inconsistent)
+        outcome = outcome.table(table.build().map_err(inconsistent)?);
+        // one speed makes neither curves nor extrema
+        if !one {
+            outcome = outcome.table(extrema).figure(figure);
+        }
+        outcome.checked().map_err(inconsistent)
     }
 }
 

@@ -199,6 +199,12 @@ impl Methods {
 
     fn findings(&self, converged: &Response, found: &Comparison, folds: &[FoldBy]) -> Vec<Finding> {
         let mut out = Vec::new();
+        let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
+        let (unstable, all) = (states().filter(|v| v.growth > 0.0).count(), states().count());
+        if unstable > 0 {
+            let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
+            out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
+        }
         let mut methods: Vec<Method> = Vec::new();
         for v in &found.values {
             if v.method != Method::Converged && !methods.contains(&v.method) {
@@ -212,10 +218,10 @@ impl Methods {
             let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
             if let Some(v) = worst {
                 let text = if v.deviation <= EXACT {
-                    format!("By {method}, peaks are exact: off by {{}} at most.{absent}")
+                    format!("By {method}, peaks equal the converged ones to rounding at the speeds compared: off by {{}} at most.{absent}")
                 } else {
                     let (speed, state) = (significant(v.speed, 5), v.state + 1);
-                    format!("By {method}, peaks are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
+                    format!("By {method}, peaks at the speeds compared are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
                 };
                 out.push(
                     Finding::info("deviation", text)
@@ -238,7 +244,7 @@ impl Methods {
         }
         if count > 0 {
             let text = format!(
-                "Averaging judges {wrong} of {count} states otherwise than the exponents of all motions: it knows the mode near the speed only."
+                "For {wrong} of {count} states averaging gives another stability than the Floquet exponents: it holds the mode near the speed only."
             );
             out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
         }

@@ -12,6 +12,7 @@ mod drive;
 pub mod duty;
 pub mod forced_response;
 mod free_motion;
+mod growing;
 mod history;
 pub mod limit_cycles;
 pub mod limits;

@@ -22,7 +22,7 @@ use crate::solve::exact::growing;
 use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
 use crate::solve::roots::{LEAST, Request, roots, transcendental};
 use laval_num::complex::C64;
-use laval_num::dense::Mat;
+use laval_num::dense::{Lu, Mat};
 
 /// See the [module](self).
 pub struct Modes {
@@ -98,7 +98,9 @@ impl Study for Modes {
         let (slow, undamped) = (undamped.is_some(), undamped.unwrap_or(Words::PLAIN));
         let threshold = if slow { self.threshold.max(LEAST * self.speed.abs()) } else { self.threshold };
         // growth below the rounding of the eigenvalue is no growth
-        let unstable = |m: &MachineMode| !(m.growth() <= threshold + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
+        let above = |m: &MachineMode, limit: f64| !(m.growth() <= limit + rounding.max(if m.error.is_nan() { 0.0 } else { m.error }));
+        let unstable = |m: &MachineMode| above(m, threshold);
+        let grows = |m: &MachineMode| above(m, self.threshold);
         let mut table = Table::new("modes", format!("Natural modes at {}, about {}", quantity(self.speed, "rad/s"), self.about.word()))
             .int("mode", "", "number in order of frequency", (1..=modes.len() as i64).collect())
             .float("growth", "1/s", "growth rate; above 0 the mode grows", column(MachineMode::growth))
@@ -110,7 +112,7 @@ impl Study for Modes {
                 "direction of whirl with respect to the spin; none without oscillation across the axis, and at standstill",
                 modes.iter().map(|m| m.whirl.at(self.speed).word().into()).collect(),
             )
-            .flag("stable", "growth not above the threshold", modes.iter().map(|m| !unstable(m)).collect())
+            .flag("stable", "growth rate not above growth_threshold", modes.iter().map(|m| !grows(m)).collect())
             .float("forward_share", "", "forward part of the squared amplitudes", column(|m| m.forward_share))
             .float("error", "1/s", "estimated error of the eigenvalue; NaN when there is no estimate", column(|m| m.error))
             .float(
@@ -128,7 +130,8 @@ impl Study for Modes {
         if tilts.contains(&true) && !endless {
             let mass = Linearised::new(system, &about)?.mass;
             let share = |m: &MachineMode| tilt_share(&mass, &tilts, m);
-            let doc = "share of the tilts in the kinetic energy over a period; NaN where nothing with mass moves";
+            let doc = "share of the tilts in the kinetic energy over a period, taken about the point of each body at which a tilt does not move its centre of mass; NaN where \
+                       nothing with mass moves";
             table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
         }
         for body in &bodies {
@@ -159,7 +162,8 @@ impl Study for Modes {
         }
         let any_unstable = modes.iter().any(unstable);
         if any_unstable && threshold > self.threshold {
-            let text = format!("Growth is judged from {{}} on: waves of {} that grow more slowly are not.", undamped.name);
+            let text =
+                format!("Modes count as unstable from a growth rate of {{}} on: slower waves of {} are not all computed.", undamped.name);
             outcome = outcome.finding(Finding::info("threshold", text).value(threshold, "1/s"));
         }
         let open = decay_uncounted(system, self.speed).is_some();
@@ -201,10 +205,12 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
-                format!(
-                    "Stable at {at}: no mode grows faster than {limit}; waves of {} that grow more slowly are not judged.",
-                    undamped.name
-                )
+                let slower = match modes.iter().filter(|m| grows(m)).count() {
+                    0 => "none of the modes found grows more slowly".to_string(),
+                    1 => "one of the modes found grows more slowly".to_string(),
+                    n => format!("{n} of the modes found grow more slowly"),
+                };
+                format!("At {at} no mode grows faster than {limit}; {slower}. Slow waves of {} are not all computed.", undamped.name)
             } else if zero {
                 format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
             } else if open {
@@ -266,16 +272,18 @@ fn counted(count: Option<usize>, spectrum: &Spectrum, unstable: bool) -> Finding
             Finding::info(
                 "all_roots",
                 format!(
-                    "The {all} modes are roots of the exact characteristic function, which has {text} by the argument principle: none is missed."
+                    "The {all} modes are roots of the exact characteristic function, which has {text} by the argument principle: of those that grow none is missed."
                 ),
             )
         }
         Some(n) => Finding::warning(
             "roots_missed",
             format!(
-                "The exact characteristic function has {} by the argument principle, but {} was found: the machine is unstable.",
+                "The exact characteristic function has {} by the argument principle, but {} {} found{}.",
                 roots(n),
-                roots(found)
+                roots(found),
+                if found > 1 { "were" } else { "was" },
+                if n > 0 { ": the machine is unstable" } else { "" }
             ),
         ),
         None => Finding::warning(
@@ -289,15 +297,33 @@ fn counted(count: Option<usize>, spectrum: &Spectrum, unstable: bool) -> Finding
     finding.evidence("eigenvalues of the fit that are no roots", spectrum.left_out as f64, "")
 }
 
-/// Kinetic energy of the tilts over that of all coordinates; what couples a tilt to a displacement counts half for each.
+/// Kinetic energy of the tilts over that of all coordinates. The tilts are taken about the points at which they do not move the rest: a body whose reference point is not its
+/// centre of mass moves that centre when it tilts, and this is energy of a displacement.
 fn tilt_share(mass: &Mat, tilts: &[bool], mode: &MachineMode) -> f64 {
-    let energy = |i: usize| {
-        let moved: C64 = (0..tilts.len()).map(|j| mode.q[j].scale(mass[(i, j)])).fold(C64::zero(), |a, b| a + b);
-        (mode.q[i].conj() * moved).re
+    let energy = |m: &Mat, own: &[usize]| {
+        let of = |(i, &a): (usize, &usize)| {
+            let moved = own.iter().enumerate().fold(C64::zero(), |s, (j, &b)| s + mode.q[b].scale(m[(i, j)]));
+            (mode.q[a].conj() * moved).re
+        };
+        own.iter().enumerate().map(of).sum::<f64>()
     };
-    let (tilt, all) =
-        (0..tilts.len()).map(|i| (energy(i), tilts[i])).fold((0.0, 0.0), |(t, a), (e, own)| (t + if own { e } else { 0.0 }, a + e));
-    if all > 0.0 { tilt / all } else { f64::NAN }
+    let part = |rows: &[usize], cols: &[usize]| Mat::from_fn(rows.len(), cols.len(), |i, j| mass[(rows[i], cols[j])]);
+    let (tilt, rest): (Vec<usize>, Vec<usize>) = (0..tilts.len()).partition(|&i| tilts[i]);
+    // coordinates without mass take no part
+    let rest: Vec<usize> = rest.into_iter().filter(|&i| mass[(i, i)] > 0.0).collect();
+    let all: Vec<usize> = tilt.iter().chain(&rest).copied().collect();
+    let total = energy(&part(&all, &all), &all);
+    let mut own = part(&tilt, &tilt);
+    if !rest.is_empty() {
+        let Ok(lu) = Lu::new(&part(&rest, &rest)) else { return f64::NAN };
+        let mut carried = part(&rest, &tilt);
+        lu.solve_mat(&mut carried);
+        let taken = part(&tilt, &rest).matmul(&carried);
+        own = Mat::from_fn(tilt.len(), tilt.len(), |i, j| own[(i, j)] - taken[(i, j)]);
+    }
+    let share = energy(&own, &tilt) / total;
+    // of an inertia that is none there are no shares
+    if total > 0.0 && (-ROUNDING.sqrt()..=1.0 + ROUNDING.sqrt()).contains(&share) { share.clamp(0.0, 1.0) } else { f64::NAN }
 }
 
 /// Directions of whirl as classes of figures.

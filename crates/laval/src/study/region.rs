@@ -25,18 +25,31 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
     let open = roots.areas.iter().filter(|a| a.missing.is_none_or(|n| n < 0)).count();
     let found: usize = roots.areas.iter().map(|a| a.found).sum();
     let (growth, frequency) = (quantity(roots.margin, "1/s"), quantity(roots.frequency, "rad/s"));
-    let judged = match roots.growing() {
-        Some(_) => format!("; of those that grow faster than {growth} none is missed"),
-        None => ": what is said of stability is not the whole".to_string(),
-    };
-    let finding = if missing > 0 {
-        let text =
-            format!("The argument principle counts {missing} more root{} than were found{judged}.", if missing == 1 { "" } else { "s" });
+    let proven = roots.growing().is_some();
+    let finding = if missing > 0 && proven {
+        let name = system.domains(speed).into_iter().find(Domain::undamped).map_or(Words::PLAIN.name, |d| d.words.name);
+        let others = if missing == 1 { "One slower root was".to_string() } else { format!("{missing} slower roots were") };
+        let text = format!(
+            "By the argument principle no root that grows faster than {growth} at frequencies up to {frequency} is missing. {others} counted and not computed: \
+             waves of {name} that grow or decay slowly."
+        );
+        Finding::info("roots_missed", text)
+    } else if missing > 0 {
+        let others = if missing == 1 { "1 root that was".to_string() } else { format!("{missing} roots that were") };
+        let text = format!(
+            "The argument principle counts {others} not found, and one of them may grow faster than {growth}: stability is not established. A lower \
+             frequency_limit or a growth_threshold above 0 makes the region smaller."
+        );
         Finding::warning("roots_missed", text)
     } else if open > 0 {
         let text = format!(
-            "In {open} of {} rectangles the phase of the characteristic function could not be followed, roots may be missing there{judged}.",
-            roots.areas.len()
+            "In {open} of {} rectangles the phase of the characteristic function could not be followed, and roots may be missing there{}.",
+            roots.areas.len(),
+            if proven {
+                format!("; of those that grow faster than {growth} none is missing")
+            } else {
+                ": stability is not established".into()
+            }
         );
         Finding::warning("roots_not_counted", text)
     } else {

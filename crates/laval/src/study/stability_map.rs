@@ -12,7 +12,9 @@
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
 use super::region;
-use super::support::{ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, range, remarks};
+use super::support::{
+    ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, one_or_range, range, remarks,
+};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
@@ -55,7 +57,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         boundary and the peaks of the growth located. Nonlinear parts enter by their tangent in the state it is linearised about; nonlinear_response \
         judges the motion that unbalance drives, whose ranges differ where that motion is not small.";
     const FIELDS: &'static [Field] = &[
-        Field::required("speed", SPEED_RANGE, "spin speeds; 200 points unless given"),
+        Field::required("speed", SPEED_RANGE, "one spin speed, or a range of 200 points unless given"),
         Field::optional(
             "parameter",
             FieldKind::ParameterRange,
@@ -69,7 +71,7 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let speed = range("speed", values.range("speed")?, 3, values, diagnostics);
+        let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics);
         let mut parameter = None;
         if let Some((path, given)) = values.parameter_range("parameter") {
             let given = range("parameter", given, 2, values, diagnostics);
@@ -340,11 +342,11 @@ impl StabilityMap {
                 Finding::warning(
                     "largest_growth",
                     format!(
-                        "{} strongest instability grows at {{}}, at {}{}, whirling at {}.",
+                        "{} strongest instability grows at {{}}, at {}{}, {}.",
                         if two { "Of the machines computed the" } else { "The" },
                         quantity(speed, "rad/s"),
                         with(k),
-                        quantity(s.im, "rad/s")
+                        if s.im == 0.0 { "without oscillation".into() } else { format!("whirling at {}", quantity(s.im, "rad/s")) }
                     ),
                 )
             } else {
@@ -363,7 +365,7 @@ impl StabilityMap {
             };
             outcome = outcome.finding(finding.evidence("speed", speed, "rad/s"));
         }
-        if !two {
+        if !two && !self.speed.is_one() {
             let samples = rows.first().map_or(&[][..], |r| &r.samples);
             let (first, last) = (self.speed.from, samples.last().map_or(self.speed.from, |s| s.speed));
             let (whole, range_end) = if complete {
@@ -419,7 +421,7 @@ impl StabilityMap {
             if threshold > self.threshold {
                 let words = system.domains(self.speed.to).into_iter().find(Domain::undamped).map_or(Words::PLAIN, |d| d.words);
                 let text = format!(
-                    "Waves of {} grow slowly with any damping outside it: growth is judged against {{}} instead of {}, the least that is told from theirs.",
+                    "Waves of {} grow slowly with any damping outside it: growth counts from {{}} on instead of {}, because slower waves are not all computed.",
                     words.name,
                     quantity(self.threshold, "1/s")
                 );
@@ -431,18 +433,35 @@ impl StabilityMap {
             }
         }
         if rows.iter().any(|r| r.undamped) {
-            outcome = outcome.finding(Finding::info(
-                "undamped",
-                if rows.iter().all(|r| r.undamped) {
-                    "The machine has no damping: its stability boundaries are double roots and were solved for as such."
-                } else {
-                    "Where the machine has no damping, its stability boundaries are double roots and were solved for as such."
-                },
-            ));
+            let machine = if rows.iter().all(|r| r.undamped) { "The machine has no damping" } else { "Where the machine has no damping" };
+            let own = || rows.iter().filter(|r| r.undamped).flat_map(|r| &r.edges);
+            let (double, all) = (own().filter(|e| e.double).count(), own().count());
+            let how = match (double, all) {
+                (_, 0) => ": where no mode grows, none decays either".to_string(),
+                (d, a) if d == a => ": its stability boundaries are double roots and were solved for as such".into(),
+                (d, a) => format!(": its stability boundaries are double roots; {d} of {a} were solved for as such, the others bracketed"),
+            };
+            outcome = outcome.finding(Finding::info("undamped", format!("{machine}{how}.")));
         }
-        outcome = outcome.table(map).table(boundary).table(tops);
+        outcome = outcome.table(map);
+        let one = self.speed.is_one();
+        // along the speed there are no boundaries and peaks at one speed, and without a parameter no curve
+        if !one {
+            outcome = outcome.table(boundary).table(tops);
+        }
+        if one && !two {
+            return Ok(outcome);
+        }
         let speed_axis = Axis::new("spin speed", "rad/s");
-        let figure = if two {
+        let figure = if one {
+            let growth = Panel::new(Axis::new("growth rate", "1/s"))
+                .mark(Line::new("map", name.clone(), "growth").name("largest growth rate"))
+                .mark(Rule::y(threshold, "threshold"));
+            let at = quantity(self.speed.from, "rad/s");
+            Figure::new("stability", "Largest growth rate", format!("Largest growth rate over {name} at {at}."))
+                .x(Axis::new(name.clone(), unit))
+                .panel(growth)
+        } else if two {
             let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
             let factor = if unit == "m" { 1e3 } else { 1.0 };
             let shown = if unit == "m" { "mm" } else { unit };

@@ -86,6 +86,11 @@ impl About {
     }
 }
 
+/// No part has a preferred direction, so that states may exist that turn with the rotor.
+pub fn turns_alike(system: &System) -> bool {
+    turning::isotropic(system, system.machine.speed.unwrap_or_default()).is_ok()
+}
+
 /// Eigenvalues can be had: there is a state to linearise about, and every part has a form with finitely many of them.
 ///
 /// # Errors
@@ -148,9 +153,20 @@ pub fn apart(from: f64, to: f64) -> &'static str {
     if from == to { "give two values that differ" } else { "exchange from and to" }
 }
 
+/// A single value, or a [`range`].
+pub fn one_or_range(field: &str, given: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
+    if given.is_one() { Some(given) } else { range(field, given, least, values, diagnostics) }
+}
+
 /// A range whose ends differ and whose number of points is at least `least`, and not beyond what memory can keep.
 pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
-    let wrong = if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
+    let wrong = if range.is_one() {
+        let message = format!("{field} is one value, and this study needs a range");
+        Some((
+            message,
+            format!("write {field} = {{ from = .., to = .. }}; modes, forced_response, stability_map and transient take one speed"),
+        ))
+    } else if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
         Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
     } else if range.points.is_some_and(|p| p < least) {
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))

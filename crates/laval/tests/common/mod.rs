@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod base;
+pub mod files;
 pub mod planar_file;
 #[allow(unused_imports)]
 pub use base::Base;

@@ -3,6 +3,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod claims;
+mod criticals;
 mod memory;
 mod model_planar;
 mod modes;

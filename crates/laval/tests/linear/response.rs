@@ -284,7 +284,7 @@ fn extrema_of_many_bodies_are_found_in_few_solutions() {
         rest(&system, w)
     };
     let mut speeds = RangeValue { from: 10.0, to: 1600.0, points: Some(5) }.linspace(5);
-    speeds.extend(seeds(&system, &state, 10.0, 1600.0, &mut |_| true).unwrap());
+    speeds.extend(seeds(&system, &state, 10.0, 1600.0, &mut |_| true).unwrap().speeds);
     states.store(0, Ordering::Relaxed);
     let at: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
     let found = curve(&system, &state, speeds, &at, &mut |_| true).unwrap();

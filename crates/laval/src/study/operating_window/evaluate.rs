@@ -68,7 +68,7 @@ impl OperatingWindow {
                 let (changed, _) = coupling::loaded(system, &asked.cups, w)?;
                 let s = changed.as_ref().unwrap_or(system);
                 let mut each = |_| !context.cancelled();
-                speeds.extend(seeds(s, &|w| rest(s, w), from, to, &mut each)?.into_iter().step_by(2));
+                speeds.extend(seeds(s, &|w| rest(s, w), from, to, &mut each)?.speeds.into_iter().step_by(2));
                 if asked.cups.is_empty() {
                     break;
                 }

@@ -1,5 +1,6 @@
 //! What an operating window tells: findings, tables, figures.
 
+use super::borders::stable;
 use super::evaluate::Evaluated;
 use super::margins::{NAMES, Point};
 use super::vary::{Map, Robust};
@@ -195,6 +196,11 @@ impl Found<'_> {
     /// Why there is no window, and what would open one.
     fn conflict(&self, mut out: Outcome) -> Outcome {
         let points = &self.main.points;
+        if !points.is_empty() && points.iter().all(|p| !stable(p) && p.growth.is_finite()) {
+            let least = points.iter().map(|p| p.growth).fold(f64::INFINITY, f64::min);
+            let text = "The machine is unstable at every speed computed: its growth rate is {} or more. Remove the instability before any other limit counts.";
+            out = out.finding(Finding::warning("unstable", text).value(least, "1/s"));
+        }
         out = out.finding(Finding::warning("no_window", "No speed in the range keeps all requirements."));
         for (a, b) in excluding(points) {
             let text = format!("\"{}\" and \"{}\" exclude each other: no speed keeps both.", NAMES[a], NAMES[b]);

@@ -28,7 +28,7 @@ pub(super) fn report(study: &Optimum, found: &Found, context: &Context) -> Resul
     match &found.best {
         None => {
             let text = if study.limits.is_empty() {
-                "No machine within the bounds has the number that is asked for.".to_string()
+                "None of the machines that were tried has the number to be optimised.".to_string()
             } else {
                 "No machine that was tried keeps the limits: widen the bounds, or relax a limit.".to_string()
             };
@@ -63,7 +63,7 @@ fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
     let away = if change.is_finite() { format!(" ({} % away)", significant(change.abs(), 3)) } else { String::new() };
     let now =
         if found.now.is_finite() { format!(" The machine as it is has {}{away}.", with(found.now, &found.unit)) } else { String::new() };
-    let text = format!("The {way} {} within the bounds is {{}}.{now}", study.aim.name);
+    let text = format!("The {way} {} found within the bounds is {{}}.{now}", study.aim.name);
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
     let worst = found.slopes.iter().map(|s| s.slope).fold(f64::INFINITY, f64::min);
@@ -79,9 +79,9 @@ fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
 fn parameters(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
     let say = |(k, v): (usize, &super::Vary)| {
         let at = if best.place[k] <= AT_BOUND {
-            ", its lower bound: what is asked would be better still below it"
+            ", its lower bound: a lower one may allow a better machine"
         } else if best.place[k] >= 1.0 - AT_BOUND {
-            ", its upper bound: what is asked would be better still above it"
+            ", its upper bound: a higher one may allow a better machine"
         } else {
             ""
         };
@@ -105,7 +105,7 @@ fn limits(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
     each.map(|((l, x), unit)| {
         let reached = l.excess(*x) >= -REACHED;
         let side = if l.upper { "upper" } else { "lower" };
-        let how = if reached { "is reached: relaxing it would allow a better machine" } else { "is not reached" };
+        let how = if reached { "is reached: relaxing it may allow a better machine" } else { "is not reached" };
         let text = format!("The {side} limit on {}, {}, {how}; it is {{}}.", l.name, with(l.value, unit));
         Finding::info(if reached { "limit_reached" } else { "limit_kept" }, text)
             .of(&l.name)
@@ -125,8 +125,7 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     let count = found.slopes.len();
     // what a smooth optimum shows at that distance is curvature
     let finding = if worst >= 0.0 {
-        let text =
-            format!("No machine at a distance of {TEST:.0e} of the bounds is better, in {count} directions: the least slope is {{}}.");
+        let text = format!("None of {count} machines at a distance of {TEST:.0e} of the bounds is better: the least slope is {{}}.");
         Finding::info("optimality", text)
     } else if worst >= -1e-2 {
         let better = significant(100.0 * TEST * -worst, 2);

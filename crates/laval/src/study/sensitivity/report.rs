@@ -127,7 +127,8 @@ pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Ou
         .map(|k| found.parameters[k].path.as_str())
         .collect();
     if !idle.is_empty() {
-        out = out.finding(Finding::info("without_influence", format!("Without influence: {}.", idle.join(", "))));
+        out = out
+            .finding(Finding::info("without_influence", format!("At the places listed all derivatives are zero in: {}.", idle.join(", "))));
     }
     out = out.table(places(found)?).table(sensitivities(found)?);
     let mut drawn: Vec<usize> = (0..found.places.len()).collect();

@@ -291,11 +291,22 @@ fn sensitivity(
         };
         let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
         if let Some((p, i)) = most {
-            let text = format!(
-                "{name} depends most on {}: total index {{}}, first-order index {}.",
-                study.parameters[p].path,
-                significant(i.first.value)
-            );
+            // the samples do not tell apart what their intervals share
+            let rivals: Vec<&str> = list
+                .iter()
+                .enumerate()
+                .filter(|(q, o)| *q != p && !(o.total.high < i.total.low))
+                .map(|(q, _)| study.parameters[q].path.as_str())
+                .collect();
+            let (path, first) = (&study.parameters[p].path, significant(i.first.value));
+            let text = if rivals.is_empty() {
+                format!("{name} depends most on {path}: total index {{}}, first-order index {first}.")
+            } else {
+                let others = rivals.join(", ");
+                format!(
+                    "In the samples {name} depends most on {path}: total index {{}}, first-order index {first}. Intervals overlap with {others}."
+                )
+            };
             sentences.push(
                 Finding::info("most_influential", text)
                     .of(name)

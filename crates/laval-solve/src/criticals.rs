@@ -1,0 +1,204 @@
+//! Critical speeds: where the frequency of a mode is a multiple of the spin speed.
+//!
+//! ```text
+//! det T(growth + i k W, W) = 0      for (growth, W), from the crossings of a sweep
+//! ```
+//!
+//! Newton's method from the chord of a step is quick and may lead to the crossing of another mode, or to none: a mode of a memory that turns with the rotor stays beside the
+//! line over a wide range. So every solution is held against the mode it belongs to, and where it is another the mode itself is followed and its crossing bracketed.
+
+use super::characteristic::Characteristic;
+use super::locate::{Located, State, carried, crossing};
+use super::pencil::{MachineMode, Whirl};
+use super::roots::{mode_near, transcendental};
+use super::scalar::{maximum, root};
+use super::sectors::Sector;
+use super::sweep::{Sweep, spectrum};
+use super::ties::{rank, settle};
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+
+/// A speed where the frequency of a mode is a multiple of the speed.
+#[derive(Clone, Debug)]
+pub struct Critical {
+    /// Multiple.
+    pub order: f64,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Growth of the mode there, 1/s.
+    pub growth: f64,
+    /// Direction of whirl.
+    pub whirl: Whirl,
+    /// Share of the forward part in the squared amplitudes.
+    pub forward_share: f64,
+    /// Sector of the mode, for a machine without preferred direction.
+    pub sector: Option<Sector>,
+    /// Branch of the sweep.
+    pub branch: usize,
+    /// Speeds before and after.
+    pub bracket: (f64, f64),
+    /// Relative distance of the dynamic stiffness from singularity; NaN when only bracketed.
+    pub defect: f64,
+    /// Last step, rad/s; the width of the bracket when only bracketed.
+    pub step: f64,
+}
+
+impl Critical {
+    /// Its equations were solved, and the last step was small.
+    pub fn located(&self) -> bool {
+        self.defect.is_finite() && self.step <= SMALL * self.speed.abs()
+    }
+    /// An unbalance can drive the mode: in a machine without preferred direction it drives forward whirls alone.
+    pub fn driven_by_unbalance(&self) -> bool {
+        self.order == 1.0 && !matches!(self.sector, Some(Sector::Backward | Sector::Axial))
+    }
+}
+
+/// Step over the speed up to which a crossing is located.
+const SMALL: f64 = 1e-8;
+/// Distance of a frequency from the line, over the frequency, that is rounding.
+const ON_LINE: f64 = 1e-11;
+/// Distance of two values of one root, over the root.
+const SAME: f64 = 1e-6;
+/// Uncertainty of a bracketed crossing, over the speed.
+const TOLERANCE: f64 = 1e-13;
+/// Halvings of a step along which a root is followed.
+const DEPTH: usize = 6;
+
+/// Crossings of the frequencies of a sweep with multiples of the speed (order above 0), solved for on the characteristic function.
+pub fn criticals(system: &System, state: State, found: &Sweep, orders: &[f64]) -> Vec<Critical> {
+    let mut out: Vec<Critical> = Vec::new();
+    for &order in orders {
+        for (branch, b) in found.branches.iter().enumerate() {
+            let mut points: Vec<(f64, MachineMode)> = Vec::new();
+            for (k, p) in b.points.iter().enumerate() {
+                points.push(p.clone());
+                if k >= 1 && k + 1 < b.points.len() {
+                    // the mode may cross the line and come back between these speeds
+                    points.extend(beyond(system, state, order, &b.points[k - 1..k + 2]));
+                }
+            }
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for pair in points.windows(2) {
+                out.extend(between(system, state, order, (branch, &pair[0], &pair[1])));
+            }
+        }
+    }
+    out.sort_by(|a, b| a.order.total_cmp(&b.order));
+    for same in out.chunk_by_mut(|a, b| a.order == b.order) {
+        settle(same, |x| c(x.growth, x.speed), |x| rank(x.whirl));
+    }
+    out
+}
+
+/// Frequency above the line.
+fn gap(order: f64, speed: f64, value: C64) -> f64 {
+    value.im - order * speed.abs()
+}
+
+/// A gap that is rounding.
+fn on_line(speed: f64, value: C64, gap: f64) -> bool {
+    gap.abs() <= ON_LINE * (value.abs() + speed.abs())
+}
+
+/// The mode where it is nearest to the line among three neighbours on one side of it, if it is on the other side there.
+fn beyond(system: &System, state: State, order: f64, three: &[(f64, MachineMode)]) -> Option<(f64, MachineMode)> {
+    let [(w0, m0), (w1, m1), (w2, m2)] = three else { return None };
+    let gaps = [(w0, m0), (w1, m1), (w2, m2)].map(|(w, m)| gap(order, *w, m.value));
+    let side = gaps[1].signum();
+    let nearest = side * gaps[1] < side * gaps[0] && side * gaps[1] < side * gaps[2];
+    if !nearest || on_line(*w1, m1.value, gaps[1]) || m1.frequency() == 0.0 {
+        return None;
+    }
+    let value = |w: f64| carried(system, state, (*w1, m1.value), w, m1.sector, DEPTH);
+    let (w, top) = maximum(|w| value(w).map(|z| -side * gap(order, w, z)), *w0, *w2, 1e-6 * (w2 - w0).abs())?;
+    if !(top > 0.0) {
+        return None;
+    }
+    let value = value(w)?;
+    (!on_line(w, value, top)).then(|| (w, MachineMode { value, ..m1.clone() }))
+}
+
+/// The crossing of a mode between two speeds.
+fn between(
+    system: &System,
+    state: State,
+    order: f64,
+    (branch, a, b): (usize, &(f64, MachineMode), &(f64, MachineMode)),
+) -> Option<Critical> {
+    let ((w0, m0), (w1, m1)) = (a, b);
+    let (g0, g1) = (gap(order, *w0, m0.value), gap(order, *w1, m1.value));
+    if !(g0 * g1 < 0.0 || (g0 == 0.0 && g1 != 0.0)) || m0.frequency() == 0.0 && m1.frequency() == 0.0 {
+        return None;
+    }
+    // a mode that runs along the line crosses it nowhere
+    if on_line(*w0, m0.value, g0) && on_line(*w1, m1.value, g1) {
+        return None;
+    }
+    let start = w0 + (w1 - w0) * g0 / (g0 - g1);
+    // at standstill nothing excites
+    if start.abs() <= 1e-12 * w0.abs().max(w1.abs()) {
+        return None;
+    }
+    let share = (start - w0) / (w1 - w0);
+    let growth = m0.growth() + (m1.growth() - m0.growth()) * share;
+    let solved = solve(system, state, order, ((*w0, m0), (*w1, m1)), (start, growth));
+    let (near, there) = (if share < 0.5 { m0 } else { m1 }, solved.and_then(|c| shape(system, state, &c, m0.sector)));
+    let shown = there.as_ref().unwrap_or(near);
+    Some(Critical {
+        order,
+        speed: solved.map_or(start, |c| c.speed),
+        growth: solved.map_or(growth, |c| c.value.re),
+        whirl: shown.whirl,
+        forward_share: shown.forward_share,
+        sector: m0.sector,
+        branch,
+        bracket: (*w0, *w1),
+        defect: solved.map_or(f64::NAN, |c| c.defect),
+        step: solved.map_or(w1 - w0, |c| c.step),
+    })
+}
+
+type Side<'a> = (f64, &'a MachineMode);
+
+/// By Newton's method where that leads to the crossing of this mode, else by bracketing along the mode.
+fn solve(system: &System, state: State, order: f64, (a, b): (Side, Side), (start, growth): (f64, f64)) -> Option<Located> {
+    let ((w0, m0), (w1, m1)) = (a, b);
+    let slack = 1e-9 * (w1 - w0).abs() + 1e-12 * w1.abs();
+    let inside = |c: &Located| c.speed >= w0 - slack && c.speed <= w1 + slack && c.step <= SMALL * c.speed.abs();
+    let signed = if start < 0.0 { -order } else { order };
+    let led = |from: Side, to: f64| carried(system, state, (from.0, from.1.value), to, from.1.sector, DEPTH);
+    let same = |x: Option<C64>, y: C64| x.is_some_and(|x| (x - y).abs() <= SAME * y.abs());
+    let own = |c: &Located| same(led(a, c.speed), c.value) || same(led(b, c.speed), c.value);
+    let newton = crossing(system, state, signed, start, growth, m0.sector).filter(|c| inside(c));
+    if let Some(c) = newton.filter(own) {
+        return Some(c);
+    }
+    let from = if same(led(a, w1), m1.value) {
+        a
+    } else if same(led(b, w0), m0.value) {
+        b
+    } else {
+        return None;
+    };
+    let ends = [(w0, m0), (w1, m1)].map(|(w, m)| (w, gap(order, w, m.value)));
+    let speed = root(|w| led(from, w).map(|z| gap(order, w, z)), ends[0], ends[1], TOLERANCE * w1.abs())?;
+    let value = led(from, speed)?;
+    let polished =
+        crossing(system, state, signed, speed, value.re, m0.sector).filter(|c| inside(c) && (c.speed - speed).abs() <= 1e-6 * speed.abs());
+    polished.or_else(|| {
+        let p = Characteristic::new(system, &state(speed).ok()?).polish(value, m0.sector)?;
+        Some(Located { speed, value: p.value, defect: p.defect, step: TOLERANCE * speed.abs() })
+    })
+}
+
+/// The mode at its crossing, with its shape there.
+fn shape(system: &System, state: State, at: &Located, sector: Option<Sector>) -> Option<MachineMode> {
+    if transcendental(system) {
+        return mode_near(system, &state(at.speed).ok()?, at.value, sector);
+    }
+    let modes = spectrum(system, state, at.speed).ok()?.1.modes;
+    let distance = |m: &MachineMode| (m.value - at.value).abs();
+    let own = modes.into_iter().filter(|m| m.sector == sector).min_by(|x, y| distance(x).total_cmp(&distance(y)))?;
+    (distance(&own) <= SAME * at.value.abs()).then_some(own)
+}

@@ -1,0 +1,216 @@
+//! What linear studies claim: instability comes first, shares are shares, one speed is one speed, no column without a value, advice that can be followed.
+
+use crate::common::files::{finding, findings, load, run_all};
+use laval::outcome::{Data, Level, Outcome};
+use laval_num::complex::c;
+
+fn column(o: &Outcome, table: &str, name: &str) -> Vec<f64> {
+    let t = o.find_table(table).unwrap();
+    (0..t.rows()).map(|k| t.column(name).unwrap_or_else(|| panic!("no {name}")).number(k).unwrap()).collect()
+}
+
+fn flags(o: &Outcome, table: &str, name: &str) -> Vec<bool> {
+    match &o.find_table(table).unwrap().column(name).unwrap().data {
+        Data::Flag(v) => v.clone(),
+        _ => panic!("{name} is no flag"),
+    }
+}
+
+/// A disc in one bearing.
+fn planar(bearing: &str, studies: &str) -> String {
+    format!(
+        "{studies}\n[machine]\nspeed = 100\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 1\neccentricity = 1e-5\n\
+         [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\n{bearing}\n"
+    )
+}
+
+const ROUND: &str = "kxx = 1e5\nkyy = 1e5\ncxx = 5\ncyy = 5";
+const ELLIPTIC: &str = "kxx = 1e5\nkyy = 2e5\ncxx = 5\ncyy = 5";
+
+#[test]
+fn a_machine_that_diverges_is_said_to_first() {
+    let range = "speed = { from = 10, to = 2000 }";
+    let studies = format!(
+        "study = [{{ kind = \"forced_response\", {range} }}, {{ kind = \"critical_speeds\", {range} }}, {{ kind = \"campbell\", {range} }}, {{ kind = \"forced_response\", name = \"one\", speed = 100 }}]"
+    );
+    // x diverges: s^2 + s - 1 = 0
+    let growth = 0.5 * (5f64.sqrt() - 1.0);
+    for o in run_all(&planar("kxx = -1\nkyy = 1e5\ncxx = 1\ncyy = 1", &studies)) {
+        let first = &o.findings[0];
+        assert!(first.id == "unstable" && first.level == Level::Warning, "{}: {}", o.kind, first.sentence());
+        assert!((first.value.unwrap() / growth - 1.0).abs() < 1e-9, "{}", first.sentence());
+    }
+    for o in run_all(&planar(ELLIPTIC, &studies)) {
+        assert!(findings(&o, "unstable").is_empty(), "{}", o.kind);
+    }
+    // without damping rounding is no growth
+    for o in run_all(&planar("kxx = 1e5\nkyy = 1e5", &studies)) {
+        assert!(findings(&o, "unstable").is_empty(), "{}", o.kind);
+    }
+}
+
+#[test]
+fn a_window_of_a_machine_that_diverges_names_the_instability_first() {
+    let o = &run_all(&planar(
+        "kxx = -1\nkyy = 1e5\ncxx = 1\ncyy = 1",
+        "study = { kind = \"operating_window\", speed = { from = 10, to = 2000 } }",
+    ))[0];
+    let growth = 0.5 * (5f64.sqrt() - 1.0);
+    assert!(o.findings[0].id == "unstable" && (o.findings[0].value.unwrap() / growth - 1.0).abs() < 1e-9, "{}", o.findings[0].sentence());
+}
+
+/// The same rotor described from two reference points has the same modes, and the same share of tilting in each.
+#[test]
+fn the_share_of_tilting_does_not_depend_on_the_reference_point() {
+    let machine = |d: f64| {
+        format!(
+            "study = {{ kind = \"modes\" }}\n[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\ndiametral_inertia = 0.05\npolar_inertia = 0.03\n\
+             centre_of_mass = {d}\n[[part]]\nkind = \"bearing_linear\"\nname = \"u\"\nbetween = [{{ body = \"d\", at = {} }}, \"ground\"]\nkxx = 4e5\nkyy = 5e5\ncxx = 20\ncyy = 20\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"l\"\nbetween = [{{ body = \"d\", at = {} }}, \"ground\"]\nkxx = 1e5\nkyy = 2e5\ncxx = 20\ncyy = 20\n",
+            d + 0.1,
+            d - 0.15
+        )
+    };
+    let shares = |d: f64| column(&run_all(&machine(d))[0], "modes", "tilt_share");
+    let reference = shares(0.0);
+    assert!(reference.iter().any(|s| *s > 0.5) && reference.iter().any(|s| *s < 0.5), "{reference:?}");
+    for d in [-0.6, 0.3, 2.0] {
+        for (a, b) in shares(d).iter().zip(&reference) {
+            assert!((a - b).abs() < 1e-9 && (0.0..=1.0).contains(a), "{d}: {a} for {b}");
+        }
+    }
+}
+
+/// A whirl whose growth does not depend on the speed, beside conical modes that do: what differs along it is rounding, and no peak.
+#[test]
+fn rounding_makes_no_peaks_of_growth() {
+    let bearing = |name: &str, at: f64| {
+        format!(
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"d\", at = {at} }}, \"ground\"]\nkxx = 4e5\nkyy = 4e5\nkxy = 9e3\nkyx = -9e3\ncxx = 20\ncyy = 20\n"
+        )
+    };
+    let text = format!(
+        "study = {{ kind = \"stability_map\", speed = {{ from = 1, to = 900, points = 300 }} }}\n[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\n\
+         diametral_inertia = 0.05\npolar_inertia = 0.08\n{}{}",
+        bearing("u", 0.1),
+        bearing("l", -0.1)
+    );
+    let o = &run_all(&text)[0];
+    let growth = column(o, "map", "growth");
+    assert!(growth.iter().all(|g| *g > 1.0));
+    let (speed, peaks) = (column(o, "map", "speed"), column(o, "peaks", "growth"));
+    assert!(speed.windows(2).all(|w| w[1] - w[0] > 1e-9 * w[1]));
+    let plateau = growth.iter().filter(|g| (**g / growth[0] - 1.0).abs() < 1e-9).count();
+    assert!(plateau > 50 && peaks.iter().all(|p| (p / growth[0] - 1.0).abs() > 1e-9), "{plateau} {peaks:?}");
+}
+
+#[test]
+fn one_speed_is_a_range_of_one() {
+    let one = |speed: &str| {
+        format!("study = [{{ kind = \"forced_response\", speed = {speed} }}, {{ kind = \"stability_map\", speed = {speed} }}]")
+    };
+    let three = [one("\"300 rad/s\""), one("300"), one("{ from = 300, to = 300 }"), one("{ from = 300, to = 300, points = 7 }")];
+    let all: Vec<Vec<Outcome>> = three.iter().map(|s| run_all(&planar(ELLIPTIC, s))).collect();
+    // X = e m w^2/(k - m w^2 + i c w), Y behind it by a quarter turn; the semi-major axis is |X + i Y|/2 + |X - i Y|/2
+    let w: f64 = 300.0;
+    let axis = |k: f64| c(1e-5 * w * w, 0.0) / c(k - w * w, 5.0 * w);
+    let (x, y) = (axis(1e5), axis(2e5) * c(0.0, -1.0));
+    let major = 0.5 * ((x + y * c(0.0, 1.0)).abs() + (x - y * c(0.0, 1.0)).abs());
+    for outcomes in &all {
+        let (response, map) = (&outcomes[0], &outcomes[1]);
+        assert_eq!((column(response, "response", "speed"), column(map, "map", "speed")), (vec![w], vec![w]));
+        assert!((column(response, "response", "amplitude.d")[0] / major - 1.0).abs() < 1e-9);
+        assert!((finding(response, "amplitude").value.unwrap() / major - 1.0).abs() < 1e-9);
+        assert!(findings(response, "no_resonance").is_empty() && findings(map, "unstable_range").is_empty());
+        assert!(response.figures.is_empty() && map.figures.is_empty());
+        assert!((finding(map, "stable").value.unwrap() + 2.5).abs() < 1e-9);
+    }
+    // where one speed has no answer the refusal says how to write a range
+    let refused = laval::file::load(&planar(ROUND, "study = { kind = \"campbell\", speed = 300 }")).err().unwrap();
+    assert!(refused.0[0].code == "study.range" && refused.0[0].help.as_deref().is_some_and(|h| h.contains("from")), "{refused:?}");
+}
+
+/// The orbit of a round machine is a circle, whose axis has no direction: then there is no column of directions.
+#[test]
+fn no_column_is_without_a_value() {
+    let range = "speed = { from = 10, to = 2000, points = 30 }";
+    let kinds = ["forced_response", "critical_speeds", "campbell", "stability_map"];
+    let list: Vec<String> = kinds.iter().map(|k| format!("{{ kind = \"{k}\", {range} }}")).collect();
+    let studies = format!("study = [{{ kind = \"modes\" }}, {}]", list.join(", "));
+    for bearing in [ROUND, ELLIPTIC, "kxx = 1e5\nkyy = 1e5"] {
+        for o in run_all(&planar(bearing, &studies)) {
+            for (t, c) in o.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (t.name(), c))) {
+                let empty = matches!(&c.data, Data::Float(v) if !v.is_empty() && v.iter().all(|x| x.is_nan()));
+                assert!(!empty || c.doc.contains("NaN where it has no bound"), "{} {t} {}: {bearing}", o.kind, c.name);
+            }
+        }
+    }
+    let direction = |bearing| run_all(&planar(bearing, &studies))[1].find_table("response").unwrap().column("direction.d").is_some();
+    assert!(!direction(ROUND) && direction(ELLIPTIC));
+}
+
+/// A liquid whose waves grow slowly: such a mode is not called stable, and what is said of roots that were not computed is what follows for the machine.
+#[test]
+fn a_mode_that_grows_is_not_stable() {
+    let text = include_str!("machines/pancake_of_oil.toml");
+    let o = &run_all(text)[0];
+    let (growth, frequency, error, stable) =
+        (column(o, "modes", "growth"), column(o, "modes", "frequency"), column(o, "modes", "error"), flags(o, "modes", "stable"));
+    let size = growth.iter().zip(&frequency).map(|(g, f)| g.hypot(*f)).fold(0.0, f64::max);
+    for k in 0..growth.len() {
+        let rounding = error[k].max(1e-13 * size);
+        assert!(growth[k].abs() <= rounding || stable[k] == (growth[k] < 0.0), "{} {}", growth[k], stable[k]);
+    }
+    assert!(growth.iter().any(|g| *g > 1e-9), "{growth:?}");
+    assert!(findings(o, "unstable_mode").is_empty() && finding(o, "stable").text.contains("one of the modes found grows"));
+    assert_eq!(finding(o, "roots_missed").level, Level::Info);
+}
+
+/// Balls on a rotor that lies in bearings with two stiffnesses: neither rest nor a state that turns exists, and no study sends to the other.
+#[test]
+fn advice_does_not_lead_in_circles() {
+    let machine = |axis: &str, kyy: &str, study: &str| {
+        format!(
+            "study = {{ {study} }}\n[machine]\nspeed = \"1200 rpm\"\naxis = \"{axis}\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 35\nunbalance = 0.06\npolar_inertia = 1.1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"drum\", \"ground\"]\nkxx = 8000\nkyy = {kyy}\ncxx = 150\ncyy = 150\n\
+             [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"drum\"\nballs = 3\nball_mass = 0.03\ntrack_radius = 0.24\nball_radius = 0.0095\ndrag = 5e-3\n\
+             contact_stiffness = 1e6\ngravity = 0\n"
+        )
+    };
+    let studies = ["kind = \"modes\"", "kind = \"modes\", about = \"turning\"", "kind = \"stationary\", speed = { from = 10, to = 100 }"];
+    for study in studies {
+        let refusals = load(&machine("horizontal", "10000", study)).refusals();
+        let help = refusals[0].diagnostic.help.as_deref().unwrap_or_default().to_string();
+        assert!(!help.contains("about") && !help.contains("stationary") && help.contains("transient"), "{study}: {help}");
+    }
+    for way in ["kind = \"transient\", duration = 0.01"] {
+        assert!(load(&machine("horizontal", "10000", way)).refusals().is_empty());
+    }
+    // where nothing has a preferred direction stationary states exist
+    let refusals = load(&machine("vertical", "8000", studies[0])).refusals();
+    assert!(refusals[0].diagnostic.help.as_deref().is_some_and(|h| h.contains("stationary")), "{:?}", refusals[0].diagnostic);
+    assert!(load(&machine("vertical", "8000", studies[2])).refusals().is_empty());
+}
+
+/// Many modes: colours and names by the direction of whirl, not one each.
+#[test]
+fn the_legend_of_a_campbell_diagram_stays_short() {
+    let discs: String = (0..8)
+        .map(|k| {
+            let to = if k == 0 { "\"ground\"".to_string() } else { format!("\"d{}\"", k - 1) };
+            format!(
+                "[[part]]\nkind = \"disc\"\nname = \"d{k}\"\nmass = 1\n[[part]]\nkind = \"bearing_linear\"\nname = \"b{k}\"\nbetween = [\"d{k}\", {to}]\n\
+                 kxx = 1e6\nkyy = 1e6\ncxx = 3\ncyy = 3\nkxy = {}\nkyx = {}\n",
+                100 * k,
+                -100 * k
+            )
+        })
+        .collect();
+    let o = &run_all(&format!("study = {{ kind = \"campbell\", speed = {{ from = 10, to = 900, points = 12 }} }}\n[machine]\n{discs}"))[0];
+    let svg = laval::report::draw(&o.figures[0], &o.tables).unwrap();
+    let legend = svg.matches("<g class=\"lg\"").count();
+    assert!(o.find_table("modes").unwrap().rows() >= 16 * 12 && (3..=8).contains(&legend), "{legend}");
+    for word in ["forward", "backward"] {
+        assert!(svg.contains(&format!(">{word}<")), "no {word}");
+    }
+}
