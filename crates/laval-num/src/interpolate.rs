@@ -6,7 +6,7 @@
 //! h_i = x_{i+1} - x_i,   D_i = (y_{i+1} - y_i)/h_i,   cubic Hermite between
 //! ```
 //!
-//! Outside the table the end values continue as constants. Sources: F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238;
+//! Outside the table the end values continue as constants, or, after [`Interpolant::straight_outside`], along the tangents at the ends. Sources: F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238;
 //! F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300.
 
 use crate::scalar::Scalar;
@@ -45,11 +45,13 @@ struct Piece {
     c: [f64; 3],
 }
 
-/// Monotone piecewise cubic through a table, constant outside.
+/// Monotone piecewise cubic through a table; constant outside, unless it was made to go [straight](Interpolant::straight_outside).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interpolant {
     first: (f64, f64),
     pieces: Vec<Piece>,
+    /// Slopes before the first and after the last argument.
+    outside: Option<[f64; 2]>,
 }
 
 impl Interpolant {
@@ -73,7 +75,15 @@ impl Interpolant {
             let c = [s0, (3.0 * d[i] - 2.0 * s0 - s1) / h[i], (s0 + s1 - 2.0 * d[i]) / (h[i] * h[i])];
             Piece { start: x[i], width: h[i], c }
         };
-        Ok(Interpolant { first: (x0, y0), pieces: (0..h.len()).map(piece).collect() })
+        Ok(Interpolant { first: (x0, y0), pieces: (0..h.len()).map(piece).collect(), outside: None })
+    }
+
+    /// The same with the tangents at its ends outside.
+    #[must_use]
+    pub fn straight_outside(mut self) -> Self {
+        let end = |p: &Piece| p.c[0] + p.width * (2.0 * p.c[1] + 3.0 * p.width * p.c[2]);
+        self.outside = Some([self.pieces.first().map_or(0.0, |p| p.c[0]), self.pieces.last().map_or(0.0, end)]);
+        self
     }
 
     /// First and last argument of the table.
@@ -86,7 +96,7 @@ impl Interpolant {
         self.value_and_slope(x).0
     }
 
-    /// Value and d value / d x at `x`; the slope is 0 outside and, at a knot, that of the interval before it.
+    /// Value and d value / d x at `x`; the slope at a knot is that of the interval before it.
     #[inline(always)]
     pub fn value_and_slope<S: Scalar>(&self, x: S) -> (S, S) {
         // 0 * x lets NaN through where there is no interval
@@ -99,6 +109,12 @@ impl Interpolant {
             y += t * (c1 + t * (c2 + t * c3));
             let inside = c1 + t * (c2.scale(2.0) + t * c3.scale(3.0));
             slope += over.select_pos(S::zero(), u.select_pos(inside, S::zero()));
+        }
+        if let Some([before, after]) = self.outside {
+            let (first, last) = self.range();
+            let (under, over) = (S::cst(first) - x, x - S::cst(last));
+            y += over.pos().scale(after) - under.pos().scale(before);
+            slope += over.select_pos(S::cst(after), S::zero()) + under.select_pos(S::cst(before), S::zero());
         }
         (y, slope)
     }
@@ -161,6 +177,23 @@ mod tests {
         }
         assert_eq!(Interpolant::new(&[3.0], &[5.0]).unwrap().value(100.0), 5.0);
         assert!(Interpolant::new(&[3.0], &[5.0]).unwrap().value(f64::NAN).is_nan());
+    }
+
+    /// Inside nothing changes; outside value, slope and derivative are those of the tangents at the ends, and both meet at the ends.
+    #[test]
+    fn straight_outside_follows_the_tangents() {
+        let held = Interpolant::new(&[1.0, 2.0, 4.0], &[3.0, 4.0, 9.0]).unwrap();
+        let straight = held.clone().straight_outside();
+        for x in [1.0, 1.3, 2.0, 3.9, 4.0] {
+            assert!((straight.value(x) - held.value(x)).abs() < 1e-14);
+        }
+        for (end, away) in [(1.0, -5.0), (4.0, 7.0)] {
+            let inside = held.value_and_slope(end + if away < 0.0 { 1e-9 } else { -1e-9 }).1;
+            let (y, slope) = straight.value_and_slope(end + away);
+            assert!((slope - inside).abs() < 1e-8 && (y - held.value(end) - inside * away).abs() < 1e-7, "{end}: {y} {slope} {inside}");
+            assert!((straight.value(Dual::<f64, 1>::seed(end + away, 0)).eps[0] - slope).abs() < 1e-14);
+        }
+        assert!(straight.value(f64::NAN).is_nan());
     }
 
     /// Between monotone data it is monotone, and nowhere leaves the range of two neighbours.

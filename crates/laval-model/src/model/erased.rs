@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
-use super::part::{At, Correction, Domain, Energy, Fitted, Layout, Observed, Outline, Part, Physics, Rows, Uses, Validity};
+use super::part::{At, Correction, Domain, Energy, Fitted, Layout, Observed, Outline, Part, Physics, Rows, Tabulated, Uses, Validity};
 use super::system::Axis;
 use super::timed::{Speeds, Untimed};
 use laval_num::complex::Complex;
@@ -33,6 +33,7 @@ macro_rules! erased {
             fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>);
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
+            fn tabulated(&self) -> Option<Tabulated>;
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
             fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
             fn lightens(&self, p: &[f64]) -> Option<String>;
@@ -94,6 +95,9 @@ macro_rules! erased {
             }
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
                 Part::validity(self, &T::Family::from_slice(p), at, out)
+            }
+            fn tabulated(&self) -> Option<Tabulated> {
+                Part::tabulated(self)
             }
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
                 Part::check(self, &T::Family::from_slice(p))

@@ -355,6 +355,30 @@ pub struct Validity {
     pub ratio: f64,
 }
 
+/// How a part that is known at some spin speeds only goes on at others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// Not at all: a study there is refused.
+    Refuse,
+    /// As at the end.
+    Hold,
+    /// Along the tangent at the end.
+    Linear,
+}
+
+/// The spin speeds at which a part is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tabulated {
+    /// First and last speed, rad/s.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+    /// Outside.
+    pub beyond: Beyond,
+    /// The [`Validity`] that states the same of a motion.
+    pub statement: &'static str,
+}
+
 /// What a part that balances by itself does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correction {
@@ -477,6 +501,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn observe(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Observed>) {}
     /// Use of the model's validity.
     fn validity(&self, _p: &Params<Self, f64>, _at: &At<f64>, _out: &mut Vec<Validity>) {}
+    /// The spin speeds at which it is known, of a part that is given in a table over them.
+    fn tabulated(&self) -> Option<Tabulated> {
+        None
+    }
     /// Why it does not fit a machine with this axis, and what to change.
     fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<String> {
         None

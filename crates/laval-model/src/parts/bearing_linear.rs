@@ -7,8 +7,10 @@
 //! [Fy] = - [kyx kyy] [y] - [cyx cyy] [y']
 //! ```
 //!
-//! A table is interpolated by a monotone piecewise cubic over the spin speed W, with exact derivative, and continued as a constant outside,
-//! where the result is marked as outside the validity of the table.
+//! A table is interpolated by a monotone piecewise cubic over the spin speed W, with exact derivative. Beyond its ends it has no values unless `beyond` says
+//! how it continues: as a constant, or along the tangents at its ends.
+//!
+//! `stiffness = k` is short for kxx = kyy = k, `damping = c` for cxx = cyy = c.
 //!
 //! Symbols: kxx kxy kyx kyy stiffness, N/m; cxx cxy cyx cyy damping, N s/m; W spin speed, rad/s, from x towards y. `kxy = -dFx/dy`;
 //! `kxy > 0 > kyx` drives forward whirl.
@@ -22,7 +24,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Validity};
+use crate::model::part::{At, Beyond, Energy, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
 use crate::params;
 use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
@@ -45,9 +47,18 @@ params! {
 /// The coefficients in order: kxx kxy kyx kyy cxx cxy cyx cyy.
 const NAMES: [&str; 8] = ["kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"];
 
+/// One value for both coefficients of a shorthand.
+const SHORT: [(&str, [&str; 2]); 2] = [("stiffness", ["kxx", "kyy"]), ("damping", ["cxx", "cyy"])];
+
+/// What limits a table, as a statement of validity.
+const RANGE: &str = "distance of the speed from the middle of the bearing table over half its range";
+
 /// Coefficients over speed; a coefficient without a column is zero.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table([Option<Interpolant>; 8]);
+pub struct Table {
+    columns: [Option<Interpolant>; 8],
+    beyond: Beyond,
+}
 
 impl Table {
     /// From increasing speeds (rad/s, at least two) and columns by coefficient name; every mistake is one sentence.
@@ -84,12 +95,19 @@ impl Table {
                 Err(_) => None, // the speeds, told above
             }
         });
-        if wrong.is_empty() { Ok(Table(columns)) } else { Err(wrong) }
+        if wrong.is_empty() { Ok(Table { columns, beyond: Beyond::Refuse }) } else { Err(wrong) }
+    }
+
+    /// The same, continued like this outside its range.
+    #[must_use]
+    pub fn beyond(self, beyond: Beyond) -> Self {
+        let straight = |f: Interpolant| if beyond == Beyond::Linear { f.straight_outside() } else { f };
+        Table { columns: self.columns.map(|f| f.map(straight)), beyond }
     }
 
     /// First and last speed, rad/s.
     pub fn range(&self) -> (f64, f64) {
-        self.0.iter().flatten().next().map_or((0.0, 0.0), Interpolant::range)
+        self.columns.iter().flatten().next().map_or((0.0, 0.0), Interpolant::range)
     }
 }
 
@@ -120,7 +138,7 @@ impl BearingLinear {
             None => Coefficients { value: [p.kxx, p.kxy, p.kyx, p.kyy, p.cxx, p.cxy, p.cyx, p.cyy], slope: [S::zero(); 8] },
             Some(table) => {
                 let mut out = Coefficients { value: [S::zero(); 8], slope: [S::zero(); 8] };
-                for (i, column) in table.0.iter().enumerate() {
+                for (i, column) in table.columns.iter().enumerate() {
                     if let Some(f) = column {
                         (out.value[i], out.slope[i]) = f.value_and_slope(speed);
                     }
@@ -168,23 +186,71 @@ cyy = "3e4 N s/m"
             "",
             "coefficients over speed, instead of constant ones",
         ),
+        Field::optional(
+            "beyond",
+            FieldKind::Choice(&[
+                ("refuse", "a study beyond the speeds of the table is refused"),
+                ("hold", "the first and last row hold beyond; results there are marked as outside the table"),
+                ("linear", "straight on along the slope at the ends; results there are marked as outside the table"),
+            ]),
+            "refuse",
+            "coefficients at speeds outside the table",
+        ),
+        Field::optional(
+            "stiffness",
+            FieldKind::Quantity { unit: "N/m", bounds: Bounds::within(1e15) },
+            "",
+            "one stiffness in all directions, instead of kxx and kyy",
+        ),
+        Field::optional(
+            "damping",
+            FieldKind::Quantity { unit: "N s/m", bounds: Bounds::within(1e12) },
+            "",
+            "one damping in all directions, instead of cxx and cyy",
+        ),
     ];
 
     fn build(values: &Values, params: &mut ParamValues, diagnostics: &mut Diagnostics) -> Option<Self> {
         let (a, b) = values.between("between")?;
         let link = Link::Between(a, b);
+        for (short, both) in SHORT {
+            let Some(value) = values.number(short) else { continue };
+            if let Some(twice) = both.into_iter().find(|name| params.get(name).is_some_and(|x| x != 0.0)) {
+                diagnostics.push(
+                    Diagnostic::error("bearing_linear.twice", format!("{short} is given beside {twice}"))
+                        .at(values.span_of(short))
+                        .help(format!("{short} stands for {} and {}: give the one value or these two", both[0], both[1])),
+                );
+            }
+            for name in both {
+                params.set(name, value);
+            }
+        }
+        let beyond = match values.choice("beyond") {
+            Some("hold") => Beyond::Hold,
+            Some("linear") => Beyond::Linear,
+            _ => Beyond::Refuse,
+        };
         let given: Vec<&str> = NAMES.into_iter().filter(|name| params.get(name).is_some_and(|x| x != 0.0)).collect();
         let Some(columns) = values.columns("table") else {
             if given.is_empty() {
                 diagnostics.push(
                     Diagnostic::error("bearing_linear.empty", "the bearing has no coefficient: all eight are zero")
                         .at(values.span.clone())
-                        .help("give kxx and kyy (and what else it has), or a table over speed"),
+                        .help("give stiffness, or kxx and kyy (and what else it has), or a table over speed"),
+                );
+            }
+            if values.written("beyond") {
+                diagnostics.push(
+                    Diagnostic::error("bearing_linear.beyond", "beyond is given without a table")
+                        .at(values.span_of("beyond"))
+                        .help("constant coefficients hold at every speed: take beyond away, or give a table over speed"),
                 );
             }
             return Some(BearingLinear::constant(link));
         };
         if let Some(name) = given.first() {
+            let name = SHORT.into_iter().find(|s| s.1.contains(name) && values.number(s.0).is_some()).map_or(*name, |s| s.0);
             diagnostics.push(
                 Diagnostic::error("bearing_linear.twice", format!("{name} is given as a constant beside a table"))
                     .at(values.span_of(name))
@@ -192,7 +258,7 @@ cyy = "3e4 N s/m"
             );
         }
         match Table::new(columns.get("speed").map_or(&[][..], Vec::as_slice), |name| columns.get(name).cloned()) {
-            Ok(table) => Some(BearingLinear::tabulated(link, table)),
+            Ok(table) => Some(BearingLinear::tabulated(link, table.beyond(beyond))),
             Err(wrong) => {
                 for message in wrong {
                     diagnostics.push(Diagnostic::error("bearing_linear.table", message).at(values.span_of("table")));
@@ -243,11 +309,13 @@ cyy = "3e4 N s/m"
             let (first, last) = table.range();
             let (middle, half) = (0.5 * (first + last), 0.5 * (last - first));
             // 1 at either end of the table
-            out.push(Validity {
-                what: "distance of the speed from the middle of the bearing table over half its range",
-                ratio: (at.speed - middle).abs() / half,
-            });
+            out.push(Validity { what: RANGE, ratio: (at.speed - middle).abs() / half });
         }
+    }
+    fn tabulated(&self) -> Option<Tabulated> {
+        let table = self.table.as_ref()?;
+        let (from, to) = table.range();
+        Some(Tabulated { from, to, beyond: table.beyond, statement: RANGE })
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let constants = BearingLinearFamily::to_vec(p);
@@ -349,6 +417,47 @@ mod tests {
         assert!(text[0].contains("cxx is given as a constant beside a table"));
         assert!(build(|_, _| ()).1[0].contains("all eight are zero"));
         assert!(build(|_, p| p.set("kxx", 1e6)).1.is_empty());
+        let (_, text) = build(|v, p| {
+            p.set("kxx", 1e6);
+            v.set("beyond", Value::Choice("hold"), Some(0..1));
+        });
+        assert!(text[0].contains("without a table"));
+        let (_, text) = build(|v, _| {
+            v.set("table", columns(&[100.0, 200.0], &[1e6; 2]), None);
+            v.set("damping", Value::Number(3.0), None);
+        });
+        assert!(text[0].contains("damping is given as a constant beside a table"));
+    }
+
+    /// `stiffness` and `damping` are kxx = kyy and cxx = cyy, and nothing beside these.
+    #[test]
+    fn one_value_stands_for_both_directions() {
+        let (mut values, mut params, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
+        values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
+        values.set("stiffness", Value::Number(2e6), None);
+        values.set("damping", Value::Number(300.0), None);
+        params.set("kxy", 1e5);
+        assert!(BearingLinear::build(&values, &mut params, &mut d).is_some() && d.0.is_empty());
+        let is = |name: &str, x: f64| params.get(name) == Some(x);
+        assert!(is("kxx", 2e6) && is("kyy", 2e6) && is("cxx", 300.0) && is("cyy", 300.0) && is("kxy", 1e5));
+        let (_, text) = build(|v, p| {
+            v.set("stiffness", Value::Number(2e6), None);
+            p.set("kyy", 1e6);
+        });
+        assert_eq!(text, ["stiffness is given beside kyy"]);
+    }
+
+    #[test]
+    fn beyond_its_ends_a_table_holds_or_goes_straight_on() {
+        let p = BearingLinearFamily::defaults();
+        let kxx = |beyond, speed| BearingLinear::tabulated(link(), table().beyond(beyond)).coefficients(&p, speed);
+        let end = kxx(Beyond::Hold, 600.0 - 1e-6).slope[0];
+        let (held, straight) = (kxx(Beyond::Hold, 700.0), kxx(Beyond::Linear, 700.0));
+        assert!((held.value[0] - 3.5e6).abs() < 1e-3 && held.slope[0] == 0.0);
+        assert!((straight.value[0] - 3.5e6 - 100.0 * end).abs() < 1.0 && (straight.slope[0] - end).abs() < 1e-2);
+        assert!((kxx(Beyond::Linear, 200.0).value[0] - 3e6).abs() < 1e-6);
+        let stated = BearingLinear::tabulated(link(), table()).tabulated().unwrap();
+        assert_eq!((stated.from, stated.to, stated.beyond), (50.0, 600.0, Beyond::Refuse));
     }
 }
 
@@ -361,6 +470,8 @@ crate::conformance! {
             BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -2e5, kyy: 1e6, cxx: 500.0, cxy: -60.0, cyx: 60.0, cyy: 500.0 },
             Options::default();
         tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearFamily::defaults(),
+            Options { speed: 650.0, ..Options::anisotropic() };
+        straight_on: BearingLinear::tabulated(tests::link(), tests::table().beyond(Beyond::Linear)), BearingLinearFamily::defaults(),
             Options { speed: 650.0, ..Options::anisotropic() };
     }
 }

@@ -7,7 +7,7 @@
 //!                               [ a b (b - a)  a^2 - a b + b^2   ]     [ .     1/k2 ]            [ -1/l   1/l ]
 //! ```
 //!
-//! Symbols: a length of the shaft from the lower support to the point, b from there to the upper one, l = a + b, m; E I = E pi d^4/64 bending stiffness,
+//! Symbols: a length of the shaft from the lower support to the point, b from there to the upper one, l = a + b, m; E I = E pi (d^4 - di^4)/64 bending stiffness,
 //! N m^2; k1, k2 stiffness of the lower and upper support, N/m. Slopes are beta = dx/dz, alpha = -dy/dz.
 //!
 //! Validity: slender shaft (no shear deflection), mass of the shaft small against what it carries; the supports carry no moment. Unequal stiffness in x
@@ -29,6 +29,7 @@ params! {
         below: scalar, "m", Bounds::closed(1e-4, 100.0), required, "length a of the shaft from the lower support to the point";
         above: scalar, "m", Bounds::closed(1e-4, 100.0), required, "length b of the shaft from the point to the upper support";
         diameter: scalar, "m", Bounds::closed(1e-5, 10.0), required, "diameter d of the shaft";
+        inner_diameter: scalar, "m", Bounds::up_to(10.0), default 0.0, "inner diameter di of a hollow shaft";
         modulus: scalar, "Pa", Bounds::closed(1e5, 1e13), default 2.06e11, "Young's modulus E of the shaft";
         lower_support: lateral, "N/m", Bounds::closed(1.0, 1e15), required, "stiffness k1 of the lower support";
         upper_support: lateral, "N/m", Bounds::closed(1.0, 1e15), required, "stiffness k2 of the upper support";
@@ -53,7 +54,8 @@ impl ShaftSpan {
     fn planes<S: Scalar>(p: &ShaftSpanParams<S>) -> [Plane<S>; 2] {
         let (a, b) = (p.below, p.above);
         let l = a + b;
-        let bending = p.modulus * p.diameter.square().square().scale(PI / 64.0);
+        let fourth = |d: S| d.square().square();
+        let bending = p.modulus * (fourth(p.diameter) - fourth(p.inner_diameter)).scale(PI / 64.0);
         let unit = S::one() / (bending * l).scale(3.0);
         let mut planes = [[S::zero(); 3]; 2];
         for (i, plane) in planes.iter_mut().enumerate() {
@@ -124,6 +126,10 @@ modulus = "206 GPa"
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
         out.push(Observed { name: "moment", unit: "N m", value: f[2].hypot(f[3]) });
     }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        let hollow = p.inner_diameter < p.diameter;
+        if hollow { Vec::new() } else { vec![("inner_diameter", "inner_diameter is less than diameter".into())] }
+    }
 }
 
 #[cfg(test)]
@@ -135,7 +141,15 @@ mod tests {
         Link::Between(Attach::on("drum"), Attach::ground())
     }
     pub(super) fn params(stiff: [f64; 2]) -> ShaftSpanParams {
-        ShaftSpanParams { below: 0.25, above: 0.35, diameter: 0.035, modulus: 2.06e11, lower_support: stiff, upper_support: [1.5e7; 2] }
+        ShaftSpanParams {
+            below: 0.25,
+            above: 0.35,
+            diameter: 0.035,
+            inner_diameter: 0.02,
+            modulus: 2.06e11,
+            lower_support: stiff,
+            upper_support: [1.5e7; 2],
+        }
     }
 
     /// Forces of the two supports hold a force and a moment at the point; the shaft between bends as two cantilevers clamped there.
@@ -143,7 +157,7 @@ mod tests {
     fn statics_of_a_beam_on_springs() {
         let p = params([2e7, 1.2e7]);
         let (a, b, l) = (p.below, p.above, p.below + p.above);
-        let ei = p.modulus * PI * p.diameter.powi(4) / 64.0;
+        let ei = p.modulus * PI * (p.diameter.powi(4) - p.inner_diameter.powi(4)) / 64.0;
         for (i, (force, moment)) in [(0, (1.0, 0.0)), (0, (0.0, 1.0)), (1, (-2.0, 0.3))] {
             // upward reactions, positive against the load; slope and deflection of the rigid chord, then the two cantilevers
             let (low, high) = ((force * b - moment) / l, (force * a + moment) / l);
@@ -161,7 +175,7 @@ mod tests {
     #[test]
     fn in_the_middle_of_rigid_supports() {
         let p = ShaftSpanParams { above: 0.25, lower_support: [1e15; 2], upper_support: [1e15; 2], ..params([0.0; 2]) };
-        let ei = p.modulus * PI * p.diameter.powi(4) / 64.0;
+        let ei = p.modulus * PI * (p.diameter.powi(4) - p.inner_diameter.powi(4)) / 64.0;
         let [x, y] = ShaftSpan::planes(&p);
         assert!((x[0] / (48.0 * ei / 0.5f64.powi(3)) - 1.0).abs() < 1e-6 && (x[1] / x[0]).abs() < 1e-9);
         assert!((x[2] / (12.0 * ei / 0.5) - 1.0).abs() < 1e-6 && x == y);

@@ -32,6 +32,7 @@ pub mod sensitivity;
 pub mod separation;
 mod settled;
 mod spectra;
+pub mod speed_range;
 pub mod stability_map;
 mod start;
 pub mod stationary;
@@ -183,6 +184,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     const EXAMPLE: &'static str = "";
     /// What may be said of it.
     const FIELDS: &'static [Field];
+    /// It rests on the motion of the machine at its spin speeds, and so on parts that are known at some speeds only.
+    const TURNS: bool = true;
 
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
@@ -303,6 +306,9 @@ pub fn blocks() -> Vec<BlockKind> {
 pub fn kind<T: Study>() -> StudyKind {
     StudyKind {
         info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec() },
-        build: |values, system, diagnostics| T::build(values, system, diagnostics).map(|s| Box::new(s) as Box<dyn ErasedStudy>),
+        build: |values, system, diagnostics| {
+            let study = T::build(values, system, diagnostics)?;
+            Some(Box::new(speed_range::Ranged::new(study, values, system)) as Box<dyn ErasedStudy>)
+        },
     }
 }

@@ -61,6 +61,7 @@ ramp = "30 s"
         grade efficiency, where the pellet lies, the time and speed a recovery needs with their sensitivities, and engineering measures \
         (RCF, k-factor, Sigma). Speeds are searched on the same account of time as everything else, with the run-up at the same acceleration; not where every \
         particle must be integrated with its inertia (model = \"exact\" with a run-up or nonlinear drag). Needs the blocks [[cup]] and [suspension].";
+    const TURNS: bool = false;
     const FIELDS: &'static [Field] = &[
         CUP,
         Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),

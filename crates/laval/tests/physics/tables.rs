@@ -1,0 +1,148 @@
+//! Coefficients in a table over the speed are known at its speeds only: a study beyond is refused, or, when the file says how the table continues, marked.
+
+use laval::file::{self, Loaded};
+use laval::model::field::FieldKind;
+use laval::outcome::{Finding, Level, Outcome};
+use laval::study::speed_range::SPIN;
+use laval::study::{Context, registry};
+
+/// A rigid rotor on two journal bearings whose table ends at 12000 rpm.
+fn rotor(beyond: &str, studies: &str) -> String {
+    let table = "table = { speed = [\"1000 rpm\", \"3000 rpm\", \"6000 rpm\", \"9000 rpm\", \"12000 rpm\"], \
+         kxx = [\"8 MN/m\", \"10 MN/m\", \"12 MN/m\", \"13 MN/m\", \"14 MN/m\"], kxy = [\"2 MN/m\", \"6 MN/m\", \"12 MN/m\", \"17 MN/m\", \"22 MN/m\"], \
+         kyx = [\"-10 MN/m\", \"-12 MN/m\", \"-16 MN/m\", \"-20 MN/m\", \"-25 MN/m\"], kyy = [\"25 MN/m\", \"18 MN/m\", \"15 MN/m\", \"14 MN/m\", \"14 MN/m\"], \
+         cxx = [\"60 kN s/m\", \"30 kN s/m\", \"22 kN s/m\", \"19 kN s/m\", \"18 kN s/m\"], cyy = [\"200 kN s/m\", \"70 kN s/m\", \"35 kN s/m\", \"28 kN s/m\", \"24 kN s/m\"] }";
+    let bearing = |name: &str, at: &str| {
+        format!(
+            "[[part]]\nkind = \"bearing_linear\"\nname = \"{name}\"\nbetween = [{{ body = \"rotor\", at = \"{at}\" }}, \"ground\"]\n{table}\n{beyond}\n"
+        )
+    };
+    format!(
+        "[machine]\nspeed = \"6000 rpm\"\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = \"50 kg\"\ndiametral_inertia = \"2.5 kg m^2\"\n\
+         polar_inertia = \"0.4 kg m^2\"\nunbalance = \"500 g mm\"\n{}{}{studies}",
+        bearing("front", "300 mm"),
+        bearing("rear", "-300 mm")
+    )
+}
+
+fn load(text: &str) -> Loaded {
+    file::load(text).unwrap_or_else(|d| panic!("{d:?}"))
+}
+
+fn run(text: &str) -> Outcome {
+    let l = load(text);
+    l.studies[0].study.run(&l.system, &Context::quiet("study")).unwrap()
+}
+
+/// What leaves the table from 1000 to 12000 rpm.
+const BEYOND: [&str; 13] = [
+    "kind = \"modes\"\nspeed = \"12001 rpm\"",
+    "kind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
+    "kind = \"critical_speeds\"\nspeed = { from = \"900 rpm\", to = \"12000 rpm\", points = 5 }",
+    "kind = \"stability_map\"\nspeed = { from = \"1000 rpm\", to = \"20000 rpm\", points = 40 }",
+    "kind = \"forced_response\"\nspeed = { from = \"0 rpm\", to = \"6000 rpm\", points = 5 }",
+    "kind = \"nonlinear_response\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\" }",
+    "kind = \"transient\"\nspeed = \"500 rpm\"\nduration = \"10 ms\"\npoints = 5",
+    "kind = \"run_up\"\nduration = \"10 ms\"\npoints = 5",
+    "kind = \"run_up\"\nfrom = \"2000 rpm\"\nto = \"15000 rpm\"\nduration = \"10 ms\"\npoints = 5",
+    "kind = \"run_up\"\nprogramme = { time = [\"0 s\", \"5 ms\", \"10 ms\"], speed = [\"2000 rpm\", \"14000 rpm\", \"3000 rpm\"] }\npoints = 5",
+    "kind = \"sweep\"\nspeed = { from = \"11000 rpm\", to = \"12500 rpm\", points = 2 }",
+    "kind = \"uncertainty\"\nstudy = { kind = \"modes\", speed = \"13000 rpm\" }\nsamples = 4\n\
+     parameters = [{ parameter = \"rotor.mass\", distribution = \"normal\", deviation = \"1 %\" }]",
+    "kind = \"operating_window\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
+];
+
+#[test]
+fn studies_beyond_a_table_are_refused() {
+    for study in BEYOND {
+        let l = load(&rotor("", &format!("[[study]]\n{study}\n")));
+        let refusals = l.refusals();
+        assert_eq!(refusals.len(), 1, "{study}");
+        let d = &refusals[0].diagnostic;
+        assert_eq!(d.code, "study.beyond_table", "{study}: {d}");
+        assert!(d.span.is_some() && d.help.as_deref().is_some_and(|h| h.contains("beyond = \"hold\"")), "{study}");
+        assert_eq!(l.studies[0].study.run(&l.system, &Context::quiet("study")).err().unwrap().code, "study.beyond_table", "{study}");
+        // the same study inside, and a table that continues
+        assert!(load(&rotor("beyond = \"hold\"", &format!("[[study]]\n{study}\n"))).refusals().is_empty(), "{study}");
+    }
+    let inside = "[[study]]\nkind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\" }\n[[study]]\nkind = \"modes\"\n";
+    assert!(load(&rotor("", inside)).refusals().is_empty());
+    // what rests on no motion of the machine needs no coefficient
+    let kinds = registry();
+    assert!(kinds.iter().any(|k| k.info.kind == "separation"));
+}
+
+fn find<'a>(o: &'a Outcome, id: &str) -> Vec<&'a Finding> {
+    o.findings.iter().filter(|f| f.id == id).collect()
+}
+
+/// Beyond the table nothing is said without its mark, and inside nothing is marked.
+#[test]
+fn findings_beyond_a_table_are_marked() {
+    for (study, farthest) in [(BEYOND[0], 12001.0), (BEYOND[3], 20000.0), (BEYOND[4], 0.0), (BEYOND[8], 15000.0), (BEYOND[9], 14000.0)] {
+        for (beyond, word) in [("hold", "held at its ends"), ("linear", "continued along its slope")] {
+            let o = run(&rotor(&format!("beyond = \"{beyond}\""), &format!("[[study]]\n{study}\n")));
+            for (k, name) in ["rear", "front"].into_iter().enumerate() {
+                let first = &o.findings[k];
+                assert_eq!((first.id.as_str(), first.subject.as_str(), first.level), ("beyond_table", name, Level::Invalid), "{study}");
+                assert!(
+                    (first.value.unwrap() - farthest * std::f64::consts::PI / 30.0).abs() < 1e-9 && first.text.contains(word),
+                    "{first:?}"
+                );
+            }
+            // one fact, one place
+            assert!(!o.findings.iter().any(|f| f.text.contains("middle of the bearing table") && f.level == Level::Invalid), "{study}");
+        }
+    }
+    let modes = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[0])));
+    assert!(
+        modes
+            .findings
+            .iter()
+            .all(|f| f.level == Level::Invalid && (f.id == "beyond_table" || f.text.contains("Outside the table of \"front\"")))
+    );
+    let map = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[3])));
+    let limit = 12000.0 * std::f64::consts::PI / 30.0 * (1.0 + 1e-9);
+    let mut marked = 0;
+    for f in &map.findings {
+        let speed = f.evidence.iter().find(|e| e.what == "speed").map(|e| e.value);
+        let speed = speed.or(f.value.filter(|_| f.unit == "rad/s" && f.id.starts_with("instability")));
+        if let Some(w) = speed {
+            assert_eq!(f.level == Level::Invalid, w > limit, "{}", f.sentence());
+            marked += usize::from(w > limit);
+        }
+    }
+    assert!(marked > 0 || find(&map, "largest_growth").is_empty(), "{:#?}", map.findings);
+    let inside =
+        run(&rotor("beyond = \"hold\"", "[[study]]\nkind = \"stability_map\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\" }\n"));
+    assert!(inside.findings.iter().all(|f| f.level != Level::Invalid), "{:#?}", inside.findings);
+}
+
+/// On the plateau beyond a table that is held nothing changes with the speed but the gyroscopic moment: no peak of growth stands on rounding.
+#[test]
+fn a_plateau_has_no_peaks() {
+    let gyroscopic = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[3])));
+    let plane = rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[3])).replace("polar_inertia = \"0.4 kg m^2\"", "");
+    let limit = 12000.0 * std::f64::consts::PI / 30.0;
+    for o in [gyroscopic, run(&plane)] {
+        let beyond = o.special_points.iter().filter(|p| p.kind == "growth_peak" && p.at > limit * (1.0 + 1e-6)).count();
+        assert_eq!(beyond, 0, "{:#?}", o.special_points);
+    }
+}
+
+/// Fields of studies in rad/s are spin speeds that are held against tables, or known to be something else.
+#[test]
+fn every_speed_of_a_study_is_seen() {
+    let other = ["frequency_limit", "highest_frequency", "resolution"];
+    for k in registry() {
+        for f in &k.info.fields {
+            let speed = match f.kind {
+                FieldKind::Quantity { unit, .. } | FieldKind::Range { unit, .. } | FieldKind::List { unit, .. } => unit == "rad/s",
+                FieldKind::Columns(columns) => columns.iter().any(|c| c.1 == "rad/s"),
+                _ => false,
+            };
+            let known = SPIN.iter().any(|s| s.0 == f.name) || other.contains(&f.name) || k.info.kind == "separation";
+            assert!(!speed || known, "{}: {} is in rad/s: is it a spin speed?", k.info.kind, f.name);
+        }
+    }
+}
