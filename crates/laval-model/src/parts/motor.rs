@@ -25,7 +25,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use laval_num::interpolate::Interpolant;
 use laval_num::scalar::Scalar;
@@ -189,6 +189,18 @@ inertia = "0.02 kg m^2"
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "torque", unit: "N m", value: self.torque(p, at.speed) });
         out.push(Observed { name: "power", unit: "W", value: self.torque(p, at.speed) * at.speed });
+    }
+    fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        // at a constant speed the torque moves nothing
+        if let (Curve::Table(f), true) = (&self.curve, at.spin_accel != 0.0) {
+            let (first, last) = f.range();
+            let (middle, half) = (0.5 * (first + last), 0.5 * (last - first));
+            // one row is a torque at every speed
+            if half > 0.0 {
+                let what = "distance of the speed from the middle of the torque table over half its range";
+                out.push(Validity { what, ratio: (at.speed - middle).abs() / half });
+            }
+        }
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let mut wrong = Vec::new();

@@ -11,7 +11,7 @@
 use super::approximation;
 use super::modes::{THRESHOLD, WHIRLS};
 use super::region;
-use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range, remarks};
+use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range, remarks_between};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -273,7 +273,7 @@ orders = [1, 2]
                 ));
             }
         }
-        for f in remarks(system, &rest(system, from)?) {
+        for f in remarks_between(system, &rest(system, from)?, rest(system, to)) {
             outcome = outcome.finding(f);
         }
         let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));

@@ -12,7 +12,7 @@
 use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words, follow, orders, special};
 use super::growing::{Follows, unstable};
 use super::modes::WHIRLS;
-use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks};
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks_between};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -178,7 +178,7 @@ margin = 0.15
                 );
             }
         }
-        for f in remarks(system, &state(self.speed.from)?) {
+        for f in remarks_between(system, &state(self.speed.from)?, state(self.speed.to)) {
             outcome = outcome.finding(f);
         }
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")

@@ -10,7 +10,7 @@
 //! Sources: `theory/planar-rotor.md` sections 5 and 9.
 
 use super::growing::{Follows, unstable};
-use super::support::{SPEED_RANGE, inconsistent, one_or_range, remarks};
+use super::support::{SPEED_RANGE, inconsistent, one_or_range, remarks_between};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
@@ -204,7 +204,7 @@ impl Study for ForcedResponse {
             outcome = outcome
                 .finding(finding.evidence("at", u.speed, "rad/s").evidence("outside from", u.from, "rad/s").evidence("to", u.to, "rad/s"));
         }
-        for f in remarks(system, &state(self.speed.from)?) {
+        for f in remarks_between(system, &state(self.speed.from)?, state(self.speed.to)) {
             outcome = outcome.finding(f);
         }
         let extrema = Table::new("extrema", "Resonances and antiresonances of every body")

@@ -13,7 +13,7 @@ use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
 use super::region;
 use super::support::{
-    ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, one_or_range, range, remarks,
+    ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, one_or_range, range, remarks_between,
 };
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -160,7 +160,8 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         context.progress.report(total, total);
         let stopped = rows.len() < values.len() || rows.iter().any(|r| r.stopped);
         let mut outcome = self.report(system, context, &values, &rows, !stopped)?;
-        for f in remarks(system, &self.about.find(system, speeds[0], None)?) {
+        let (first, last) = (self.about.find(system, speeds[0], None)?, self.about.find(system, speeds[speeds.len() - 1], None));
+        for f in remarks_between(system, &first, last) {
             outcome = outcome.finding(f);
         }
         outcome.checked().map_err(inconsistent)

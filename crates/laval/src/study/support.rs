@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Values, Word};
 use crate::model::part::At;
 use crate::model::system::{Slot, System, Workspace};
-use crate::outcome::{Finding, OutcomeError, quantity};
+use crate::outcome::{Finding, Level, OutcomeError, quantity};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::time_forms;
 use crate::solve::roots::transcendental;
@@ -183,6 +183,15 @@ pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diag
     }
 }
 
+/// The remarks of a study over a range of speeds, from its states at the ends; one of them at least is there. Models are left at either end.
+pub fn remarks_between(system: &System, first: &Equilibrium, last: Result<Equilibrium, Diagnostic>) -> Vec<Finding> {
+    let mut out = remarks(system, first);
+    let known: Vec<String> = out.iter().filter(|f| f.level == Level::Invalid).map(|f| f.subject.clone()).collect();
+    // a state that is not to be had there is said by the study itself
+    out.extend(last.iter().flat_map(|last| outside(system, last)).filter(|f| !known.contains(&f.subject)));
+    out
+}
+
 /// The remarks every linear study owes: nonlinear parts enter by their tangent, fits by their error, weight by the equilibrium.
 pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let mut out = Vec::new();
@@ -239,11 +248,12 @@ fn outside(system: &System, about: &Equilibrium) -> Vec<Finding> {
     for (slot, u) in uses.iter().filter(|(_, u)| !(u.ratio <= 1.0)) {
         let (part, speed) = (&system.slots()[*slot].name, quantity(about.speed, "rad/s"));
         let text = format!("At {speed} \"{part}\" is outside its model, even undisturbed: {}", u.what);
-        out.push(if u.ratio.is_finite() {
+        let finding = if u.ratio.is_finite() {
             Finding::invalid("validity", text + " is {}, above 1.").value(u.ratio, "")
         } else {
             Finding::invalid("validity", text + " is without bound.")
-        });
+        };
+        out.push(finding.of(part));
     }
     out
 }

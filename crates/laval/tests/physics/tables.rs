@@ -130,6 +130,24 @@ fn a_plateau_has_no_peaks() {
     }
 }
 
+/// The torque of a motor beyond its table is a guess of its own: a motion that uses it says so, one inside the table does not.
+#[test]
+fn a_motor_beyond_its_torque_table_is_marked() {
+    let file = |last: &str| {
+        format!(
+            "[machine]\nspeed = \"100 rad/s\"\ndrive = \"free\"\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = \"2 kg\"\npolar_inertia = \"0.01 kg m^2\"\n\
+             [[part]]\nkind = \"bearing_linear\"\nname = \"bearing\"\nbetween = [\"rotor\", \"ground\"]\nstiffness = \"1e5 N/m\"\ndamping = \"100 N s/m\"\n\
+             [[part]]\nkind = \"motor\"\nname = \"motor\"\ntorque = \"1 N m\"\ncurve = \"table\"\ntable = {{ speed = [\"0 rad/s\", \"{last}\"], share = [1, 1] }}\n\
+             [[study]]\nkind = \"transient\"\nduration = \"3 s\"\npoints = 10\n"
+        )
+    };
+    for (last, inside) in [("500 rad/s", true), ("200 rad/s", false)] {
+        let o = run(&file(last));
+        let table = |f: &&Finding| f.text.contains("torque table") && f.level == Level::Invalid;
+        assert_eq!(o.findings.iter().filter(table).count(), usize::from(!inside), "{last}: {:#?}", o.findings);
+    }
+}
+
 /// Fields of studies in rad/s are spin speeds that are held against tables, or known to be something else.
 #[test]
 fn every_speed_of_a_study_is_seen() {
