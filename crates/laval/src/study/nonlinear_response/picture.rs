@@ -1,7 +1,7 @@
 //! The figure.
 
 use super::shown::{Shown, judged};
-use super::stretches::unstable_ranges;
+use super::stretches::unstable_throughout;
 use super::sweeps::reached;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
@@ -59,7 +59,7 @@ impl Shown<'_> {
         if judged {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
             let shown = |b: &&Traced| !all || matches!(b.origin, Origin::Low | Origin::High);
-            for (from, to) in response.branches.iter().filter(shown).flat_map(unstable_ranges) {
+            for (from, to) in unstable_throughout(&response.branches.iter().filter(shown).collect::<Vec<_>>()) {
                 growth = growth.mark(Band::x(from, to).name("unstable").strip());
             }
             let name = if all { "" } else { "largest growth rate" };

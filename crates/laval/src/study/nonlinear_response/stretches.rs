@@ -93,6 +93,21 @@ pub(super) fn unstable_ranges(branch: &Traced) -> Vec<(f64, f64)> {
     ranges_of(branch, unstable_runs(branch))
 }
 
+/// Ranges of speed over which states of these branches are unstable and none is stable, ascending ends.
+pub(super) fn unstable_throughout(branches: &[&Traced]) -> Vec<(f64, f64)> {
+    let stable = |s: Stretch<'_>| {
+        let runs = runs(s.branch.points[s.points.clone()].iter().map(State::stable));
+        ranges_of(s.branch, runs.into_iter().map(|(a, b)| s.points.start + a..s.points.start + b + 1).collect())
+    };
+    let held: Vec<(f64, f64)> = branches.iter().flat_map(|b| stretches(b)).flat_map(stable).collect();
+    let mut left: Vec<(f64, f64)> = branches.iter().flat_map(|b| unstable_ranges(b)).collect();
+    for (from, to) in held {
+        let outside = |(a, b): (f64, f64)| [(a, b.min(from)), (a.max(to), b)].into_iter().filter(|(a, b)| a < b);
+        left = left.into_iter().flat_map(outside).collect();
+    }
+    left
+}
+
 /// Speeds of runs of points.
 pub(super) fn ranges_of(branch: &Traced, runs: Vec<Range<usize>>) -> Vec<(f64, f64)> {
     let range = |run: Range<usize>| {
