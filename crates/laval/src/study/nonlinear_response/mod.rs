@@ -27,7 +27,7 @@
 use super::support::range;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
 use crate::solve::ensemble;
@@ -40,6 +40,7 @@ mod families;
 mod findings;
 mod forces;
 mod largest;
+mod one;
 mod orders;
 mod picture;
 mod self_centring;
@@ -56,12 +57,14 @@ pub struct NonlinearResponse {
     request: Request,
     /// Amplitude from which orders beside the synchronous one are told, m.
     order_threshold: Option<f64>,
+    /// The one speed that is meant, rad/s; the range of the request lies about it.
+    one: Option<f64>,
 }
 
 impl NonlinearResponse {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
-        NonlinearResponse { request, order_threshold: None }
+        NonlinearResponse { request, order_threshold: None, one: None }
     }
     /// What is asked.
     pub fn request(&self) -> &Request {
@@ -156,8 +159,13 @@ harmonics = "auto"
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let request = request(values, diagnostics)?;
-        Some(NonlinearResponse { request, order_threshold: values.number("order_threshold") })
+        let one = values.range("speed").filter(RangeValue::is_one).map(|r| r.from);
+        let mut about = values.clone();
+        if let Some((from, to)) = one.map(one::around) {
+            about.set("speed", Value::Range(RangeValue { from, to, points: None }), values.span_of("speed"));
+        }
+        let request = request(&about, diagnostics)?;
+        Some(NonlinearResponse { request, order_threshold: values.number("order_threshold"), one })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
@@ -168,6 +176,9 @@ harmonics = "auto"
         self.admit(system)?;
         let mut request = Request { work: context.work_limit, ..self.request };
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
+        if let Some(speed) = self.one {
+            return one::outcome(Self::KIND, system, &request, speed, context);
+        }
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
