@@ -214,3 +214,28 @@ fn the_legend_of_a_campbell_diagram_stays_short() {
         assert!(svg.contains(&format!(">{word}<")), "no {word}");
     }
 }
+
+/// One speed in the studies that follow branches: a linear machine has one steady motion there, and the states of a balancer are those of a range about it.
+#[test]
+fn one_speed_of_branches() {
+    let w: f64 = 200.0;
+    let o = &run_all(&planar(ROUND, "study = { kind = \"nonlinear_response\", speed = 200 }"))[0];
+    let radius = 1e-5 * w * w / (1e5 - w * w).hypot(5.0 * w);
+    assert_eq!(o.find_table("motions").unwrap().rows(), 1);
+    assert!((finding(o, "steady_motion").value.unwrap() / radius - 1.0).abs() < 1e-9, "{}", finding(o, "steady_motion").sentence());
+    assert!((column(o, "motions", "growth")[0] + 2.5).abs() < 1e-6 && o.figures.is_empty());
+    let ring = "[[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"d\"\nballs = 2\nball_mass = 0.002\ntrack_radius = 0.05\nball_radius = 0.004\ndrag = 1e-5\n\
+                contact_stiffness = 1e4\n";
+    let balancer = |speed: &str| format!("{}{ring}", planar(ROUND, &format!("study = {{ kind = \"stationary\", speed = {speed} }}")));
+    let (one, range) = (&run_all(&balancer("600"))[0], &run_all(&balancer("{ from = 500, to = 600, points = 2 }"))[0]);
+    let at = |o: &Outcome| {
+        let all = column(o, "states", "unbalance").into_iter().zip(column(o, "states", "speed"));
+        let mut own: Vec<f64> = all.filter(|r| r.1 == 600.0).map(|r| r.0).collect();
+        own.sort_by(f64::total_cmp);
+        own
+    };
+    let (a, b) = (at(one), at(range));
+    assert!(!a.is_empty() && a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| (x - y).abs() < 1e-9 * 1e-4), "{a:?} {b:?}");
+    assert_eq!(finding(one, "states").value, Some(a.len() as f64));
+    assert!(findings(one, "balanced_stable").is_empty() && one.figures.iter().all(|f| f.name != "states"));
+}

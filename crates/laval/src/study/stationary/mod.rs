@@ -18,12 +18,13 @@ mod figures;
 mod findings;
 mod follow;
 mod least;
+mod one;
 mod ranges;
 mod report;
 mod slack;
 mod zones;
 
-use super::support::{SPEED, SPEED_RANGE, range};
+use super::support::{SPEED, SPEED_RANGE, one_or_range, range};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
@@ -128,7 +129,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
     ];
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let speed = values.range("speed").and_then(|r| range("speed", r, 2, values, diagnostics));
+        let speed = values.range("speed").and_then(|r| one_or_range("speed", r, 2, values, diagnostics));
         let whole = |name: &str, default: usize| values.integer(name).and_then(|n| usize::try_from(n).ok()).unwrap_or(default);
         let at = values.number("stabilise_at").or(system.machine.speed);
         let before = diagnostics.0.len();
@@ -266,7 +267,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             _ => None,
         };
         let stopped = found.stopped;
-        report::Report {
+        let outcome = report::Report {
             system,
             range: request.range,
             operating: system.machine.speed.filter(|w| (self.speed.from..=self.speed.to).contains(w)).unwrap_or(self.speed.to),
@@ -281,7 +282,8 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             chart,
             complete: complete && !stopped,
         }
-        .outcome(&mut search, context)
+        .outcome(&mut search, context)?;
+        Ok(if self.speed.is_one() { one::at(self.speed.from, outcome) } else { outcome })
     }
 }
 
@@ -300,7 +302,8 @@ impl Stationary {
     }
 
     fn request(&self, work: u64) -> Request {
-        let (a, b) = (self.speed.from.max(STANDSTILL * self.speed.to), self.speed.to);
+        let ends = if self.speed.is_one() { one::around(self.speed.from) } else { (self.speed.from, self.speed.to) };
+        let (a, b) = (ends.0.max(STANDSTILL * ends.1), ends.1);
         // states near the ends may not reach far into the range, which irregular places between see where a regular grid would step over them
         let low = a.max(NEAR_REST * b);
         let between = |k: usize| low + (b - low) * (0.5 + 0.618_033_988_749_895 * k as f64).fract();
