@@ -537,3 +537,24 @@ particles = 16
     }
     assert!(decided[0] > 0 && decided[1] > 0 && decided[0] + decided[1] >= 24, "{decided:?}");
 }
+
+/// A horizontal rotor starts its passage where it hangs: the sag is no displacement of the run-up, and a limit below it is kept. The torque of a rotor without polar inertia is
+/// told to be without it.
+#[test]
+fn passages_of_horizontal_machines_start_sagged() {
+    let machine = |inertia: &str| {
+        format!(
+            "[machine]\naxis = \"horizontal\"\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 10\neccentricity = \"1 um\"\n{inertia}\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"rotor\", \"ground\"]\nkxx = 1e5\nkyy = 1e5\ncxx = 500\ncyy = 500\n\
+             [limits]\npassage_displacement = \"0.1 mm\"\n\
+             [[study]]\nkind = \"operating_window\"\nspeed = {{ from = 10, to = 80, points = 10 }}\nramp = 4\n"
+        )
+    };
+    let sag = 10.0 * 9.80665 / 1e5;
+    let o = run(&machine(""));
+    let peaks: Vec<f64> = o.findings.iter().filter(|f| f.id == "passage_peak").filter_map(|f| f.value).collect();
+    assert!(!peaks.is_empty() && peaks.iter().all(|p| *p < 0.02 * sag), "{peaks:?} {sag}");
+    assert!(o.findings.iter().any(|f| f.id == "spin_inertia"), "{:?}", o.findings);
+    let o = run(&machine("polar_inertia = 0.1\n"));
+    assert!(o.findings.iter().all(|f| f.id != "spin_inertia"));
+}
