@@ -5,7 +5,7 @@ use super::play;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity};
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity, significant};
 use crate::solve::motion::Motion;
 use crate::solve::motion::flight::Flight;
 use crate::solve::pencil::modes_about;
@@ -181,7 +181,10 @@ fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
     if slips || !lasting || !(remaining(&series.at) <= SETTLED * without) {
         out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled.")));
     } else if let (Some(i), false) = (since, harm) {
-        let text = "The balls reduce the unbalance. After {} it has its last value, to within 5 % of the unbalance without the balls.";
+        let share = significant(100.0 * SETTLED, 2);
+        let text = format!(
+            "The balls reduce the unbalance. After {{}} it has its last value, to within {share} % of the unbalance without the balls."
+        );
         let finding = Finding::info("time_to_balance", text).value(flight.times[i + 1], "s");
         out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
     }
