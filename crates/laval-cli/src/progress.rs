@@ -20,6 +20,8 @@ const STEPS: u64 = 10_000;
 struct Pace {
     /// Units done, those of an earlier run among them.
     done: u64,
+    /// Units of passes before this one: a computation of unknown length may begin anew.
+    before: u64,
     /// Units in all; 0 when unknown.
     total: u64,
     /// Of units under way, the share that is done.
@@ -31,7 +33,24 @@ struct Pace {
 
 impl Pace {
     fn new(now: Instant) -> Pace {
-        Pace { done: 0, total: 0, part: 0.0, from: 0.0, since: now }
+        Pace { done: 0, before: 0, total: 0, part: 0.0, from: 0.0, since: now }
+    }
+
+    /// Never runs backwards: threads report out of order, and what is counted without end may be counted once more.
+    fn report(&mut self, done: u64, total: u64, now: Instant) {
+        if total != self.total {
+            // another stretch of work has a rate of its own
+            let first = self.before + self.done == 0;
+            let (since, from) = if first { (self.since, 0.0) } else { (now, done as f64) };
+            *self = Pace { done, total, since, from, ..Pace::new(now) };
+        } else if total > 0 {
+            self.done = self.done.max(done);
+        } else {
+            if done < self.done {
+                self.before += self.done;
+            }
+            self.done = done;
+        }
     }
 
     fn at(&self) -> f64 {
@@ -56,7 +75,10 @@ impl Pace {
     fn words(&self, now: Instant) -> String {
         let done = match self.share() {
             Some(share) => format!("{:.0} % done", (100.0 * share).floor()),
-            None => format!("{} steps done", self.done),
+            None => match self.before + self.done {
+                1 => "1 step done".to_string(),
+                steps => format!("{steps} steps done"),
+            },
         };
         match self.left(now) {
             Some(left) => format!("{done}, about {} left", words(left)),
@@ -84,8 +106,8 @@ pub struct Bar {
     watched: bool,
     begun: Instant,
     pace: Mutex<Pace>,
-    /// When a line was written last.
-    said: Mutex<Instant>,
+    /// When a line was written last, and which.
+    said: Mutex<(Instant, String)>,
     bar: OnceLock<ProgressBar>,
 }
 
@@ -99,7 +121,7 @@ impl Bar {
             watched: io::stderr().is_terminal(),
             begun: now,
             pace: Mutex::new(Pace::new(now)),
-            said: Mutex::new(now),
+            said: Mutex::new((now, String::new())),
             bar: OnceLock::new(),
         }
     }
@@ -135,9 +157,10 @@ impl Bar {
         }
         // whoever finds it locked knows that a line is being written
         let Ok(mut said) = self.said.try_lock() else { return };
-        if now.duration_since(*said) >= CALM {
-            *said = now;
-            terminal::complain(&format!("{}: {}\n", self.name, pace.words(now)));
+        let words = pace.words(now);
+        if now.duration_since(said.0) >= CALM && words != said.1 {
+            terminal::complain(&format!("{}: {words}\n", self.name));
+            *said = (now, words);
         }
     }
 
@@ -159,7 +182,7 @@ impl Bar {
 
 impl Progress for Bar {
     fn report(&self, done: u64, total: u64) {
-        self.update(|p| (p.done, p.total) = (done, total));
+        self.update(|p| p.report(done, total, Instant::now()));
     }
 
     fn part(&self, share: f64) {
@@ -204,6 +227,24 @@ mod tests {
         assert_eq!(p.words(after(300)), "75 % done, about 5 min left");
         let unknown = Pace { total: 0, done: 1234, ..p };
         assert_eq!(unknown.words(after(300)), "1234 steps done");
+    }
+
+    #[test]
+    fn progress_never_runs_backwards() {
+        let start = Instant::now();
+        let mut p = Pace::new(start);
+        let mut steps = |done| {
+            p.report(done, 0, start);
+            p.words(start)
+        };
+        assert_eq!([steps(0), steps(1), steps(7)], ["0 steps done", "1 step done", "7 steps done"]);
+        // the same once more with more harmonics
+        assert_eq!([steps(1), steps(3), steps(3)], ["8 steps done", "10 steps done", "10 steps done"]);
+        let mut share = |done| {
+            p.report(done, 10, start);
+            p.words(start)
+        };
+        assert_eq!([share(2), share(5), share(4)], ["20 % done", "50 % done, about 0 s left", "50 % done, about 0 s left"]);
     }
 
     #[test]

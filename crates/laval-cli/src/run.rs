@@ -11,9 +11,10 @@ use laval::outcome::{End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Provenance, Report, WriteError};
 use laval::store::Keep;
-use laval::study::Context;
+use laval::study::{Cancel, Context};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::LazyLock;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// What may be said to `run`.
@@ -30,7 +31,7 @@ pub struct Args {
     /// What to write [default: all of csv, parquet, json, svg, html]
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = str::parse::<Format>)]
     format: Vec<Format>,
-    /// End each study after this many steps
+    /// End each study after this many steps, or after the work of 0.1 s for each of them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     work_limit: Option<u64>,
     /// Remove what the folder holds of long studies and start them anew, instead of going on with them
@@ -41,7 +42,7 @@ pub struct Args {
     quiet: bool,
 }
 
-static CANCEL: AtomicBool = AtomicBool::new(false);
+static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
 
 /// Results of finished studies are on disk at least this often.
 const KEEP_EVERY: Duration = Duration::from_secs(2);

@@ -17,6 +17,7 @@
 use crate::analytic::Analytic;
 use crate::complex::{C64, Complex, c};
 use crate::scalar::Scalar;
+use crate::work::spend;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Euler's constant.
@@ -35,6 +36,7 @@ pub struct Bessel<S> {
 
 /// All six at `z`, Re z >= 0; not a number elsewhere, and where z is 0.
 pub fn bessel<S: Scalar>(z: Complex<S>) -> Bessel<S> {
+    spend(300 + 40 * size_of::<S>() as u64);
     let [i0, i1, i2, k0, k1] = S::analytic::<5, Scaled>(z);
     Bessel { i: [i0, i1, i2], k: [k0, k1, k0 + k1 * z.recip().scale(S::cst(2.0))] }
 }

@@ -14,6 +14,8 @@
 //! Source: L. M. Delves, J. N. Lyness, A numerical method for locating the zeros of an analytic function, Math. Comp. 21 (1967) 543-560.
 
 use crate::complex::{C64, c};
+use crate::dense::Field;
+use crate::work::spend;
 use std::f64::consts::{PI, TAU};
 
 /// A function at one place.
@@ -140,6 +142,11 @@ pub fn newton<F: FnMut(C64) -> Option<Sample>>(f: F, start: C64, size: f64, know
     search.newton(start, size)
 }
 
+/// A number of moderate size and the same angle.
+fn direction(z: C64) -> C64 {
+    z.scale(1.0 / z.size())
+}
+
 impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
     fn new(f: F, reach: &'a dyn Fn(C64) -> f64, budget: u64) -> Self {
         Search { f, mirrored: false, reach, noise: NOISE, known: Vec::new(), evaluations: 0, budget, path: Vec::new() }
@@ -164,6 +171,7 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
             return None;
         }
         self.evaluations += 1;
+        spend(100 + 30 * self.known.len() as u64);
         let mut sample = (self.f)(s)?;
         for z in &self.known {
             sample.rate -= (s - *z).recip();
@@ -200,7 +208,8 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
                 let next = if length >= rest { end } else { s + (end - s).scale(length / rest) };
                 let there = self.at(next)?;
                 let way = next - s;
-                let known: f64 = self.known.iter().map(|z| ((next - *z) / (s - *z)).arg()).sum();
+                // of the sum of their angles only the rest after whole turns is needed: that of the product
+                let known = self.known.iter().fold(C64::ONE, |all, z| direction(all * direction((next - *z) * (s - *z).conj()))).arg();
                 let turn = there.phase - here.phase - known;
                 let turn = turn - TAU * (turn / TAU).round();
                 let expected = (way * (here.rate + there.rate)).im * 0.5;

@@ -1,6 +1,7 @@
 //! Small dense matrices, row-major, and their LU factors, real or complex. Large problems belong to a sparse library.
 
 use crate::complex::{C64, c};
+use crate::work::spend;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub, SubAssign};
 
@@ -40,6 +41,12 @@ impl Field for C64 {
     fn size(self) -> f64 {
         self.re.abs() + self.im.abs()
     }
+}
+
+/// Work of so many products of numbers of a kind.
+fn products<T>(count: usize) -> u64 {
+    let reals = size_of::<T>() / size_of::<f64>();
+    (count * reals * reals) as u64
 }
 
 /// Row-major matrix.
@@ -133,6 +140,7 @@ impl<T: Field> Mat<T> {
     pub fn matmul_into(&self, o: &Self, out: &mut Self) {
         assert_eq!(self.cols, o.rows, "inner dimensions of a product differ");
         out.reset(self.rows, o.cols);
+        spend(products::<T>(self.rows * self.cols * o.cols));
         for i in 0..self.rows {
             for k in 0..self.cols {
                 let a = self.data[i * self.cols + k];
@@ -229,6 +237,7 @@ impl<T: Field> Lu<T> {
     pub fn factor(&mut self, a: &Mat<T>) -> Result<(), Singular> {
         assert_eq!(a.rows, a.cols, "only a square matrix has LU factors");
         let n = a.rows;
+        spend(products::<T>(n * n * (n + 3) / 3));
         self.lu.copy_from(a);
         self.pivots.clear();
         self.odd = false;
@@ -270,6 +279,7 @@ impl<T: Field> Lu<T> {
     pub fn solve(&self, b: &mut [T]) {
         let n = self.lu.rows;
         assert_eq!(b.len(), n, "length of the right side differs from the matrix");
+        spend(products::<T>(n * n));
         for (k, &p) in self.pivots.iter().enumerate() {
             b.swap(k, p);
         }
@@ -297,6 +307,7 @@ impl<T: Field> Lu<T> {
         if m == 0 {
             return;
         }
+        spend(products::<T>(n * n * m));
         for (k, &p) in self.pivots.iter().enumerate() {
             if k != p {
                 for j in 0..m {

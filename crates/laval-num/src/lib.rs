@@ -24,3 +24,4 @@ pub mod quadrature;
 pub mod rational;
 pub mod sampling;
 pub mod scalar;
+pub mod work;

@@ -9,6 +9,7 @@ use super::stability::{Edge, Row, Sample, peak, tops};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
+use laval_num::work::piece;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Roots that may cross the threshold between two speeds, at most.
@@ -55,7 +56,12 @@ pub fn row(
             break;
         }
         let request = Request { margin: threshold, frequency, growing: true, starts: &starts, cancel: Some(cancel), ..Request::default() };
-        let found = roots(system, &state(speed)?, &request)?;
+        let about = state(speed)?;
+        let Some(found) = piece(|| roots(system, &about, &request)) else {
+            out.stopped = true;
+            return Ok(out);
+        };
+        let found = found?;
         if cancel.load(Ordering::Relaxed) {
             out.stopped = true;
             break;

@@ -9,6 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::eig::Track;
+use laval_num::work::piece;
 
 /// A mode followed along the speed.
 #[derive(Clone, Debug, Default)]
@@ -298,7 +299,8 @@ fn follow(
             }
             led.retain(|l| those.iter().all(|t| t.0 != l.0));
             for (id, mode) in those {
-                let to = lead_in_pieces(system, state, (speeds[k - 1], speed), mode, pieces)?;
+                let Some(to) = piece(|| lead_in_pieces(system, state, (speeds[k - 1], speed), mode, pieces)) else { return Ok(met(out)) };
+                let to = to?;
                 led.extend(to.map(|value| (*id, value, mode.sector)));
             }
         }
@@ -307,7 +309,8 @@ fn follow(
         let frequency = limit.is_finite().then_some(limit);
         let dense = system.domains(speed).iter().any(|d| !d.axis);
         let request = Request { margin: if dense { COUNTED * speed.abs() } else { 0.0 }, frequency, starts: &starts, ..Request::default() };
-        let found = roots(system, &about, &request)?.spectrum;
+        let Some(found) = piece(|| roots(system, &about, &request)) else { return Ok(met(out)) };
+        let found = found?.spectrum;
         out.strongest.extend(Strongest::of(speed, &found));
         out.solved += 1;
         ids = found.modes.iter().map(|_| usize::MAX).collect();
@@ -328,10 +331,18 @@ fn follow(
         out.points.push((speed, found));
     }
     for born in 0..out.branches.len() {
-        back(system, state, limit, born, &mut out)?;
+        match piece(|| back(system, state, limit, born, &mut out)) {
+            Some(done) => done?,
+            None => break,
+        }
     }
+    Ok(met(out))
+}
+
+/// Without the branches that turned out to be the end of others.
+fn met(mut out: Sweep) -> Sweep {
     out.branches.retain(|b| !b.points.is_empty());
-    Ok(out)
+    out
 }
 
 /// Two values are those of one root.

@@ -3,7 +3,7 @@
 use laval::diagnostic::Diagnostic;
 use laval::outcome::End;
 use laval::store::{self, Cells, Column, Keep, Plan, Results};
-use laval::study::{Context, Progress};
+use laval::study::{Cancel, Context, Progress};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 const ROWS: usize = 1030;
@@ -325,7 +325,7 @@ fn a_folder_in_use_is_refused_until_its_process_has_ended() {
 #[test]
 fn cancelled_drops_the_chunk_at_hand_and_goes_on_from_there() {
     let dir = Dir::new("cancel");
-    let stop = AtomicBool::new(false);
+    let stop = Cancel::default();
     let keep = dir.keep();
     let context = Context { cancel: &stop, keep: Some(&keep), ..Context::quiet("s") };
     let results = store::run(plan(), &context, |range, _| {

@@ -6,6 +6,7 @@ use super::part::{Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
+use laval_num::work::spend;
 
 /// All linear parts on global coordinates. Memory states stay with their parts (`memory`); the other states of linear parts are `states`.
 #[derive(Clone, Debug)]
@@ -184,6 +185,7 @@ impl System {
         let b = &model.blocks;
         let (n, m) = (self.n(), model.states.len());
         out.reset_complex(n + m);
+        spend((10 * (n + m) * (n + m) + 100 * self.slots().len()) as u64);
         let s2 = s * s;
         for i in 0..n {
             for j in 0..n {

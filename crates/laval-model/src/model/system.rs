@@ -7,6 +7,7 @@ use super::params::ParamSlot;
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use laval_num::scalar::Scalar;
+use laval_num::work::spend;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -442,6 +443,7 @@ impl System {
         for slot in self.slots.iter().filter(|s| which(s)) {
             self.slot_local(slot, at, ws);
             let n = slot.map.len();
+            spend(((10 + 10 * n) * size_of::<S>() / size_of::<f64>()) as u64);
             ws.force.clear();
             ws.force.resize(n, S::zero());
             ws.rate.clear();

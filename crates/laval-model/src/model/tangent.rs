@@ -6,6 +6,7 @@ use super::part::{At, Rows};
 use super::system::{Slot, System, Workspace, gather};
 use laval_num::dense::Mat;
 use laval_num::dual::Dual;
+use laval_num::work::spend;
 
 /// Residual and its tangents at one point. With `spin`, the spin angle is coordinate `n` and the spin row is row `n`.
 #[derive(Clone, Debug, Default)]
@@ -102,6 +103,8 @@ impl System {
             *a += g;
         }
         let (n, m) = (slot.map.len(), slot.states.len());
+        // residuals in eight directions at once
+        spend((9 * (2 + (3 * n + m) / 8) * (20 + 10 * n)) as u64);
         let p = slot.params.clone();
         w.seeds.clear();
         if slot.is_linear() {

@@ -3,6 +3,7 @@
 use super::EigError;
 use crate::complex::{C64, c};
 use crate::dense::{Field, Mat};
+use crate::work::spend;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::evd::{self, ComputeEigenvectors};
 use faer::linalg::{gevd, svd};
@@ -62,6 +63,12 @@ fn out(z: c64) -> C64 {
     c(z.re, z.im)
 }
 
+/// Counts a decomposition that takes about `factor n^3` products.
+fn decompose<T>(factor: usize, n: usize) {
+    let reals = size_of::<T>() / size_of::<f64>();
+    spend((factor * n * n * n * reals * reals) as u64);
+}
+
 const YES: ComputeEigenvectors = ComputeEigenvectors::Yes;
 const NO: ComputeEigenvectors = ComputeEigenvectors::No;
 
@@ -109,6 +116,7 @@ fn svd_with<T: Number, F: faer::traits::ComplexField>(
         return Err(EigError::NotFinite);
     }
     let (r, k) = (a.rows(), a.cols());
+    decompose::<T>(30, r.max(k));
     let f = faer::Mat::from_fn(r, k, |i, j| into(a[(i, j)]));
     let (mut u, mut v) = (faer::Mat::zeros(r, r), faer::Mat::zeros(k, k));
     let mut s = faer::diag::Diag::zeros(r.min(k));
@@ -129,6 +137,7 @@ pub(super) fn symmetric(a: &Mat) -> Result<(Vec<f64>, Mat), EigError> {
         return Err(EigError::NotFinite);
     }
     let n = a.rows();
+    decompose::<f64>(15, n);
     let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
     let (mut s, mut u) = (faer::diag::Diag::zeros(n), faer::Mat::zeros(n, n));
     let mut buffer = MemBuffer::new(evd::self_adjoint_evd_scratch::<f64>(n, YES, Par::Seq, Spec::default()));
@@ -157,6 +166,7 @@ impl Number for f64 {
             return Err(EigError::NotFinite);
         }
         let n = a.rows();
+        decompose::<Self>(30, n);
         let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
         let (mut re, mut im) = (faer::diag::Diag::zeros(n), faer::diag::Diag::zeros(n));
         let mut buffer = MemBuffer::new(evd::evd_scratch::<f64>(n, NO, NO, Par::Seq, Spec::default()));
@@ -169,6 +179,7 @@ impl Number for f64 {
             return Err(EigError::NotFinite);
         }
         let n = a.rows();
+        decompose::<Self>(30, n);
         let f = faer::Mat::from_fn(n, n, |i, j| a[(i, j)]);
         let (mut re, mut im) = (faer::diag::Diag::zeros(n), faer::diag::Diag::zeros(n));
         let (mut l, mut r) = (faer::Mat::zeros(n, n), faer::Mat::zeros(n, n));
@@ -212,6 +223,7 @@ impl Number for C64 {
             return Err(EigError::NotFinite);
         }
         let n = a.rows();
+        decompose::<Self>(30, n);
         let f = faer::Mat::from_fn(n, n, |i, j| c64::new(a[(i, j)].re, a[(i, j)].im));
         let mut s = faer::diag::Diag::zeros(n);
         let mut buffer = MemBuffer::new(evd::evd_scratch::<c64>(n, NO, NO, Par::Seq, Spec::default()));
@@ -224,6 +236,7 @@ impl Number for C64 {
             return Err(EigError::NotFinite);
         }
         let n = a.rows();
+        decompose::<Self>(30, n);
         let f = faer::Mat::from_fn(n, n, |i, j| c64::new(a[(i, j)].re, a[(i, j)].im));
         let mut s = faer::diag::Diag::zeros(n);
         let (mut l, mut r) = (faer::Mat::zeros(n, n), faer::Mat::zeros(n, n));
@@ -248,6 +261,7 @@ pub(super) fn qz(a: &Mat<C64>, e: &Mat<C64>) -> Result<Raw, EigError> {
         return Err(EigError::NotFinite);
     }
     let n = a.rows();
+    decompose::<C64>(80, n);
     let into = |m: &Mat<C64>| faer::Mat::from_fn(n, n, |i, j| c64::new(m[(i, j)].re, m[(i, j)].im));
     let (mut fa, mut fe) = (into(a), into(e));
     let (mut alpha, mut beta) = (faer::diag::Diag::<c64>::zeros(n), faer::diag::Diag::<c64>::zeros(n));

@@ -6,9 +6,11 @@
 
 use super::EigError;
 use crate::complex::{C64, c};
+use crate::work::spend;
 
 /// Eigenvalues of the row-major n x n matrix `h`, which is destroyed. Pairs are adjacent and exactly conjugate, Im > 0 first.
 pub(super) fn eigenvalues(h: &mut [f64], n: usize, out: &mut Vec<C64>) -> Result<(), EigError> {
+    spend((15 * n * n * n) as u64);
     hessenberg(h, n);
     francis(h, n, out)
 }

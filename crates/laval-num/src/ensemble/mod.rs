@@ -13,6 +13,7 @@ mod tests;
 
 use crate::lanes::{Bits, LANES, LaneScalar};
 use crate::ode::Cause;
+use crate::work::spend;
 use dop853::Dop853;
 use inside::Inside;
 use method::Method;
@@ -207,6 +208,7 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
     let mut patience = 0;
     while r.active != 0 {
         patience += 1;
+        spend(2000 + 200 * n as u64);
         if patience >= PATIENCE {
             patience = 0;
             if crew.cancelled() {

@@ -4,6 +4,7 @@ use super::control::{Attempt, Cause, Control, End, Run, Work, finite};
 use super::event::{Crossing, bracket};
 use super::step::Step;
 use super::system::{Failure, Ode};
+use crate::work::spend;
 
 /// Probes of every event in a step.
 const PROBES: usize = 4;
@@ -123,6 +124,7 @@ fn advance<S: Ode + ?Sized, M: Method<S>>(
     run.next_step = first.min(control.max_step);
     while run.t != t_end {
         let t = run.t;
+        spend(200 + 150 * y.len() as u64);
         if control.cancel.is_some_and(|cancel| cancel()) {
             return Ok(End::Cancelled { t });
         }

@@ -24,6 +24,7 @@ use crate::motion::SpinLaw;
 use crew::{Hands, LaneCrew, Riders};
 pub use laval_num::ensemble::{Ended, Grid, Leg, LegEnd};
 use laval_num::lanes::{Kernel, LaneScalar, Level, dispatch};
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -169,7 +170,12 @@ pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>
         let mut riders = Riders { voyage, logs: std::array::from_fn(|_| None), take, keep };
         dispatch(settings.level, Sail { hands: &mut riders, base, form, method: settings.method })
     };
-    let whole = if threads == 1 { sail() } else { (0..threads).into_par_iter().map(|_| sail()).reduce(|| true, |a, b| a && b) };
+    let here = Here::now();
+    let counted = |_| {
+        let _counted = here.enter();
+        sail()
+    };
+    let whole = if threads == 1 { sail() } else { (0..threads).into_par_iter().map(counted).reduce(|| true, |a, b| a && b) };
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|r: &(usize, V::Row)| r.0);
     (whole && rows.len() == count).then(|| rows.into_iter().map(|r| r.1).collect())

@@ -18,6 +18,7 @@ use crate::symmetry::Symmetry;
 use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Status, Zero, trace};
 use laval_num::newton::{Options, newton};
+use laval_num::work::piece;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What is asked.
@@ -308,8 +309,11 @@ fn attempt<'a>(
         let mut cycles = Vec::with_capacity(kept);
         let mut stopped = false;
         for p in &branch.points[..kept] {
-            let (x, residual) = polish(&mut free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-            cycles.push(cycle(&mut free, &mut judge, &mut out.unjudged, &x, p.p, residual));
+            let judged = piece(|| {
+                let (x, residual) = polish(&mut free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
+                cycle(&mut free, &mut judge, &mut out.unjudged, &x, p.p, residual)
+            });
+            cycles.extend(judged);
             tick(out.points() + cycles.len() as u64);
             stopped = free.cancelled();
             if stopped {

@@ -24,6 +24,7 @@ use laval_num::continuation::Zero;
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Options, newton};
 use laval_num::ode::{Control, Dop853, End, Tolerance, integrate};
+use laval_num::work::piece;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
@@ -81,6 +82,8 @@ pub struct Comparison {
     pub no_elliptic: Option<&'static str>,
     /// Why time integration was left out.
     pub no_time: Option<String>,
+    /// Not ended before the last speed.
+    pub complete: bool,
 }
 
 /// Steps of integration a period, at most.
@@ -112,7 +115,7 @@ pub fn compare(
 ) -> Result<Comparison, Diagnostic> {
     let d = response.discretisation;
     let elliptic = law(system, d.symmetry, range.1);
-    let mut out = Comparison { values: Vec::new(), no_elliptic: elliptic.err(), no_time: None };
+    let mut out = Comparison { values: Vec::new(), no_elliptic: elliptic.err(), no_time: None, complete: true };
     let mut full = Balance::new(system, d, range, None)?;
     let mut few: Vec<(usize, &Response, Balance)> = Vec::new();
     for (h, r) in lower {
@@ -121,52 +124,70 @@ pub fn compare(
     let mut judge = Stability::new(system).ok();
     for (i, &speed) in speeds.iter().enumerate() {
         if cancel.load(std::sync::atomic::Ordering::Relaxed) {
+            out.complete = false;
             break;
         }
-        let states = states_at(&mut full, response, speed);
-        let sizes: Vec<f64> = states.iter().map(|s| s.1).collect();
-        let most = sizes.iter().copied().fold(0.0, f64::max);
-        let elliptic_states = elliptic.map_or(Vec::new(), |law| motions(system, &law, speed, 4.0 * most));
-        let with_elliptic = paired(&sizes, &elliptic_states.iter().map(|e| e.first.abs()).collect::<Vec<_>>());
-        let lower_states: Vec<Vec<(Vec<f64>, f64)>> = few.iter_mut().map(|(_, r, balance)| states_at(balance, r, speed)).collect();
-        let with_lower: Vec<Vec<Option<usize>>> =
-            lower_states.iter().map(|l| paired(&sizes, &l.iter().map(|s| s.1).collect::<Vec<_>>())).collect();
-        for (state, (x, _)) in states.iter().enumerate() {
-            let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
-            let exact = peaks(system, &|tau, x| orbit.pair_at(x, tau)[0][0]);
-            full.sample(x, speed);
-            let growth = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok()).map_or(f64::NAN, |e: Exponents| e.growth());
-            let mut push = |method: Method, own: Vec<f64>, growth: f64, parameter: f64| {
-                let largest = exact.iter().copied().fold(0.0, f64::max);
-                let change = own.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| if (a - b).abs() <= m { m } else { (a - b).abs() });
-                let deviation = if own.is_empty() { f64::NAN } else { change / largest };
-                let peaks = if own.is_empty() { vec![f64::NAN; exact.len()] } else { own };
-                out.values.push(Value { speed, state, method, peaks, deviation, growth, parameter });
-            };
-            for (k, (h, _, balance)) in few.iter_mut().enumerate() {
-                let found = with_lower[k][state].map(|j| &lower_states[k][j].0);
-                let own = found.and_then(|x| Orbit::of(balance, x, speed).ok());
-                let own = own.map_or(Vec::new(), |o| peaks(system, &|tau, x| o.pair_at(x, tau)[0][0]));
-                if *h == 1 {
-                    let growth = found.and_then(|x| slow_growth(balance, x, speed)).unwrap_or(f64::NAN);
-                    push(Method::Averaging, own.clone(), growth, f64::NAN);
+        // a speed is listed whole or not at all
+        let (listed, no_time) = (out.values.len(), out.no_time.clone());
+        let whole = piece(|| {
+            let states = states_at(&mut full, response, speed);
+            let sizes: Vec<f64> = states.iter().map(|s| s.1).collect();
+            let most = sizes.iter().copied().fold(0.0, f64::max);
+            let elliptic_states = elliptic.map_or(Vec::new(), |law| motions(system, &law, speed, 4.0 * most));
+            let with_elliptic = paired(&sizes, &elliptic_states.iter().map(|e| e.first.abs()).collect::<Vec<_>>());
+            let lower_states: Vec<Vec<(Vec<f64>, f64)>> = few.iter_mut().map(|(_, r, balance)| states_at(balance, r, speed)).collect();
+            let with_lower: Vec<Vec<Option<usize>>> =
+                lower_states.iter().map(|l| paired(&sizes, &l.iter().map(|s| s.1).collect::<Vec<_>>())).collect();
+            for (state, (x, _)) in states.iter().enumerate() {
+                let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
+                let exact = peaks(system, &|tau, x| orbit.pair_at(x, tau)[0][0]);
+                full.sample(x, speed);
+                let growth = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok()).map_or(f64::NAN, |e: Exponents| e.growth());
+                let mut push = |method: Method, own: Vec<f64>, growth: f64, parameter: f64| {
+                    let largest = exact.iter().copied().fold(0.0, f64::max);
+                    let change = own.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| if (a - b).abs() <= m { m } else { (a - b).abs() });
+                    let deviation = if own.is_empty() { f64::NAN } else { change / largest };
+                    let peaks = if own.is_empty() { vec![f64::NAN; exact.len()] } else { own };
+                    out.values.push(Value { speed, state, method, peaks, deviation, growth, parameter });
+                };
+                for (k, (h, _, balance)) in few.iter_mut().enumerate() {
+                    let found = with_lower[k][state].map(|j| &lower_states[k][j].0);
+                    let own = found.and_then(|x| Orbit::of(balance, x, speed).ok());
+                    let own = own.map_or(Vec::new(), |o| peaks(system, &|tau, x| o.pair_at(x, tau)[0][0]));
+                    if *h == 1 {
+                        let growth = found.and_then(|x| slow_growth(balance, x, speed)).unwrap_or(f64::NAN);
+                        push(Method::Averaging, own.clone(), growth, f64::NAN);
+                    }
+                    push(Method::Harmonic(*h), own, f64::NAN, f64::NAN);
                 }
-                push(Method::Harmonic(*h), own, f64::NAN, f64::NAN);
+                if elliptic.is_ok() {
+                    let near = with_elliptic[state].map(|j| &elliptic_states[j]);
+                    let own = near.map_or(Vec::new(), |e| elliptic_peaks(system, e));
+                    push(Method::Elliptic, own, f64::NAN, near.map_or(f64::NAN, |e| e.parameter));
+                }
+                match in_time(system, &orbit, d.divisor) {
+                    Ok(own) => push(Method::Time, own, f64::NAN, f64::NAN),
+                    Err(why) => out.no_time = Some(why),
+                }
+                // the comparison's own last line
+                let mut push = |own: Vec<f64>| {
+                    out.values.push(Value {
+                        speed,
+                        state,
+                        method: Method::Converged,
+                        peaks: own,
+                        deviation: 0.0,
+                        growth,
+                        parameter: f64::NAN,
+                    });
+                };
+                push(exact.clone());
             }
-            if elliptic.is_ok() {
-                let near = with_elliptic[state].map(|j| &elliptic_states[j]);
-                let own = near.map_or(Vec::new(), |e| elliptic_peaks(system, e));
-                push(Method::Elliptic, own, f64::NAN, near.map_or(f64::NAN, |e| e.parameter));
-            }
-            match in_time(system, &orbit, d.divisor) {
-                Ok(own) => push(Method::Time, own, f64::NAN, f64::NAN),
-                Err(why) => out.no_time = Some(why),
-            }
-            // the comparison's own last line
-            let mut push = |own: Vec<f64>| {
-                out.values.push(Value { speed, state, method: Method::Converged, peaks: own, deviation: 0.0, growth, parameter: f64::NAN });
-            };
-            push(exact.clone());
+        });
+        if whole.is_none() {
+            out.values.truncate(listed);
+            (out.no_time, out.complete) = (no_time, false);
+            break;
         }
         tick(i as u64 + 1);
     }

@@ -10,8 +10,10 @@ use super::problem::Balance;
 use crate::model::part::At;
 use laval_num::dense::Mat;
 use laval_num::ode::{Control, Dop853, End, Ode, Tolerance, integrate, ode};
+use laval_num::work::spend;
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Tolerance of the integration, where no other is asked for.
 pub(super) const TOLERANCE: f64 = 1e-10;
@@ -20,14 +22,15 @@ pub(super) const TOLERANCE: f64 = 1e-10;
 const INSIDE: f64 = 1e-11;
 
 /// The part between two switches that is integrated.
-struct Window {
+struct Window<'a> {
     ends: Cell<(f64, f64)>,
     tolerance: f64,
+    cancel: Option<&'a AtomicBool>,
 }
 
-impl Window {
-    fn new(tolerance: f64) -> Self {
-        Window { ends: Cell::default(), tolerance }
+impl<'a> Window<'a> {
+    fn new(tolerance: f64, cancel: Option<&'a AtomicBool>) -> Self {
+        Window { ends: Cell::default(), tolerance, cancel }
     }
 
     /// The instant `t`, not on the switch itself, where either law might answer.
@@ -43,7 +46,8 @@ impl Window {
         for &to in breaks {
             self.ends.set((from + margin, to - margin));
             let all = || Tolerance::All(self.tolerance);
-            let control = Control { max_steps: *left, ..Control::new(all(), all()) };
+            let stopped = || self.cancel.is_some_and(|c| c.load(Ordering::Relaxed));
+            let control = Control { max_steps: *left, cancel: Some(&stopped), ..Control::new(all(), all()) };
             let run = integrate(dop, problem, from, y, to, &control, &mut ());
             let spent = run.work.steps + run.work.rejected;
             steps += spent;
@@ -101,7 +105,7 @@ impl Stability {
         let direction = pace.frequency.signum();
         let breaks = breaks(balance, x, speed, parts, period)?;
         let terms = &balance.terms;
-        let window = Window::new(self.tolerance);
+        let window = Window::new(self.tolerance, balance.cancel);
         let (mut motion, mut turned) = ([0; 3].map(|_| vec![0.0; terms.coordinates]), Vec::new());
         let mut y: Vec<f64> = Vec::new();
         for block in &blocks {
@@ -113,6 +117,7 @@ impl Stability {
         let (system, members) = (balance.system, &balance.nonlinear.members);
         let mut problem = ode(y.len(), |t, y, dy| {
             let tau = base * window.inside(t) * direction;
+            spend((y.len() * y.len().isqrt() + 10 * terms.coordinates * terms.harmonics) as u64);
             turns(tau, terms.harmonics, &mut turned);
             motion_at(terms, x, pace.frequency, &turned, &mut motion);
             let [u, v, w] = &motion;
@@ -187,7 +192,7 @@ impl Stability {
         let pace = balance.pace(speed);
         let period = TAU / pace.frequency.abs() / parts.max(1) as f64;
         let breaks = breaks(balance, x, speed, parts, period)?;
-        let window = Window::new(self.tolerance);
+        let window = Window::new(self.tolerance, balance.cancel);
         let orbit = Orbit::of(balance, x, speed).map_err(|e| Unjudged::Failed(e.to_string()))?;
         let system = balance.system;
         let (n, m) = (self.n, self.m);
@@ -231,6 +236,7 @@ impl Stability {
         let mut y = Mat::<f64>::identity(states).data().to_vec();
         let mut failure = None;
         let mut problem = ode(y.len(), |t, y, dy| {
+            spend((states * states * states) as u64);
             let mut a = match matrix(window.inside(t)) {
                 Ok(a) => a,
                 Err(e) => {

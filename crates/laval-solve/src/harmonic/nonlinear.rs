@@ -7,6 +7,7 @@ use crate::model::erased::{D1, D8, Evaluate};
 use crate::model::part::{At, Rows, Uses};
 use crate::model::system::{System, gather, scatter};
 use laval_num::dense::Mat;
+use laval_num::work::spend;
 use std::ops::Range;
 
 /// A nonlinear part seen from the balance: local coordinates over nonlinear ones, states among them.
@@ -123,6 +124,7 @@ impl Sampled {
 
     fn evaluate(&mut self, system: &System, members: &[Member], instants: &Instants, tangents: bool) {
         let (m, samples) = (instants.m, instants.angles.len());
+        spend((samples * members.iter().map(|p| if tangents { 500 } else { 50 } * (1 + p.map.len())).sum::<usize>()) as u64);
         if tangents {
             self.tangent.iter_mut().for_each(|t| t.reset(samples * m, m));
         }
@@ -307,6 +309,7 @@ impl Sampled {
     pub fn add_jacobian(&mut self, terms: &Terms, w: f64, jac: &mut Mat) {
         let m = terms.coordinates;
         self.product.reset(terms.samples * m, terms.unknowns);
+        spend((terms.samples * m * terms.unknowns * (3 * m + terms.unknowns)) as u64);
         for (d, factor) in [1.0, w, w * w].into_iter().enumerate() {
             if !self.uses[d] {
                 continue;

@@ -42,14 +42,18 @@ pub struct Refusal {
 impl Loaded {
     /// Asks every study whether this machine can answer it; one refusal for all that refuse for the same reason.
     pub fn refusals(&self) -> Vec<Refusal> {
-        self.refusals_in(&Context::quiet("check"))
+        self.refusals_by(|study| study.admit(&self.system))
     }
 
     /// The same before a run in such a context: one that is cancelled asks no more of what takes long.
     pub fn refusals_in(&self, context: &Context) -> Vec<Refusal> {
+        self.refusals_by(|study| study.prepare(&self.system, context))
+    }
+
+    fn refusals_by(&self, admit: impl Fn(&dyn ErasedStudy) -> Result<(), Diagnostic>) -> Vec<Refusal> {
         let mut out: Vec<Refusal> = Vec::new();
         for (k, named) in self.studies.iter().enumerate() {
-            let Err(mut diagnostic) = named.study.prepare(&self.system, context) else { continue };
+            let Err(mut diagnostic) = admit(&*named.study) else { continue };
             if diagnostic.span.is_none() {
                 diagnostic.span = self.spec.study(&named.name).and_then(|b| b.span.clone());
             }

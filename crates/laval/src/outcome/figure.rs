@@ -455,6 +455,24 @@ impl Figure {
         self
     }
 
+    /// Whether there is anything to see: a place of a curve, a marker, a cell or a band. Rules and reference lines alone are no figure.
+    pub fn shows(&self, tables: &[Table]) -> bool {
+        let visible = |panel: &Panel, mark: &Mark| {
+            let (table, x, y) = match mark {
+                Mark::Line(m) if !m.reference => (&m.table, &m.x, &m.y),
+                Mark::Points(m) => (&m.table, &m.x, &m.y),
+                Mark::Heat(m) => (&m.table, &m.x, &m.y),
+                Mark::Band(_) => return true,
+                Mark::Line(_) | Mark::Rule(_) | Mark::Text(_) => return false,
+            };
+            let Some(table) = tables.iter().find(|t| t.name() == table) else { return false };
+            let (Some(x), Some(y)) = (table.column(x), table.column(y)) else { return false };
+            let fits = |v: Option<f64>, scale: Scale| v.is_some_and(|v| v.is_finite() && (scale == Scale::Linear || v > 0.0));
+            (0..table.rows()).any(|i| fits(x.number(i), self.x.scale) && fits(y.number(i), panel.y.scale))
+        };
+        self.panels.iter().any(|p| p.marks.iter().any(|m| visible(p, m)))
+    }
+
     /// Whether every mark names columns that exist and have a fitting type.
     ///
     /// # Errors

@@ -151,11 +151,12 @@ impl Outcome {
     }
 
     /// The outcome itself when its names are unique, every mark of every figure names columns that exist and have a fitting type, and no
-    /// NaN or infinity is passed off as a number: values, evidence and places are finite, and in tables NaN alone stands for "no value".
+    /// NaN or infinity is passed off as a number: values, evidence and places are finite, and in tables NaN alone stands for "no value". Figures
+    /// without anything to see are left out.
     ///
     /// # Errors
     /// The first name that is double, missing or of the wrong type, or number that is none.
-    pub fn checked(self) -> Result<Self, OutcomeError> {
+    pub fn checked(mut self) -> Result<Self, OutcomeError> {
         self.finite()?;
         unique("table", self.tables.iter().map(Table::name))?;
         unique("figure", self.figures.iter().map(|f| f.name.as_str()))?;
@@ -163,6 +164,7 @@ impl Outcome {
             figure.check(&self.tables)?;
         }
         self.animations.iter().try_for_each(|a| a.check(&self.tables))?;
+        self.figures.retain(|figure| figure.shows(&self.tables));
         Ok(self)
     }
 

@@ -23,6 +23,8 @@ const SEARCHED: f64 = 1e-6;
 const MANY_COLUMNS: usize = 8;
 /// Special points shown without unfolding.
 const FEW_POINTS: usize = 12;
+/// Results listed with a study; warnings are always listed.
+const MOST_SHOWN: usize = 200;
 /// Results listed in the summary; warnings are always listed.
 const MOST_RESULTS: usize = 10;
 
@@ -188,12 +190,21 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
     let _ = writeln!(s, "<p class=\"{class}\">{sign}{}</p>", escape(&o.end_in_words()));
     if !o.findings.is_empty() {
         s.push_str("<ul class=\"findings\">\n");
+        let (mut shown, mut left) = (0, 0);
         for f in &o.findings {
+            if f.level == Level::Info && shown >= MOST_SHOWN {
+                left += 1;
+                continue;
+            }
+            shown += 1;
             s.push_str(&sentence(f));
             evidence(s, "Evidence", &f.evidence);
             s.push_str("</li>\n");
         }
         s.push_str("</ul>\n");
+        if left > 0 {
+            let _ = writeln!(s, "<p class=\"more\">and {left} more in results.json</p>");
+        }
     }
     for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
         let id = format!("f{i}-{k}");
@@ -203,8 +214,8 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
             escape(&f.title),
             escape(&f.alt)
         );
-        s.push_str(&render(scene, f, WIDE, Some(&format!("{id}w"))));
-        s.push_str(&render(scene, f, NARROW, Some(&format!("{id}n"))));
+        s.push_str(&render(scene, f, WIDE, column.max(1.0), Some(&format!("{id}w"))));
+        s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
         let _ = writeln!(
             s,
             "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",

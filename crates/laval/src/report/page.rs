@@ -1,6 +1,7 @@
 //! Pages other than the report, in its style: they open offline, run no script, and adapt to phones, dark screens and paper.
 
 use super::embed::{base64, sha256};
+use super::payload::drawn;
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
 use super::text::escape;
@@ -30,7 +31,7 @@ pub fn figure(figure: &Figure, tables: &[Table], id: &str) -> Result<String, Out
         "<figure class=\"fig\" id=\"{id}\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">{}{}</div>\n</figure>\n",
         escape(&figure.title),
         escape(&figure.alt),
-        render(&scene, figure, WIDE, Some(&format!("{id}w"))),
-        render(&scene, figure, NARROW, Some(&format!("{id}n"))),
+        render(&scene, figure, WIDE, drawn(&scene), Some(&format!("{id}w"))),
+        render(&scene, figure, NARROW, drawn(&scene), Some(&format!("{id}n"))),
     ))
 }

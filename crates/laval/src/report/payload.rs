@@ -12,8 +12,13 @@ use serde_json::{Value, json};
 
 /// Most points in all drawings of a page: about 11 bytes each.
 const MOST_POINTS: usize = 45_000;
-/// Widths of the pixel columns tried, finest first: the finer, the deeper one can zoom.
-const COLUMNS: [f64; 7] = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0];
+/// Widths of the pixel columns tried, finest first: the finer, the deeper one can zoom. The last ones are for hundreds of curves.
+const COLUMNS: [f64; 13] = [0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 256.0, 1024.0];
+
+/// The finest thinning of a drawing by itself: pixels, or more where many curves would make it large.
+pub(super) fn drawn(scene: &Scene) -> f64 {
+    column_for(&[scene]).max(1.0)
+}
 
 /// The finest thinning that keeps all scenes together below the limit.
 pub(super) fn column_for(scenes: &[&Scene]) -> f64 {

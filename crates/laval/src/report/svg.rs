@@ -2,6 +2,7 @@
 
 use super::colour::Colour;
 use super::layout::{LABEL, Layout, PanelBox, TICK, TITLE, is_line};
+use super::payload::drawn;
 use super::scene::{CLASS, Entry, Glyph, Kind, PanelView, Scene, Series};
 use super::text::{escape, px};
 use super::thin;
@@ -32,11 +33,11 @@ const TINTS: [&str; 4] = ["#009e73", "#d55e00", "#0072b2", "#cc79a7"];
 /// When the figure names a table or column that does not exist.
 pub fn draw(figure: &Figure, tables: &[Table]) -> Result<String, OutcomeError> {
     let scene = Scene::new(figure, tables)?;
-    Ok(render(&scene, figure, WIDE, None))
+    Ok(render(&scene, figure, WIDE, drawn(&scene), None))
 }
 
-/// The drawing; `inside` is the unique id prefix when it is part of a page.
-pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, inside: Option<&str>) -> String {
+/// The drawing, thinned to pixel columns of this width; `inside` is the unique id prefix when it is part of a page.
+pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, column: f64, inside: Option<&str>) -> String {
     let alone = inside.is_none();
     let lay = Layout::new(scene, w, alone);
     let id = inside.unwrap_or("f");
@@ -58,7 +59,7 @@ pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, inside: Option<&str
         let _ = write!(s, r#" class="{class}" data-x="{}" data-w="{}" aria-label="{title}. {alt}">"#, px(lay.x0), px(lay.pw));
     }
     for (i, (p, b)) in scene.panels.iter().zip(&lay.panels).enumerate() {
-        panel(&mut s, scene, p, b, &lay, &format!("{id}-{i}"), i, i + 1 == scene.panels.len());
+        panel(&mut s, scene, p, b, &lay, &format!("{id}-{i}"), (i, column), i + 1 == scene.panels.len());
     }
     let _ = write!(
         s,
@@ -87,7 +88,7 @@ pub(super) fn render(scene: &Scene, figure: &Figure, w: f64, inside: Option<&str
 }
 
 #[allow(clippy::too_many_arguments)]
-fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layout, id: &str, index: usize, last: bool) {
+fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layout, id: &str, (index, column): (usize, f64), last: bool) {
     let (x0, y0, w, h) = (lay.x0, b.y0, lay.pw, b.h);
     let (sx, sy, sw, sh) = (px(x0), px(y0), px(w), px(h));
     let at = |q: &(f64, f64)| (x0 + scene.x.place(q.0) * w, y0 + (1.0 - p.y.place(q.1)) * h);
@@ -170,7 +171,7 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
     let on_heat = p.heat.is_some();
     for (i, series) in p.series.iter().enumerate() {
         let points: Vec<_> = series.points.iter().map(at).collect();
-        draw_series(s, i, series, &points, on_heat);
+        draw_series(s, i, series, &points, column, on_heat);
     }
     s.push_str(r#"</g><g class="tf">"#);
     for r in &p.rules {
@@ -251,7 +252,7 @@ fn panel(s: &mut String, scene: &Scene, p: &PanelView, b: &PanelBox, lay: &Layou
     s.push_str("</g>");
 }
 
-fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f64)], on_heat: bool) {
+fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f64)], column: f64, on_heat: bool) {
     let key = series.entry.map_or(String::new(), |k| format!(r#" data-k="{k}""#));
     let (hex, class) = (series.colour.hex(), series.colour.class());
     let stroke = if series.reference { 1.0 } else { 1.8 + NEST * series.below as f64 };
@@ -262,11 +263,11 @@ fn draw_series(s: &mut String, index: usize, series: &Series, points: &[(f64, f6
             let _ = write!(
                 s,
                 r#"<path class="s {class}" data-s="{index}"{key} stroke="{hex}" stroke-width="{stroke}" stroke-linejoin="round"{dash} d="{}"/>"#,
-                path(points, 1.0)
+                path(points, column)
             );
         }
         Kind::Marker { shape, open } => {
-            let kept: Vec<_> = thin::cloud(points, 1.0).into_iter().map(|i| points[i]).collect();
+            let kept: Vec<_> = thin::cloud(points, column).into_iter().map(|i| points[i]).collect();
             if kept.len() > DOTS {
                 let d: String = kept.iter().map(|q| format!("M{} {}h0", px(q.0), px(q.1))).collect();
                 // dots of classes that share a place lie on each other like their markers
@@ -426,5 +427,18 @@ mod tests {
         let ys: Vec<f64> = (0..200_000).map(|i| (i as f64 * 0.1).sin()).collect();
         let svg = draw(&with(Line::new("t", "x", "y"), Axis::new("y", "")), &[table(ys)]).unwrap();
         assert!(svg.len() < 60_000, "{}", svg.len());
+    }
+
+    #[test]
+    fn hundreds_of_curves_stay_small() {
+        let (curves, rows) = (300, 2000);
+        let mut t = Table::new("t", "").float("x", "", "", (0..rows).map(f64::from).collect());
+        let mut panel = Panel::new(Axis::new("y", ""));
+        for k in 0..curves {
+            t = t.float(format!("y{k}"), "", "", (0..rows).map(|i| (f64::from(i * (k + 1)) * 0.37).sin()).collect());
+            panel = panel.mark(Line::new("t", "x", format!("y{k}")).name(format!("y{k}")));
+        }
+        let svg = draw(&Figure::new("f", "t", "a").x(Axis::new("x", "")).panel(panel), &[t.build().unwrap()]).unwrap();
+        assert!(svg.len() < 1_200_000, "{}", svg.len());
     }
 }

@@ -1,13 +1,14 @@
 //! Leaves out points that cannot be seen.
 
 /// Indices to keep of a path in pixels. Consecutive points in the same pixel column (of width `column`) are replaced by the first,
-/// the lowest, the highest and the last of them, which paint the same pixels. NaN breaks the path and is kept once.
+/// the lowest, the highest and the last of them, which paint the same pixels. NaN breaks the path and is kept once; a gap of
+/// less than a pixel is none.
 pub(super) fn path(points: &[(f64, f64)], column: f64) -> Vec<usize> {
     let mut keep = Vec::new();
     let mut i = 0;
     while i < points.len() {
         let (x, y) = points[i];
-        if x.is_nan() || y.is_nan() {
+        if broken((x, y)) {
             if i > 0 && !broken(points[i - 1]) {
                 keep.push(i);
             }
@@ -16,8 +17,10 @@ pub(super) fn path(points: &[(f64, f64)], column: f64) -> Vec<usize> {
         }
         let cell = (x / column).floor();
         let (mut low, mut high, mut last) = (i, i, i);
-        while last + 1 < points.len() && !broken(points[last + 1]) && (points[last + 1].0 / column).floor() == cell {
-            last += 1;
+        let after = |k: usize| (k + 1..points.len()).find(|j| !broken(points[*j]));
+        let joined = |k: usize, j: &usize| j - k == 1 || (points[*j].1 - points[k].1).abs() <= column;
+        while let Some(next) = after(last).filter(|j| (points[*j].0 / column).floor() == cell && joined(last, j)) {
+            last = next;
             if points[last].1 < points[low].1 {
                 low = last;
             }
@@ -75,6 +78,15 @@ mod tests {
         let nan = (f64::NAN, f64::NAN);
         let p = [nan, (0.0, 0.0), (5.0, 1.0), nan, nan, (6.0, 1.0), (2.0, 3.0)];
         assert_eq!(path(&p, 1.0), [1, 2, 3, 5, 6]);
+    }
+
+    #[test]
+    fn gaps_smaller_than_a_pixel_are_none() {
+        let p: Vec<(f64, f64)> = (0..20_000).map(|i| (i as f64 * 0.01, if i % 2 == 0 { 0.3 } else { f64::NAN })).collect();
+        assert!(path(&p, 1.0).len() <= 4 * 200);
+        // a gap that is seen
+        let nan = (f64::NAN, f64::NAN);
+        assert_eq!(path(&[(0.1, 0.0), nan, (0.2, 9.0)], 1.0), [0, 1, 2]);
     }
 
     #[test]

@@ -15,6 +15,7 @@ use super::halton::{self, Point};
 use super::law::Law;
 use super::machine::Turning;
 use super::particle::{Medium, Particle};
+use laval_num::work::Here;
 use rayon::prelude::*;
 
 /// Sizes (diameters, m) and densities (kg/m^3) of the particles.
@@ -87,12 +88,22 @@ pub fn leave(turning: &Turning, medium: &Medium, particle: &Particle, member: &M
 
 /// Exits of a powder, in the order of the members, on all cores.
 pub fn settle(turning: &Turning, medium: &Medium, powder: &Powder, members: &[Member], model: Model) -> Vec<Option<Exit>> {
-    members.par_iter().map(|m| leave(turning, medium, &powder.particle(&m.point), m, model)).collect()
+    let here = Here::now();
+    let one = |m: &Member| {
+        let _counted = here.enter();
+        leave(turning, medium, &powder.particle(&m.point), m, model)
+    };
+    members.par_iter().map(one).collect()
 }
 
 /// Products `tau_i = |s| T_i` without inertia for heavy (`sign` 1) or light particles (`sign` -1), with the surfaces they meet, s^2.
 pub fn products(turning: &Turning, members: &[Member], sign: f64) -> Vec<Option<(f64, Surface)>> {
-    members.par_iter().map(|m| turning.drift(sign, m.start).map(|e| (e.time, e.surface))).collect()
+    let here = Here::now();
+    let one = |m: &Member| {
+        let _counted = here.enter();
+        turning.drift(sign, m.start).map(|e| (e.time, e.surface))
+    };
+    members.par_iter().map(one).collect()
 }
 
 /// Exit times in increasing order, infinite at the end for particles that stay.

@@ -22,6 +22,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::ramp::Ramp;
 use super::slowest::Last;
+use laval_num::work::Here;
 use rayon::prelude::*;
 
 /// Time counted as the field works: during a run-up less than at full speed.
@@ -182,9 +183,11 @@ impl<'a> Recovery<'a> {
         let found = match classes {
             Some(classes) => {
                 let sum: f64 = classes.iter().map(|c| c.1).sum();
+                let here = Here::now();
                 let all: Result<Vec<_>, Lost> = (0..spinning.crowd.len() * classes.len())
                     .into_par_iter()
                     .map(|k| {
+                        let _counted = here.enter();
                         let (i, (d, share)) = (k / classes.len(), classes[k % classes.len()]);
                         let m = &spinning.crowd[i];
                         let p = Particle { radius: 0.5 * d, density: b.powder.density.quantile(m.point.density) };
@@ -201,10 +204,12 @@ impl<'a> Recovery<'a> {
                 Kind::Counted(all)
             }
             None => {
+                let here = Here::now();
                 let curves = spinning
                     .crowd
                     .par_iter()
                     .map(|m| {
+                        let _counted = here.enter();
                         let density = b.powder.density.quantile(m.point.density);
                         let unit = b.medium.rates(&Particle { radius: 0.5, density }).sedimentation;
                         let exit = spinning.turning.drift(unit.signum(), m.start).filter(|e| e.time > 0.0 && unit != 0.0);
@@ -284,10 +289,12 @@ impl<'a> Recovery<'a> {
     fn refine(&mut self, counted: f64) -> Result<(), Lost> {
         let (spinning, watch) = (self.spinning, self.watch);
         let Kind::Smooth(curves) = &self.found else { return Ok(()) };
+        let here = Here::now();
         let exits: Vec<Option<(f64, Option<Exit>)>> = curves
             .par_iter()
             .zip(&spinning.crowd)
             .map(|(c, m)| {
+                let _counted = here.enter();
                 let ln_d = c.critical(counted);
                 let share = self.above(ln_d);
                 let known = c.nodes.iter().any(|n| (n.0 - ln_d).abs() < 1e-13);

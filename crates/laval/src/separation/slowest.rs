@@ -17,6 +17,7 @@ use super::motion::Lost;
 use super::particle::Particle;
 use super::tube::Filled;
 use super::vessel::Inside;
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -114,11 +115,16 @@ impl Spinning<'_> {
             .flat_map(|s| (0..ALONG).flat_map(move |i| (0..AROUND).map(move |k| (s, i, k))))
             .map(|(s, i, k)| (s, i as f64 / (ALONG - 1) as f64, k as f64 / AROUND as f64))
             .collect();
-        let times: Vec<f64> = grid.par_iter().map(|&s| at(s)).collect::<Result<_, _>>()?;
+        let here = Here::now();
+        let counted = |s| {
+            let _counted = here.enter();
+            at(s)
+        };
+        let times: Vec<f64> = grid.par_iter().map(|&s| counted(s)).collect::<Result<_, _>>()?;
         let mut best: Vec<(f64, Site)> = times.into_iter().zip(grid).collect();
         best.sort_by(|a, b| b.0.total_cmp(&a.0));
         best.truncate(FOLLOWED);
-        let climbed: Vec<(f64, Site)> = best.into_par_iter().map(|from| climb(from, &at)).collect::<Result<_, _>>()?;
+        let climbed: Vec<(f64, Site)> = best.into_par_iter().map(|from| climb(from, &counted)).collect::<Result<_, _>>()?;
         let top = climbed.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
         match top.and_then(|(time, site)| Some(Last { time, start: place(site)? })) {
             Some(last) => Ok(last),

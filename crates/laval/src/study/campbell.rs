@@ -12,7 +12,7 @@ use super::approximation;
 use super::modes::{THRESHOLD, WHIRLS};
 use super::region;
 use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range, remarks_between};
-use super::{Context, Study};
+use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
@@ -23,6 +23,7 @@ use crate::solve::pencil::Whirl;
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::sweep::{Branch, Sweep, sweep};
+use laval_num::work::piece;
 
 /// Field: multiples of the spin speed.
 pub(super) const ORDERS: Field = Field::optional(
@@ -158,6 +159,10 @@ orders = [1, 2]
         })
     }
 
+    fn size(&self, system: &System) -> Option<size::Size> {
+        Some(size::Size::of_spectra(self.speed.points.unwrap_or(120), system))
+    }
+
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         if self.compare {
             approximation::admit(system)?;
@@ -169,7 +174,9 @@ orders = [1, 2]
         // other machines have finitely many modes, which are all followed
         let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
         let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
-        let crossings = criticals(system, &|w| rest(system, w), &found, &self.orders);
+        let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
+        // of a study that has to end those that there is no time for are left out
+        let crossings = if end == End::Reached { locate() } else { piece(locate).unwrap_or_default() };
         let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
         let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
         let label = |k: usize| {

@@ -13,7 +13,7 @@ use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words,
 use super::growing::{Follows, unstable};
 use super::modes::WHIRLS;
 use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks_between};
-use super::{Context, Study};
+use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
@@ -54,6 +54,10 @@ margin = 0.15
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
         Some(CriticalSpeeds { speed, orders: orders(values), margin: values.number("margin").unwrap_or(0.15) })
+    }
+
+    fn size(&self, system: &System) -> Option<size::Size> {
+        Some(size::Size::of_spectra(self.speed.points.unwrap_or(120), system))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

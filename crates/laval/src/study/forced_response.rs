@@ -11,7 +11,7 @@
 
 use super::growing::{Follows, unstable};
 use super::support::{SPEED_RANGE, inconsistent, one_or_range, remarks_between};
-use super::{Context, Study};
+use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
 use crate::model::part::At;
@@ -51,6 +51,17 @@ impl Study for ForcedResponse {
             return None;
         }
         Some(ForcedResponse { speed })
+    }
+
+    fn size(&self, system: &System) -> Option<size::Size> {
+        let speeds = self.speed.points.unwrap_or(400);
+        let kept = 4.0 * (system.n() + system.m()) as f64;
+        let listed = (7 * system.bodies().len() + 3 * system.slots().len()) as f64;
+        Some(size::Size {
+            bytes: speeds as f64 * (size::KEPT * kept + size::LISTED * listed),
+            of: format!("responses at {speeds} speeds of {} coordinates", system.n()),
+            fewer: "give the range fewer points: where the response bends it is refined without them",
+        })
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::passages::envelope;
+use super::size::{KEPT, LISTED, Size};
 use super::start::Start;
 use super::turns;
 use crate::diagnostic::Diagnostic;
@@ -78,6 +79,17 @@ pub(super) fn method(values: &Values) -> Choice {
         Some("explicit") => Choice::Explicit,
         Some("stiff") => Choice::Stiff,
         _ => Choice::Auto,
+    }
+}
+
+/// What the record of a motion takes.
+pub(super) fn size(system: &System, outputs: usize, velocities: bool, observables: bool) -> Size {
+    let (n, m, parts) = (system.n(), system.m(), system.slots().len());
+    let listed = n * if velocities { 2 } else { 1 } + if observables { 3 * parts } else { 0 } + 8;
+    Size {
+        bytes: outputs as f64 * (KEPT * (2 * n + m + 6) as f64 + LISTED * listed as f64),
+        of: format!("{outputs} output times of {n} coordinates"),
+        fewer: "give fewer points (a longer output_step), or leave out velocities and observables",
     }
 }
 

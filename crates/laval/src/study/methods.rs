@@ -99,7 +99,7 @@ harmonics = 7
             }));
         }
         folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged.to_string(), speed, deviation: 0.0 }));
-        let complete = within == speeds.len() && !context.cancelled();
+        let complete = within == speeds.len() && found.complete;
         self.outcome(system, context, &converged, &found, &folds, context.end(complete)).map_err(Diagnostic::from)
     }
 }

@@ -31,6 +31,7 @@ pub mod run_up;
 pub mod sensitivity;
 pub mod separation;
 mod settled;
+mod size;
 mod spectra;
 pub mod speed_range;
 pub mod stability_map;
@@ -42,6 +43,7 @@ pub mod transient;
 mod turns;
 pub mod uncertainty;
 mod unstable;
+mod watch;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
@@ -49,8 +51,11 @@ use crate::model::system::System;
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, significant};
 use crate::store::{Host, Keep};
+use laval_num::work;
+pub use laval_num::work::Cancel;
 use std::cell::Cell;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::LazyLock;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// Told how far a study is.
@@ -81,19 +86,23 @@ pub struct Context<'a> {
     /// Name of the study in the file.
     pub name: &'a str,
     /// Set to stop: the study ends at its next step and returns what it has.
-    pub cancel: &'a AtomicBool,
+    pub cancel: &'a Cancel,
     /// Progress display.
     pub progress: &'a dyn Progress,
-    /// Most steps (integration steps, continuation points, grid points) before the study ends by itself.
+    /// Most steps (integration steps, continuation points, grid points) before the study ends by itself; it also ends when these have cost
+    /// [`STEP`] units of [work](laval_num::work) each on average.
     pub work_limit: u64,
     /// Where a long study keeps its rows; `None` keeps them in memory.
     pub keep: Option<&'a Keep>,
 }
 
+/// Units of work that a step of a work limit may cost on average, some 0.1 s.
+pub const STEP: u64 = 100_000_000;
+
 /// A time form that takes longer is worth a word.
 const LONG: Duration = Duration::from_secs(1);
 
-static NEVER: AtomicBool = AtomicBool::new(false);
+static NEVER: LazyLock<Cancel> = LazyLock::new(Cancel::default);
 
 impl Context<'static> {
     /// Runs to the end, silently.
@@ -118,7 +127,7 @@ impl Context<'_> {
 
     /// May a study go on that has done so much work?
     pub fn goes_on(&self, done: u64) -> bool {
-        !self.cancelled() && done < self.work_limit
+        !self.cancelled() && done < self.work_limit && work::spent() < self.work_limit.saturating_mul(STEP)
     }
 
     /// The end of a study that did all it was asked, or stopped because [`goes_on`](Self::goes_on) said no.
@@ -196,6 +205,10 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn admit(&self, _: &System) -> Result<(), Diagnostic> {
         Ok(())
     }
+    /// What a run keeps in memory, where that depends on the request alone and can be much.
+    fn size(&self, _: &System) -> Option<size::Size> {
+        None
+    }
     /// The same before a run. What takes longer ends with the context, and is then not known: no refusal.
     ///
     /// # Errors
@@ -207,7 +220,7 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
 
-/// A study with its type forgotten.
+/// A study with its type forgotten; it ends when its context says so, wherever it is.
 pub trait ErasedStudy: Send + Sync {
     /// The word in the file.
     fn kind(&self) -> &'static str;
@@ -230,13 +243,13 @@ impl<T: Study> ErasedStudy for T {
         T::KIND
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        Study::admit(self, system)
+        watch::admit(self, system)
     }
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
-        Study::prepare(self, system, context)
+        watch::prepare(self, system, context)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        Study::run(self, system, context)
+        watch::run(self, system, context)
     }
 }
 

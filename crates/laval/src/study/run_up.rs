@@ -14,6 +14,7 @@ use super::drive;
 use super::history::{self, ABSOLUTE, Columns, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::moved_roots::moved_roots;
 use super::passages::{PROMINENT, envelope, passages};
+use super::size::Size;
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::turns::Turns;
@@ -135,6 +136,10 @@ hold = "2 s"
             velocities: values.flag("velocities").unwrap_or(false),
             observables: values.flag("observables").unwrap_or(false),
         })
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        Some(history::size(system, self.settings.points, self.velocities, self.observables))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -12,6 +12,7 @@
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;
 use super::region;
+use super::size::Size;
 use super::support::{
     ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, one_or_range, range, remarks_between,
 };
@@ -26,6 +27,7 @@ use crate::outcome::{
 use crate::solve::counted;
 use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::stability::{Edge, Row, Sample, row};
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -100,6 +102,12 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         })
     }
 
+    fn size(&self, system: &System) -> Option<Size> {
+        // lines of the map are computed side by side
+        let lines = self.parameter.as_ref().map_or(1, |p| p.1.points.unwrap_or(40).min(8));
+        Some(Size::of_spectra(self.speed.points.unwrap_or(200) * lines, system))
+    }
+
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         admit_roots(system, self.about, self.speed.from)?;
         admit_threshold(system, self.speed.from, self.threshold)?;
@@ -128,10 +136,12 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         let done = AtomicU64::new(0);
         // rows that the limit cannot reach are not begun
         let within = usize::try_from(context.work_limit.div_ceil(speeds.len() as u64)).unwrap_or(usize::MAX).clamp(1, values.len());
+        let here = Here::now();
         let rows: Vec<Row> = values[..within]
             .par_iter()
             .enumerate()
             .map(|(k, value)| {
+                let _counted = here.enter();
                 // the limit counts rows before this one as done, so that the result does not depend on the number of threads
                 let first = (k * speeds.len()) as u64;
                 let mut each = |solved: u64| {

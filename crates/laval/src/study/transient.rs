@@ -12,6 +12,7 @@ use super::balance;
 use super::drive;
 use super::history::{self, ABSOLUTE, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::moved_roots::moved_roots;
+use super::size::Size;
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::turns::Turns;
@@ -151,6 +152,11 @@ kick = { "drum.x'" = "20 mm/s" }
             observables: values.flag("observables").unwrap_or(true),
             spectra,
         })
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let outputs = self.step.map_or(self.settings.points, |step| (self.duration / step) as usize);
+        Some(history::size(system, outputs, self.velocities, self.observables))
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

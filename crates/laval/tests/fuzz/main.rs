@@ -11,7 +11,7 @@ mod words;
 use generate::{Random, Sources};
 use laval::diagnostic::Diagnostics;
 use laval::file::{self, Form, Loaded};
-use laval::study::{Context, Progress};
+use laval::study::{Cancel, Context, Progress};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -110,7 +110,7 @@ fn study(bytes: &[u8], number: u64) -> Result<Vec<String>, String> {
     let mut r = Random::new(number ^ 0xABCD);
     let mut ends = Vec::new();
     for named in &loaded.studies {
-        let cancel = AtomicBool::new(false);
+        let cancel = Cancel::default();
         let unit = match named.study.kind() {
             // steps in time, of which one settled motion takes hundreds
             "sweep" | "basins" | "motion_map" => 100,

@@ -12,8 +12,8 @@ use laval::outcome::{Data, Finding, Mark, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::{Context, Study};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use laval::study::{Cancel, Context, Study};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 const M: f64 = 2.0;
 const E: f64 = 1e-4;
@@ -70,7 +70,7 @@ fn no_sweep_jumps_from_unstable_states() {
 /// A study that was cancelled tells no jump from states it did not judge.
 #[test]
 fn a_cancelled_study_tells_no_jump() {
-    struct Stops(AtomicBool, AtomicU64);
+    struct Stops(Cancel, AtomicU64);
     impl laval::study::Progress for Stops {
         fn report(&self, _: u64, _: u64) {
             // each attempt tells its branch, and again while it is judged
@@ -78,7 +78,7 @@ fn a_cancelled_study_tells_no_jump() {
         }
     }
     let system = machine(1e12, 170.0).build().unwrap_or_else(|d| panic!("{:?}", d.0));
-    let stops = Stops(AtomicBool::new(false), AtomicU64::new(0));
+    let stops = Stops(Cancel::default(), AtomicU64::new(0));
     let context = Context { cancel: &stops.0, progress: &stops, ..Context::quiet("response") };
     let o = NonlinearResponse::new(Request::over(300.0, 1500.0)).run(&system, &context).unwrap();
     assert_eq!(o.end, laval::outcome::End::Cancelled);

@@ -6,8 +6,7 @@ use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
 use laval::outcome::{End, Outcome};
 use laval::report::draw;
-use laval::study::{Context, Silent};
-use std::sync::atomic::AtomicBool;
+use laval::study::{Cancel, Context, Silent};
 
 fn machine(law: &str, damping: [&str; 2], liquid: &str, study: &str) -> String {
     let rotor = planar_file(law, "1 mm", damping).replace("[machine]\n", "[machine]\nspeed = \"1820 rad/s\"\n");
@@ -106,7 +105,7 @@ fn unfit_machines_are_refused_before_the_run() {
 /// A stop on request and the limit on work end every study early, with what was found.
 #[test]
 fn studies_stop_when_asked() {
-    static STOP: AtomicBool = AtomicBool::new(true);
+    let stop = Cancel::new(true);
     for study in [
         "kind = \"backbone\"",
         "kind = \"limit_cycles\"\nspeed = { from = \"1500 rad/s\", to = \"6000 rad/s\" }",
@@ -114,7 +113,7 @@ fn studies_stop_when_asked() {
     ] {
         let text = machine("per_axis", ["42", "6.59"], &oil("65.1 mm", "20"), study);
         let loaded = load(&text).unwrap();
-        let context = Context { name: "study", cancel: &STOP, progress: &Silent, work_limit: u64::MAX, keep: None };
+        let context = Context { name: "study", cancel: &stop, progress: &Silent, work_limit: u64::MAX, keep: None };
         if let Ok(o) = loaded.studies[0].study.run(&loaded.system, &context) {
             assert_ne!(o.end, End::Reached, "{study}");
         }

@@ -7,7 +7,7 @@ use laval::file::{Form, Loaded, canonical, load, render};
 use laval::outcome::{Data, End, Outcome};
 use laval::report::draw;
 use laval::store::Keep;
-use laval::study::{Context, Progress};
+use laval::study::{Cancel, Context, Progress};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 fn rotor() -> String {
@@ -161,7 +161,7 @@ fn a_stopped_map_goes_on_where_it_stood() {
     let folder = std::env::temp_dir().join(format!("laval-response-map-{}", std::process::id()));
     let _ = std::fs::remove_dir_all(&folder);
     let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false };
-    let cancel = AtomicBool::new(false);
+    let cancel = Cancel::default();
     let progress = StopAfter(AtomicU64::new(0), &cancel);
     let context = Context { cancel: &cancel, progress: &progress, keep: Some(&keep), ..Context::quiet("map") };
     let part = map.studies[0].study.run(&map.system, &context).unwrap();

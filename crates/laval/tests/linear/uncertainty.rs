@@ -4,7 +4,7 @@ use laval::diagnostic::Diagnostics;
 use laval::file::{Loaded, canonical, load};
 use laval::outcome::{End, Outcome, Table};
 use laval::store::Keep;
-use laval::study::{Context, Progress};
+use laval::study::{Cancel, Context, Progress};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 const MACHINE: &str = r#"
@@ -215,7 +215,7 @@ fn stopped_and_continued_gives_what_the_undisturbed_study_gives() {
     let settings = format!("study = \"critical_speeds\"\nsamples = 100\n{UNIFORM}");
     let loaded = with(&settings).unwrap_or_else(|d| panic!("{d:?}"));
     let keep = Keep { folder: dir.clone(), input: canonical(&loaded.spec, "uncertainty"), fresh: false };
-    let stop = AtomicBool::new(false);
+    let stop = Cancel::default();
     let watch = StopAfter(&stop, 40, AtomicU64::new(0));
     let o = run_in(&settings, &Context { cancel: &stop, progress: &watch, keep: Some(&keep), ..Context::quiet("u") });
     assert_eq!(o.end, End::Cancelled);

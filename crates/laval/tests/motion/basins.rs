@@ -227,7 +227,7 @@ fn neither_threads_nor_interruptions_change_anything() {
     let folder = std::env::temp_dir().join(format!("laval-basins-{}", std::process::id()));
     let keep = |fresh| Keep { folder: folder.clone(), input: canonical(&l.spec, "basins"), fresh };
     let until = |rows: u64, fresh: bool| {
-        let (stop, keep) = (AtomicBool::new(false), keep(fresh));
+        let (stop, keep) = (laval::study::Cancel::default(), keep(fresh));
         run_in(&l, &Context { cancel: &stop, progress: &Stop(rows, &stop), keep: Some(&keep), ..Context::quiet("s") })
     };
     let first = until(100, true);
@@ -240,7 +240,7 @@ fn neither_threads_nor_interruptions_change_anything() {
     let limit = one.work["steps"] / 2;
     let o = run_in(&l, &Context { work_limit: limit, ..Context::quiet("s") });
     assert!(o.end == End::WorkLimit && o.work["steps"] <= limit);
-    let stop = AtomicBool::new(true);
+    let stop = laval::study::Cancel::new(true);
     let o = run_in(&l, &Context { cancel: &stop, ..Context::quiet("s") });
     assert_eq!((o.end, o.find_table("cells").unwrap().rows()), (End::Cancelled, 0));
 }

@@ -13,7 +13,7 @@ use laval::parts::disc::{Disc, DiscFamily, DiscParams};
 use laval::solve::harmonic::orbit::Orbit;
 use laval::solve::harmonic::problem::Balance;
 use laval::store::Keep;
-use laval::study::{Context, Progress, forced_response};
+use laval::study::{Cancel, Context, Progress, forced_response};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// The base machine of the reference tables.
@@ -314,7 +314,7 @@ fn a_stopped_sweep_goes_on_to_the_same_files() {
     let folder = |name: &str| std::env::temp_dir().join(format!("laval-sweep-{}-{name}", std::process::id()));
     let keep = |name: &str| Keep { folder: folder(name), input: canonical(&l.spec, "sweep"), fresh: true };
     let run = |keep: &Keep, after: u64| {
-        let stop = AtomicBool::new(false);
+        let stop = Cancel::default();
         let watch = Stop { after, seen: AtomicU64::new(0), stop: &stop };
         l.studies[0].study.run(&l.system, &Context { cancel: &stop, progress: &watch, keep: Some(keep), ..Context::quiet("s") }).unwrap()
     };
@@ -349,7 +349,7 @@ fn a_work_limit_leaves_what_was_done() {
         let (some, all) = (numbers(&o, "sweep", "amplitude.disc"), numbers(&whole, "sweep", "amplitude.disc"));
         assert!(some.len() < 100 && (share > 10 || !some.is_empty()) && some == all[..some.len()]);
     }
-    let stop = AtomicBool::new(true);
+    let stop = Cancel::new(true);
     let o = l.studies[0].study.run(&l.system, &Context { cancel: &stop, ..Context::quiet("s") }).unwrap();
     assert_eq!((o.end, table(&o, "sweep").rows()), (End::Cancelled, 0));
 }

@@ -17,7 +17,7 @@ use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval::study::run_up::RunUp;
 use laval::study::transient::Transient;
-use laval::study::{Context, Silent, Study};
+use laval::study::{Cancel, Context, Silent, Study};
 use laval_num::complex::{C64, c};
 use laval_num::ode::Ode;
 use laval_num::scalar::Scalar;
@@ -414,7 +414,7 @@ fn limits_and_cancellation_leave_partial_results() {
     let rows = o.find_table("motion").unwrap().rows();
     assert!(rows > 1 && rows < 2000, "{rows}");
     assert!(finding(&o, "work_limit") > 0.0 && o.work["steps"] + o.work["rejected_steps"] <= 500);
-    let stop = AtomicBool::new(false);
+    let stop = Cancel::default();
     struct Stops<'a>(&'a AtomicBool);
     impl laval::study::Progress for Stops<'_> {
         fn report(&self, _: u64, _: u64) {

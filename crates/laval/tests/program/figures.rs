@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::{Attach, RangeValue};
 use laval::model::params::Family;
 use laval::model::part::Link;
-use laval::outcome::{Axis, Data, Figure, Finding, Line, Outcome, Panel, Table};
+use laval::outcome::{Axis, Band, Data, Figure, Finding, Line, Mark, Outcome, Panel, Points, Rule, Table};
 use laval::parts::{disc::*, shaft_lumped::*};
 use laval::report::{Report, draw, html};
 use laval::study::{Context, Study, campbell::Campbell, criterion::Criterion, stability_map::StabilityMap, support::About};
@@ -125,4 +125,23 @@ fn what_studies_say_in_the_same_words_stands_once() {
     assert!(summary.contains("Of its own."));
     // each study keeps its own
     assert_eq!(page.matches("Tangent").count(), 4);
+}
+
+#[test]
+fn a_figure_without_anything_to_see_is_left_out() {
+    let table = |y: Vec<f64>| Table::new("t", "").float("x", "", "", vec![1.0, 2.0]).float("y", "", "", y).build().unwrap();
+    let figures = |y: Vec<f64>, axis: Axis, mark: fn() -> Mark| {
+        let panel = Panel::new(axis).mark(mark()).mark(Rule::x(1.5, "operating speed"));
+        Outcome::new("modes", "m").table(table(y)).figure(Figure::new("f", "F", "").panel(panel)).checked().unwrap().figures.len()
+    };
+    let (points, line): (fn() -> Mark, fn() -> Mark) = (|| Points::new("t", "x", "y").into(), || Line::new("t", "x", "y").into());
+    for mark in [points, line] {
+        assert_eq!(figures(vec![f64::NAN, 3.0], Axis::new("y", ""), mark), 1);
+        assert_eq!(figures(vec![f64::NAN, f64::NAN], Axis::new("y", ""), mark), 0);
+        // a logarithmic axis has no place for it
+        assert_eq!(figures(vec![0.0, -1.0], Axis::log("y", ""), mark), 0);
+    }
+    assert_eq!(figures(vec![1.0, 1.0], Axis::new("y", ""), || Line::new("t", "x", "y").reference().into()), 0);
+    // a range of speeds is something to see
+    assert_eq!(figures(vec![f64::NAN, f64::NAN], Axis::new("y", ""), || Band::x(1.0, 2.0).into()), 1);
 }

@@ -7,6 +7,7 @@ mod all_mistakes;
 mod architecture;
 mod docs;
 mod figures;
+mod interrupts;
 mod pages;
 mod texts;
 mod typical_mistakes;

@@ -411,7 +411,7 @@ particles = 64
     );
     let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
     let told = Told::default();
-    let cancel = std::sync::atomic::AtomicBool::new(false);
+    let cancel = laval::study::Cancel::default();
     let context = Context { name: "coarse", cancel: &cancel, progress: &told, work_limit: u64::MAX, keep: None };
     let o = loaded.studies[0].study.run(&loaded.system, &context).unwrap();
     let seen = told.0.lock().unwrap().clone();

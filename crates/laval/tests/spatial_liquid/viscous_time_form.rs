@@ -15,10 +15,9 @@ use laval::solve::characteristic::Characteristic;
 use laval::solve::linear_response::response;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
-use laval::study::Context;
+use laval::study::{Cancel, Context};
 use laval_num::complex::c;
 use std::cell::Cell;
-use std::sync::atomic::AtomicBool;
 
 fn cavities() -> Vec<(&'static str, Cavity<f64>)> {
     let thin = Cavity { radius: 0.1, free: 0.097, height: 0.1, density: 1000.0 };
@@ -332,7 +331,7 @@ fn a_cancelled_form_is_not_remembered() {
                  to = { \"rotor.x\" = 1e-3, \"rotor.x'\" = 0.1 }\npoints = 2\nmost_periods = 2\nperiods = 48\n";
     let text = one(0.05, 1e-3, 75.0, study);
     let (fresh, stopped) = (load(&text).unwrap(), load(&text).unwrap());
-    let cancel = AtomicBool::new(true);
+    let cancel = Cancel::new(true);
     for k in 0..2 {
         let context = Context { cancel: &cancel, ..Context::quiet("study") };
         assert_eq!(stopped.refusals_in(&context).len(), 0);

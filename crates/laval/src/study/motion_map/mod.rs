@@ -24,6 +24,7 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
@@ -292,7 +293,12 @@ impl Fleet<'_> {
     }
 
     fn rows(&self, range: Range<usize>, counter: &Rows) -> Option<Vec<Row>> {
-        let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(|row| self.member(self.at(row))).collect();
+        let here = Here::now();
+        let member = |row| {
+            let _counted = here.enter();
+            self.member(self.at(row))
+        };
+        let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(member).collect();
         let refused: Vec<Option<String>> = found.iter().map(|m| m.as_ref().err().cloned()).collect();
         let members: Vec<Member> = found.into_iter().flatten().collect();
         let voyage = Settling {

@@ -9,6 +9,7 @@ use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
 use crate::outcome::quantity;
 use crate::study::{Context, blocks};
+use laval_num::work::Here;
 use rayon::prelude::*;
 
 /// A window that holds at all corners of the uncertain parameters.
@@ -74,7 +75,11 @@ impl OperatingWindow {
                 let asked = fitting(self, &changed, true)?;
                 let judge = Judge { system: &changed, asked: &asked, branches: &[], passage: main.passage.as_ref() };
                 let mut points = moving.points.clone();
-                points.par_iter_mut().for_each(|p| judge.separated(p));
+                let here = Here::now();
+                points.par_iter_mut().for_each(|p| {
+                    let _counted = here.enter();
+                    judge.separated(p);
+                });
                 points
             } else {
                 let known = main.passage.as_ref().filter(|_| only_liquid(system, path));

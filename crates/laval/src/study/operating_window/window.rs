@@ -2,6 +2,7 @@
 
 use super::margins::{Judge, NAMES, Point};
 use crate::diagnostic::Diagnostic;
+use laval_num::work::Here;
 use rayon::prelude::*;
 
 /// One end of an interval.
@@ -35,9 +36,11 @@ const LOCATED: f64 = 1e-11;
 /// Evaluates speeds on all cores; results in their order. `None` when cancelled.
 pub(super) fn scan(judge: &Judge, speeds: &[f64], go_on: impl Fn(u64) -> bool + Sync) -> Result<Option<Vec<Point>>, Diagnostic> {
     let done = std::sync::atomic::AtomicU64::new(0);
+    let here = Here::now();
     let found: Result<Vec<Option<Point>>, Diagnostic> = speeds
         .par_iter()
         .map(|&w| {
+            let _counted = here.enter();
             if !go_on(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed)) {
                 return Ok(None);
             }

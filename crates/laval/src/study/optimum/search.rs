@@ -8,6 +8,7 @@ use crate::study::uncertainty::collect::{Quantity, Sample, sample};
 use laval_num::optimise::{Ended, Settings, minimise};
 use laval_num::sampling::Points;
 use laval_num::sampling::distribution::normal_quantile;
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -113,7 +114,12 @@ struct Bench<'a> {
 impl Bench<'_> {
     /// Runs machines on all cores; `None` when stopped.
     fn run(&self, places: &[Vec<f64>]) -> Option<Vec<Run>> {
-        places.par_iter().map(|p| self.one(p)).collect()
+        let here = Here::now();
+        let one = |p: &Vec<f64>| {
+            let _counted = here.enter();
+            self.one(p)
+        };
+        places.par_iter().map(one).collect()
     }
 
     fn one(&self, place: &[f64]) -> Option<Run> {

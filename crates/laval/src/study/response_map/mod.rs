@@ -25,6 +25,7 @@ use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::response::Request;
 use crate::store;
 use cells::Cell;
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -147,7 +148,9 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             if spent.load(Ordering::Relaxed) >= context.work_limit {
                 return Ok(None);
             }
+            let here = Here::now();
             let one = |row: usize| {
+                let _counted = here.enter();
                 if counter.cancelled() {
                     return Cell { at: [f64::NAN; 2], found: Err(String::new()), stopped: true };
                 }

@@ -11,6 +11,7 @@ use crate::solve::harmonic::response::{Request, Response};
 use crate::solve::harmonic::sensitivity::{Moved, Named, Stationary, moved, parameters};
 use crate::study::Context;
 use laval_num::continuation::End;
+use laval_num::work;
 use std::f64::consts::TAU;
 
 /// What a place is.
@@ -60,6 +61,40 @@ fn along(a: &State, b: &State) -> Vec<f64> {
     a.x.iter().chain([&a.speed]).zip(b.x.iter().chain([&b.speed])).map(|(a, b)| b - a).collect()
 }
 
+/// A place before it is differentiated: kind, branch, body, unknowns, speed, direction of the branch, displacement.
+type Seed = (Kind, usize, usize, Vec<f64>, f64, Vec<f64>, f64);
+
+/// Peaks and folds of a branch; folds without derivatives go to `without`.
+fn places_of(balance: &mut Balance, b: usize, branch: &Traced, speeds: (f64, f64), without: &mut Vec<(f64, String)>) -> Vec<Seed> {
+    let (system, bodies, mut seeds) = (balance.system, balance.system.bodies(), Vec::new());
+    let sizes = displacements(balance, branch, &bodies);
+    for (k, body) in bodies.iter().enumerate() {
+        for i in 1..sizes.len().saturating_sub(1) {
+            let [before, a, after] = [i - 1, i, i + 1].map(|i| sizes[i][k]);
+            if a > before && a >= after && !branch.points[i].unstable() {
+                let Some(peak) = refine(balance, branch, i, Measure::Displacement(body.x), Sense::Largest, speeds) else {
+                    continue;
+                };
+                let way = along(&branch.points[i - 1], &branch.points[i + 1]);
+                seeds.push((Kind::Peak, b, k, peak.x, peak.speed, way, peak.value));
+            }
+        }
+    }
+    for f in &branch.folds {
+        if f.corner || !f.confirmed {
+            without.push((f.speed, "the branch turns at a corner, where a law switches".into()));
+            continue;
+        }
+        let (Some(before), Some(after)) = (branch.points.get(f.after), branch.points.get(f.after + 1)) else { continue };
+        let Ok(orbit) = Orbit::of(balance, &f.x, f.speed) else { continue };
+        let size = |k: &usize| Measure::Displacement(bodies[*k].x).largest(system, &orbit, branch.turns()).0;
+        let Some(k) = (0..bodies.len()).max_by(|a, b| size(a).total_cmp(&size(b))) else { continue };
+        let kind = if f.upper { Kind::JumpUp } else { Kind::JumpDown };
+        seeds.push((kind, b, k, f.x.clone(), f.speed, along(before, after), size(&k)));
+    }
+    seeds
+}
+
 /// Looks for them on all branches.
 ///
 /// # Errors
@@ -74,31 +109,12 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     let mut balance = Balance::new(system, d, request.speeds, None)?;
     let mut seeds = Vec::new();
     for (b, branch) in response.branches.iter().enumerate() {
-        let sizes = displacements(&mut balance, branch, &bodies);
-        for (k, body) in bodies.iter().enumerate() {
-            for i in 1..sizes.len().saturating_sub(1) {
-                let [before, a, after] = [i - 1, i, i + 1].map(|i| sizes[i][k]);
-                if a > before && a >= after && !branch.points[i].unstable() {
-                    let Some(peak) = refine(&mut balance, branch, i, Measure::Displacement(body.x), Sense::Largest, request.speeds) else {
-                        continue;
-                    };
-                    let way = along(&branch.points[i - 1], &branch.points[i + 1]);
-                    seeds.push((Kind::Peak, b, k, peak.x, peak.speed, way, peak.value));
-                }
-            }
-        }
-        for f in &branch.folds {
-            if f.corner || !f.confirmed {
-                found.without.push((f.speed, "the branch turns at a corner, where a law switches".into()));
-                continue;
-            }
-            let (Some(before), Some(after)) = (branch.points.get(f.after), branch.points.get(f.after + 1)) else { continue };
-            let Ok(orbit) = Orbit::of(&mut balance, &f.x, f.speed) else { continue };
-            let size = |k: &usize| Measure::Displacement(bodies[*k].x).largest(system, &orbit, branch.turns()).0;
-            let Some(k) = (0..bodies.len()).max_by(|a, b| size(a).total_cmp(&size(b))) else { continue };
-            let kind = if f.upper { Kind::JumpUp } else { Kind::JumpDown };
-            seeds.push((kind, b, k, f.x.clone(), f.speed, along(before, after), size(&k)));
-        }
+        let own = work::piece(|| places_of(&mut balance, b, branch, request.speeds, &mut found.without));
+        let Some(own) = own else {
+            found.complete = false;
+            break;
+        };
+        seeds.extend(own);
     }
     let highest = seeds.iter().map(|s| s.6).fold(0.0, f64::max);
     seeds.retain(|s| s.0 != Kind::Peak || s.6 > LOWEST * highest);
@@ -116,7 +132,11 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         }
         let measure = Measure::Displacement(bodies[k].x);
         let what = if kind == Kind::Peak { Stationary::Peak(measure) } else { Stationary::Fold };
-        match moved(&mut balance, (&x, speed), &way, what, measure, &indices) {
+        let Some(moved) = work::piece(|| moved(&mut balance, (&x, speed), &way, what, measure, &indices)) else {
+            found.complete = false;
+            break;
+        };
+        match moved {
             None => found.without.push((speed, "the derivatives did not settle".into())),
             Some(moved) => found.places.push(Place { kind, branch, body: bodies[k].name.clone(), moved }),
         }

@@ -31,6 +31,7 @@ use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::ramp::Ramp;
 use crate::separation::recovery::Watch;
+use laval_num::work::Here;
 use meter::Meter;
 use rayon::prelude::*;
 
@@ -240,7 +241,9 @@ const ONE: f64 = 1e-11;
 
 /// Exits of the members with sizes of their own, in their order.
 fn exits(spinning: &Spinning, watch: Watch) -> Result<Vec<Option<Exit>>, Diagnostic> {
+    let here = Here::now();
     let exit = |m: &Member| {
+        let _counted = here.enter();
         let found = spinning.exit(&spinning.batch.powder.particle(&m.point), m);
         if watch() { found } else { Err(Lost("stopped".into())) }
     };

@@ -9,6 +9,7 @@ use crate::model::field::RangeValue;
 use crate::model::system::System;
 use crate::solve::stationary::{Change, Found, Request, Search, State};
 use crate::study::support::larger;
+use laval_num::work::Here;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -198,7 +199,9 @@ fn edges(system: &System, value: f64, search: &mut Search, found: &Found, loose:
 /// followed from the one value to the other.
 fn across(system: &System, path: &str, rows: &[(Vec<Cell>, Vec<Edge>, bool)], request: &Request, context: &Context) -> Vec<Edge> {
     let count = rows.iter().map(|r| r.0.len()).min().unwrap_or(0);
+    let here = Here::now();
     let place = |j: usize| {
+        let _counted = here.enter();
         let mut out = Vec::new();
         for pair in rows.windows(2) {
             let (a, b) = (&pair[0].0[j], &pair[1].0[j]);
@@ -256,9 +259,11 @@ pub fn chart(
     let seeds = request.seeds.iter().copied().step_by(skip.max(1)).collect();
     let own = Request { seeds, work, ..request.clone() };
     let (done, total) = (AtomicU64::new(0), values.len() as u64);
+    let here = Here::now();
     let rows: Vec<(Vec<Cell>, Vec<Edge>, bool)> = values
         .par_iter()
         .map(|&value| {
+            let _counted = here.enter();
             if work == 0 || context.cancelled() {
                 return Ok((Vec::new(), Vec::new(), true));
             }

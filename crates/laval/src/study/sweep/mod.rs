@@ -20,7 +20,9 @@ mod rows;
 use super::history::{METHOD, time_forms};
 use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
+use super::settled::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
+use super::size::{KEPT, LISTED, Size};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED_RANGE, range};
 use super::{Context, Study};
@@ -31,6 +33,7 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
+use laval_num::work::Here;
 use lyapunov::Pairs;
 use rayon::prelude::*;
 use refine::{Followed, Found};
@@ -171,6 +174,17 @@ start = "up_and_down"
         })
     }
 
+    fn size(&self, system: &System) -> Option<Size> {
+        let rows = self.speed.points.unwrap_or(DEFAULT_POINTS) * self.ways.len();
+        let spectrum = self.waterfall.map_or(0, |_| 2 * LINES * HIGHEST);
+        let columns = 16 + 12 * system.bodies().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
+        Some(Size {
+            bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
+            of: format!("{rows} motions with {columns} numbers each"),
+            fewer: "give the range fewer points, or leave out the waterfall",
+        })
+    }
+
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
         if system.machine.drive == Drive::Free {
             return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
@@ -300,8 +314,12 @@ impl Fleet<'_> {
             jump,
         };
         if let Some(w) = ways.iter().position(|w| *w == Way::Rest) {
-            let members: Vec<Member> =
-                steps.clone().into_par_iter().map(|step| self.member_at(self.speed(Way::Rest, step), None)).collect();
+            let here = Here::now();
+            let member = |step| {
+                let _counted = here.enter();
+                self.member_at(self.speed(Way::Rest, step), None)
+            };
+            let members: Vec<Member> = steps.clone().into_par_iter().map(member).collect();
             let found = self.settle(&members, counter)?;
             out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f, None)).collect();
         }

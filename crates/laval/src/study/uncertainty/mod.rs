@@ -27,6 +27,7 @@ pub(super) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
 use laval_num::sampling::quantile::Interval;
 use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol};
+use laval_num::work::Here;
 use rayon::prelude::*;
 pub use tolerance::Uncertain;
 
@@ -142,7 +143,9 @@ samples = 256
         };
         context.announce(rows as f64, 1000.0, &format!("runs of the study {}", self.study.kind()));
         let results = store::run(plan, context, |range, counter| {
+            let here = Here::now();
             let one = |row: usize| {
+                let _counted = here.enter();
                 if counter.cancelled() {
                     return (Vec::new(), Sample::Stopped);
                 }
