@@ -150,7 +150,7 @@ impl Assembly {
             first.push(n);
             n += if m.tilts(i) { 4 } else { 2 };
         }
-        let size = 2 * n + 4 * m.liquids();
+        let size = 2 * n + m.states();
         let (mut mass, mut damping, mut stiffness) = (zeros(n, n), zeros(n, n), zeros(n, n));
         let mut steady = vec![0.0; n];
         let mut turning = vec![c(0.0, 0.0); n];
@@ -239,6 +239,23 @@ impl Assembly {
                     d = k.map(|row| row.map(|x| x * material));
                     let inside = times(&d, &QUARTER, -w);
                     k.iter_mut().flatten().zip(inside.iter().flatten()).for_each(|(k, x)| *k += x);
+                }
+                Law::Memory { stiffness, shares, rates, rotor } => {
+                    (k[0][0], k[1][1]) = (*stiffness, *stiffness);
+                    for (share, rate) in shares.iter().zip(rates) {
+                        for axis in 0..2 {
+                            e[state + axis][state + axis] = 1.0;
+                            a[state + axis][state + axis] = -rate;
+                            for (q, &x) in between[axis].iter().enumerate() {
+                                a[state + axis][q] += share * rate * x;
+                                a[n + q][state + axis] += stiffness * x;
+                            }
+                        }
+                        if *rotor {
+                            (a[state][state + 1], a[state + 1][state]) = (-w, w);
+                        }
+                        state += 2;
+                    }
                 }
                 Law::Liquid { radius, height, density, surface, wave_damping } => {
                     let full = std::f64::consts::PI * radius * radius * height * density;

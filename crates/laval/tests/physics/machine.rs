@@ -70,6 +70,13 @@ pub enum Law {
         moment: bool,
         material: f64,
     },
+    /// A shaft that remembers: shares of its stiffness relax at these rates.
+    Memory {
+        stiffness: f64,
+        shares: Vec<f64>,
+        rates: Vec<f64>,
+        rotor: bool,
+    },
     Liquid {
         radius: f64,
         height: f64,
@@ -110,8 +117,17 @@ impl Machine {
         };
         self.bodies.iter().any(loads)
     }
-    pub fn liquids(&self) -> usize {
-        self.joints.iter().filter(|j| matches!(j.law, Law::Liquid { .. })).count()
+    /// Internal states.
+    pub fn states(&self) -> usize {
+        let of = |j: &Joint| match &j.law {
+            Law::Liquid { .. } => 4,
+            Law::Memory { rates, .. } => 2 * rates.len(),
+            _ => 0,
+        };
+        self.joints.iter().map(of).sum()
+    }
+    pub fn remembers(&self) -> bool {
+        self.joints.iter().any(|j| matches!(j.law, Law::Memory { .. }))
     }
 
     pub fn random(r: &mut Random) -> Machine {
@@ -244,6 +260,14 @@ impl Machine {
             let other = End { body: Some(before), at: r.between(-0.3, 0.3) };
             self.joints.push(Joint { ends: [end(r.between(-0.3, 0.3)), other], law });
         }
+        if damped && r.chance(3) {
+            let terms = 1 + r.below(2);
+            let shares = (0..terms).map(|_| r.size(0.01, 0.25)).collect();
+            let rates = (0..terms).map(|_| own * r.size(0.01, 10.0)).collect();
+            let law = Law::Memory { stiffness: k * r.size(0.05, 1.0), shares, rates, rotor: r.chance(60) };
+            let other = ground(r);
+            self.joints.push(Joint { ends: [end(r.between(-0.1, 0.1)), other], law });
+        }
         if r.chance(15) {
             let radius = r.size(0.03, 0.2);
             let density = r.size(600.0, 3000.0);
@@ -307,6 +331,7 @@ impl Machine {
                 Law::Damper { .. } => "damper",
                 Law::Lumped { .. } | Law::Round { .. } => "shaft_lumped",
                 Law::Span { .. } => "shaft_span",
+                Law::Memory { .. } => "shaft_viscoelastic",
                 Law::Liquid { .. } => "liquid",
             };
             let _ = writeln!(out, "[[part]]\nkind = \"{kind}\"\nname = \"j{i}\"");
@@ -347,6 +372,13 @@ impl Machine {
                     writeln!(
                         out,
                         "diameter = {diameter:?}\ninner_diameter = {inner:?}\nmodulus = {modulus:?}\nmoment = {moment}\nmaterial_damping = {material:?}"
+                    )
+                }
+                Law::Memory { stiffness, shares, rates, rotor } => {
+                    let axes = if *rotor { "rotor" } else { "fixed" };
+                    writeln!(
+                        out,
+                        "stiffness = {stiffness:?}\nmemory = \"{axes}\"\nexponentials = {{ share = {shares:?}, rate = {rates:?} }}"
                     )
                 }
                 Law::Liquid { radius, height, density, surface, wave_damping } => writeln!(
