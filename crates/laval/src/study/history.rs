@@ -361,12 +361,11 @@ pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Find
         return Some(Finding::warning("no_energy_balance", text));
     }
     // differences of stored energies hold no more digits than these
-    let rounding = ROUNDING * (balance.stored + balance.exchanged);
-    if balance.missing <= rounding {
-        let text = "The energy balance closes to rounding: {} are missing.";
-        let finding =
-            Finding::info("energy_balance", text).value(balance.missing, "J").evidence("energy exchanged", balance.exchanged, "J");
-        return Some(finding.evidence("largest stored energy", balance.stored, "J"));
+    let whole = balance.stored + balance.exchanged;
+    if balance.missing <= ROUNDING * whole {
+        let share = if whole > 0.0 { balance.missing / whole } else { 0.0 };
+        let finding = Finding::info("energy_balance", "The energy balance closes to rounding: {} of the energy stored or exchanged.");
+        return Some(finding.value(share, "").evidence("largest missing energy", balance.missing, "J").evidence("energy", whole, "J"));
     }
     let ratio = if balance.exchanged > 0.0 { balance.missing / balance.exchanged } else { balance.missing };
     let make = if ratio < 1e-4 { Finding::info } else { Finding::warning };
