@@ -115,6 +115,8 @@ pub struct Body {
     pub slot: usize,
     /// Global index of its x; y follows.
     pub x: usize,
+    /// Global index of the first component of its tilt, where it tilts; the other follows.
+    pub tilt: Option<usize>,
 }
 
 /// The machine.
@@ -351,7 +353,8 @@ impl System {
         let mut out = Vec::new();
         for (i, c) in self.coordinates.iter().enumerate() {
             if c.dof.kind == DofKind::VectorX && self.slots[c.slot].layout.body && !out.iter().any(|b: &Body| b.slot == c.slot) {
-                out.push(Body { name: self.slots[c.slot].name.clone(), slot: c.slot, x: i });
+                let tilt = self.coordinates.iter().position(|t| t.slot == c.slot && t.dof.kind == DofKind::TiltX);
+                out.push(Body { name: self.slots[c.slot].name.clone(), slot: c.slot, x: i, tilt });
             }
         }
         out

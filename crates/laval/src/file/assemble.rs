@@ -183,6 +183,13 @@ fn straight(spec: Spec, mut diagnostics: Diagnostics) -> Result<Loaded, Diagnost
     if diagnostics.has_errors() {
         return Err(diagnostics);
     }
+    let system = match study::with_blocks(system) {
+        Ok(system) => system,
+        Err(mut found) => {
+            diagnostics.0.append(&mut found.0);
+            return Err(diagnostics);
+        }
+    };
     let registry = study::registry();
     let mut studies = Vec::with_capacity(spec.studies.len());
     let mut without = Vec::new();

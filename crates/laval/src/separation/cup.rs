@@ -15,10 +15,11 @@
 //!
 //! Sources: `theory/separation.md` section 7; 000_a291f7ede1484e56 equation (60).
 
-use super::root::root;
-use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Halvings of the interval of the equilibrium: near enough for Newton's method.
+const HALVINGS: usize = 40;
 
 /// Mass distribution of a cup with its contents about the hinge, in the axes of the cup.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +60,7 @@ pub struct SwingingCup {
 
 impl SwingingCup {
     /// Right side over the moment of inertia: acceleration of an undamped cup at rest, rad/s^2.
+    #[inline(always)]
     pub fn drive<S: Scalar>(&self, speed: S, tilt: S) -> S {
         let b = &self.body;
         let (s, c) = tilt.sin_cos();
@@ -74,47 +76,71 @@ impl SwingingCup {
         self.drive(speed, tilt) - rate.scale(self.damping)
     }
 
-    fn drive_and_slope(&self, speed: f64, tilt: f64) -> (f64, f64) {
-        let d: Dual<f64, 1> = self.drive(Dual::lift(speed), Dual::seed(tilt, 0));
-        (d.re, d.eps[0])
+    /// Derivative of the [`drive`](Self::drive) in the tilt, 1/s^2.
+    #[inline(always)]
+    fn slope<S: Scalar>(&self, speed: S, tilt: S) -> S {
+        let b = &self.body;
+        let (s, c) = tilt.sin_cos();
+        let spin = (s.scale(b.along) + c.scale(b.across)).scale(-b.mass * self.hinge)
+            + (c * c - s * s).scale(b.moment_along - b.moment_across)
+            - (s * c).scale(4.0 * b.product);
+        let weight = (c.scale(b.along) - s.scale(b.across)).scale(b.mass * self.gravity);
+        (speed * speed * spin - weight).scale(1.0 / (b.moment_across + b.moment_along))
     }
 
     /// Tilt of stable equilibrium, rad: the one a cup swings out to. With the hinge on the axis a symmetric cup hangs straight until
-    /// `w^2 l = g`.
-    pub fn equilibrium(&self, speed: f64) -> f64 {
+    /// `w^2 l = g`. Derivatives of the speed pass through.
+    #[inline(always)]
+    pub fn equilibrium<S: Scalar>(&self, speed: S) -> S {
         let w = speed.abs();
-        // just beyond the hanging state the drive is positive wherever the cup can leave it
-        let (low, high) = if self.body.across == 0.0 && self.body.product == 0.0 { (0.0, FRAC_PI_2) } else { (-FRAC_PI_2, PI) };
-        let steps = 64;
-        let at = |k: usize| low + (high - low) * k as f64 / steps as f64;
-        let (value, slope) = self.drive_and_slope(w, low);
-        if low == 0.0 && value == 0.0 && slope <= 0.0 {
-            return 0.0;
+        let (mut low, mut high) = self.between(w);
+        // the ends are constants, so that only their values take part
+        for _ in 0..HALVINGS {
+            let middle = (low + high).scale(0.5);
+            let drive = self.drive(w, middle);
+            low = drive.select_pos(middle, low);
+            high = drive.select_pos(high, middle);
         }
-        // the last fall through zero: farthest out
-        let mut found = None;
-        let nudge = if low == 0.0 { 1e-9 } else { 0.0 };
-        let mut before = self.drive(w, low.max(nudge));
-        for k in 0..steps {
-            let (a, b) = (at(k).max(nudge), at(k + 1));
-            let drive = self.drive(w, b);
-            if before > 0.0 && drive <= 0.0 {
-                found = root(|x| self.drive_and_slope(w, x), a, b).or(found);
-            }
+        let mut tilt = (low + high).scale(0.5);
+        for _ in 0..3 {
+            let slope = self.slope(w, tilt);
+            // none where a symmetric cup is about to leave the axis
+            tilt = tilt - slope.square().select_pos(self.drive(w, tilt) / slope, S::zero());
+        }
+        tilt
+    }
+
+    /// Tilts between which the drive falls through zero, farthest out.
+    #[inline(always)]
+    fn between<S: Scalar>(&self, w: S) -> (S, S) {
+        if self.body.across == 0.0 && self.body.product == 0.0 {
+            // one fall at most between hanging and level; just beyond the hanging state the drive is positive wherever the cup can leave it
+            let leaves = self.drive(w, S::cst(1e-9));
+            return (leaves.select_pos(S::cst(1e-9), S::zero()), leaves.select_pos(S::cst(FRAC_PI_2), S::zero()));
+        }
+        const STEPS: usize = 64;
+        let at = |k: usize| S::cst(-FRAC_PI_2 + (PI + FRAC_PI_2) * k as f64 / STEPS as f64);
+        let (mut low, mut high, mut before) = (S::zero(), S::zero(), self.drive(w, at(0)));
+        for k in 0..STEPS {
+            let drive = self.drive(w, at(k + 1));
+            let falls = before.select_pos(drive.select_pos(S::zero(), S::one()), S::zero());
+            low = falls.select_pos(at(k), low);
+            high = falls.select_pos(at(k + 1), high);
             before = drive;
         }
-        found.unwrap_or(0.0)
+        (low, high)
     }
 
     /// Frequency of the small swing about a tilt of equilibrium, rad/s; 0 where the tilt is not stable.
     pub fn swing_frequency(&self, speed: f64, tilt: f64) -> f64 {
-        (-self.drive_and_slope(speed, tilt).1).max(0.0).sqrt()
+        (-self.slope(speed, tilt)).max(0.0).sqrt()
     }
 
     /// Radius and height (above the hinge) of the centre of mass, m.
-    pub fn centre(&self, tilt: f64) -> (f64, f64) {
-        let (s, c) = tilt.sin_cos();
-        (self.hinge + c * self.body.across + s * self.body.along, s * self.body.across - c * self.body.along)
+    #[inline(always)]
+    pub fn centre<S: Scalar>(&self, tilt: S) -> (S, S) {
+        let ((s, c), b) = (tilt.sin_cos(), &self.body);
+        (S::cst(self.hinge) + c.scale(b.across) + s.scale(b.along), s.scale(b.across) - c.scale(b.along))
     }
 }
 

@@ -14,7 +14,8 @@
 //! Sources: `theory/separation.md` section 13, couplings.
 
 use super::cup::SwingingCup;
-use laval_num::complex::{C64, c};
+use laval_num::complex::{C64, Complex, c};
+use laval_num::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
 /// Cups at equal pitch around a rotor.
@@ -45,68 +46,91 @@ pub fn least_hinge_radius(count: usize, radius: f64, top: f64, tilt: f64) -> f64
 
 /// Their share in the rotor, about the point on the axis at the height of the hinges.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Load {
+pub struct Load<S = f64> {
     /// Tilt, rad.
-    pub tilt: f64,
+    pub tilt: S,
     /// Mass of all, kg.
     pub mass: f64,
     /// Height of their common centre of mass above the hinges, m.
-    pub height: f64,
+    pub height: S,
     /// Moment of inertia about the spin axis, kg m^2.
-    pub polar: f64,
+    pub polar: S,
     /// Moment about an axis across, through the point at the height of the hinges (mean over all directions), kg m^2.
-    pub diametral: f64,
+    pub diametral: S,
     /// Unbalance over the key mark's direction, kg m.
-    pub unbalance: C64,
+    pub unbalance: Complex<S>,
     /// Moment of the unbalance about the height of the hinges, kg m^2.
-    pub couple: C64,
+    pub couple: Complex<S>,
+}
+
+/// Sums over the cups of a ring that do not depend on the tilt, of the powers 0, 1, 2 of the difference of their centres of mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sums {
+    /// `sum m_k dl_k^p`.
+    mass: [f64; 3],
+    /// `sum m_k dl_k^p exp(2 pi i k/n)`.
+    round: [C64; 3],
 }
 
 impl Ring {
     /// The load at a speed (rad/s).
     pub fn at(&self, speed: f64) -> Load {
-        let tilt = self.held.unwrap_or_else(|| self.cup.equilibrium(speed));
+        self.loading(&self.sums(), speed)
+    }
+
+    /// What of the cups does not depend on the speed.
+    pub fn sums(&self) -> Sums {
+        let difference = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
+        let (mut mass, mut size, mut round) = ([0.0; 3], [0.0; 3], [C64::zero(); 3]);
+        for k in 0..self.count {
+            let direction = C64::cis(TAU * k as f64 / self.count as f64);
+            let mut m = self.cup.body.mass + difference(&self.mass_differences, k);
+            for p in 0..3 {
+                mass[p] += m;
+                size[p] += m.abs();
+                round[p] += direction.scale(m);
+                m *= difference(&self.centre_differences, k);
+            }
+        }
+        // equal cups cancel to rounding
+        for (round, size) in round.iter_mut().zip(size) {
+            if round.abs() < 1e-14 * size {
+                *round = C64::zero();
+            }
+        }
+        Sums { mass, round }
+    }
+
+    /// The load at a speed (rad/s), with the sums at hand. Derivatives of the speed pass through.
+    #[inline(always)]
+    pub fn loading<S: Scalar>(&self, sums: &Sums, speed: S) -> Load<S> {
+        let tilt = self.held.map_or_else(|| self.cup.equilibrium(speed), S::cst);
         let (s, co) = tilt.sin_cos();
         let b = &self.cup.body;
         let (radius, height) = self.cup.centre(tilt);
         // second moments of one cup about its own centre of mass, along and across it, turned into the directions of radius and axis
         let (own_y, own_x) = (b.moment_along - b.mass * b.along * b.along, b.moment_across - b.mass * b.across * b.across);
         let own_xy = b.product - b.mass * b.across * b.along;
-        let radial = own_x * co * co + own_y * s * s + 2.0 * own_xy * s * co;
-        let axial = own_x * s * s + own_y * co * co - 2.0 * own_xy * s * co;
-        let difference = |list: &[f64], k: usize| list.get(k).copied().unwrap_or(0.0);
-        let mut load = Load { tilt, mass: 0.0, height: 0.0, polar: 0.0, diametral: 0.0, unbalance: c(0.0, 0.0), couple: c(0.0, 0.0) };
-        for k in 0..self.count {
-            let mass = b.mass + difference(&self.mass_differences, k);
-            let dl = difference(&self.centre_differences, k);
-            let (r, v) = (radius + dl * s, height - dl * co);
-            let share = mass / b.mass;
-            let direction = C64::cis(TAU * k as f64 / self.count as f64);
-            load.mass += mass;
-            load.height += mass * v;
-            let polar = mass * r * r + share * (radial + own_x);
-            load.polar += polar;
-            load.diametral += 0.5 * polar + mass * v * v + share * axial;
-            load.unbalance += direction.scale(mass * r);
-            load.couple += direction.scale(mass * r * v + share * self.coupled(own_x, own_y, own_xy, s, co));
+        let (ss, sc, cc) = (s * s, s * co, co * co);
+        let radial = cc.scale(own_x) + ss.scale(own_y) + sc.scale(2.0 * own_xy);
+        let axial = ss.scale(own_x) + cc.scale(own_y) - sc.scale(2.0 * own_xy);
+        // product of inertia of one cup between radius and axis
+        let mixed = sc.scale(own_x - own_y) + (ss - cc).scale(own_xy);
+        let ([m0, m1, m2], [u0, u1, u2]) = (sums.mass, sums.round);
+        let share = m0 / b.mass;
+        // radii are R + dl s, heights V - dl c
+        let polar = (radius * radius).scale(m0) + (radius * s).scale(2.0 * m1) + ss.scale(m2) + (radial + S::cst(own_x)).scale(share);
+        let axially = (height * height).scale(m0) - (height * co).scale(2.0 * m1) + cc.scale(m2) + axial.scale(share);
+        let times = |u: C64, x: S| c(x.scale(u.re), x.scale(u.im));
+        Load {
+            tilt,
+            mass: m0,
+            height: if m0 > 0.0 { height - co.scale(m1 / m0) } else { S::zero() },
+            polar,
+            diametral: polar.scale(0.5) + axially,
+            unbalance: times(u0, radius) + times(u1, s),
+            couple: times(u0, radius * height + mixed.scale(1.0 / b.mass)) + times(u1, s * height - radius * co) - times(u2, sc),
         }
-        if load.mass > 0.0 {
-            load.height /= load.mass;
-        }
-        // equal cups cancel to rounding
-        let size = load.mass * radius.abs();
-        if load.unbalance.abs() < 1e-14 * size {
-            load.unbalance = c(0.0, 0.0);
-        }
-        if load.couple.abs() < 1e-14 * size * (1.0 + height.abs()) {
-            load.couple = c(0.0, 0.0);
-        }
-        load
-    }
-
-    /// Product of inertia of one cup between radius and axis.
-    fn coupled(&self, own_x: f64, own_y: f64, own_xy: f64, s: f64, co: f64) -> f64 {
-        (own_x - own_y) * s * co + own_xy * (s * s - co * co)
     }
 }
 

@@ -47,7 +47,7 @@ mod watch;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
-use crate::model::system::System;
+use crate::model::system::{PartInput, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, significant};
 use crate::store::{Host, Keep};
@@ -296,6 +296,8 @@ pub struct BlockKind {
     pub info: BlockInfo,
     /// Says what is wrong with a block of this machine.
     pub check: fn(&Extra, &System, &mut Diagnostics),
+    /// The part of the machine that a sound block is.
+    pub part: fn(&Extra, &System) -> Option<PartInput>,
 }
 
 /// All blocks beside parts and studies.
@@ -305,14 +307,35 @@ pub fn blocks() -> Vec<BlockKind> {
         several: false,
         kinds: vec![KindInfo { kind: word, doc, example, fields: fields.to_vec() }],
     };
+    let cups = BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() };
+    let none = |_: &Extra, _: &System| None;
     vec![
-        BlockKind { info: BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() }, check: duty::check_cup },
+        BlockKind { info: cups, check: duty::check_cup, part: duty::cup_part },
         BlockKind {
             info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION_EXAMPLE, duty::SUSPENSION),
             check: duty::check_suspension,
+            part: none,
         },
-        BlockKind { info: one("limits", limits::DOC, limits::EXAMPLE, limits::FIELDS), check: limits::check },
+        BlockKind { info: one("limits", limits::DOC, limits::EXAMPLE, limits::FIELDS), check: limits::check, part: none },
     ]
+}
+
+/// The machine with what its blocks beside the parts are in it, in place of what they were before.
+///
+/// # Errors
+/// As [`System::assemble`].
+pub fn with_blocks(system: System) -> Result<System, Diagnostics> {
+    let (known, extras) = (blocks(), &system.machine.extras);
+    let kind = |e: &Extra| known.iter().find(|k| k.info.word == e.word);
+    let parts: Vec<PartInput> = extras.iter().filter_map(|e| (kind(e)?.part)(e, &system)).collect();
+    let mut inputs = system.inputs();
+    let before = inputs.len();
+    inputs.retain(|i| !extras.iter().any(|e| e.name == i.name));
+    if parts.is_empty() && inputs.len() == before {
+        return Ok(system);
+    }
+    inputs.extend(parts);
+    System::assemble(system.machine, inputs)
 }
 
 /// The registry entry of a study.

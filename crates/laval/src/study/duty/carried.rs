@@ -1,8 +1,59 @@
-//! What separates in a machine without being part of the machine that moves.
+//! What separates, as a load of the machine that moves: cups that a body carries are a part of it, other vessels are not.
 
-use crate::model::field::Extra;
-use crate::model::system::System;
+use super::vessel;
+use crate::diagnostic::Diagnostics;
+use crate::model::field::{Attach, Extra};
+use crate::model::params::{Family, NoParams};
+use crate::model::system::{PartInput, System};
 use crate::outcome::Finding;
+use crate::separation::carried::Cups;
+use crate::separation::load::Ring;
+use std::sync::Arc;
+
+/// Cups that a body carries.
+#[derive(Clone, Debug)]
+pub struct Carried {
+    /// Name of the block, and of the part.
+    pub name: String,
+    /// The body, and the height of the hinges on it.
+    pub on: Attach,
+    /// The cups.
+    pub ring: Ring,
+}
+
+/// The cups of the machine's blocks that a body carries.
+pub fn carried(system: &System) -> Vec<Carried> {
+    let cups = system.machine.extras.iter().filter(|e| e.word == "cup");
+    let found = cups.filter_map(|e| vessel(e, system, &mut Diagnostics::default()));
+    found.filter_map(|v| v.load.map(|(on, ring)| Carried { name: v.name, on, ring })).collect()
+}
+
+/// The part that cups are.
+pub fn part(extra: &Extra, system: &System) -> Option<PartInput> {
+    let found = vessel(extra, system, &mut Diagnostics::default())?;
+    let (on, ring) = found.load?;
+    Some(PartInput { span: extra.values.span_of("on"), ..input(&Carried { name: found.name, on, ring }) })
+}
+
+fn input(c: &Carried) -> PartInput {
+    let part = Arc::new(Cups::new(c.on.clone(), c.ring.clone()));
+    PartInput { name: c.name.clone(), part, params: NoParams::to_vec(&()), span: None }
+}
+
+/// The machine with other cups in the places of its own.
+///
+/// # Errors
+/// As [`System::assemble`].
+pub fn exchanged(system: &System, cups: &[Carried]) -> Result<System, Diagnostics> {
+    let mut inputs = system.inputs();
+    for c in cups {
+        match inputs.iter_mut().find(|i| i.name == c.name) {
+            Some(place) => *place = PartInput { span: place.span.clone(), ..input(c) },
+            None => inputs.push(input(c)),
+        }
+    }
+    System::assemble(system.machine.clone(), inputs)
+}
 
 /// The vessels of a machine that its dynamics know nothing of: cups that name no body to carry them, and bowls in a machine without liquid; one finding each, of all
 /// vessels or of those with this name.

@@ -4,7 +4,7 @@ mod carried;
 mod fields;
 pub mod task;
 
-pub use carried::uncarried;
+pub use carried::{Carried, carried, exchanged, part as cup_part, uncarried};
 pub use fields::{SUSPENSION, SUSPENSION_DOC, SUSPENSION_EXAMPLE, cup_kinds};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
@@ -248,9 +248,12 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
         out.push(Diagnostic::error("body.missing", message).at(v.span_of("on")).about(name).help(help));
         return None;
     }
-    if system.param(&format!("{name}.mass")).is_none() {
-        wrong(out, v, "on", "cup.body", format!("\"{name}\" has no mass of its own that cups could add to"), "attach the cups to a disc");
-        return None;
+    for what in ["mass", "unbalance"] {
+        if system.param(&format!("{name}.{what}")).is_none() {
+            let message = format!("\"{name}\" has no {what} of its own that cups could add to");
+            wrong(out, v, "on", "cup.body", message, "attach the cups to a disc");
+            return None;
+        }
     }
     let (Some(mass), Some(centre)) = (v.number("mass"), v.number("centre_of_mass")) else {
         wrong(

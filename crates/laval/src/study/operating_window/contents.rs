@@ -15,25 +15,24 @@
 //! Sources: `theory/separation.md` section 13, couplings.
 
 use crate::diagnostic::Diagnostic;
-use crate::model::field::Attach;
 use crate::model::system::System;
 use crate::separation::cup::Hanging;
 use crate::separation::exit::Cylinder;
-use crate::separation::load::Ring;
 use crate::separation::machine::Separator;
 use crate::study::duty::task::Task;
+use crate::study::duty::{Carried, exchanged};
 
 /// What is different after a separation.
 #[derive(Clone, Debug)]
 pub(super) struct Changed {
     /// The cups, all of them.
-    pub cups: Vec<(Attach, Ring)>,
+    pub cups: Vec<Carried>,
     /// Parameters of the machine by path.
     pub overrides: Vec<(String, f64)>,
 }
 
 /// What a task changes; `None`: nothing. `own` is the position among `cups` of the cup that separates.
-pub(super) fn changed(system: &System, task: &Task, cups: &[(Attach, Ring)], own: Option<usize>) -> Option<Changed> {
+pub(super) fn changed(system: &System, task: &Task, cups: &[Carried], own: Option<usize>) -> Option<Changed> {
     let (medium, rho) = (&task.suspension.medium, task.suspension.powder.density.quantile(0.5));
     let excess = medium.volume_fraction * (rho - medium.density);
     if excess == 0.0 {
@@ -41,10 +40,10 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[(Attach, Ring)], own
     }
     let mut out = Changed { cups: cups.to_vec(), overrides: vec![] };
     match (&task.vessel.separator, own) {
-        (Separator::Cup(cup), Some(k)) => settled(&mut out.cups.get_mut(k)?.1.cup.body, &cup.vessel, excess),
+        (Separator::Cup(cup), Some(k)) => settled(&mut out.cups.get_mut(k)?.ring.cup.body, &cup.vessel, excess),
         (Separator::Tube(t, _), Some(k)) => {
             let inside = Cylinder { radius: t.radius, bottom: t.length, top: t.surface };
-            settled(&mut out.cups.get_mut(k)?.1.cup.body, &inside, excess);
+            settled(&mut out.cups.get_mut(k)?.ring.cup.body, &inside, excess);
         }
         (Separator::Cup(_) | Separator::Tube(..), None) => return None,
         _ => {
@@ -73,10 +72,10 @@ fn settled(body: &mut Hanging, v: &Cylinder, excess: f64) {
     body.moment_along += moved * (end * end - (v.top * v.top + v.top * v.bottom + v.bottom * v.bottom) / 3.0);
 }
 
-/// The machine with these parameters.
-pub(super) fn overridden(system: &System, overrides: &[(String, f64)]) -> Result<System, Diagnostic> {
-    let by_path: Vec<(&str, f64)> = overrides.iter().map(|(p, x)| (p.as_str(), *x)).collect();
-    system.with(&by_path).map_err(|d| {
+/// The machine after the separation.
+pub(super) fn after(system: &System, changed: &Changed) -> Result<System, Diagnostic> {
+    let by_path: Vec<(&str, f64)> = changed.overrides.iter().map(|(p, x)| (p.as_str(), *x)).collect();
+    system.with(&by_path).and_then(|s| exchanged(&s, &changed.cups)).map_err(|d| {
         let why = d.0.into_iter().next().map(|d| d.message).unwrap_or_default();
         Diagnostic::error("operating_window.contents", format!("the machine with what it has separated does not exist: {why}"))
     })

@@ -6,7 +6,7 @@ use super::passage::Passage;
 use super::request::fitting;
 use super::steady::Branches;
 use super::window::{Interval, dips, intervals, scan};
-use super::{Objective, OperatingWindow, Policy, SPEEDS, coupling};
+use super::{Objective, OperatingWindow, Policy, SPEEDS};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
@@ -14,9 +14,6 @@ use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::solve::scalar::maximum;
 use crate::study::Context;
-
-/// Loads at which branches of a nonlinear machine are followed.
-const LOADS: usize = 5;
 
 /// How carefully a range is looked at.
 pub(super) enum Care<'a> {
@@ -58,21 +55,13 @@ impl OperatingWindow {
             Care::Only(grid) => grid.to_vec(),
             _ => RangeValue { points: Some(count), ..self.speed }.linspace(count),
         };
-        let branches = self.branches(system, &asked, context)?;
-        let folds: Vec<f64> = branches.iter().flat_map(|b| b.1.folds()).collect();
+        let branches = self.branches(system, context)?;
+        let folds: Vec<f64> = branches.iter().flat_map(Branches::folds).collect();
         let folds = if only { vec![] } else { folds };
         speeds.extend(folds.iter().flat_map(|w| [w * (1.0 - 1e-4), w * (1.0 + 1e-4)]));
         if careful {
-            // loads at both ends bound where resonances lie
-            for w in [from, 0.5 * (from + to), to] {
-                let (changed, _) = coupling::loaded(system, &asked.cups, w)?;
-                let s = changed.as_ref().unwrap_or(system);
-                let mut each = |_| !context.cancelled();
-                speeds.extend(seeds(s, &|w| rest(s, w), from, to, &mut each)?.speeds.into_iter().step_by(2));
-                if asked.cups.is_empty() {
-                    break;
-                }
-            }
+            let mut each = |_| !context.cancelled();
+            speeds.extend(seeds(system, &|w| rest(system, w), from, to, &mut each)?.speeds.into_iter().step_by(2));
         }
         if let Some(w) = asked.duty.as_ref().filter(|_| !only).and_then(radial_guess) {
             speeds.extend([0.5 * w, 0.8 * w, w]);
@@ -81,13 +70,13 @@ impl OperatingWindow {
         speeds.sort_by(f64::total_cmp);
         speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
         let limited =
-            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && !branches.is_empty());
+            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && branches.is_some());
         let passage = match asked.ramp.filter(|_| limited) {
             Some(_) if known.is_some() => known.cloned(),
-            Some(duration) => Some(Passage::simulate(system, &asked.cups, to, duration, context)?),
+            Some(duration) => Some(Passage::simulate(system, to, duration, context)?),
             None => None,
         };
-        let judge = Judge { system, asked: &asked, branches: &branches, passage: passage.as_ref() };
+        let judge = Judge { system, asked: &asked, branches: branches.as_ref(), passage: passage.as_ref() };
         let total = speeds.len() as u64;
         let go_on = |done: u64| {
             context.progress.report(done.min(total), total);
@@ -104,27 +93,19 @@ impl OperatingWindow {
         let borders = if careful { Borders::located(&intervals(&judge, &mut points, stable)?) } else { Borders::between(&points) };
         points.iter_mut().for_each(|p| borders.measure(p));
         let best = if careful { self.best(&judge, &borders, &points)? } else { None };
-        let harmonics = branches.first().map(|b| b.1.harmonics());
+        let harmonics = branches.as_ref().map(Branches::harmonics);
         drop(branches);
         Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, folds, harmonics, passage }))
     }
 
-    /// Branch structures of a nonlinear machine at several loads; none when it is linear or nothing forces it.
-    fn branches(&self, system: &System, asked: &Asked, context: &Context) -> Result<Vec<(f64, Branches)>, Diagnostic> {
+    /// Branches of a nonlinear machine; none when it is linear.
+    fn branches(&self, system: &System, context: &Context) -> Result<Option<Branches>, Diagnostic> {
         if system.slots().iter().all(|s| s.is_linear()) {
-            return Ok(vec![]);
+            return Ok(None);
         }
-        let (from, to) = (self.speed.from, self.speed.to);
-        let count = if asked.cups.is_empty() { 1 } else { LOADS };
-        let mut out = Vec::new();
-        for k in 0..count {
-            let w = from + (to - from) * (k as f64 + 0.5) / count as f64;
-            let (changed, _) = coupling::loaded(system, &asked.cups, w)?;
-            // the branch begins where it is easy to begin: below the range
-            let range = (0.2 * from, to * (1.0 + 1e-9));
-            out.push((w, Branches::follow(changed.as_ref().unwrap_or(system), range, context.cancel)?));
-        }
-        Ok(out)
+        // the branch begins where it is easy to begin: below the range
+        let range = (0.2 * self.speed.from, self.speed.to * (1.0 + 1e-9));
+        Branches::follow(system, range, context.cancel).map(Some)
     }
 
     /// The recommended speed.

@@ -1,20 +1,19 @@
 //! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
 
 use super::Policy;
-use super::contents::{Changed, overridden};
-use super::coupling::loaded;
 use super::passage::Passage;
 use super::steady::{Branches, State, linear, spectrum};
 use crate::diagnostic::Diagnostic;
-use crate::model::field::Attach;
-use crate::model::system::{Body, System};
-use crate::separation::load::Ring;
+use crate::model::system::{Body, Slot, System};
+use crate::separation::load::Load;
 use crate::separation::machine::Separator;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
+use crate::study::duty::Carried;
 use crate::study::duty::task::{Task, needed};
 use crate::study::limits::Limits;
 use laval_num::complex::{C64, c};
+use std::sync::Arc;
 
 /// Names of the requirements, in the order they are shown.
 pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
@@ -86,9 +85,9 @@ impl Point {
 pub(super) struct Asked {
     pub duty: Option<Task>,
     pub limits: Limits,
-    pub cups: Vec<(Attach, Ring)>,
-    /// What the separation changes.
-    pub after: Option<Changed>,
+    pub cups: Vec<Carried>,
+    /// The machine after the separation, where that changes it.
+    pub after: Option<Arc<System>>,
     /// Time of the run-up to the top of the range, s.
     pub ramp: Option<f64>,
     pub policy: Policy,
@@ -99,8 +98,8 @@ pub(super) struct Asked {
 pub(super) struct Judge<'a> {
     pub system: &'a System,
     pub asked: &'a Asked,
-    /// Branch structures by speed of the load; empty for a linear machine.
-    pub branches: &'a [(f64, Branches)],
+    /// Branches of the response; none of a linear machine.
+    pub branches: Option<&'a Branches>,
     pub passage: Option<&'a Passage>,
 }
 
@@ -143,22 +142,17 @@ impl Judge<'_> {
 
     /// Steady states of a machine with its load at a speed, and the growth rate about rest.
     fn states(&self, system: &System, speed: f64, eigen: f64) -> Result<Vec<State>, Diagnostic> {
-        if self.branches.is_empty() {
-            return Ok(linear(system, speed, eigen)?.into_iter().collect());
+        match self.branches {
+            None => Ok(linear(system, speed, eigen)?.into_iter().collect()),
+            Some(branches) => branches.at(system, speed),
         }
-        let nearest = self.branches.iter().min_by(|a, b| (a.0 - speed).abs().total_cmp(&(b.0 - speed).abs()));
-        nearest.map_or(Ok(vec![]), |b| b.1.at(system, speed))
     }
 
     /// Largest growth rate of the machine whose contents have separated; `None` where they weigh as before.
     fn growth_after(&self, speed: f64) -> Result<Option<f64>, Diagnostic> {
-        let Some(after) = &self.asked.after else { return Ok(None) };
-        let thinner = if after.overrides.is_empty() { None } else { Some(overridden(self.system, &after.overrides)?) };
-        let unloaded = thinner.as_ref().unwrap_or(self.system);
-        let (changed, _) = loaded(unloaded, &after.cups, speed)?;
-        let system = changed.as_ref().unwrap_or(unloaded);
+        let Some(system) = self.asked.after.as_deref() else { return Ok(None) };
         let eigen = spectrum(system, speed)?.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
-        if self.branches.is_empty() {
+        if self.branches.is_none() {
             return Ok(Some(eigen));
         }
         let states = self.states(system, speed, eigen)?;
@@ -169,12 +163,11 @@ impl Judge<'_> {
     /// All requirements but that on the separation.
     fn mechanical(&self, speed: f64) -> Result<Point, Diagnostic> {
         let asked = self.asked;
-        let (changed, loads) = loaded(self.system, &asked.cups, speed)?;
-        let system = changed.as_ref().unwrap_or(self.system);
+        let (system, loads) = (self.system, asked.cups.iter().map(|c| c.ring.at(speed)).collect::<Vec<Load>>());
         let spectrum = spectrum(system, speed)?;
         let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
         let states = self.states(system, speed, eigen)?;
-        let nonlinear = !self.branches.is_empty();
+        let nonlinear = self.branches.is_some();
         // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
         let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
         let met = self.judged(system, met, speed);
@@ -187,7 +180,7 @@ impl Judge<'_> {
         };
         let mut margins = Vec::new();
         margins.extend(self.vibration(system, &met));
-        margins.extend(self.self_centred(system, &met));
+        margins.extend(self.self_centred(system, speed, &met));
         let limit = asked.limits.growth;
         // by the growth rate while borders are sought, then a distance in speed
         margins.push(margin(
@@ -201,8 +194,8 @@ impl Judge<'_> {
                 let near = |p: f64| (p - h * speed).abs() / speed.abs() - clearance;
                 let own = spectrum.modes.iter().map(|m| m.frequency()).filter(|p| *p > 0.0);
                 all.extend(own.map(|p| (near(p), format!("mode at {p:.4} rad/s, order {h}"))));
-                for (cup, load) in asked.cups.iter().zip(&loads).filter(|c| c.0.1.held.is_none()) {
-                    let swing = cup.1.cup.swing_frequency(speed, load.tilt);
+                for (cup, load) in asked.cups.iter().zip(&loads).filter(|c| c.0.ring.held.is_none()) {
+                    let swing = cup.ring.cup.swing_frequency(speed, load.tilt);
                     let both = [speed.abs() + swing, (speed.abs() - swing).abs()];
                     all.extend(both.map(|p| (near(p), format!("swing of the cups, order {h}"))));
                 }
@@ -226,7 +219,7 @@ impl Judge<'_> {
         }
         let duration = asked.duty.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
-        let energy = 0.5 * spin_inertia(system, speed) * speed * speed + torque * speed.abs() * duration;
+        let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
         let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
         Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth })
@@ -277,18 +270,21 @@ impl Judge<'_> {
         least(1, all.into_iter())
     }
 
-    /// Distance of every eccentric body's centre of mass from the axis, over its eccentricity.
-    fn self_centred(&self, system: &System, met: &[&State]) -> Option<Margin> {
+    /// Distance of the centre of mass of every eccentric body, with the cups it carries, from the axis, over its eccentricity.
+    fn self_centred(&self, system: &System, speed: f64, met: &[&State]) -> Option<Margin> {
         let c0 = self.asked.limits.self_centring?;
         if met.is_empty() {
             return Some(margin(2, f64::NAN, "no steady state"));
         }
         let mut all = Vec::new();
         for (k, b) in system.bodies().iter().enumerate() {
-            let e = eccentricity(system, b);
+            let carried: Vec<&str> =
+                self.asked.cups.iter().filter(|c| c.on.body.as_deref() == Some(b.name.as_str())).map(|c| c.name.as_str()).collect();
+            let (e, height) = centre_of_mass(system, b, &carried, speed);
             let size = e.abs();
             if size > 0.0 && size.is_finite() {
-                all.extend(met.iter().map(|s| (1.0 - (s.forward[k] + e).abs() / size / c0, format!("centre of mass of {}", b.name))));
+                let centre = |s: &State| s.forward[k] - (s.lean[k] * c(0.0, height)) + e;
+                all.extend(met.iter().map(|s| (1.0 - centre(s).abs() / size / c0, format!("centre of mass of {}", b.name))));
             }
         }
         least(2, all.into_iter())
@@ -303,38 +299,47 @@ fn worst_growth(judged: &[&State], states: &[State]) -> f64 {
     }
 }
 
-/// Where the centre of mass of a body lies in rotor axes, from the force with which it turns and its inertia, m.
-fn eccentricity(system: &System, body: &Body) -> C64 {
+/// Where the centre of mass of a body with what it carries lies in rotor axes, and its height, m: from the force with which they turn and their inertia.
+fn centre_of_mass(system: &System, body: &Body, carried: &[&str], speed: f64) -> (C64, f64) {
     use crate::model::part::{At, Rows};
-    const SPEED: f64 = 100.0;
     let (n, m) = (system.n(), system.m());
     let (zero, z) = (vec![0.0; n], vec![0.0; m]);
     let row = |speed: f64, a: &[f64]| {
         let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
         let at = At { q: &zero, v: &zero, a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
-        system.residual(system.params(), &at, &mut rows, &mut Default::default(), |s| s.name == body.name);
-        c(force[body.x], force[body.x + 1])
+        let own = |s: &Slot| s.name == body.name || carried.contains(&s.name.as_str());
+        system.residual(system.params(), &at, &mut rows, &mut Default::default(), own);
+        force
     };
     let mut one = zero.clone();
     one[body.x] = 1.0;
-    let (still, turning, carried) = (row(0.0, &zero), row(SPEED, &zero), row(0.0, &one));
-    (still - turning).scale(1.0 / (SPEED * SPEED * (carried.re - still.re)))
+    let (still, turning, inertia) = (row(0.0, &zero), row(speed, &zero), row(speed, &one));
+    let lateral = |f: &[f64]| c(f[body.x], f[body.x + 1]);
+    let mass = inertia[body.x] - turning[body.x];
+    // of a point at the height h: x + h beta
+    let height = body.tilt.map_or(0.0, |t| (inertia[t + 1] - turning[t + 1]) / mass);
+    ((lateral(&still) - lateral(&turning)).scale(1.0 / (speed * speed * mass)), height)
 }
 
-/// Moment of inertia about the spin axis, from the spin row, kg m^2.
-fn spin_inertia(system: &System, speed: f64) -> f64 {
+/// Energy that a run-up of the undeflected machine takes, J: its moment of inertia about the spin axis, from the spin row, times the speed, summed over the way.
+fn spin_energy(system: &System, speed: f64) -> f64 {
     use crate::model::part::{At, Rows};
     let (n, m) = (system.n(), system.m());
     let (q, z) = (vec![0.0; n], vec![0.0; m]);
-    let row = |accel: f64| {
+    let mut ws = Default::default();
+    let mut row = |speed: f64, accel: f64| {
         let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
         let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: accel, t: 0.0 };
         let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
-        system.residual(system.params(), &at, &mut rows, &mut Default::default(), |_| true);
+        system.residual(system.params(), &at, &mut rows, &mut ws, |_| true);
         spin
     };
-    row(1.0) - row(0.0)
+    let mut work = |speed: f64| (row(speed, 1.0) - row(speed, 0.0)) * speed;
+    // exact for an inertia that does not depend on the speed
+    const STEPS: usize = 200;
+    let width = speed / STEPS as f64;
+    (0..STEPS).map(|k| work((k as f64 + 0.5) * width) * width).sum()
 }
 
 /// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.

@@ -22,7 +22,6 @@
 
 mod borders;
 mod contents;
-mod coupling;
 mod evaluate;
 mod margins;
 mod passage;

@@ -1,15 +1,9 @@
-//! The way up through the resonances, and down again: largest displacements and torque up to every speed.
-//!
-//! Simulated to the top of the range and back. The cups load the rotor as they do at one speed in each simulation; every speed is judged by the simulation whose load
-//! is that of the nearest speed, and wherever a body moves most, the passage is simulated again with the load of just that speed.
+//! The way up through the resonances, and down again: largest displacements and torque up to every speed. Simulated to the top of the range and back.
 
-use super::coupling::loaded;
 use crate::diagnostic::Diagnostic;
-use crate::model::field::Attach;
 use crate::model::system::System;
 use crate::model::timed::Speeds;
 use crate::outcome::Finding;
-use crate::separation::load::Ring;
 use crate::solve::motion::flight::{Choice, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
@@ -25,18 +19,11 @@ use std::f64::consts::TAU;
 #[derive(Clone)]
 pub(super) struct Passage {
     bodies: Vec<String>,
-    flights: Vec<Flight>,
-    /// Steps of all integrations.
+    ways: [Vec<Stretch>; 2],
+    /// Steps of the integration.
     pub steps: u64,
     /// That the torque is without the inertia of parts.
     pub lacks: Option<Finding>,
-}
-
-/// A passage with the load of the cups at one speed.
-#[derive(Clone)]
-struct Flight {
-    load: f64,
-    ways: [Vec<Stretch>; 2],
 }
 
 /// A stretch of the way.
@@ -56,58 +43,25 @@ pub(super) struct Peak {
     pub up: bool,
     pub displacement: f64,
     pub speed: f64,
-    /// Speed whose load the cups have in the simulation, rad/s.
-    pub load: f64,
 }
 
 const WINDOWS: usize = 300;
 /// Parts of the way that progress tells apart.
 const PARTS: f64 = 1e6;
-/// Relative distance of the load's speed from that of a peak beyond which the passage is simulated again, and how often at most.
-const NEAR: f64 = 0.05;
-const MOST_FLIGHTS: usize = 8;
-/// Speeds, as shares of the top, for which the passage is judged with its own loads.
-const LOWER: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 
 impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed.
-    pub fn simulate(system: &System, cups: &[(Attach, Ring)], top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
-        let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
+    pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
         let lacks = without_inertia(system, "The torque of the run-up is");
-        let mut out = Passage { bodies, flights: vec![], steps: 0, lacks };
-        context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in each simulation of the passage");
-        out.add(system, cups, top, (top, duration), context)?;
-        while !cups.is_empty() && out.flights.len() < MOST_FLIGHTS {
-            let far = |p: &Peak| !((p.speed / p.load).ln().abs() <= NEAR) && p.speed > 0.0;
-            // also what moves most on the way to lower speeds
-            let all = LOWER.iter().flat_map(|share| out.peaks(share * top));
-            let Some(peak) = all.filter(far).max_by(|a, b| a.displacement.total_cmp(&b.displacement)) else { break };
-            out.add(system, cups, peak.speed, (top, duration), context)?;
-        }
-        Ok(out)
+        context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
+        let told = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
+        let (ways, steps) = both_ways(system, (top, duration), context, &told)?;
+        Ok(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), ways, steps, lacks })
     }
 
-    fn add(&mut self, system: &System, cups: &[(Attach, Ring)], load: f64, way: (f64, f64), context: &Context) -> Result<(), Diagnostic> {
-        let (changed, _) = loaded(system, cups, load)?;
-        // with cups the number of flights shows on the way; three are usual
-        let (before, expected) = (self.flights.len() as f64, if cups.is_empty() { 1.0 } else { (self.flights.len() + 1).max(3) as f64 });
-        let told = |share: f64| context.progress.report(((before + share) / expected * PARTS) as u64, PARTS as u64);
-        let (ways, steps) = both_ways(changed.as_ref().unwrap_or(system), way, context, &told)?;
-        self.steps += steps;
-        self.flights.push(Flight { load, ways });
-        Ok(())
-    }
-
-    /// Stretches of a way, each with the load of the nearest speed, up to a speed.
-    fn stretches(&self, way: usize, speed: f64) -> impl Iterator<Item = (&Stretch, f64)> {
-        let count = self.flights.first().map_or(0, |f| f.ways[way].len());
-        (0..count).filter_map(move |k| {
-            let at = self.flights.first()?.ways[way].get(k)?;
-            let middle = 0.5 * (at.speeds.0 + at.speeds.1);
-            let far = |f: &&Flight| (f.load / middle).ln().abs();
-            let flight = self.flights.iter().min_by(|a, b| far(a).total_cmp(&far(b)))?;
-            (at.speeds.0 <= speed).then_some((&flight.ways[way][k], flight.load))
-        })
+    /// Stretches of a way up to a speed.
+    fn stretches(&self, way: usize, speed: f64) -> impl Iterator<Item = &Stretch> {
+        self.ways[way].iter().filter(move |s| s.speeds.0 <= speed)
     }
 
     /// Largest displacement of each body on the way up to a speed and down again.
@@ -115,10 +69,10 @@ impl Passage {
         let mut out = Vec::new();
         for (way, up) in [(0, true), (1, false)] {
             for (k, body) in self.bodies.iter().enumerate() {
-                let moved = self.stretches(way, speed).filter_map(|(s, load)| s.moved.get(k).map(|m| (*m, load)));
+                let moved = self.stretches(way, speed).filter_map(|s| s.moved.get(k).copied());
                 // NaN before all
-                let largest = moved.reduce(|a, b| if b.0.0 > a.0.0 || b.0.0.is_nan() { b } else { a });
-                out.extend(largest.map(|((displacement, speed), load)| Peak { body: body.clone(), up, displacement, speed, load }));
+                let largest = moved.reduce(|a, b| if b.0 > a.0 || b.0.is_nan() { b } else { a });
+                out.extend(largest.map(|(displacement, speed)| Peak { body: body.clone(), up, displacement, speed }));
             }
         }
         out
@@ -127,12 +81,12 @@ impl Passage {
     /// Largest torque of the way to a speed and back, N m; NaN stays.
     pub fn torque(&self, speed: f64) -> f64 {
         let both = self.stretches(0, speed).chain(self.stretches(1, speed));
-        largest(both.map(|(s, _)| s.torque))
+        largest(both.map(|s| s.torque))
     }
 
     /// Displacement of each body when the run-up passes a speed, m.
     pub fn reached(&self, speed: f64) -> Option<Vec<f64>> {
-        let (stretch, _) = self.stretches(0, speed).last()?;
+        let stretch = self.stretches(0, speed).last()?;
         Some(stretch.moved.iter().map(|m| m.0).collect())
     }
 

@@ -341,10 +341,7 @@ impl Found<'_> {
             for peak in p.peaks(top) {
                 let way = if peak.up { "up" } else { "down" };
                 let text = format!("On the way {way} \"{}\" moves by up to {{}}, at {}.", peak.body, rpm(peak.speed));
-                let mut f = Finding::info("passage_peak", text).value(peak.displacement, "m").evidence("speed", peak.speed, "rad/s");
-                if !m.asked.cups.is_empty() {
-                    f = f.evidence("cups loaded as at", peak.load, "rad/s");
-                }
+                let f = Finding::info("passage_peak", text).value(peak.displacement, "m").evidence("speed", peak.speed, "rad/s");
                 out = out.finding(f.of(peak.body));
             }
             out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque(top), "N m"));

@@ -12,6 +12,7 @@ use crate::study::duty;
 use crate::study::duty::task::{self, Task};
 use crate::study::limits::{self, Limits};
 use crate::study::support::range;
+use std::sync::Arc;
 
 /// Most uncertain parameters: their corners are all evaluated.
 const MOST_UNCERTAIN: usize = 5;
@@ -174,13 +175,14 @@ pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Re
     if own.has_errors() {
         return Err(Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension"));
     }
-    let vessels = system.machine.extras.iter().filter(|e| e.word == "cup");
-    let loading = vessels.filter_map(|e| duty::vessel(e, system, &mut Diagnostics::default())).filter_map(|c| Some((c.name, c.load?)));
-    let (names, cups): (Vec<String>, Vec<_>) = loading.unzip();
-    let after = duty.as_ref().and_then(|task| {
-        let own = names.iter().position(|n| *n == task.vessel.name);
+    let cups = duty::carried(system);
+    let after = match duty.as_ref().and_then(|task| {
+        let own = cups.iter().position(|c| c.name == task.vessel.name);
         contents::changed(system, task, &cups, own)
-    });
+    }) {
+        Some(changed) => Some(Arc::new(contents::after(system, &changed)?)),
+        None => None,
+    };
     if let Some(duty) = duty.as_mut().filter(|_| map) {
         duty.batch.places = duty.batch.places.min(MAP_PLACES);
     }

@@ -30,6 +30,8 @@ pub(super) struct State {
     pub force: BTreeMap<String, f64>,
     /// Forward amplitude of each body at the spin frequency, m.
     pub forward: Vec<C64>,
+    /// The same of its tilt, rad; 0 of a body that does not tilt.
+    pub lean: Vec<C64>,
     /// Largest growth rate of a disturbance, 1/s.
     pub growth: f64,
     /// Torque of the drive that holds the speed, mean over a turn, N m.
@@ -50,6 +52,7 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         velocity: vec![0.0; bodies.len()],
         force: BTreeMap::new(),
         forward: bodies.iter().map(|b| orbit.whirl(b.x, order).0).collect(),
+        lean: bodies.iter().map(|b| b.tilt.map_or(C64::zero(), |t| orbit.whirl(t, order).0)).collect(),
         growth,
         torque: 0.0,
         stable,

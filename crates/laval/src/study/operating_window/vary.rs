@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
 use crate::outcome::quantity;
-use crate::study::{Context, blocks};
+use crate::study::{Context, blocks, with_blocks};
 use laval_num::work::Here;
 use rayon::prelude::*;
 
@@ -73,7 +73,7 @@ impl OperatingWindow {
                     return Ok(None);
                 }
                 let asked = fitting(self, &changed, true)?;
-                let judge = Judge { system: &changed, asked: &asked, branches: &[], passage: main.passage.as_ref() };
+                let judge = Judge { system: &changed, asked: &asked, branches: None, passage: main.passage.as_ref() };
                 let mut points = moving.points.clone();
                 let here = Here::now();
                 points.par_iter_mut().for_each(|p| {
@@ -161,5 +161,5 @@ pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diag
     if let Some(kind) = blocks().into_iter().find(|b| b.info.word == word) {
         (kind.check)(&changed, &out, &mut wrong);
     }
-    if wrong.has_errors() { Err(first(wrong)) } else { Ok(out) }
+    if wrong.has_errors() { Err(first(wrong)) } else { with_blocks(out).map_err(first) }
 }

@@ -217,7 +217,7 @@ mod tests {
     fn spectra(highest: f64, fastest: f64, duration: f64, count: usize) -> Spectra {
         let length = 2.0 * duration / (count + 1) as f64;
         let samples = ((8.0 * highest * fastest / TAU * length).ceil() as usize).max(64).next_power_of_two();
-        Spectra { body: Body { name: "b".into(), slot: 0, x: 0 }, count, highest, threshold: None, duration, fastest, samples }
+        Spectra { body: Body { name: "b".into(), slot: 0, x: 0, tilt: None }, count, highest, threshold: None, duration, fastest, samples }
     }
 
     /// A record of circular parts (order, amplitude, phase) while the speed rises linearly.
