@@ -7,19 +7,20 @@ use super::linear_response::{Response, is_known, response};
 use super::locate::State;
 use super::sweep::{Strongest, sweep};
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use laval_num::complex::c;
 
-/// A maximum or minimum of a body's amplitude.
+/// A maximum or minimum of an amplitude.
 #[derive(Clone, Copy, Debug)]
 pub struct Extremum {
-    /// Body, in the order asked for.
-    pub body: usize,
+    /// Probe, in the order asked for.
+    pub probe: usize,
     /// A maximum.
     pub maximum: bool,
     /// Spin speed, rad/s.
     pub speed: f64,
-    /// Amplitude, m; NaN for a maximum that is [`unbounded`](Self::unbounded).
+    /// Amplitude, m or rad; NaN for a maximum that is [`unbounded`](Self::unbounded).
     pub value: f64,
     /// A pole: the amplitude grows without bound, nothing dissipates.
     pub unbounded: bool,
@@ -32,7 +33,7 @@ pub struct Extremum {
 pub struct Curve {
     /// By speed.
     pub points: Vec<Response>,
-    /// By body, then speed.
+    /// By probe, then speed.
     pub extrema: Vec<Extremum>,
     /// Speeds where the response is infinite.
     pub singular: Vec<f64>,
@@ -87,9 +88,14 @@ const BEND: f64 = 0.05;
 /// Amplitude over the largest one that is rounding.
 const STILL: f64 = 1e-12;
 
-/// Amplitude up to which a body moves by rounding alone where another moves by `loudest`.
-fn still(loudest: f64) -> f64 {
-    (STILL * loudest).max(f64::MIN_POSITIVE)
+/// Amplitude up to which a probe shows rounding alone where the largest, over its typical size, is `loudest`.
+fn still(loudest: f64, probe: &Probe) -> f64 {
+    (STILL * loudest * probe.typical()).max(f64::MIN_POSITIVE)
+}
+
+/// The largest amplitude of a response over its typical size.
+fn loudest(r: &Response, probes: &[Probe]) -> f64 {
+    probes.iter().map(|p| r.size(p) / p.typical()).fold(0.0, f64::max)
 }
 
 /// Damping ratio below which a resonance counts as undamped: its width is that of rounding.
@@ -110,7 +116,7 @@ fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
     }
 }
 
-/// Response over given speeds and between them, with the extrema of the amplitudes at coordinates `at`; `each` stops the work by saying false.
+/// Response over given speeds and between them, with the extrema of the amplitudes of these probes; `each` stops the work by saying false.
 ///
 /// # Errors
 /// As the state.
@@ -118,7 +124,7 @@ pub fn curve(
     system: &System,
     state: &(dyn Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync),
     mut speeds: Vec<f64>,
-    at: &[usize],
+    probes: &[Probe],
     each: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Curve, Diagnostic> {
     speeds.sort_by(f64::total_cmp);
@@ -150,13 +156,13 @@ pub fn curve(
         {
             let middle = 0.5 * (left.speed + w);
             out.solved += 1;
-            let loudest = at.iter().map(|&i| left.major(i).max(r.major(i))).fold(0.0, f64::max);
+            let loudest = loudest(left, probes).max(loudest(&r, probes));
             let bent = response(system, state, middle)?.filter(|m| {
-                at.iter().any(|&i| {
-                    let (a, b, c) = (left.major(i), m.major(i), r.major(i));
+                probes.iter().any(|p| {
+                    let (a, b, c) = (left.size(p), m.size(p), r.size(p));
                     // products of amplitudes can underflow
                     let bend = ((b / a) * (b / c)).ln().abs() * 0.5;
-                    a.min(c) > still(loudest) && (bend > BEND || bend.is_nan())
+                    a.min(c) > still(loudest, p) && (bend > BEND || bend.is_nan())
                 })
             });
             if bent.is_some() {
@@ -167,37 +173,37 @@ pub fn curve(
         }
         out.points.push(r);
     }
-    let largest = |i: usize| out.points.iter().map(|r| r.major(i)).fold(0.0, f64::max);
-    let loudest = at.iter().map(|&i| largest(i)).fold(0.0, f64::max);
+    let largest = |p: &Probe| out.points.iter().map(|r| r.size(p)).fold(0.0, f64::max);
+    let loudest = out.points.iter().map(|r| loudest(r, probes)).fold(0.0, f64::max);
     let mut search = Search::new(system, state);
-    for (body, &i) in at.iter().enumerate() {
-        // a body that moves by rounding alone has no resonance
-        if largest(i) <= still(loudest) {
+    for (probe, sight) in probes.iter().enumerate() {
+        // what moves by rounding alone has no resonance
+        if largest(sight) <= still(loudest, sight) {
             continue;
         }
         let mut found: Vec<Extremum> = Vec::new();
         for (k, p) in out.points.windows(3).enumerate() {
-            let (a, b, c) = (p[0].major(i), p[1].major(i), p[2].major(i));
+            let (a, b, c) = (p[0].size(sight), p[1].size(sight), p[2].size(sight));
             let (up, down) = (b > a && b >= c, b < a && b <= c);
             if !(up || down) {
                 continue;
             }
             let first = k.saturating_sub(BESIDE);
             let around = &out.points[first..(k + 3 + BESIDE).min(out.points.len())];
-            if let Some((speed, value)) = search.extremum(around, k + 1 - first, i, up) {
+            if let Some((speed, value)) = search.extremum(around, k + 1 - first, sight, up) {
                 let bracket = (p[0].speed, p[2].speed);
                 // an amplitude that rises so little over so much cannot be a pole
                 let reach = FAR * NARROW * speed.abs();
                 let shallow = value <= STEEP * a.max(c) && bracket.0 <= speed - reach && speed + reach <= bracket.1;
-                let unbounded = up && !shallow && pole(|w| search.at(w, i), speed);
-                found.push(Extremum { body, maximum: up, speed, value, unbounded, bracket });
+                let unbounded = up && !shallow && pole(|w| search.at(w, sight), speed);
+                found.push(Extremum { probe, maximum: up, speed, value, unbounded, bracket });
             }
         }
         // a shallow minimum between two resonances is no antiresonance, a ripple of rounding no resonance
         let deep: Vec<bool> = (0..found.len())
             .map(|k| {
                 let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|j| found.get(j));
-                let ends = [out.points.first(), out.points.last()].into_iter().flatten().map(|r| r.major(i));
+                let ends = [out.points.first(), out.points.last()].into_iter().flatten().map(|r| r.size(sight));
                 let least =
                     beside.map(|e| e.value).chain(ends).filter(|&v| if found[k].maximum { v < found[k].value } else { v > found[k].value });
                 if found[k].maximum {

@@ -9,6 +9,7 @@
 use super::linear_response::{Response, response};
 use super::locate::State;
 use super::scalar::{maximum, root};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 
 /// Most responses an interpolation uses.
@@ -37,27 +38,27 @@ impl<'a> Search<'a> {
     }
 
     /// Amplitude at a speed; none where the response does not exist.
-    pub fn at(&self, speed: f64, i: usize) -> Option<f64> {
-        response(self.system, self.state, speed).ok().flatten().map(|r| r.major(i))
+    pub fn at(&self, speed: f64, probe: &Probe) -> Option<f64> {
+        response(self.system, self.state, speed).ok().flatten().map(|r| r.size(probe))
     }
 
-    /// The speed and the amplitude of coordinate `i` at its one maximum (or minimum) between the neighbours of `around[middle]`, which is above (below)
+    /// The speed and the amplitude of a probe at its one maximum (or minimum) between the neighbours of `around[middle]`, which is above (below)
     /// both.
-    pub fn extremum(&mut self, around: &[Response], middle: usize, i: usize, up: bool) -> Option<(f64, f64)> {
+    pub fn extremum(&mut self, around: &[Response], middle: usize, sight: &Probe, up: bool) -> Option<(f64, f64)> {
         let sign = if up { 1.0 } else { -1.0 };
         let (from, to) = (around.get(middle.checked_sub(1)?)?.speed, around.get(middle + 1)?.speed);
-        let found = self.interpolated(around, (from, to), i, sign).or_else(|| {
+        let found = self.interpolated(around, (from, to), sight, sign).or_else(|| {
             let tolerance = 1e-10 * to.abs();
-            maximum(|w| self.at(w, i).map(|x| sign * x.ln()), from, to, tolerance)
+            maximum(|w| self.at(w, sight).map(|x| sign * x.ln()), from, to, tolerance)
         });
         found.map(|(speed, v)| (speed, (sign * v).exp()))
     }
 
     /// By interpolation, until the extremum stays; none where it does not.
-    fn interpolated(&mut self, around: &[Response], (from, to): (f64, f64), i: usize, sign: f64) -> Option<(f64, f64)> {
+    fn interpolated(&mut self, around: &[Response], (from, to): (f64, f64), sight: &Probe, sign: f64) -> Option<(f64, f64)> {
         let unit = to - from;
         let inside = |w: f64| w > from && w < to;
-        let log = |r: &Response| (r.speed, sign * r.major(i).ln());
+        let log = |r: &Response| (r.speed, sign * r.size(sight).ln());
         let mut known: Vec<(f64, f64)> = around.iter().chain(self.points.iter().filter(|r| inside(r.speed))).map(log).collect();
         known.retain(|k| k.1.is_finite());
         known.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -76,7 +77,7 @@ impl<'a> Search<'a> {
             let next = probe(&known, w, APART * unit).filter(|&x| moved > STAYS && inside(x));
             if turn == TRIES || next.is_none() {
                 // what was not foretold is not smooth
-                let value = sign * self.at(w, i)?.ln();
+                let value = sign * self.at(w, sight)?.ln();
                 let foretold = (value - origin.1 - at(w).0).abs() <= FORETOLD;
                 return (foretold && (next.is_none() || moved <= NEARLY)).then_some((w, value));
             }

@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::blocks::Grid;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::At;
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
@@ -34,17 +35,34 @@ impl Response {
         let (f, b) = self.circles(i);
         f.abs() + b.abs()
     }
+    /// Forward and backward circular amplitudes of what a probe measures.
+    pub fn circles_of(&self, probe: &Probe) -> (C64, C64) {
+        let [x, y] = probe.amplitudes(&self.x);
+        circular(x, y)
+    }
+    /// Semi-major axis of what a probe measures, m or rad.
+    pub fn size(&self, probe: &Probe) -> f64 {
+        let (f, b) = self.circles_of(probe);
+        f.abs() + b.abs()
+    }
     /// Direction of the major axis, the angle from x in rad, above -pi/2 and at most pi/2: there the circles meet, at the mean of their phases. NaN of a circle, which has none.
     pub fn direction(&self, i: usize) -> f64 {
-        let (f, b) = self.circles(i);
-        let less = f.abs().min(b.abs());
-        if !(less > CIRCLE * self.major(i)) {
-            return f64::NAN;
-        }
-        let angle = 0.5 * (f * b).arg();
-        // a line along y is one direction, not two
-        if angle <= -FRAC_PI_2 { angle + PI } else { angle }
+        direction(self.circles(i))
     }
+    /// The same of what a probe measures.
+    pub fn direction_of(&self, probe: &Probe) -> f64 {
+        direction(self.circles_of(probe))
+    }
+}
+
+fn direction((f, b): (C64, C64)) -> f64 {
+    let less = f.abs().min(b.abs());
+    if !(less > CIRCLE * (f.abs() + b.abs())) {
+        return f64::NAN;
+    }
+    let angle = 0.5 * (f * b).arg();
+    // a line along y is one direction, not two
+    if angle <= -FRAC_PI_2 { angle + PI } else { angle }
 }
 
 /// The smaller of two circles over the orbit below which the orbit is a circle itself, to rounding.

@@ -46,8 +46,9 @@ impl Unbalance {
 
 /// Unbalance at the configuration of `at`: of its coordinates those that do not turn with the machine count, such as the angles of balls.
 pub fn unbalance(system: &System, at: &At<f64>, ws: &mut Workspace<f64>) -> Unbalance {
-    const SPEED: f64 = 100.0;
     let n = system.n();
+    // what turns may change with the speed; where it hardly turns the forces are rounding beside the weight
+    let top = if at.speed.abs() >= 1.0 { at.speed } else { 100.0 };
     let (zero, states) = (vec![0.0; n], vec![0.0; system.m()]);
     let kinds: Vec<DofKind> = system.coordinates().iter().map(|c| c.dof.kind).collect();
     let q: Vec<f64> = kinds.iter().zip(at.q).map(|(k, &q)| if k.leads_pair() || k.ends_pair() { 0.0 } else { q }).collect();
@@ -58,11 +59,11 @@ pub fn unbalance(system: &System, at: &At<f64>, ws: &mut Workspace<f64>) -> Unba
         system.residual(system.params(), &point, &mut out, ws, |_| true);
         force
     };
-    let (still, turning) = (rows(0.0, &zero), rows(SPEED, &zero));
+    let (still, turning) = (rows(0.0, &zero), rows(top, &zero));
     let (mut moment, mut mass) = (C64::zero(), 0.0);
     let mut accelerated = zero.clone();
     for x in (0..n).filter(|&i| kinds[i] == DofKind::VectorX) {
-        let own = c(still[x] - turning[x], still[x + 1] - turning[x + 1]).scale(1.0 / (SPEED * SPEED));
+        let own = c(still[x] - turning[x], still[x + 1] - turning[x + 1]).scale(1.0 / (top * top));
         if own != C64::zero() {
             moment += own;
             accelerated[x] = 1.0;

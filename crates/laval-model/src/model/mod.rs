@@ -9,6 +9,7 @@ pub mod lanes;
 pub mod linear;
 pub mod params;
 pub mod part;
+pub mod probe;
 pub mod system;
 pub mod tangent;
 pub mod timed;

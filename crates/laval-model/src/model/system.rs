@@ -5,11 +5,12 @@ use super::erased::{Erased, Evaluate};
 use super::field::{Attach, Extra};
 use super::params::ParamSlot;
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
+use super::probe::{self, Probe};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use laval_num::scalar::Scalar;
 use laval_num::work::spend;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Direction of the shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -128,6 +129,7 @@ pub struct System {
     states: Vec<GlobalDof>,
     params: Vec<f64>,
     param_slots: Vec<ParamSlot>,
+    probes: OnceLock<Vec<Probe>>,
 }
 
 /// Scratch for evaluations in scalar `S`; one per thread.
@@ -173,7 +175,15 @@ impl System {
     /// Assembles a machine. All mistakes are reported together.
     pub fn assemble(machine: Machine, inputs: Vec<PartInput>) -> Result<System, Diagnostics> {
         let mut diagnostics = Diagnostics::default();
-        let mut system = System { machine, slots: vec![], coordinates: vec![], states: vec![], params: vec![], param_slots: vec![] };
+        let mut system = System {
+            machine,
+            slots: vec![],
+            coordinates: vec![],
+            states: vec![],
+            params: vec![],
+            param_slots: vec![],
+            probes: OnceLock::new(),
+        };
         for input in &inputs {
             system.add(input, &mut diagnostics);
         }
@@ -253,7 +263,7 @@ impl System {
     }
 
     /// Rows of x, y, tilt_x, tilt_y of a point over global coordinates; empty rows for the ground.
-    fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; 4], Box<Diagnostic>> {
+    pub(super) fn point_rows(&self, slot: usize, attach: &Attach) -> Result<[Vec<(usize, f64)>; 4], Box<Diagnostic>> {
         let mut rows: [Vec<(usize, f64)>; 4] = Default::default();
         let Some(name) = &attach.body else { return Ok(rows) };
         let Some(body) = self.slots.iter().position(|s| &s.name == name) else {
@@ -358,6 +368,10 @@ impl System {
             }
         }
         out
+    }
+    /// All that is measured of the bodies' motion, by body: the reference point, the points where parts are attached whose displacement differs from it, the tilt.
+    pub fn probes(&self) -> &[Probe] {
+        self.probes.get_or_init(|| probe::all(self))
     }
     /// Parameter values, SI.
     pub fn params(&self) -> &[f64] {

@@ -20,14 +20,14 @@
 //! C + |U|^2/m + |sum u_k (z_k - h)|^2/A + (A - C) tau^2      in place of the factor of W': moments of inertia are those with the masses that make the unbalances
 //! ```
 //!
-//! Validity: small tilt; spin row linear in skew.
+//! Validity: tilt up to 0.1 rad, where its sine is 0.2 % less than the angle; spin row linear in skew.
 //!
 //! Sources: `000_a291f7ede1484e56` sections 1.1 and 2.1 (planar rotor); tilt terms from the kinetic energy of a symmetric top to second order.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Blocks, rotating};
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
+use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
@@ -46,6 +46,9 @@ params! {
         centre_of_mass: scalar, "m", Bounds::within(100.0), default 0.0, "height h of the centre of mass above the reference point";
     }
 }
+
+/// Largest tilt, rad, whose square is left out.
+const SMALL: f64 = 0.1;
 
 /// An unbalance in a plane of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -241,6 +244,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
 
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
+        if self.tilts {
+            out.push(Observed { name: "tilt", unit: "rad", value: at.q[2].hypot(at.q[3]) });
+        }
         let centre = self.centre(p.centre_of_mass, at.q) + self.turning(p, at.phase).scale(1.0 / p.mass);
         out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
     }
@@ -248,6 +254,12 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
         (p.polar_inertia == 0.0).then_some("polar_inertia")
     }
+    fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
+        if self.tilts {
+            out.push(Validity { what: "tilt over 0.1 rad", ratio: at.q[2].hypot(at.q[3]) / SMALL });
+        }
+    }
+
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let mut wrong = Vec::new();
         if self.tilts && p.polar_inertia > 2.0 * p.diametral_inertia {

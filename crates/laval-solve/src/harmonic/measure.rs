@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 pub enum Measure {
     /// Distance from the rest position, m, of the pair that starts at this coordinate.
     Displacement(usize),
+    /// What the probe with this index among [`System::probes`] measures, m or rad.
+    Probe(usize),
     /// Force, N, of the part in this slot.
     Force(usize),
 }
@@ -51,9 +53,10 @@ impl Measure {
     }
 
     /// SI unit.
-    pub fn unit(self) -> &'static str {
+    pub fn unit(self, system: &System) -> &'static str {
         match self {
             Measure::Displacement(_) => "m",
+            Measure::Probe(k) => system.probes()[k].unit(),
             Measure::Force(_) => "N",
         }
     }
@@ -62,6 +65,7 @@ impl Measure {
     pub(super) fn at<S: Evaluate>(self, system: &System, params: &[S], now: &Instant<S>) -> [S; 2] {
         match self {
             Measure::Displacement(x) => [now.q[x], now.q[x + 1]],
+            Measure::Probe(k) => system.probes()[k].scaled(now.q),
             Measure::Force(slot) => force(&system.slots()[slot], params, now),
         }
     }
@@ -70,6 +74,7 @@ impl Measure {
     pub fn components_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> [f64; 2] {
         match self {
             Measure::Displacement(x) => orbit.pair_at(x, tau)[0],
+            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
             Measure::Force(slot) => {
                 let (n, m) = (system.n(), system.m());
                 let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -113,7 +118,8 @@ impl Measure {
             }
         }
         let refined = match self {
-            Measure::Displacement(x) => stationary(orbit, x, (tau, best), h),
+            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h),
+            Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h),
             Measure::Force(_) => vertex(square, (tau, best), h),
         };
         (refined.1.sqrt(), refined.0)
@@ -124,22 +130,23 @@ impl Measure {
         let square = |tau: f64| self.square_at(system, orbit, turns, tau);
         let (best, h) = (square(tau), 0.01);
         match self {
-            Measure::Displacement(x) => stationary(orbit, x, (tau, best), h).0,
+            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h).0,
+            Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h).0,
             Measure::Force(_) => vertex(square, (tau, best), h).0,
         }
     }
 }
 
 /// Newton's method on the rate of the squared distance, where it leads to more.
-fn stationary(orbit: &Orbit, body: usize, (mut tau, mut best): (f64, f64), h: f64) -> (f64, f64) {
+fn stationary(pair: impl Fn(f64) -> [[f64; 2]; 3], (mut tau, mut best): (f64, f64), h: f64) -> (f64, f64) {
     for _ in 0..8 {
-        let [[x, y], [dx, dy], [ddx, ddy]] = orbit.pair_at(body, tau);
+        let [[x, y], [dx, dy], [ddx, ddy]] = pair(tau);
         let (rate, bend) = (x * dx + y * dy, dx * dx + dy * dy + x * ddx + y * ddy);
         if !(bend < 0.0) {
             break;
         }
         let next = tau + (-rate / bend).clamp(-h, h);
-        let [[x, y], ..] = orbit.pair_at(body, next);
+        let [[x, y], ..] = pair(next);
         let r = x * x + y * y;
         if !(r > best) {
             break;

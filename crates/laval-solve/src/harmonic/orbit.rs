@@ -1,6 +1,7 @@
 //! A periodic motion of the whole machine, from the terms of its nonlinear coordinates.
 
 use super::problem::Balance;
+use crate::model::probe::Probe;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
 
@@ -92,6 +93,28 @@ impl Orbit {
             }
         }
         out
+    }
+
+    /// What a probe measures, from rest, with its first and second derivative in the base phase, at base phase `tau`.
+    pub fn probe_at(&self, probe: &Probe, tau: f64) -> [[f64; 2]; 3] {
+        let mut out = [[0.0; 2]; 3];
+        out[0] = self.rest_seen(probe).map(|r| -r);
+        for (&k, amplitudes) in self.orders.iter().zip(&self.coordinates) {
+            let turn = C64::cis(k as f64 * tau);
+            for (j, amplitude) in probe.amplitudes(amplitudes).into_iter().enumerate() {
+                let mut z = amplitude * turn;
+                for o in &mut out {
+                    o[j] += z.re;
+                    z = z.mul_i().scale(k as f64);
+                }
+            }
+        }
+        out
+    }
+
+    /// What a probe measures at rest.
+    pub fn rest_seen(&self, probe: &Probe) -> [f64; 2] {
+        if self.rest.is_empty() { [0.0; 2] } else { probe.of(&self.rest) }
     }
 
     /// Forward and backward amplitude of the pair that starts at coordinate `x`, at order `k`: `x + i y = forward e^(i k tau) + backward e^(-i k tau)`.

@@ -51,6 +51,9 @@ impl Discretisation {
     }
 }
 
+/// Typical displacement over typical tilt, m: what a monitored tilt is multiplied by beside displacements.
+const LEVER: f64 = 0.1;
+
 /// The balance of one machine.
 pub struct Balance<'a> {
     /// The machine.
@@ -81,7 +84,8 @@ pub struct Balance<'a> {
     pub(super) load_speed: Vec<f64>,
     scale: Vec<f64>,
     speed_scale: f64,
-    bodies: Vec<usize>,
+    /// Pairs of the bodies that are monitored, displacements and tilts, with their weights.
+    bodies: Vec<(usize, f64)>,
     /// Resonances of the machine linearised at rest, met by the base order: speed and half width, rad/s.
     resonances: Vec<(f64, f64)>,
     pub(super) cancel: Option<&'a AtomicBool>,
@@ -161,7 +165,7 @@ impl<'a> Balance<'a> {
             load_speed: vec![0.0; unknowns],
             scale: vec![1.0; unknowns],
             speed_scale: 1.0,
-            bodies: system.bodies().iter().map(|b| b.x).collect(),
+            bodies: system.bodies().iter().flat_map(|b| [Some((b.x, 1.0)), b.tilt.map(|t| (t, LEVER))]).flatten().collect(),
             resonances: Vec::new(),
             cancel,
             amplitudes: vec![C64::zero(); m],
@@ -502,8 +506,8 @@ impl Zero for Balance<'_> {
         self.project(x, p, None, None);
         let mut motion = Vec::new();
         self.motion(x, which, &mut motion);
-        for (i, &g) in self.bodies.iter().enumerate() {
-            let forward = (motion[g] + motion[g + 1].mul_i()).scale(0.5);
+        for (i, &(g, lever)) in self.bodies.iter().enumerate() {
+            let forward = (motion[g] + motion[g + 1].mul_i()).scale(0.5 * lever);
             out[2 * i] = forward.re;
             out[2 * i + 1] = forward.im;
         }

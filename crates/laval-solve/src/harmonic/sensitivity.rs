@@ -368,8 +368,14 @@ impl Point<'_, '_> {
         let [a, b] = self.measure.at(system, &params, &now);
         let [a, b] = match self.measure {
             Measure::Displacement(i) if !seen.orbit.rest.is_empty() => {
-                let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, i);
+                let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, &|q| [q[i], q[i + 1]]);
                 let place = seen.orbit.rest_of(i);
+                [a - D1 { re: place[0], eps: [x] }, b - D1 { re: place[1], eps: [y] }]
+            }
+            Measure::Probe(k) if !seen.orbit.rest.is_empty() => {
+                let probe = &system.probes()[k];
+                let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, &|q| probe.of(q));
+                let place = seen.orbit.rest_seen(probe);
                 [a - D1 { re: place[0], eps: [x] }, b - D1 { re: place[1], eps: [y] }]
             }
             _ => [a, b],
@@ -378,9 +384,9 @@ impl Point<'_, '_> {
         (size, (a.re * a.eps[0] + b.re * b.eps[0]) / size)
     }
 
-    /// How the place of rest of the pair that starts at coordinate `x` moves with the speed (at this rate) or a parameter, by differences of fourth order; NaN where
+    /// How the place of rest of a pair moves with the speed (at this rate) or a parameter, by differences of fourth order; NaN where
     /// there is no rest beside it. It moves with neither where only unknowns do.
-    fn rest_slope(&self, speed: f64, by_speed: f64, parameter: Option<Parameter>, x: usize) -> [f64; 2] {
+    fn rest_slope(&self, speed: f64, by_speed: f64, parameter: Option<Parameter>, seen: &dyn Fn(&[f64]) -> [f64; 2]) -> [f64; 2] {
         let system = self.balance.system;
         let at = |e: f64| -> Option<[f64; 2]> {
             let q = match parameter {
@@ -392,7 +398,7 @@ impl Point<'_, '_> {
                     rest(&system.with(&values).ok()?, speed).ok()?.q
                 }
             };
-            Some([q[x], q[x + 1]])
+            Some(seen(&q))
         };
         let size = match parameter {
             None if by_speed == 0.0 => return [0.0; 2],

@@ -7,6 +7,7 @@ use super::envelope::{Peak, Window};
 use super::{ACCOUNT, Motion, SpinLaw, point};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::programme::Spin;
 use laval_num::dense::Mat;
@@ -105,14 +106,27 @@ pub struct Flight {
     pub left: Option<Left>,
     /// The implicit method was used.
     pub stiff: bool,
-    /// Of each body.
+    /// Of each body, the largest of all its points where something is attached.
     pub peaks: Vec<Peak>,
-    /// Of each body.
+    /// Of each body, the same.
     pub windows: Vec<Vec<Window>>,
+    /// Of each body that tilts.
+    pub tilts: Vec<Tilting>,
     /// Crossings of switching surfaces: slot, surface of the part, time.
     pub contacts: Vec<(usize, usize, f64)>,
     /// Use of validity, by statement.
     pub validity: Vec<Use>,
+}
+
+/// Tilt of a body from rest, rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tilting {
+    /// Index of the body.
+    pub body: usize,
+    /// The largest.
+    pub peak: Peak,
+    /// Its envelope.
+    pub windows: Vec<Window>,
 }
 
 /// Crossings of one surface nearer together than this share of a step are one.
@@ -145,19 +159,53 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
     };
     match run.end {
         End::Failed { t: 0.0, what } => Err(cannot(what.to_string())),
-        _ => Ok(Flight {
-            times: watch.times,
-            states: watch.states,
-            state,
-            run,
-            left: watch.left.get(),
-            stiff,
-            peaks: watch.tracks.iter().map(|t| t.peak).collect(),
-            windows: watch.tracks.into_iter().map(|t| t.windows).collect(),
-            contacts: watch.contacts,
-            validity: watch.validity,
-        }),
+        _ => {
+            let (peaks, windows, tilts) = by_body(watch.tracks);
+            Ok(Flight {
+                times: watch.times,
+                states: watch.states,
+                state,
+                run,
+                left: watch.left.get(),
+                stiff,
+                peaks,
+                windows,
+                tilts,
+                contacts: watch.contacts,
+                validity: watch.validity,
+            })
+        }
     }
+}
+
+/// Of every body the largest displacement among its points, and its tilt.
+fn by_body(tracks: Vec<Track>) -> (Vec<Peak>, Vec<Vec<Window>>, Vec<Tilting>) {
+    let (tilts, points): (Vec<Track>, Vec<Track>) = tracks.into_iter().partition(|t| t.probe.is_tilt());
+    let raise = |largest: &mut Peak, other: Peak| {
+        if other.amplitude > largest.amplitude || other.amplitude.is_nan() {
+            *largest = other;
+        }
+    };
+    let (mut peaks, mut windows) = (Vec::<Peak>::new(), Vec::<Vec<Window>>::new());
+    for track in points {
+        let body = track.probe.body;
+        if body == peaks.len() {
+            peaks.push(track.peak);
+            windows.push(track.windows);
+            continue;
+        }
+        // what moves most says how it turns
+        let turns = track.peak.amplitude > peaks[body].amplitude;
+        raise(&mut peaks[body], track.peak);
+        for (largest, w) in windows[body].iter_mut().zip(track.windows) {
+            if w.last.is_finite() {
+                raise(&mut largest.peak, w.peak);
+                largest.angle = if turns { w.angle } else { largest.angle };
+            }
+        }
+    }
+    let tilts = tilts.into_iter().map(|t| Tilting { body: t.probe.body, peak: t.peak, windows: t.windows });
+    (peaks, windows, tilts.collect())
 }
 
 /// Tolerances by kind of state: typical sizes of the coordinates, for velocities times the spin speed (at least 100 rad/s).
@@ -375,10 +423,10 @@ fn spin_of(system: &System, law: &SpinLaw, t: f64, y: &[f64]) -> Spin {
     }
 }
 
-/// Follows one body.
+/// Follows what one probe measures.
 struct Track {
-    x: usize,
-    /// Its place of rest.
+    probe: Probe,
+    /// The same at rest.
     rest: [f64; 2],
     peak: Peak,
     windows: Vec<Window>,
@@ -415,9 +463,9 @@ const PROBES: usize = 4;
 impl<'a> Watch<'a> {
     fn new(system: &'a System, law: SpinLaw, plan: &'a Plan, dim: usize) -> Self {
         let empty = Window { peak: Peak { amplitude: f64::NAN, t: f64::NAN }, angle: f64::NAN, last: f64::NAN };
-        let track = |x: usize| Track {
-            x,
-            rest: [x, x + 1].map(|i| plan.rest.get(i).copied().unwrap_or(0.0)),
+        let track = |probe: &Probe| Track {
+            rest: if plan.rest.is_empty() { [0.0; 2] } else { probe.of(plan.rest) },
+            probe: probe.clone(),
             peak: Peak::default(),
             windows: vec![empty; plan.windows],
             angle: 0.0,
@@ -431,7 +479,7 @@ impl<'a> Watch<'a> {
             progress: plan.progress,
             times: Vec::with_capacity(plan.outputs.len()),
             states: Vec::with_capacity(plan.outputs.len() * dim),
-            tracks: system.bodies().iter().map(|b| track(b.x)).collect(),
+            tracks: system.probes().iter().map(track).collect(),
             contacts: Vec::new(),
             validity: Vec::new(),
             y: vec![0.0; dim],
@@ -490,7 +538,8 @@ impl<'a> Watch<'a> {
 impl Track {
     /// Displacement from rest.
     fn place(&self, y: &[f64]) -> [f64; 2] {
-        [y[self.x] - self.rest[0], y[self.x + 1] - self.rest[1]]
+        let [px, py] = self.probe.of(y);
+        [px - self.rest[0], py - self.rest[1]]
     }
     fn probe(&mut self, t: f64, [x, y]: [f64; 2], t_end: f64) {
         let [px, py] = self.last;
@@ -543,8 +592,8 @@ impl Observer for Watch<'_> {
         if self.left.get().is_none() {
             let away = |t: &Track| t.last[0].hypot(t.last[1]);
             // a displacement that is no number is past every bound, but has no place: the step size control ends there
-            let body = self.tracks.iter().position(|t| away(t) > self.bound);
-            self.left.set(body.map(|body| Left { body, displacement: away(&self.tracks[body]), t: step.t1 }));
+            let far = self.tracks.iter().find(|t| !t.probe.is_tilt() && away(t) > self.bound);
+            self.left.set(far.map(|track| Left { body: track.probe.body, displacement: away(track), t: step.t1 }));
         }
         self.y = y;
         if self.switching {

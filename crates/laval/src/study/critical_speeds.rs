@@ -12,10 +12,11 @@
 use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words, follow, orders, special};
 use super::growing::{Follows, unstable};
 use super::modes::WHIRLS;
-use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, range, remarks_between};
+use super::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, range, remarks_between, sight};
 use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
@@ -69,15 +70,14 @@ margin = 0.15
         let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
         let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let crossings = criticals(system, &state, &found, &self.orders);
-        let bodies = system.bodies();
-        let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
+        let probes = system.probes();
         let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
-        let forced = load.iter().any(|f| f.abs() > 0.0) && !bodies.is_empty() && end.is_complete();
+        let forced = load.iter().any(|f| f.abs() > 0.0) && !probes.is_empty() && end.is_complete();
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
             let mut each = |done| context.goes_on(done);
             speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?.speeds);
-            let response = curve(system, &state, speeds, &at, &mut each)?;
+            let response = curve(system, &state, speeds, probes, &mut each)?;
             if !response.complete {
                 end = context.end(false);
             }
@@ -91,12 +91,16 @@ margin = 0.15
         if let Some(f) = unstable(system, &found.strongest, &Follows::Speeds) {
             outcome = outcome.finding(f);
         }
-        let name = |p: &Extremum| bodies[p.body].name.as_str();
+        let name = |p: &Extremum| sight(&probes[p.probe]);
+        let subject = |p: &Extremum| match probes[p.probe].is_tilt() {
+            true => format!("the {}", name(p)),
+            false => format!("the response of {}", name(p)),
+        };
         for c in &crossings {
             let beside = match own_peak(c, &crossings, &peaks) {
                 _ if !forced || c.order != 1.0 => String::new(),
-                Some(p) if p.unbounded => format!("; there the response of {} has no bound", name(p)),
-                Some(p) => format!("; the response of {} peaks at {}", name(p), quantity(p.speed, "rad/s")),
+                Some(p) if p.unbounded => format!("; there {} has no bound", subject(p)),
+                Some(p) => format!("; {} peaks at {}", subject(p), quantity(p.speed, "rad/s")),
                 None if !c.driven_by_unbalance() => "; in this machine unbalance does not excite it".into(),
                 None => "; the unbalance response has no peak there".into(),
             };
@@ -118,15 +122,14 @@ margin = 0.15
             };
             outcome = outcome.finding(finding).special_point(special(c));
         }
-        let loose = loose(&crossings, &peaks);
+        let loose = loose(&crossings, &peaks, probes);
         for p in &loose {
             let text = format!(
-                "The unbalance response of {} peaks at {{}}, where the frequency of no mode equals the speed: {}.",
-                name(p),
-                if p.unbounded { "it has no bound there".into() } else { format!("it moves {}", quantity(p.value, "m")) }
+                "The unbalance response peaks at {{}}, where the frequency of no mode equals the speed: {}.",
+                if p.unbounded { format!("{} has no bound there", subject(p)) } else { moves(&probes[p.probe], p.value) }
             );
             let finding = Finding::info("response_peak", text).of(name(p)).value(p.speed, "rad/s");
-            outcome = outcome.finding(finding.evidence("amplitude", p.value, "m"));
+            outcome = outcome.finding(finding.evidence("amplitude", p.value, probes[p.probe].unit()));
         }
         if crossings.is_empty() {
             let text = match (complete, loose.is_empty()) {
@@ -137,11 +140,9 @@ margin = 0.15
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         for p in &peaks {
-            outcome = outcome.special_point(SpecialPoint::new("response_peak", p.speed, p.bracket).of(&bodies[p.body].name).evidence(
-                format!("amplitude of {}", bodies[p.body].name),
-                p.value,
-                "m",
-            ));
+            let (probe, name) = (&probes[p.probe], sight(&probes[p.probe]));
+            let point = SpecialPoint::new("response_peak", p.speed, p.bracket).of(&name);
+            outcome = outcome.special_point(point.evidence(format!("amplitude of {name}"), p.value, probe.unit()));
         }
         // a machine at rest has no distance in parts of its speed
         if let Some(w) = system.machine.speed.filter(|w| *w != 0.0) {
@@ -185,10 +186,12 @@ margin = 0.15
         for f in remarks_between(system, &state(self.speed.from)?, state(self.speed.to)) {
             outcome = outcome.finding(f);
         }
+        let size = |tilt: bool| peaks.iter().map(|p| if probes[p.probe].is_tilt() == tilt { p.value } else { f64::NAN }).collect();
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
-            .text("body", "body", peaks.iter().map(|p| name(p).to_string()).collect())
+            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(|p| name(p)).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
-            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound", peaks.iter().map(|p| p.value).collect())
+            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
+            .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
             .build()
             .map_err(inconsistent)?;
         outcome = outcome.table(critical_table(&crossings)?).table(peak_table);
@@ -225,12 +228,13 @@ fn own_peak<'p>(c: &Critical, all: &[Critical], peaks: &'p [Extremum]) -> Option
 }
 
 /// Peaks that belong to no critical speed: of those of several bodies at one speed the largest.
-fn loose<'p>(all: &[Critical], peaks: &'p [Extremum]) -> Vec<&'p Extremum> {
+fn loose<'p>(all: &[Critical], peaks: &'p [Extremum], probes: &[Probe]) -> Vec<&'p Extremum> {
     const ONE: f64 = 0.02;
     let mut out: Vec<&Extremum> = Vec::new();
     let mut own: Vec<&Extremum> = peaks.iter().filter(|p| !all.iter().any(|c| beside(c, p))).collect();
     // what has no bound is larger than any
-    own.sort_by(|a, b| b.unbounded.cmp(&a.unbounded).then(b.value.total_cmp(&a.value)));
+    let size = |e: &Extremum| e.value / probes[e.probe].typical();
+    own.sort_by(|a, b| b.unbounded.cmp(&a.unbounded).then(size(b).total_cmp(&size(a))));
     for p in own {
         if out.iter().all(|o| (o.speed - p.speed).abs() > ONE * p.speed.abs()) {
             out.push(p);

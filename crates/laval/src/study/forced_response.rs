@@ -10,11 +10,12 @@
 //! Sources: `theory/planar-rotor.md` sections 5 and 9.
 
 use super::growing::{Follows, unstable};
-use super::support::{SPEED_RANGE, inconsistent, one_or_range, remarks_between};
+use super::support::{SPEED_RANGE, inconsistent, moves, one_or_range, remarks_between, sight};
 use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, RangeValue, Values};
 use crate::model::part::At;
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
@@ -36,8 +37,9 @@ impl Study for ForcedResponse {
     const KIND: &'static str = "forced_response";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
 "#;
-    const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, forces of linear parts, with \
-        resonances and antiresonances located. Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
+    const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and \
+        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located. \
+        Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
     const FIELDS: &'static [Field] = &[Field::required(
         "speed",
         SPEED_RANGE,
@@ -77,7 +79,7 @@ impl Study for ForcedResponse {
         self.admit(system)?;
         let state = |w: f64| rest(system, w);
         let bodies = system.bodies();
-        let at: Vec<usize> = bodies.iter().map(|b| b.x).collect();
+        let probes = system.probes();
         let mut speeds = self.speed.linspace(400);
         context.announce(speeds.len() as f64, 10_000.0, "speeds to solve for, and more where the response bends");
         let mut each = |done: u64| {
@@ -95,39 +97,49 @@ impl Study for ForcedResponse {
             speeds.extend(more.speeds);
             strongest = more.strongest;
         }
-        let found: Curve = curve(system, &state, speeds, &at, &mut each)?;
+        let found: Curve = curve(system, &state, speeds, probes, &mut each)?;
         let points = &found.points;
         let told = |what: &str| format!("{what}; NaN beside a resonance without bound");
         let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
-        for b in &bodies {
-            let n = &b.name;
+        for p in probes {
+            // the tilt of a body has its own columns, a point those of a body of that name
+            let (n, of, unit) = match p.is_tilt() {
+                true => (p.name.clone(), "tilt_", "rad"),
+                false => (sight(p), "", "m"),
+            };
+            let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
             table = table
-                .float(format!("amplitude.{n}"), "m", told("semi-major axis of the orbit"), column(&|r| r.major(b.x)))
+                .float(format!("{amplitude}.{n}"), unit, told("semi-major axis of the orbit"), column(&|r| r.size(p)))
                 .float(
-                    format!("minor.{n}"),
-                    "m",
+                    format!("{of}minor.{n}"),
+                    unit,
                     told("semi-minor axis of the orbit, negative for backward whirl"),
                     column(&|r| {
-                        let (f, b) = r.circles(b.x);
+                        let (f, b) = r.circles_of(p);
                         f.abs() - b.abs()
                     }),
                 )
                 .float_if_any(
-                    format!("direction.{n}"),
+                    format!("{of}direction.{n}"),
                     "rad",
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
-                    column(&|r| r.direction(b.x)),
+                    column(&|r| r.direction_of(p)),
                 )
-                .float(format!("forward.{n}"), "m", told("forward amplitude"), column(&|r| r.circles(b.x).0.abs()))
+                .float(format!("{of}forward.{n}"), unit, told("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
                 .float(
-                    format!("phase.{n}"),
+                    format!("{of}phase.{n}"),
                     "rad",
                     told("angle of the forward amplitude from the key mark"),
-                    column(&|r| r.circles(b.x).0.arg()),
+                    column(&|r| r.circles_of(p).0.arg()),
                 )
-                .float(format!("backward.{n}"), "m", told("backward amplitude"), column(&|r| r.circles(b.x).1.abs()))
-                .float(format!("backward_phase.{n}"), "rad", told("angle of the backward amplitude"), column(&|r| r.circles(b.x).1.arg()));
+                .float(format!("{of}backward.{n}"), unit, told("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
+                .float(
+                    format!("{of}backward_phase.{n}"),
+                    "rad",
+                    told("angle of the backward amplitude"),
+                    column(&|r| r.circles_of(p).1.arg()),
+                );
         }
         let seen = observed(system, &state, points)?;
         for ((part, what, unit), values) in seen.quantities {
@@ -140,32 +152,43 @@ impl Study for ForcedResponse {
         if let Some(f) = unstable(system, &strongest, &Follows::Response) {
             outcome = outcome.finding(f);
         }
-        let name = |e: &Extremum| bodies[e.body].name.clone();
+        let name = |e: &Extremum| sight(&probes[e.probe]);
         let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let largest = |tilt: bool| peaks.iter().find(|e| probes[e.probe].is_tilt() == tilt).copied();
+        let (moved, tilted) = (largest(false), largest(true));
         if one {
-            for b in points.iter().flat_map(|_| &bodies) {
-                let finding = Finding::info("amplitude", format!("At {} {} moves {{}}.", quantity(self.speed.from, "rad/s"), b.name));
-                outcome = outcome.finding(finding.of(&b.name).value(points[0].major(b.x), "m").evidence("residual", residual, ""));
+            for p in points.iter().flat_map(|_| probes) {
+                let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
+                let who = if p.is_tilt() { p.name.clone() } else { sight(p) };
+                let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.speed.from, "rad/s")));
+                outcome = outcome.finding(finding.of(who).value(points[0].size(p), p.unit()).evidence("residual", residual, ""));
             }
-        } else if let Some(e) = peaks.first() {
+        }
+        for e in [moved, tilted].into_iter().flatten() {
             let so_far = if found.complete { "" } else { " found before the study stopped" };
+            let probe = &probes[e.probe];
+            let (id, of) = if probe.is_tilt() { ("largest_tilt_resonance", " of a tilt") } else { ("largest_resonance", "") };
             let finding = if e.unbounded {
-                let text = format!("Nothing dissipates at the resonance{so_far} at {{}}: there {} moves without bound.", name(e));
+                let does = if probe.is_tilt() { "tilts" } else { "moves" };
+                let body = if probe.is_tilt() { probe.name.clone() } else { sight(probe) };
+                let text = format!("Nothing dissipates at the resonance{of}{so_far} at {{}}: there {body} {does} without bound.");
                 Finding::warning("undamped_resonance", text)
             } else {
-                let text = format!("The largest resonance{so_far} is at {{}}: {} moves {}.", name(e), quantity(e.value, "m"));
-                Finding::info("largest_resonance", text)
+                let text = format!("The largest resonance{of}{so_far} is at {{}}: {}.", moves(probe, e.value));
+                Finding::info(id, text)
             };
-            let finding = finding.value(e.speed, "rad/s").evidence("amplitude", e.value, "m").evidence("residual", residual, "");
+            let amplitude = if probe.is_tilt() { "tilt" } else { "amplitude" };
+            let finding = finding.value(e.speed, "rad/s").evidence(amplitude, e.value, probe.unit()).evidence("residual", residual, "");
             let there = if e.unbounded { None } else { response(system, &state, e.speed)? };
-            let direction = there.map_or(f64::NAN, |r| r.direction(bodies[e.body].x));
+            let direction = there.map_or(f64::NAN, |r| r.direction_of(probe));
             outcome = outcome.finding(if direction.is_nan() {
                 finding
             } else {
                 finding.evidence("angle of the major axis of the orbit from x", direction, "rad")
             });
-        } else {
+        }
+        if peaks.is_empty() && !one {
             let text = if !found.unknown.is_empty() {
                 "No resonance was found where the response is known."
             } else if found.complete {
@@ -177,10 +200,11 @@ impl Study for ForcedResponse {
         }
         for e in &found.extrema {
             let kind = if e.maximum { "resonance" } else { "antiresonance" };
+            let unit = probes[e.probe].unit();
             outcome = outcome.special_point(SpecialPoint::new(kind, e.speed, e.bracket).of(name(e)).evidence(
                 format!("amplitude of {}", name(e)),
                 e.value,
-                "m",
+                unit,
             ));
         }
         if !known && !one {
@@ -194,8 +218,8 @@ impl Study for ForcedResponse {
             found.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed).chain(found.singular.iter().copied()).collect();
         poles.sort_by(f64::total_cmp);
         poles.dedup_by(|b, a| (*b - *a).abs() <= 1e-6 * a.abs());
-        let named = peaks.first().filter(|e| e.unbounded).map(|e| e.speed);
-        for w in poles.into_iter().filter(|w| named.is_none_or(|n| (n - w).abs() > 1e-6 * n.abs())) {
+        let named: Vec<f64> = [moved, tilted].into_iter().flatten().filter(|e| e.unbounded).map(|e| e.speed).collect();
+        for w in poles.into_iter().filter(|w| named.iter().all(|n| (n - w).abs() > 1e-6 * n.abs())) {
             let text = "The response grows without bound at {}: nothing dissipates there.";
             outcome = outcome.finding(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
         }
@@ -218,32 +242,36 @@ impl Study for ForcedResponse {
         for f in remarks_between(system, &state(self.speed.from)?, state(self.speed.to)) {
             outcome = outcome.finding(f);
         }
+        let size = |tilt: bool| found.extrema.iter().map(|e| if probes[e.probe].is_tilt() == tilt { e.value } else { f64::NAN }).collect();
         let extrema = Table::new("extrema", "Resonances and antiresonances of every body")
-            .text("body", "body", found.extrema.iter().map(name).collect())
+            .text("body", "body, point of a body, or tilt of a body", found.extrema.iter().map(name).collect())
             .text(
                 "kind",
                 "maximum or minimum of the amplitude",
                 found.extrema.iter().map(|e| if e.maximum { "resonance" } else { "antiresonance" }.into()).collect(),
             )
             .float("speed", "rad/s", "spin speed", found.extrema.iter().map(|e| e.speed).collect())
-            .float(
-                "amplitude",
-                "m",
-                "semi-major axis of the orbit; NaN where it has no bound",
-                found.extrema.iter().map(|e| e.value).collect(),
-            )
+            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
+            .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
             .build()
             .map_err(inconsistent)?;
         let (mut amplitude, mut phase) = (
             Panel::new(Axis::log("amplitude", "µm").factor(1e6)),
             Panel::new(Axis::new("phase", "°").factor(180.0 / std::f64::consts::PI)),
         );
-        for b in &bodies {
-            amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{}", b.name)).name(b.name.clone()));
-            phase = phase.mark(Line::new("response", "speed", format!("phase.{}", b.name)).name(b.name.clone()));
+        let mut tilt = Panel::new(Axis::log("tilt", "mrad").factor(1e3));
+        for p in probes {
+            if p.is_tilt() {
+                tilt = tilt.mark(Line::new("response", "speed", format!("tilt.{}", p.name)).name(p.name.clone()));
+            } else {
+                let name = sight(p);
+                amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(name.clone()));
+                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name));
+            }
         }
         amplitude = amplitude.mark(Points::new("extrema", "speed", "amplitude").group("kind"));
-        let alt = match peaks.first() {
+        tilt = tilt.mark(Points::new("extrema", "speed", "tilt").group("kind"));
+        let alt = match moved.or(tilted) {
             Some(e) if e.unbounded => {
                 format!("Amplitudes of {} bodies over spin speed, without bound at {}.", bodies.len(), quantity(e.speed, "rad/s"))
             }
@@ -255,6 +283,7 @@ impl Study for ForcedResponse {
             None => format!("Amplitudes of {} bodies over spin speed, without resonance.", bodies.len()),
         };
         let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s")).panel(amplitude).panel(phase);
+        let figure = if probes.iter().any(Probe::is_tilt) { figure.panel(tilt) } else { figure };
         outcome = outcome.table(table.build().map_err(inconsistent)?);
         // one speed makes neither curves nor extrema
         if !one {
@@ -346,7 +375,7 @@ fn observed(
             for (slot, o) in system.observe(&at, &mut ws) {
                 let slot = &system.slots()[slot];
                 // the amplitude of a body is in its own columns; eliminated states are not at hand
-                if slot.physics != crate::model::part::Physics::Linear || slot.memory > 0 || o.name == "displacement" {
+                if slot.physics != crate::model::part::Physics::Linear || slot.memory > 0 || ["displacement", "tilt"].contains(&o.name) {
                     continue;
                 }
                 let column: &mut Vec<f64> = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);

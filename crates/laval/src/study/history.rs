@@ -10,7 +10,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
-use crate::solve::motion::envelope::{Window, growth_of};
+use crate::solve::motion::envelope::{Peak, Window, growth_of};
 use crate::solve::motion::flight::{Choice, Flight, Plan, Use, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use laval_num::ode;
@@ -143,14 +143,71 @@ pub(super) fn unbounded(system: &System, flight: &Flight, turn: f64) -> Option<F
     Some(finding.of(body).evidence("left at", left.t, "s").evidence("displacement there", left.displacement, "m"))
 }
 
-/// The largest displacement of a body in a sentence; up to `still` it is none.
-pub(super) fn largest(body: &str, amplitude: f64, still: f64) -> Finding {
-    if amplitude <= still {
-        let text = format!("\"{body}\" does not move from its place of rest, to the tolerance of the integration.");
-        return Finding::info("largest_displacement", text).of(body).value(0.0, "m");
+/// What is seen of the motion of a body: its displacement, at any of its points where something is attached, or its tilt.
+pub(super) struct Sighted<'f> {
+    pub body: String,
+    pub tilt: bool,
+    pub peak: Peak,
+    pub windows: &'f [Window],
+    pub unit: &'static str,
+    /// Up to here it is none.
+    pub still: f64,
+    /// The other of displacement and tilt is more than none.
+    other: bool,
+}
+
+/// Displacements of the bodies, then tilts; `still` (m) is no displacement.
+pub(super) fn sights<'f>(system: &System, flight: &'f Flight, still: f64) -> Vec<Sighted<'f>> {
+    // typical sizes are 1 mm and 10 mrad
+    let still_tilt = 10.0 * still;
+    let bodies = system.bodies();
+    let name = |k: usize| bodies.get(k).map_or_else(String::new, |b| b.name.clone());
+    let tilted = |k: usize| flight.tilts.iter().any(|t| t.body == k && !(t.peak.amplitude <= still_tilt));
+    let moved = flight.peaks.iter().zip(&flight.windows).enumerate().map(|(k, (peak, windows))| Sighted {
+        body: name(k),
+        tilt: false,
+        peak: *peak,
+        windows,
+        unit: "m",
+        still,
+        other: tilted(k),
+    });
+    let tilts = flight.tilts.iter().map(|t| Sighted {
+        body: name(t.body),
+        tilt: true,
+        peak: t.peak,
+        windows: &t.windows,
+        unit: "rad",
+        still: still_tilt,
+        other: !(flight.peaks[t.body].amplitude <= still),
+    });
+    moved.chain(tilts).collect()
+}
+
+impl Sighted<'_> {
+    /// As the subject of a finding.
+    pub fn label(&self) -> String {
+        if self.tilt { format!("tilt of {}", self.body) } else { self.body.clone() }
     }
-    let text = format!("The largest displacement of \"{body}\" from rest is {{}}.");
-    Finding::info("largest_displacement", text).of(body).value(amplitude, "m")
+    /// As the subject of a sentence.
+    pub fn words(&self) -> String {
+        if self.tilt { format!("The tilt of \"{}\"", self.body) } else { format!("\"{}\"", self.body) }
+    }
+    /// It is more than none.
+    pub fn moves(&self) -> bool {
+        !(self.peak.amplitude <= self.still)
+    }
+    /// The largest in a sentence; nothing of a tilt that is none.
+    pub fn largest(&self) -> Option<Finding> {
+        let (id, what) = if self.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
+        if self.moves() {
+            let text = format!("The largest {what} of \"{}\" from rest is {{}}.", self.body);
+            return Some(Finding::info(id, text).of(&self.body).value(self.peak.amplitude, self.unit));
+        }
+        let but = if self.other { "; it tilts" } else { "" };
+        let text = format!("\"{}\" does not move from its place of rest, to the tolerance of the integration{but}.", self.body);
+        (!self.tilt).then(|| Finding::info(id, text).of(&self.body).value(0.0, "m"))
+    }
 }
 
 /// Equally spaced times from 0 to `t_end`, both included.

@@ -21,10 +21,17 @@ const fn named(unit: &'static str) -> FieldKind {
 
 /// Fields of `[limits]`.
 pub const FIELDS: &[Field] = &[
-    Field::optional("displacement", named("m"), "", "largest steady displacement of bodies, the foundation among them"),
-    Field::optional("velocity", named("m/s"), "", "largest steady vibration velocity of bodies"),
+    Field::optional(
+        "displacement",
+        named("m"),
+        "",
+        "largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached",
+    ),
+    Field::optional("velocity", named("m/s"), "", "largest steady vibration velocity of bodies, at the same points"),
+    Field::optional("tilt", named("rad"), "", "largest steady tilt of bodies"),
     Field::optional("force", named("N"), "", "largest steady force of parts, such as bearings"),
-    Field::optional("passage_displacement", named("m"), "", "largest displacement of bodies while the speed changes"),
+    Field::optional("moment", named("N m"), "", "largest steady moment of parts, such as shafts"),
+    Field::optional("passage_displacement", named("m"), "", "largest displacement of bodies, at the same points, while the speed changes"),
     Field::optional(
         "drive_torque",
         FieldKind::Quantity { unit: "N m", bounds: Bounds::positive(1e9) },
@@ -80,8 +87,12 @@ pub struct Limits {
     pub displacement: Vec<Limit>,
     /// Velocities of bodies, m/s.
     pub velocity: Vec<Limit>,
+    /// Tilts of bodies, rad.
+    pub tilt: Vec<Limit>,
     /// Forces of parts, N.
     pub force: Vec<Limit>,
+    /// Moments of parts, N m.
+    pub moment: Vec<Limit>,
     /// Displacements of bodies in passage, m.
     pub passage: Vec<Limit>,
     /// Torque of the drive, N m.
@@ -98,6 +109,13 @@ pub struct Limits {
     pub speed: Option<f64>,
     /// Density it is rated for, kg/m^3.
     pub rated_density: Option<f64>,
+}
+
+impl Limits {
+    /// There is a limit on the steady vibration.
+    pub fn vibration(&self) -> bool {
+        [&self.displacement, &self.velocity, &self.tilt, &self.force, &self.moment].iter().any(|l| !l.is_empty())
+    }
 }
 
 /// Says what is wrong with the limits.
@@ -129,6 +147,8 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
         found
     };
     let (displacement, velocity) = (list("displacement", &bodies, "body"), list("velocity", &bodies, "body"));
+    let tilting: Vec<String> = system.bodies().into_iter().filter(|b| b.tilt.is_some()).map(|b| b.name).collect();
+    let (tilt, moment) = (list("tilt", &tilting, "body that tilts"), list("moment", &parts, "part"));
     let (force, passage) = (list("force", &parts, "part"), list("passage_displacement", &bodies, "body"));
     if v.number("rated_density").is_some() && v.number("speed").is_none() {
         let message = "rated_density belongs to a highest speed, which is missing";
@@ -137,7 +157,9 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
     Limits {
         displacement,
         velocity,
+        tilt,
         force,
+        moment,
         passage,
         torque: v.number("drive_torque"),
         growth: v.number("growth_margin").unwrap_or(0.0),

@@ -294,13 +294,15 @@ impl RunUp {
     /// Largest displacements and the passages through resonances.
     fn peaks(&self, system: &System, flight: &Flight, still: f64, stop: &dyn Fn() -> bool, mut outcome: Outcome) -> Outcome {
         let mut rates: Option<Option<Rates>> = None;
-        for ((b, peak), windows) in system.bodies().iter().zip(&flight.peaks).zip(&flight.windows) {
+        for seen in history::sights(system, flight, still) {
+            let (peak, windows, unit) = (seen.peak, seen.windows, seen.unit);
             let speed = self.programme.at(peak.t).speed;
-            let largest = history::largest(&b.name, peak.amplitude, still);
+            let Some(largest) = seen.largest() else { continue };
             outcome = outcome.finding(largest.evidence("at speed", speed, "rad/s").evidence("at time", peak.t, "s"));
-            if peak.amplitude <= still {
+            if peak.amplitude <= seen.still {
                 continue;
             }
+            let (name, b) = (seen.words(), seen.label());
             let spin = |t: f64| self.programme.at(t);
             let seen = envelope(windows, &spin);
             let slips = |t: f64| balance::slips(system, flight, t, &|t| spin(t).phase);
@@ -324,21 +326,17 @@ impl RunUp {
                     continue;
                 }
                 let since = lowest_before(&seen, &passed, i);
-                let finding = self.passage(&b.name, rates.as_ref().and_then(Option::as_ref), [since, p.t]).value(at, "rad/s").evidence(
-                    "amplitude",
-                    p.amplitude,
-                    "m",
-                );
+                let finding = self.passage((&name, &b), rates.as_ref().and_then(Option::as_ref), [since, p.t]);
+                let finding = finding.value(at, "rad/s").evidence("amplitude", p.amplitude, unit);
                 let point = SpecialPoint::new("peak", at, (before.min(after), before.max(after))).status(Status::Bracketed);
                 outcome =
-                    outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, "m"));
+                    outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, unit));
             }
             if let Some(&(amplitude, at)) = round.iter().max_by(|a, b| a.0.total_cmp(&b.0)) {
                 let text = format!(
-                    "\"{}\" swings while masses go round in the rotor, which is no resonance of its own: its envelope peaks most at {{}}.",
-                    b.name
+                    "{name} swings while masses go round in the rotor, which is no resonance of its own: its envelope peaks most at {{}}."
                 );
-                let finding = Finding::info("swings", text).of(&b.name).value(at, "rad/s").evidence("amplitude", amplitude, "m");
+                let finding = Finding::info("swings", text).of(&b).value(at, "rad/s").evidence("amplitude", amplitude, unit);
                 outcome = outcome.finding(finding.evidence("peaks", round.len() as f64, ""));
             }
         }
@@ -347,20 +345,20 @@ impl RunUp {
 
     /// What a peak of the envelope is, from the time since which it rises: a resonance of a machine that is stable on the way, growth through a range in which it is not,
     /// or no more than a peak where the machine cannot be linearised.
-    fn passage(&self, body: &str, rates: Option<&Rates>, [since, until]: [f64; 2]) -> Finding {
+    fn passage(&self, (name, subject): (&str, &str), rates: Option<&Rates>, [since, until]: [f64; 2]) -> Finding {
         match rates.map(|r| r.most(since, until).filter(|range| range.factor > 1.0 / PROMINENT)) {
-            None => Finding::info("peak", format!("The envelope of \"{body}\" peaks at {{}}.")),
-            Some(None) => Finding::info("peak", format!("\"{body}\" passes a resonance: its envelope peaks at {{}}.")),
+            None => Finding::info("peak", format!("The envelope of {} peaks at {{}}.", name.replacen("The ", "the ", 1))),
+            Some(None) => Finding::info("peak", format!("{name} passes a resonance: its envelope peaks at {{}}.")),
             Some(Some(Range { speeds: [a, b], factor, rate })) => {
                 let (a, b, times) = (quantity(a, "rad/s"), quantity(b, "rad/s"), significant(factor, 2));
                 let text = format!(
-                    "\"{body}\" grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \
+                    "{name} grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \
                      quickly, or add damping."
                 );
                 Finding::warning("unstable_range", text).evidence("largest growth rate there", rate, "1/s")
             }
         }
-        .of(body)
+        .of(subject)
     }
 
     /// Torque and power of the drive at the outputs.
@@ -445,7 +443,7 @@ impl RunUp {
                 columns.add(
                     &name,
                     "m",
-                    "largest |x + i y| of the steady linear response at this speed; NaN where nothing holds or damps the machine",
+                    "largest |x + i y| of the steady linear response, at any point of the body, at this speed; NaN where nothing holds or damps the machine",
                     q.iter().map(|row| row[k]).collect(),
                 );
                 panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
@@ -488,7 +486,7 @@ impl<'a> LinearResponse<'a> {
         })
     }
 
-    /// Largest |x + i y| of each body; NaN where the stiffness is singular.
+    /// Largest |x + i y| of each body, at any of its points; NaN where the stiffness is singular.
     fn amplitudes(&mut self, speed: f64) -> Vec<f64> {
         let system = self.system;
         let (n, zero) = (system.n(), vec![0.0; system.n().max(system.m())]);
@@ -505,10 +503,12 @@ impl<'a> LinearResponse<'a> {
         });
         let b = &self.model.blocks;
         let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
-        let bodies = system.bodies();
-        let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; bodies.len()] };
+        let count = system.bodies().len();
+        let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; count] };
         lu.solve(&mut x);
         // forward and backward parts turn against each other: their radii add up once a turn
-        bodies.iter().map(|b| 0.5 * ((x[b.x] + x[b.x + 1].mul_i()).abs() + (x[b.x] - x[b.x + 1].mul_i()).abs())).collect()
+        let size = |[x, y]: [C64; 2]| 0.5 * ((x + y.mul_i()).abs() + (x - y.mul_i()).abs());
+        let points = |k: usize| system.probes().iter().filter(move |p| p.body == k && !p.is_tilt());
+        (0..count).map(|k| super::support::largest(points(k).map(|p| size(p.amplitudes(&x))))).collect()
     }
 }

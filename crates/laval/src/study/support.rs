@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Values, Word};
 use crate::model::part::At;
+use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Finding, Level, OutcomeError, quantity};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
@@ -18,6 +19,23 @@ pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bou
 
 /// Share of the largest eigenvalue, or of the largest amplitude, that a number must exceed to be more than rounding.
 pub const ROUNDING: f64 = 1e-13;
+
+/// What a probe measures, in words: the body, a point of it, or its tilt.
+pub fn sight(probe: &Probe) -> String {
+    match probe.sight {
+        Sight::Displacement(0.0) => probe.name.clone(),
+        Sight::Displacement(z) => format!("{} at {}", probe.name, quantity(z, "m")),
+        Sight::Tilt => format!("tilt of {}", probe.name),
+    }
+}
+
+/// How a probe moves by an amplitude, in words.
+pub fn moves(probe: &Probe, amplitude: f64) -> String {
+    match probe.sight {
+        Sight::Tilt => format!("{} tilts by {}", probe.name, quantity(amplitude, "rad")),
+        _ => format!("{} moves {}", sight(probe), quantity(amplitude, "m")),
+    }
+}
 
 /// Of two numbers the larger; NaN, which `f64::max` drops, stays.
 pub fn larger(a: f64, b: f64) -> f64 {

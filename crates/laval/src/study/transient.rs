@@ -249,19 +249,23 @@ impl Transient {
         let mut out = Vec::new();
         // the body that moves most at the end speaks for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
-        let loudest = system.bodies().into_iter().zip(&flight.windows).max_by(|a, b| last(a.1).total_cmp(&last(b.1)));
-        let loudest = loudest.filter(|(_, windows)| last(windows) > still);
-        let rate = loudest.as_ref().and_then(|(_, windows)| growth(windows, turn));
+        let sights = history::sights(system, flight, still);
+        let of = |tilt: bool| sights.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
+        let most = |tilt: bool| of(tilt).max_by(|a, b| last(a.windows).total_cmp(&last(b.windows)));
+        // a machine whose bodies stay in their places may tilt
+        let loudest = most(false).or_else(|| most(true));
+        let rate = loudest.and_then(|s| growth(s.windows, turn));
         let clear = |g: &Growth| g.rate.abs() > 3.0 * g.uncertainty;
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
-        for (b, peak) in system.bodies().iter().zip(&flight.peaks) {
-            let finding = if grows && peak.amplitude > still && peak.t >= 0.9 * flight.run.t {
-                let text = format!("The displacement of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", b.name);
-                Finding::info("largest_displacement", text).of(&b.name).value(peak.amplitude, "m")
+        for s in &sights {
+            let finding = if grows && s.moves() && s.peak.t >= 0.9 * flight.run.t {
+                let (id, what) = if s.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
+                let text = format!("The {what} of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", s.body);
+                Some(Finding::info(id, text).of(&s.body).value(s.peak.amplitude, s.unit))
             } else {
-                history::largest(&b.name, peak.amplitude, still)
+                s.largest()
             };
-            out.push(finding.evidence("reached at", peak.t, "s"));
+            out.extend(finding.map(|f| f.evidence("reached at", s.peak.t, "s")));
         }
         for b in system.bodies() {
             let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
@@ -279,7 +283,7 @@ impl Transient {
             let text = format!("{at} the spin speed is {{}}.");
             out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
         }
-        let Some((body, _)) = loudest else { return out };
+        let Some(loudest) = loudest else { return out };
         let Some(g) = rate else {
             let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
             out.push(Finding::info("no_growth_rate", text));
@@ -290,7 +294,8 @@ impl Transient {
             (true, false) => "decays at",
             _ => "neither grows nor decays clearly; the slope of its logarithm is",
         };
-        let text = format!("In the second half the envelope of \"{}\" {how} {{}}.", body.name);
+        let what = if loudest.tilt { "the tilt of " } else { "" };
+        let text = format!("In the second half the envelope of {what}\"{}\" {how} {{}}.", loudest.body);
         let make = if grows { Finding::warning } else { Finding::info };
         out.push(
             make("growth_rate", text)

@@ -112,7 +112,7 @@ fn small_unbalance_is_no_more_work() {
         let system = rotor(eccentricity, stiffness);
         let speeds = (1..10).map(|k| 100.0 * f64::from(k)).collect();
         let mut work = 0;
-        let found = curve(&system, &|w| rest(&system, w), speeds, &[0], &mut |n| {
+        let found = curve(&system, &|w| rest(&system, w), speeds, &system.probes()[..1], &mut |n| {
             work = n;
             n < 100_000
         });
@@ -286,15 +286,15 @@ fn extrema_of_many_bodies_are_found_in_few_solutions() {
     let mut speeds = RangeValue { from: 10.0, to: 1600.0, points: Some(5) }.linspace(5);
     speeds.extend(seeds(&system, &state, 10.0, 1600.0, &mut |_| true).unwrap().speeds);
     states.store(0, Ordering::Relaxed);
-    let at: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
-    let found = curve(&system, &state, speeds, &at, &mut |_| true).unwrap();
+    let probes = system.probes();
+    let found = curve(&system, &state, speeds, probes, &mut |_| true).unwrap();
     let searched = states.load(Ordering::Relaxed) - found.solved;
     assert!(found.extrema.len() > 100, "{}", found.extrema.len());
     // golden section takes more than forty for each
     assert!(searched < 10 * found.extrema.len() as u64, "{searched} solutions for {} extrema", found.extrema.len());
     for e in &found.extrema {
         let h = 1e-5 * e.speed;
-        let value = |w: f64| at_speed(&system, w).unwrap().unwrap().major(at[e.body]).ln();
+        let value = |w: f64| at_speed(&system, w).unwrap().unwrap().size(&probes[e.probe]).ln();
         let (before, here, after) = (value(e.speed - h), value(e.speed), value(e.speed + h));
         assert!((here - e.value.ln()).abs() < 1e-10, "{e:?}");
         let bend = 2.0 * here - before - after;

@@ -38,7 +38,8 @@ fn pages_of_parts_and_studies_are_current() {
     page("studies.md", "Studies", intro, &c.studies, "study");
     let mut text = String::from(
         "# What separates, what is separated, and what is allowed\n\nBlocks of a machine file beside its parts, which the studies [separation](studies.md#separation) and\n\
-         [operating_window](studies.md#operating_window) read. `[[cup]]` may stand several times, each with a kind; `[suspension]` and `[limits]` stand once.\n",
+         [operating_window](studies.md#operating_window) read; cups that a body carries are in the machine of every study. `[[cup]]` may stand several times, each with a kind;\n\
+         `[suspension]` and `[limits]` stand once.\n",
     );
     for block in &c.blocks {
         let brackets = if block.several { format!("[[{}]]", block.word) } else { format!("[{}]", block.word) };

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod carried;
 mod ensemble;
 mod motion;
 mod operating_window;

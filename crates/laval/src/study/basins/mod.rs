@@ -18,7 +18,7 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::cells;
+use super::settled::columns::{cells, recorded};
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, fastest_growth, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
@@ -295,13 +295,8 @@ impl Fleet<'_> {
             rate: self.rate,
         };
         let members: Vec<Member> = range.clone().map(member).collect();
-        let voyage = Settling {
-            members: &members,
-            rules: &self.study.rules,
-            counter,
-            budget: &self.budget,
-            bodies: self.bodies.iter().map(|b| b.x).collect(),
-        };
+        let voyage =
+            Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, bodies: recorded(&self.system) };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));

@@ -13,7 +13,8 @@ const ON: Field = Field::optional(
     "on",
     FieldKind::Attach { ground: false },
     "",
-    "the body that carries it, and the height of the hinges on it; its inertia and unbalance then follow the tilt. Without it the mass of the cups is not in the dynamics",
+    "the body that carries it, and the height of the hinges on it; in every study their mass, inertia and unbalance at the tilt of the speed are then those of the body. Without it \
+     the mass of the cups is not in the dynamics",
 );
 const COUNT: Field = Field::optional("count", FieldKind::Integer { min: 1, max: 1000 }, "2", "how many, at equal pitch");
 const MASS: Field = Field::optional(

@@ -278,6 +278,7 @@ impl Fleet<'_> {
             out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
             out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
         }
+        out.extend(columns::tilts(&self.system));
         out.push(word(REFUSED, "why there is no machine with these values", |r: &Row| r.refused.clone()));
         out
     }
@@ -306,7 +307,7 @@ impl Fleet<'_> {
             rules: &self.study.rules,
             counter,
             budget: &self.budget,
-            bodies: self.system.bodies().iter().map(|b| b.x).collect(),
+            bodies: columns::recorded(&self.system),
         };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;

@@ -4,6 +4,7 @@ use super::{Fleet, MotionMap, REFUSED};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::{Kind, Results};
+use crate::study::settled::columns::{tilt, tilting};
 use crate::study::settled::period::LONGEST;
 use crate::study::settled::told;
 use crate::study::support::inconsistent;
@@ -22,6 +23,8 @@ struct Map<'a> {
     classes: Vec<String>,
     /// Largest displacements by body.
     amplitudes: Vec<(String, Vec<f64>)>,
+    /// Largest tilts of the bodies that tilt.
+    tilts: Vec<(String, Vec<f64>)>,
 }
 
 impl Map<'_> {
@@ -64,7 +67,12 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     for b in fleet.system.bodies() {
         amplitudes.push((b.name.clone(), results.numbers(&format!("amplitude.{}", b.name))?));
     }
-    let map = Map { fleet, classes, amplitudes };
+    let mut tilts = Vec::new();
+    for name in tilting(&fleet.system) {
+        let sizes = results.numbers(&tilt(&name))?;
+        tilts.push((name, sizes));
+    }
+    let map = Map { fleet, classes, amplitudes, tilts };
     let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
@@ -78,15 +86,16 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     figures(&map, outcome).checked().map_err(inconsistent)
 }
 
-/// The largest displacement of every body.
+/// The largest displacement of every body, and the largest tilt.
 fn largest(map: &Map) -> Vec<Finding> {
-    let one = |(body, sizes): &(String, Vec<f64>)| {
+    let one = |(body, sizes): &(String, Vec<f64>), what: &str, unit: &str| {
         let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
         let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let text = format!("The largest displacement of \"{body}\" is {{}}, at {}.", map.place(row));
-        Some(map.with_place(Finding::info("largest_displacement", text).of(body).value(size, "m"), row))
+        let text = format!("The largest {what} of \"{body}\" is {{}}, at {}.", map.place(row));
+        Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(body).value(size, unit), row))
     };
-    map.amplitudes.iter().filter_map(one).collect()
+    let moved = map.amplitudes.iter().filter_map(|a| one(a, "displacement", "m"));
+    moved.chain(map.tilts.iter().filter_map(|t| one(t, "tilt", "rad"))).collect()
 }
 
 /// How the motions repeat.

@@ -79,6 +79,7 @@ impl Shown<'_> {
                     .evidence("speed", speed, "rad/s"),
             );
         }
+        out.extend(self.tilt_findings());
         out.extend(self.force_findings());
         out.extend(self.centring_findings());
         out.extend(self.tuning_findings());

@@ -50,6 +50,7 @@ mod stretches;
 pub(super) mod summary;
 mod sweeps;
 mod tables;
+mod tilts;
 mod tuning;
 
 /// See the [module](self).
@@ -184,6 +185,7 @@ harmonics = "auto"
         shown.measure(&response);
         (shown.largest, shown.rising) = shown.peaks(&response, &request);
         shown.forces = shown.extreme_forces(&response, &request);
+        shown.tilts = shown.largest_tilts(&response, &request);
         shown.centring = shown.centring(&response);
         shown.tuned = shown.tuning(&response, &request);
         let mut outcome = shown.outcome(&response, &request, context)?;

@@ -5,6 +5,7 @@ use super::forces::Extremes;
 use super::largest::{Largest, Rising};
 use super::self_centring::Centring;
 use super::tables::{branch_table, change_table};
+use super::tilts::Tilt;
 use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
@@ -45,6 +46,8 @@ pub(super) struct Shown<'a> {
     pub(super) largest: Vec<Largest>,
     pub(super) rising: Option<Rising>,
     pub(super) forces: Vec<Extremes>,
+    /// Largest tilt of each body.
+    pub(super) tilts: Vec<Tilt>,
     pub(super) centring: Option<Centring>,
     pub(super) tuned: Vec<Tuned>,
 }
@@ -78,6 +81,7 @@ impl<'a> Shown<'a> {
             largest: vec![],
             rising: None,
             forces: vec![],
+            tilts: vec![],
             centring: None,
             tuned: vec![],
         })

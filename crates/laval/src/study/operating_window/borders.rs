@@ -65,7 +65,7 @@ mod tests {
 
     fn point(speed: f64, value: f64) -> Point {
         let margins = vec![Margin { name: STABLE, value, detail: String::new() }];
-        Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0 }
+        Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
     }
 
     /// A band of instability from 100 to 150: one at rest stands for far away, and the sign is kept, on the border too.

@@ -14,6 +14,7 @@ use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::solve::scalar::maximum;
 use crate::study::Context;
+use crate::study::limits::Limit;
 
 /// How carefully a range is looked at.
 pub(super) enum Care<'a> {
@@ -33,9 +34,28 @@ pub(super) struct Evaluated {
     /// Where everything but the separation is kept.
     pub mechanical: Vec<Interval>,
     pub best: Option<Point>,
+    /// Bodies whose tilt no limit sees.
+    pub unseen: Vec<Unseen>,
     pub folds: Vec<f64>,
     pub harmonics: Option<usize>,
     pub passage: Option<Passage>,
+}
+
+/// A body that tilts, forced to do so or not, without a limit that its tilt could break.
+pub(super) struct Unseen {
+    /// Index among the bodies.
+    pub index: usize,
+    pub name: String,
+}
+
+/// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
+fn unseen(system: &System, asked: &Asked) -> Vec<Unseen> {
+    let apart = |k: usize| system.probes().iter().any(|p| p.body == k && !p.is_tilt() && !p.is_reference());
+    let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.name == name);
+    let l = &asked.limits;
+    let seen = |k: usize, name: &str| limited(&l.tilt, name) || (apart(k) && limited(&l.displacement, name)) || !l.moment.is_empty();
+    let bodies = system.bodies().into_iter().enumerate();
+    bodies.filter(|(k, b)| b.tilt.is_some() && !seen(*k, &b.name)).map(|(index, b)| Unseen { index, name: b.name }).collect()
 }
 
 impl OperatingWindow {
@@ -95,7 +115,8 @@ impl OperatingWindow {
         let best = if careful { self.best(&judge, &borders, &points)? } else { None };
         let harmonics = branches.as_ref().map(Branches::harmonics);
         drop(branches);
-        Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, folds, harmonics, passage }))
+        let unseen = unseen(system, &asked);
+        Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, unseen, folds, harmonics, passage }))
     }
 
     /// Branches of a nonlinear machine; none when it is linear.

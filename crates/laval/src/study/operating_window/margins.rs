@@ -12,13 +12,17 @@ use crate::separation::particle::Particle;
 use crate::study::duty::Carried;
 use crate::study::duty::task::{Task, needed};
 use crate::study::limits::Limits;
+use crate::study::support::largest;
 use laval_num::complex::{C64, c};
 use std::sync::Arc;
 
 /// Names of the requirements, in the order they are shown.
-pub(super) const NAMES: [&str; 7] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength"];
+pub(super) const NAMES: [&str; 8] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength", "valid"];
 /// Index of the requirement on stability.
 pub(super) const STABLE: usize = 3;
+
+/// Index of the requirement that every part is inside its model: what is outside is not known. How far inside does not matter.
+pub(super) const VALID: usize = 7;
 
 /// Weight of the next margin beside the least when speeds are compared: a requirement that the speed hardly changes does not choose it.
 const NEXT: f64 = 1e-3;
@@ -32,6 +36,13 @@ pub(super) struct Margin {
     pub value: f64,
     /// What binds in it.
     pub detail: String,
+}
+
+impl Margin {
+    /// It is compared with others.
+    fn counts(&self) -> bool {
+        self.name != VALID || !(self.value >= 0.0)
+    }
 }
 
 /// Everything at one speed.
@@ -48,6 +59,8 @@ pub(super) struct Point {
     /// Energy of a batch: kinetic energy of the spin and work of the drive at speed, J.
     pub energy: f64,
     pub growth: f64,
+    /// Largest tilt of each body, rad.
+    pub leans: Vec<f64>,
 }
 
 impl Point {
@@ -62,7 +75,7 @@ impl Point {
     /// The requirement with the least margin; an undefined one binds before all.
     pub fn binding(&self) -> Option<&Margin> {
         let key = |m: &Margin| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value };
-        self.margins.iter().min_by(|a, b| key(a).total_cmp(&key(b)))
+        self.margins.iter().filter(|m| m.counts()).min_by(|a, b| key(a).total_cmp(&key(b)))
     }
     /// The least margin; minus infinity when one is undefined.
     pub fn least(&self) -> f64 {
@@ -70,7 +83,8 @@ impl Point {
     }
     /// For comparison by the least margin: where it hardly differs the next decides, and so on; minus infinity when one is undefined.
     pub fn room(&self) -> f64 {
-        let mut all: Vec<f64> = self.margins.iter().map(|m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value }).collect();
+        let mut all: Vec<f64> =
+            self.margins.iter().filter(|m| m.counts()).map(|m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value }).collect();
         all.sort_by(f64::total_cmp);
         all.iter().rev().fold(0.0, |rest, m| m + NEXT * rest)
     }
@@ -217,12 +231,15 @@ impl Judge<'_> {
             };
             margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
         }
+        let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
+        margins.extend(least(VALID, outside));
+        let leans = (0..system.bodies().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
         let duration = asked.duty.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
         let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
         let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
-        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth })
+        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth, leans })
     }
 
     /// Of the stable states that exist at a speed those that are judged.
@@ -247,7 +264,7 @@ impl Judge<'_> {
 
     fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
         let l = &self.asked.limits;
-        if l.displacement.is_empty() && l.velocity.is_empty() && l.force.is_empty() {
+        if !l.vibration() {
             return None;
         }
         if met.is_empty() {
@@ -258,13 +275,17 @@ impl Judge<'_> {
         let mut all = Vec::new();
         for s in met {
             let of_body = |list: &[f64], name: &str| place(name).and_then(|k| list.get(k).copied());
-            for (limits, what, list) in [(&l.displacement, "displacement", &s.displacement), (&l.velocity, "velocity", &s.velocity)] {
+            let of_bodies =
+                [(&l.displacement, "displacement", &s.displacement), (&l.velocity, "velocity", &s.velocity), (&l.tilt, "tilt", &s.tilt)];
+            for (limits, what, list) in of_bodies {
                 for limit in limits {
                     all.extend(of_body(list, &limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
                 }
             }
-            for limit in &l.force {
-                all.extend(s.force.get(&limit.name).map(|x| (1.0 - x / limit.value, format!("force of {}", limit.name))));
+            for (limits, what, of) in [(&l.force, "force", &s.force), (&l.moment, "moment", &s.moment)] {
+                for limit in limits {
+                    all.extend(of.get(&limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                }
             }
         }
         least(1, all.into_iter())

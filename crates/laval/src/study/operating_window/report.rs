@@ -2,7 +2,7 @@
 
 use super::borders::stable;
 use super::evaluate::Evaluated;
-use super::margins::{NAMES, Point};
+use super::margins::{NAMES, Point, VALID};
 use super::vary::{Map, Robust};
 use super::window::{End, Interval, excluding, relaxations};
 use super::{MAP_PLACES, Objective, OperatingWindow, Policy};
@@ -45,6 +45,7 @@ fn words(name: &str, flow: bool) -> &'static str {
         "clear" => "the clearance of a natural frequency",
         "passage" => "the passage of the resonances",
         "strength" => "the highest speed",
+        "valid" => "the validity of the model of a part",
         _ => "the range looked at",
     }
 }
@@ -169,7 +170,13 @@ impl Found<'_> {
     /// Why the window ends there, and the speed of the fold it ends at.
     fn reason(&self, e: &End) -> (String, Option<f64>) {
         let l = &self.main.asked.limits;
-        let lists = [("displacement", &l.displacement, "m"), ("velocity", &l.velocity, "m/s"), ("force", &l.force, "N")];
+        let lists = [
+            ("displacement", &l.displacement, "m"),
+            ("velocity", &l.velocity, "m/s"),
+            ("tilt", &l.tilt, "rad"),
+            ("force", &l.force, "N"),
+            ("moment", &l.moment, "N m"),
+        ];
         let limit = lists.iter().find_map(|(what, list, unit)| {
             let own = list.iter().find(|x| format!("{what} of {}", x.name) == e.detail)?;
             Some((own.value, *unit))
@@ -306,12 +313,31 @@ impl Found<'_> {
         }
     }
 
+    /// Bodies whose tilt no limit sees.
+    fn leaning(&self, mut out: Outcome) -> Outcome {
+        let m = &self.main;
+        for body in &m.unseen {
+            let inside = m.points.iter().filter(|p| p.feasible()).filter_map(|p| Some((*p.leans.get(body.index)?, p.speed)));
+            let Some((tilt, speed)) = inside.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|x| x.0 > 0.0) else { continue };
+            let text = format!(
+                "\"{}\" tilts by up to {{}} inside the windows, at {}, and no limit applies to its tilt: its displacement counts at the reference point alone. Add tilt to \
+                 [limits].",
+                body.name,
+                rpm(speed)
+            );
+            out = out
+                .finding(Finding::warning("tilt_without_limit", text).of(&body.name).value(tilt, "rad").evidence("speed", speed, "rad/s"));
+        }
+        out
+    }
+
     fn remarks(&self, mut out: Outcome) -> Outcome {
         let m = &self.main;
         out = self.uncarried.iter().cloned().fold(out, Outcome::finding);
         out = self.doubts(out);
+        out = self.leaning(out);
         let asked = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
-        let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| !asked(n)).map(|n| NAMES[n]).collect();
+        let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| n != VALID && !asked(n)).map(|n| NAMES[n]).collect();
         if !absent.is_empty() {
             let text = format!("Not checked, because nothing in the file asks for it: {}.", absent.join(", "));
             out = out.finding(Finding::info("not_checked", text));

@@ -149,9 +149,16 @@ fn aimed(objective: Objective, values: &Values, system: &System, limits: &Limits
             "add [[cup]], [suspension] and time (throughput where liquid flows through)",
         );
     }
-    if objective == Objective::Amplitude && limits.displacement.is_empty() && limits.velocity.is_empty() && limits.force.is_empty() {
+    if objective == Objective::Amplitude && !limits.vibration() {
         let message = "no limit on vibration is given that amplitudes could be measured against";
-        wrong(out, values, "objective", "operating_window.objective", message, "add displacement, velocity or force to [limits]");
+        wrong(
+            out,
+            values,
+            "objective",
+            "operating_window.objective",
+            message,
+            "add displacement, velocity, tilt, force or moment to [limits]",
+        );
     }
 }
 

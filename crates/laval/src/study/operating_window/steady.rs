@@ -22,12 +22,18 @@ use std::sync::atomic::AtomicBool;
 /// One steady state, by what limits speak of.
 #[derive(Clone, Debug)]
 pub(super) struct State {
-    /// Largest displacement of each body, m.
+    /// Largest displacement of each body, at any of its points where something is attached, m.
     pub displacement: Vec<f64>,
-    /// Largest velocity of each body, m/s.
+    /// Largest velocity of each body, the same, m/s.
     pub velocity: Vec<f64>,
+    /// Largest tilt of each body, rad; 0 of a body that does not tilt.
+    pub tilt: Vec<f64>,
     /// Largest force of each part that shows one, N.
     pub force: BTreeMap<String, f64>,
+    /// Largest moment of each part that shows one, N m.
+    pub moment: BTreeMap<String, f64>,
+    /// Largest use of the validity of a part, and of which; none where no part states one.
+    pub validity: Option<(f64, String)>,
     /// Forward amplitude of each body at the spin frequency, m.
     pub forward: Vec<C64>,
     /// The same of its tilt, rad; 0 of a body that does not tilt.
@@ -50,7 +56,10 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
     let mut out = State {
         displacement: vec![0.0; bodies.len()],
         velocity: vec![0.0; bodies.len()],
+        tilt: vec![0.0; bodies.len()],
         force: BTreeMap::new(),
+        moment: BTreeMap::new(),
+        validity: None,
         forward: bodies.iter().map(|b| orbit.whirl(b.x, order).0).collect(),
         lean: bodies.iter().map(|b| b.tilt.map_or(C64::zero(), |t| orbit.whirl(t, order).0)).collect(),
         growth,
@@ -68,14 +77,24 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         let tau = TAU * j as f64 / SAMPLES as f64;
         orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
         q.iter_mut().zip(offset).for_each(|(q, o)| *q += o);
-        for (k, b) in bodies.iter().enumerate() {
-            raise(&mut out.velocity[k], v[b.x].hypot(v[b.x + 1]));
+        for p in system.probes().iter().filter(|p| !p.is_tilt()) {
+            let [x, y] = p.of(&v);
+            raise(&mut out.velocity[p.body], x.hypot(y));
         }
         let at =
             At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
         for (slot, o) in system.observe(&at, &mut ws) {
-            if o.unit == "N" {
-                raise(out.force.entry(system.slots()[slot].name.clone()).or_insert(0.0), o.value.abs());
+            let of = match (o.unit, o.name) {
+                ("N", _) => &mut out.force,
+                ("N m", "moment") => &mut out.moment,
+                _ => continue,
+            };
+            raise(of.entry(system.slots()[slot].name.clone()).or_insert(0.0), o.value.abs());
+        }
+        for (slot, u) in system.validity(&at, &mut ws) {
+            // NaN stays
+            if out.validity.as_ref().is_none_or(|v| !(u.ratio <= v.0) && !v.0.is_nan()) {
+                out.validity = Some((u.ratio, format!("the model of {} ({})", system.slots()[slot].name, u.what)));
             }
         }
         let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
@@ -84,8 +103,9 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         out.torque += spin / SAMPLES as f64;
     }
     // the largest values lie between the instants; displacements count from rest
-    for (d, b) in out.displacement.iter_mut().zip(&bodies) {
-        raise(d, Measure::Displacement(b.x).largest(system, orbit, order).0);
+    for (k, p) in system.probes().iter().enumerate() {
+        let of = if p.is_tilt() { &mut out.tilt } else { &mut out.displacement };
+        raise(&mut of[p.body], Measure::Probe(k).largest(system, orbit, order).0);
     }
     if offset.iter().all(|o| *o == 0.0) {
         for slot in Measure::forces(system) {

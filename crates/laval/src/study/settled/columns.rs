@@ -3,6 +3,7 @@
 use super::measure::BodyMeasure;
 use super::period::Verdict;
 use super::{Rules, Settled};
+use crate::model::system::System;
 use crate::store::{Cells, Column};
 
 /// A row of a study that settles motions.
@@ -39,6 +40,31 @@ pub fn word<R>(name: &str, doc: &str, of: impl Fn(&R) -> Option<String> + 'stati
 /// A measure of a body; NaN where there is no motion.
 pub fn body<R: Row>(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&BodyMeasure) -> f64 + 'static) -> RowColumn<R> {
     number(name, "m", doc, move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| of(&m.bodies[b])))
+}
+
+/// First coordinates of what is recorded: displacements of the bodies, then the tilts of those that tilt.
+pub fn recorded(system: &System) -> Vec<usize> {
+    let bodies = system.bodies();
+    bodies.iter().map(|b| b.x).chain(bodies.iter().filter_map(|b| b.tilt)).collect()
+}
+
+/// Bodies that tilt, in the order of [`recorded`].
+pub fn tilting(system: &System) -> Vec<String> {
+    system.bodies().into_iter().filter(|b| b.tilt.is_some()).map(|b| b.name).collect()
+}
+
+/// The largest tilts.
+pub fn tilts<R: Row>(system: &System) -> Vec<RowColumn<R>> {
+    let first = system.bodies().len();
+    let of = |(k, name): (usize, String)| {
+        number(tilt(&name), "rad", "largest tilt", move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| m.bodies[first + k].peak))
+    };
+    tilting(system).into_iter().enumerate().map(of).collect()
+}
+
+/// Name of the column of the largest tilt of a body.
+pub fn tilt(body: &str) -> String {
+    format!("tilt.{body}")
 }
 
 /// How the motion was judged, what that took, and where it leaves the model of a part.

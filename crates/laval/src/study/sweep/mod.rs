@@ -18,7 +18,7 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::cells;
+use super::settled::columns::{cells, recorded};
 use super::settled::fields::{self, SLOWEST};
 use super::settled::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
@@ -283,7 +283,7 @@ impl Fleet<'_> {
     /// Settled motions of members, with their exponents; none when stopped.
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<Found>> {
         let form = Form::of(&self.system, true);
-        let bodies = self.bodies.iter().map(|b| b.x).collect();
+        let bodies = recorded(&self.system);
         let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };

@@ -1,5 +1,6 @@
 //! What is said of a sweep.
 
+use super::super::settled::columns::{tilt, tilting};
 use super::super::settled::measure::{HIGHEST, LINES, POINTS};
 use super::super::settled::period::LONGEST;
 use super::super::settled::told::{limits, words};
@@ -31,6 +32,8 @@ pub(super) struct Path {
     pub amplitude: Vec<Vec<f64>>,
     /// Speeds between which smaller steps place a jump on the way to each row; NaN where there is none.
     pub placed: Vec<(f64, f64)>,
+    /// By body that tilts.
+    pub tilt: Vec<Vec<f64>>,
 }
 
 /// A change between two neighbouring speeds that the motion on either side does not announce.
@@ -60,6 +63,7 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
             bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
             placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
             amplitude: fleet.bodies.iter().map(|b| own(&format!("amplitude.{}", b.name), w)).collect::<Result<_, _>>()?,
+            tilt: tilting(&fleet.system).iter().map(|name| own(&tilt(name), w)).collect::<Result<_, _>>()?,
         })
     };
     ways.iter().enumerate().map(one).collect()
@@ -163,6 +167,12 @@ fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
         let text = format!("The largest {what} displacement of \"{}\" is {{}}, at {place} ({}){open}.", body.name, begun(way));
         outcome =
             outcome.finding(Finding::info("largest_displacement", text).of(&body.name).value(a, "m").evidence("speed", speed, "rad/s"));
+    }
+    for (b, name) in tilting(&fleet.system).into_iter().enumerate() {
+        let all = paths.iter().flat_map(|p| p.tilt[b].iter().zip(&p.speed).map(move |(a, w)| (p.way, *w, *a)));
+        let Some((way, speed, a)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
+        let text = format!("The largest settled tilt of \"{name}\" is {{}}, at {} ({}).", quantity(speed, "rad/s"), begun(way));
+        outcome = outcome.finding(Finding::info("largest_tilt", text).of(&name).value(a, "rad").evidence("speed", speed, "rad/s"));
     }
     outcome
 }
@@ -420,6 +430,7 @@ mod tests {
             bounded: vec![false; n],
             amplitude: vec![amplitude.to_vec()],
             placed: vec![(f64::NAN, f64::NAN); n],
+            tilt: vec![],
         }
     }
 

@@ -51,6 +51,7 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         }
         out.push(body(format!("subharmonic.{n}"), b, "semi-major axis at order 1/period of a motion of period above 1", |m| m.sub));
     }
+    out.extend(columns::tilts(&fleet.system));
     if study.lyapunov.is_some() {
         let of = |r: &Row| r.exponent.unwrap_or((f64::NAN, f64::NAN));
         out.push(number("lyapunov", "1/s", "largest Lyapunov exponent", move |r: &Row| of(r).0));
