@@ -6,7 +6,7 @@
 //! J W' + c W + k |W| W
 //! ```
 //!
-//! Symbols: J inertia, kg m^2; c drag, N m s; k windage, N m s^2.
+//! Symbols: J inertia, kg m^2; c drag, N m s/rad; k windage, N m s^2/rad^2.
 //!
 //! The spin is a coordinate when the machine says `drive = "free"`. While it is prescribed, these torques are part of the torque of the drive that a study
 //! reports.
@@ -27,8 +27,8 @@ params! {
     /// Parameters of a [`SpinLoad`].
     pub struct SpinLoadParams in SpinLoadFamily {
         inertia: scalar, "kg m^2", Bounds::up_to(1e9), default 0.0, "moment of inertia J about the axis";
-        drag: scalar, "N m s", Bounds::up_to(1e9), default 0.0, "drag c of bearings and seals: torque over speed";
-        windage: scalar, "N m s^2", Bounds::up_to(1e9), default 0.0, "windage k: torque over the square of the speed";
+        drag: scalar, "N m s/rad", Bounds::up_to(1e9), default 0.0, "drag c of bearings and seals: torque over speed";
+        windage: scalar, "N m s^2/rad^2", Bounds::up_to(1e9), default 0.0, "windage k: torque over the square of the speed";
     }
 }
 

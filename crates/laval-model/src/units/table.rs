@@ -214,7 +214,7 @@ static WORDS: &[(&str, &str, &str)] = &[
     ("J/K", "a heat capacity", "J/K, kJ/K"), ("A", "a current", "A, mA"), ("V", "a voltage", "V, kV"), ("Ohm", "a resistance", "Ohm, mOhm"),
     ("H", "an inductance", "mH, H"), ("N/A", "a force per current", "N/A"), ("N m/A", "a torque per current", "N m/A"),
     ("V s/rad", "a voltage constant", "V s/rad, V/rpm"), ("N s", "an impulse", "N s"), ("N/m^4", "a stiffness density gradient", "N/m^4"),
-    ("N m s", "an angular momentum", "N m s"), ("rad/m", "an angle per length", "rad/m, deg/m"),
+    ("N m s^2/rad^2", "a torque over the square of a speed", "N m s^2/rad^2, N m/rpm^2"), ("N m s", "an angular momentum", "N m s"), ("rad/m", "an angle per length", "rad/m, deg/m"),
 ];
 
 fn words() -> &'static [(Dimension, f64, usize)] {
