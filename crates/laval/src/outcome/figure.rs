@@ -459,7 +459,8 @@ impl Figure {
     pub fn shows(&self, tables: &[Table]) -> bool {
         let visible = |panel: &Panel, mark: &Mark| {
             let (table, x, y) = match mark {
-                Mark::Line(m) if !m.reference => (&m.table, &m.x, &m.y),
+                // modes without a legend are drawn like reference lines
+                Mark::Line(m) if !m.reference || m.group.is_some() => (&m.table, &m.x, &m.y),
                 Mark::Points(m) => (&m.table, &m.x, &m.y),
                 Mark::Heat(m) => (&m.table, &m.x, &m.y),
                 Mark::Band(_) => return true,

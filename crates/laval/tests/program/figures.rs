@@ -142,6 +142,7 @@ fn a_figure_without_anything_to_see_is_left_out() {
         assert_eq!(figures(vec![0.0, -1.0], Axis::log("y", ""), mark), 0);
     }
     assert_eq!(figures(vec![1.0, 1.0], Axis::new("y", ""), || Line::new("t", "x", "y").reference().into()), 0);
+    assert_eq!(figures(vec![1.0, 1.0], Axis::new("y", ""), || Line::new("t", "x", "y").group("y").reference().into()), 1);
     // a range of speeds is something to see
     assert_eq!(figures(vec![f64::NAN, f64::NAN], Axis::new("y", ""), || Band::x(1.0, 2.0).into()), 1);
 }
