@@ -94,8 +94,7 @@ const NEEDS: &[(&str, &[&str])] =
 
 impl Part for Motor {
     const KIND: &'static str = "motor";
-    const EXAMPLE: &'static str = r#"on = "drum"
-torque = "12 N m"
+    const EXAMPLE: &'static str = r#"torque = "12 N m"
 curve = "linear"
 synchronous_speed = "3000 rpm"
 inertia = "0.02 kg m^2"
