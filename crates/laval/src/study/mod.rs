@@ -47,9 +47,11 @@ mod watch;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
+use crate::model::part::Part;
 use crate::model::system::{PartInput, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, significant};
+use crate::separation::carried::Cups;
 use crate::store::{Host, Keep};
 use laval_num::work;
 pub use laval_num::work::Cancel;
@@ -330,7 +332,8 @@ pub fn with_blocks(system: System) -> Result<System, Diagnostics> {
     let parts: Vec<PartInput> = extras.iter().filter_map(|e| (kind(e)?.part)(e, &system)).collect();
     let mut inputs = system.inputs();
     let before = inputs.len();
-    inputs.retain(|i| !extras.iter().any(|e| e.name == i.name));
+    // a part of the file may have the name of a block
+    inputs.retain(|i| i.part.kind() != <Cups as Part>::KIND);
     if parts.is_empty() && inputs.len() == before {
         return Ok(system);
     }

@@ -260,6 +260,21 @@ fn the_critical_speed_of_a_centrifuge_with_cups() {
     assert!(t.rows() >= 2);
 }
 
+/// A part that has the name of a block beside the parts stays; cups that have the name of a part are refused.
+#[test]
+fn blocks_and_parts_of_one_name() {
+    let text = |cup: &str| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"limits\"\nmass = 1\n[[part]]\nkind = \"shaft_lumped\"\nbetween = [\"limits\", \"ground\"]\n\
+             stiffness = 1e5\n[limits]\ndisplacement = \"1 mm\"\n{cup}"
+        )
+    };
+    let cups = |name: &str| cups("", 0.0).replace("\"buckets\"", &format!("{name:?}")).replace("\"rotor\"", "\"limits\"");
+    assert_eq!(load(&text("")).unwrap_or_else(|d| panic!("{d:?}")).system.slots().len(), 2);
+    assert_eq!(load(&text(&cups("buckets"))).unwrap_or_else(|d| panic!("{d:?}")).system.slots().len(), 3);
+    assert_eq!(load(&text(&cups("limits"))).err().expect("refused").0[0].code, "part.duplicate");
+}
+
 /// A horizontal axis leaves cups nothing to swing out against.
 #[test]
 fn swinging_cups_on_a_horizontal_axis_are_refused() {
