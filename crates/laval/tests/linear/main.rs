@@ -15,5 +15,6 @@ mod response;
 mod sensitivity;
 mod several_unbalances;
 mod stability;
+mod tilt;
 mod uncertainty;
 mod viscoelastic;
