@@ -414,7 +414,8 @@ map = { parameter = "air.damping", from = 300, to = 100 }
     assert_eq!(codes, ["operating_window.duty", "separation.neutral", "separation.throughput"]);
 }
 
-/// The passage is judged with the load the cups have at its speed: at the resonance, low in the range, they hang lower and load the rotor less than at the top.
+/// In the passage the cups load the rotor as they hang at every moment: at the resonance, low in the range, less than at the top. The largest displacement comes after the
+/// resonance; it lies between those of loads that stay what they are at either speed.
 #[test]
 fn passages_carry_the_load_of_their_speed() {
     let soft = CUPS.replace("stiffness = 4e5", "stiffness = 300").replace("damping = 200", "damping = 4");
@@ -425,14 +426,15 @@ fn passages_carry_the_load_of_their_speed() {
     let o = run(&text);
     let up = o.findings.iter().find(|f| f.id == "passage_peak").unwrap();
     let e = |what: &str| up.evidence.iter().find(|e| e.what == what).unwrap().value;
-    assert!((e("speed") / e("cups loaded as at") - 1.0).abs() < 0.05, "{} {}", e("speed"), e("cups loaded as at"));
-    // the same machine without cups, with their mass and unbalance at that speed written into the disc
-    let w = e("cups loaded as at");
-    let (mut a, mut b) = (0.0, std::f64::consts::FRAC_PI_2);
-    for _ in 0..200 {
-        let x = 0.5 * (a + b);
-        if 9.80665 * f64::sin(x) < w * w * (0.15 + 0.1 * f64::sin(x)) * f64::cos(x) { a = x } else { b = x }
-    }
+    // the same machine without cups, with their mass and the unbalance at a speed written into the disc
+    let tilt = |w: f64| {
+        let (mut a, mut b) = (0.0, std::f64::consts::FRAC_PI_2);
+        for _ in 0..200 {
+            let x = 0.5 * (a + b);
+            if 9.80665 * f64::sin(x) < w * w * (0.15 + 0.1 * f64::sin(x)) * f64::cos(x) { a = x } else { b = x }
+        }
+        a
+    };
     let unbalance = |a: f64| 0.003 * (0.15 + 0.1 * a.sin());
     let frozen = |unbalance: f64| {
         let start = text.find("[[cup]]").unwrap();
@@ -441,9 +443,10 @@ fn passages_carry_the_load_of_their_speed() {
         let o = run(&(text[..start].replace("mass = 10", &disc) + &text[end..]));
         evidence(&o, "passage_peak")
     };
-    let (own, top) = (frozen(unbalance(a)), frozen(unbalance(1.57)));
-    assert!((up.value.unwrap() / own - 1.0).abs() < 1e-3, "{} {own}", up.value.unwrap());
-    assert!(top > 1.05 * own, "the load at the top is larger: {top} {own}");
+    let resonance = (300.0f64 / 12.003).sqrt();
+    let (before, own, top) = (frozen(unbalance(tilt(resonance))), frozen(unbalance(tilt(e("speed")))), frozen(unbalance(1.57)));
+    let found = up.value.unwrap();
+    assert!(before < found && found < own && 1.05 * own < top, "{before} {found} {own} {top}");
 }
 
 /// The uncertain window lies inside the plain one, and the map agrees with it at the value of the file.
