@@ -20,22 +20,22 @@ pub(super) struct Followed {
     pub y: Vec<f64>,
     /// Largest displacement of each body, m.
     pub amplitude: Vec<f64>,
-    /// It repeats.
-    pub periodic: bool,
+    /// It is known not to repeat. One that still changes slowly, as beside a fold, has an amplitude all the same.
+    pub wanders: bool,
 }
 
 impl Followed {
     /// `None` of a motion that failed.
     pub fn of(settled: &Settled) -> Option<Followed> {
         let m = settled.measure.as_ref()?;
-        let periodic = matches!(settled.verdict, Verdict::Period(_));
-        Some(Followed { y: settled.y.clone(), amplitude: m.bodies.iter().map(|b| b.peak).collect(), periodic })
+        let wanders = settled.verdict == Verdict::NotPeriodic;
+        Some(Followed { y: settled.y.clone(), amplitude: m.bodies.iter().map(|b| b.peak).collect(), wanders })
     }
 
     /// The motions are too different for neighbours of a branch. What does not repeat has no amplitude to compare.
     fn jumps_to(&self, other: &Followed) -> bool {
         let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b);
-        self.periodic && other.periodic && self.amplitude.iter().zip(&other.amplitude).any(apart)
+        !self.wanders && !other.wanders && self.amplitude.iter().zip(&other.amplitude).any(apart)
     }
 }
 

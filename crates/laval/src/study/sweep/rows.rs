@@ -3,6 +3,7 @@
 use super::super::settled::Settled;
 use super::super::settled::columns::{self, RowColumn, body, number, word};
 use super::super::settled::measure::{HIGHEST, LINES, ORDERS, POINTS};
+use super::super::settled::period::Verdict;
 use super::super::start::state_names;
 use super::lyapunov::Exponent;
 use super::refine::Followed;
@@ -97,14 +98,14 @@ pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], ways: usize) -
         columns.iter().zip(cells).filter(|(c, _)| fits(c)).map(|x| x.1).collect()
     };
     let (state, amplitude) = (own(STATE), own("amplitude."));
-    let period = columns.iter().zip(cells).find(|(c, _)| c.column.name == "period").map(|x| x.1);
+    let motion = columns.iter().zip(cells).find(|(c, _)| c.column.name == "motion").map(|x| x.1);
     let rows = cells.first().map_or(0, Cells::len);
     let last = |w: usize| {
         let row = rows.saturating_sub(ways) + w;
         let numbers = |cells: &[&Cells]| cells.iter().map(|c| c.number(row)).collect::<Vec<f64>>();
         let y = numbers(&state);
-        let periodic = period.is_some_and(|p| p.number(row).is_finite());
-        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude: numbers(&amplitude), periodic })
+        let wanders = motion.and_then(|m| m.word(row)) == Some(Verdict::NotPeriodic.word());
+        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude: numbers(&amplitude), wanders })
     };
     (0..ways).map(last).collect()
 }
