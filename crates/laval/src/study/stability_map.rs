@@ -242,7 +242,7 @@ impl StabilityMap {
             map = map.float(name.clone(), unit, "parameter", cells.iter().map(|c| value(c.0)).collect());
         }
         let map = map
-            .float(
+            .float_if_any(
                 "growth",
                 "1/s",
                 if endless {
@@ -252,7 +252,7 @@ impl StabilityMap {
                 },
                 cells.iter().map(|c| if unknown(c) { f64::NAN } else { c.1.value.re }).collect(),
             )
-            .float(
+            .float_if_any(
                 "frequency",
                 "rad/s",
                 "frequency of that mode; NaN where nothing damps or drives any, or none grows",
@@ -263,7 +263,7 @@ impl StabilityMap {
             let number = |c: &(usize, &Sample)| c.1.growing.map_or(f64::NAN, |n| n as f64);
             let doc = "modes that grow faster than the threshold, by the argument principle; NaN where the count could not be brought to agree with the roots found, and \
                        at a boundary";
-            map.float("growing", "", doc, cells.iter().map(number).collect())
+            map.float_if_any("growing", "", doc, cells.iter().map(number).collect())
         } else {
             map
         };
@@ -454,13 +454,16 @@ impl StabilityMap {
             };
             outcome = outcome.finding(Finding::info("undamped", format!("{machine}{how}.")));
         }
+        let drawn = |name: &str| map.column(name).is_some();
+        let (grows, whirls) = (drawn("growth"), drawn("frequency"));
         outcome = outcome.table(map);
         let one = self.speed.is_one();
         // along the speed there are no boundaries and peaks at one speed, and without a parameter no curve
         if !one {
             outcome = outcome.table(boundary).table(tops);
         }
-        if one && !two {
+        // where nothing is known to grow there is nothing to draw
+        if one && !two || !grows {
             return Ok(outcome);
         }
         let speed_axis = Axis::new("spin speed", "rad/s");
@@ -500,15 +503,16 @@ impl StabilityMap {
                 .mark(Points::new("peaks", "speed", "growth").name("peak"))
                 .mark(Points::new("boundary", "speed", "growth").name("boundary"));
             let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");
-            Figure::new(
+            let figure = Figure::new(
                 "stability",
                 "Largest growth rate",
                 "Largest growth rate over spin speed, with the ranges where it exceeds the threshold; below, the frequency of that mode, with a gap where \
                  another mode becomes the strongest.",
             )
             .x(speed_axis)
-            .panel(growth)
-            .panel(Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency))
+            .panel(growth);
+            let below = Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency);
+            if whirls { figure.panel(below) } else { figure }
         };
         Ok(outcome.figure(figure))
     }

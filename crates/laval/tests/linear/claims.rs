@@ -53,7 +53,7 @@ fn a_machine_that_diverges_is_said_to_first() {
 fn a_window_of_a_machine_that_diverges_names_the_instability_first() {
     let o = &run_all(&planar(
         "kxx = -1\nkyy = 1e5\ncxx = 1\ncyy = 1",
-        "study = { kind = \"operating_window\", speed = { from = 10, to = 2000 } }",
+        "study = [{ kind = \"operating_window\", speed = { from = 10, to = 2000 } }]",
     ))[0];
     let growth = 0.5 * (5f64.sqrt() - 1.0);
     assert!(o.findings[0].id == "unstable" && (o.findings[0].value.unwrap() / growth - 1.0).abs() < 1e-9, "{}", o.findings[0].sentence());
@@ -64,7 +64,7 @@ fn a_window_of_a_machine_that_diverges_names_the_instability_first() {
 fn the_share_of_tilting_does_not_depend_on_the_reference_point() {
     let machine = |d: f64| {
         format!(
-            "study = {{ kind = \"modes\" }}\n[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\ndiametral_inertia = 0.05\npolar_inertia = 0.03\n\
+            "study = [{{ kind = \"modes\" }}]\n[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\ndiametral_inertia = 0.05\npolar_inertia = 0.03\n\
              centre_of_mass = {d}\n[[part]]\nkind = \"bearing_linear\"\nname = \"u\"\nbetween = [{{ body = \"d\", at = {} }}, \"ground\"]\nkxx = 4e5\nkyy = 5e5\ncxx = 20\ncyy = 20\n\
              [[part]]\nkind = \"bearing_linear\"\nname = \"l\"\nbetween = [{{ body = \"d\", at = {} }}, \"ground\"]\nkxx = 1e5\nkyy = 2e5\ncxx = 20\ncyy = 20\n",
             d + 0.1,
@@ -90,7 +90,7 @@ fn rounding_makes_no_peaks_of_growth() {
         )
     };
     let text = format!(
-        "study = {{ kind = \"stability_map\", speed = {{ from = 1, to = 900, points = 300 }} }}\n[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\n\
+        "study = [{{ kind = \"stability_map\", speed = {{ from = 1, to = 900, points = 300 }} }}]\n[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 8\n\
          diametral_inertia = 0.05\npolar_inertia = 0.08\n{}{}",
         bearing("u", 0.1),
         bearing("l", -0.1)
@@ -126,7 +126,7 @@ fn one_speed_is_a_range_of_one() {
         assert!((finding(map, "stable").value.unwrap() + 2.5).abs() < 1e-9);
     }
     // where one speed has no answer the refusal says how to write a range
-    let refused = laval::file::load(&planar(ROUND, "study = { kind = \"campbell\", speed = 300 }")).err().unwrap();
+    let refused = laval::file::load(&planar(ROUND, "study = [{ kind = \"campbell\", speed = 300 }]")).err().unwrap();
     assert!(refused.0[0].code == "study.range" && refused.0[0].help.as_deref().is_some_and(|h| h.contains("from")), "{refused:?}");
 }
 
@@ -171,7 +171,7 @@ fn a_mode_that_grows_is_not_stable() {
 fn advice_does_not_lead_in_circles() {
     let machine = |axis: &str, kyy: &str, study: &str| {
         format!(
-            "study = {{ {study} }}\n[machine]\nspeed = \"1200 rpm\"\naxis = \"{axis}\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 35\nunbalance = 0.06\npolar_inertia = 1.1\n\
+            "study = [{{ {study} }}]\n[machine]\nspeed = \"1200 rpm\"\naxis = \"{axis}\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 35\nunbalance = 0.06\npolar_inertia = 1.1\n\
              [[part]]\nkind = \"bearing_linear\"\nbetween = [\"drum\", \"ground\"]\nkxx = 8000\nkyy = {kyy}\ncxx = 150\ncyy = 150\n\
              [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"drum\"\nballs = 3\nball_mass = 0.03\ntrack_radius = 0.24\nball_radius = 0.0095\ndrag = 5e-3\n\
              contact_stiffness = 1e6\ngravity = 0\n"
@@ -206,7 +206,8 @@ fn the_legend_of_a_campbell_diagram_stays_short() {
             )
         })
         .collect();
-    let o = &run_all(&format!("study = {{ kind = \"campbell\", speed = {{ from = 10, to = 900, points = 12 }} }}\n[machine]\n{discs}"))[0];
+    let o =
+        &run_all(&format!("study = [{{ kind = \"campbell\", speed = {{ from = 10, to = 900, points = 12 }} }}]\n[machine]\n{discs}"))[0];
     let svg = laval::report::draw(&o.figures[0], &o.tables).unwrap();
     let legend = svg.matches("<g class=\"lg\"").count();
     assert!(o.find_table("modes").unwrap().rows() >= 16 * 12 && (3..=8).contains(&legend), "{legend}");
@@ -219,14 +220,14 @@ fn the_legend_of_a_campbell_diagram_stays_short() {
 #[test]
 fn one_speed_of_branches() {
     let w: f64 = 200.0;
-    let o = &run_all(&planar(ROUND, "study = { kind = \"nonlinear_response\", speed = 200 }"))[0];
+    let o = &run_all(&planar(ROUND, "study = [{ kind = \"nonlinear_response\", speed = 200 }]"))[0];
     let radius = 1e-5 * w * w / (1e5 - w * w).hypot(5.0 * w);
     assert_eq!(o.find_table("motions").unwrap().rows(), 1);
     assert!((finding(o, "steady_motion").value.unwrap() / radius - 1.0).abs() < 1e-9, "{}", finding(o, "steady_motion").sentence());
     assert!((column(o, "motions", "growth")[0] + 2.5).abs() < 1e-6 && o.figures.is_empty());
     let ring = "[[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"d\"\nballs = 2\nball_mass = 0.002\ntrack_radius = 0.05\nball_radius = 0.004\ndrag = 1e-5\n\
                 contact_stiffness = 1e4\n";
-    let balancer = |speed: &str| format!("{}{ring}", planar(ROUND, &format!("study = {{ kind = \"stationary\", speed = {speed} }}")));
+    let balancer = |speed: &str| format!("{}{ring}", planar(ROUND, &format!("study = [{{ kind = \"stationary\", speed = {speed} }}]")));
     let (one, range) = (&run_all(&balancer("600"))[0], &run_all(&balancer("{ from = 500, to = 600, points = 2 }"))[0]);
     let at = |o: &Outcome| {
         let all = column(o, "states", "unbalance").into_iter().zip(column(o, "states", "speed"));
