@@ -410,7 +410,9 @@ fn equilibrate(t: &Mat<C64>, slope: &Mat<C64>, s: f64, members: &[usize]) -> (Ve
 fn singular_directions(t: &Mat<C64>) -> Option<(Vec<C64>, Vec<C64>)> {
     let k = t.rows();
     // A change by a few roundings keeps an exactly singular matrix factorable and moves the directions no further.
-    let eps = 8.0 * f64::EPSILON * t.max_size();
+    // One equation alone is zero where it is singular, and has no size.
+    let size = t.max_size();
+    let eps = 8.0 * f64::EPSILON * if size > 0.0 { size } else { 1.0 };
     let shifted = Mat::from_fn(k, k, |i, j| if i == j { t[(i, j)] + c(eps, 0.5 * eps) } else { t[(i, j)] });
     let lu = Lu::new(&shifted).ok()?;
     let adjoint = Lu::new(&Mat::from_fn(k, k, |i, j| shifted[(j, i)].conj())).ok()?;
