@@ -66,7 +66,7 @@ fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
     let text = format!("The {way} {} found within the bounds is {{}}.{now}", study.aim.name);
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
-    let worst = found.slopes.iter().map(|s| s.slope).fold(f64::INFINITY, f64::min);
+    let worst = found.slopes.iter().map(|s| s.slope).reduce(f64::min).unwrap_or(f64::NAN);
     Finding::info("optimum", text)
         .of(&study.aim.name)
         .value(best.value, &found.unit)
