@@ -24,12 +24,14 @@ pub struct BranchPoint {
     pub residual: f64,
     /// Newton step that would follow, relative to the scales.
     pub error: f64,
-    /// The same as a change of the parameter.
+    /// Largest error of the parameter that steps of this size stand for.
     pub p_error: f64,
 }
 
 /// Largest scaled residual that is left where the branches meet.
 const MEETING: f64 = 1e-9;
+/// Steps of Newton's method at rounding level that the error of the parameter may be.
+const STEPS: f64 = 10.0;
 /// Share of the step within which the branch point must lie from where the determinant vanishes.
 const NEAR: f64 = 0.1;
 
@@ -162,7 +164,7 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
         let node = Node { s: a.s + along.clamp(0.0, h), p, y: y.clone(), ..near.clone() };
         let x = y[..n].iter().zip(&self.scale).map(|(y, s)| y * s).collect();
         let size = y.iter().fold(1.0, |m: f64, y| m.max(y.abs()));
-        let p_error = done.step * size * self.scale[n] + 4.0 * f64::EPSILON * p.abs();
+        let p_error = STEPS * done.step * size * self.scale[n] + 16.0 * f64::EPSILON * p.abs();
         Some((BranchPoint { p, x, residual: done.residual, error: done.step, p_error }, node))
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct Zeroed {
 }
 
 /// Share of a step within which a zero of the slope lies on a branch point: as the determinant has it, and as its extended system does.
-const BESIDE: (f64, f64) = (1e-5, 1e-3);
+const BESIDE: (f64, f64) = (1e-5, 5e-2);
 
 /// Without the word of a fold's extended system.
 fn narrowed(status: Status) -> Status {
@@ -174,10 +174,17 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
                 let zero = self.locate(left, right, ends, &mut |_, node| node.slope());
                 let mut found = self.found(zero, Kind::Fold, ends, after);
                 self.confirm(&mut found.special);
-                // a fold beside the branch point is one by its own equations, which have no solution at it
-                let own = found.special.status == Status::Confirmed;
-                let near = |exact: &Option<BranchPoint>| if exact.is_some() && !own { BESIDE.1 } else { BESIDE.0 };
-                let apart = |node: &Node| (node.s - found.node.s).abs() / (b.s - a.s);
+                let (size, scale) = (b.s - a.s, self.scale[self.n()]);
+                // a fold beside the branch point has a place of its own by its equations, which have no regular solution at it
+                let own = |exact: &BranchPoint| {
+                    let place = found.special.fold.as_ref().filter(|_| found.special.status == Status::Confirmed);
+                    place.is_some_and(|f| (f.p - exact.p).abs() > 1e-9 * exact.p.abs().max(scale))
+                };
+                let near = |exact: &Option<BranchPoint>| match exact {
+                    Some(exact) if !own(exact) => BESIDE.1,
+                    _ => BESIDE.0,
+                };
+                let apart = |node: &Node| (node.s - found.node.s).abs() / size;
                 if let Some((node, exact)) = crossing.as_ref().filter(|c| apart(&c.0) <= near(&c.1)) {
                     (found.special.kind, found.special.status) = (Kind::ParameterExtremum, narrowed(found.special.status));
                     found.special.fold = None;
