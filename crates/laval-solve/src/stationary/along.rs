@@ -113,7 +113,9 @@ impl<'a> Along<'a> {
         let mut points: Vec<(f64, Vec<f64>)> = branch.points[..=last].iter().map(|q| (self.value(q.p), q.x.clone())).collect();
         let passed = branch.of(Kind::BranchPoint).filter(|s| s.after <= last && turns.is_none_or(|t| t.after != s.after));
         let crossed = passed.map(|s| self.value(s.point.p)).collect();
-        let end = match turns {
+        // a branch point in the same step is where it turns, and known better
+        let exact = turns.and_then(|t| branch.specials.iter().find(|s| s.after == t.after && s.crossing.is_some())).or(turns);
+        let end = match exact {
             Some(s) => {
                 let value = self.value(s.point.p);
                 points.push((value, s.point.x.clone()));

@@ -150,17 +150,6 @@ fn a_pitchfork_over_the_speed_is_listed_once_where_it_is() {
     }
 }
 
-/// Three equal balls balance in a continuum of ways up to where all three stand together.
-#[test]
-fn a_continuum_ends_where_its_balls_stand_together() {
-    let three = [("balls = 2", "balls = 3"), ("ball_mass = \"3.6 g\"", "ball_mass = \"1.47 g\"")];
-    let o = run(&three, "speed = { from = 500, to = 900, points = 9 }");
-    let want = enough(3.0 * 1.47e-3 * 0.1);
-    let span = all(&o, "continuum")[0];
-    let from = span.evidence.iter().find(|e| e.what == "from").unwrap().value;
-    assert!((from - want).abs() < 1e-5 * want, "{from} {want}");
-}
-
 /// A ring tilted by a degree on a rotor without unbalance: what the balls do is given by itself, not as a multiple of rounding.
 #[test]
 fn nothing_is_a_multiple_of_no_unbalance() {

@@ -84,7 +84,7 @@ impl Report<'_> {
                 false => {
                     let plural = if s.free > 1 { "s" } else { "" };
                     format!(
-                        "States that are {kind} form a continuum with {} free direction{plural} from {} to {{}}.",
+                        "Samples of a continuum of states that are {kind}, with {} free direction{plural}, were found from {} to {{}}.",
                         s.free,
                         speed(s.from)
                     )
