@@ -324,7 +324,7 @@ body_tilt = false                   # the drum moves in its plane
                     refuse("tracks", "a track is tilted by more than 1.5 rad".into(), "tilt is in addition to that of the balancer");
                 }
                 let all = counts.iter().sum::<f64>();
-                if let Some(n) = values.integer("balls").filter(|n| *n as f64 != all) {
+                if let Some(n) = values.integer("balls").filter(|n| values.written("balls") && *n as f64 != all) {
                     let each = counts.iter().map(|n| format!("{n}")).collect::<Vec<_>>().join(" + ");
                     let help = "balls is the number on all tracks together; leave it out, the tracks say how many each has";
                     refuse("balls", format!("balls = {n}, and the tracks have {each} = {all}"), help);

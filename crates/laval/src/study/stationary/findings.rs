@@ -312,7 +312,16 @@ impl Report<'_> {
         } else if whole(to, asked.range.to) && least.stable.len() == 1 {
             (format!("At {at} {state} is stable at all {} values of {path} computed {ends}.", known.len()), None)
         } else {
-            (format!("At {at} {state} is stable until {path} rises above {{}}{}.{more}", why(to)), Some(to))
+            match least.edges.iter().find(|e| e.gains && e.value > to) {
+                Some(e) => {
+                    let until = format!("{}{}", value(to), why(to));
+                    (
+                        format!("At {at} {state} is stable until {path} rises above {until}, and again when it rises above {{}}.{more}"),
+                        Some(e.value),
+                    )
+                }
+                None => (format!("At {at} {state} is stable until {path} rises above {{}}{}.{more}", why(to)), Some(to)),
+            }
         };
         let make = if least.stable.is_empty() { Finding::warning } else { Finding::info };
         let mut finding = make("least", text).of(path);
