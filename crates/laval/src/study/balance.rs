@@ -19,7 +19,7 @@ const SETTLED: f64 = 0.05;
 /// Drift over a part of the record, over the unbalance without balancing, that counts as none.
 const STILL: f64 = 1e-4;
 /// Fewest outputs from which a drift is told.
-const FEWEST: usize = 25;
+const FEWEST: usize = 75;
 
 /// Unbalance at the outputs of a flight.
 struct Series {
@@ -191,10 +191,10 @@ fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
     out
 }
 
-/// How far an unbalance may still go from where it is at the end of the record, kg m: what its means over the last parts of the record differ by, summed like a geometric
-/// series. Infinite where it drifts on at an undiminished rate.
+/// How far an unbalance may still go from where it is at the end of the record, kg m: what its means over the thirds of the last part of the record differ by, summed like a
+/// geometric series. Infinite where it drifts on at an undiminished rate.
 fn remaining(at: &[Unbalance]) -> f64 {
-    let (Some(last), part) = (at.last(), at.len() / LATE) else { return f64::INFINITY };
+    let (Some(last), part) = (at.last(), at.len() / LATE / 3) else { return f64::INFINITY };
     if at.len() < FEWEST {
         return f64::INFINITY;
     }

@@ -343,13 +343,16 @@ impl RunUp {
         outcome
     }
 
-    /// What a peak of the envelope is, from the time since which it rises: a resonance of a machine that is stable on the way, growth through a range in which it is not,
-    /// or no more than a peak where the machine cannot be linearised.
+    /// What a peak of the envelope is, from the time since which it rises: a resonance where the machine is stable and the spin speed meets a natural frequency on the way,
+    /// growth through a range in which it is not stable, else no more than a peak.
     fn passage(&self, (name, subject): (&str, &str), rates: Option<&Rates>, [since, until]: [f64; 2]) -> Finding {
-        match rates.map(|r| r.most(since, until).filter(|range| range.factor > 1.0 / PROMINENT)) {
+        let grown = rates.and_then(|r| r.most(since, until)).filter(|range| range.factor > 1.0 / PROMINENT);
+        match grown {
+            None if rates.is_some_and(|r| r.meets(since, until)) => {
+                Finding::info("peak", format!("{name} passes a resonance: its envelope peaks at {{}}."))
+            }
             None => Finding::info("peak", format!("The envelope of {} peaks at {{}}.", name.replacen("The ", "the ", 1))),
-            Some(None) => Finding::info("peak", format!("{name} passes a resonance: its envelope peaks at {{}}.")),
-            Some(Some(Range { speeds: [a, b], factor, rate })) => {
+            Some(Range { speeds: [a, b], factor, rate }) => {
                 let (a, b, times) = (quantity(a, "rad/s"), quantity(b, "rad/s"), significant(factor, 2));
                 let text = format!(
                     "{name} grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \

@@ -8,9 +8,22 @@ use crate::solve::rest::rest;
 
 /// Growth rates along a programme.
 pub(super) struct Rates {
-    /// Time, s; speed, rad/s; largest growth rate, 1/s.
-    at: Vec<(f64, f64, f64)>,
+    at: Vec<Rate>,
 }
+
+struct Rate {
+    /// Time, s.
+    t: f64,
+    /// Speed, rad/s.
+    speed: f64,
+    /// Largest growth rate, 1/s.
+    growth: f64,
+    /// The speed is within [`NEAR`] of a natural frequency.
+    near: bool,
+}
+
+/// Distance of the speed from a natural frequency, over it, within which it is in resonance.
+const NEAR: f64 = 0.05;
 
 /// A range of speeds in which the machine is unstable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,22 +56,28 @@ impl Rates {
                 return None;
             }
             let spectrum = modes_about(system, &rest(system, w).ok()?, false).ok()?;
-            Some((t, w, spectrum.least_stable()?.growth()))
+            let near = spectrum.modes.iter().any(|m| m.frequency() > 0.0 && (m.frequency() - w.abs()).abs() <= NEAR * w.abs());
+            Some(Rate { t, speed: w, growth: spectrum.least_stable()?.growth(), near })
         };
         Some(Rates { at: (0..count).map(at).collect::<Option<_>>()? })
     }
 
     /// The range between two times through which a motion grows most.
     pub fn most(&self, from: f64, to: f64) -> Option<Range> {
-        let inside: Vec<_> = self.at.iter().filter(|x| x.0 >= from && x.0 <= to).collect();
-        let width = self.at.get(1).zip(self.at.first()).map_or(0.0, |(b, a)| b.0 - a.0);
-        let ranges = inside.chunk_by(|a, b| (a.2 > 0.0) == (b.2 > 0.0)).filter(|c| c[0].2 > 0.0);
-        let range = |c: &[&(f64, f64, f64)]| Range {
-            speeds: [c[0].1, c[c.len() - 1].1],
-            factor: (c.iter().map(|x| x.2).sum::<f64>() * width).exp(),
-            rate: c.iter().map(|x| x.2).fold(0.0, f64::max),
+        let inside: Vec<_> = self.at.iter().filter(|x| x.t >= from && x.t <= to).collect();
+        let width = self.at.get(1).zip(self.at.first()).map_or(0.0, |(b, a)| b.t - a.t);
+        let ranges = inside.chunk_by(|a, b| (a.growth > 0.0) == (b.growth > 0.0)).filter(|c| c[0].growth > 0.0);
+        let range = |c: &[&Rate]| Range {
+            speeds: [c[0].speed, c[c.len() - 1].speed],
+            factor: (c.iter().map(|x| x.growth).sum::<f64>() * width).exp(),
+            rate: c.iter().map(|x| x.growth).fold(0.0, f64::max),
         };
         ranges.map(range).max_by(|a, b| a.factor.total_cmp(&b.factor))
+    }
+
+    /// Between two times the spin speed meets a natural frequency.
+    pub fn meets(&self, from: f64, to: f64) -> bool {
+        self.at.iter().any(|x| x.near && x.t >= from && x.t <= to)
     }
 }
 
@@ -78,7 +97,13 @@ mod tests {
                 -1.0
             }
         };
-        let rates = Rates { at: (0..1000).map(|k| 0.01 * (k as f64 + 0.5)).map(|t| (t, t, g(t))).collect() };
+        let rates = Rates {
+            at: (0..1000)
+                .map(|k| 0.01 * (k as f64 + 0.5))
+                .map(|t| Rate { t, speed: t, growth: g(t), near: (5.0..5.1).contains(&t) })
+                .collect(),
+        };
+        assert!(rates.meets(4.0, 6.0) && !rates.meets(5.2, 9.0) && !rates.meets(0.0, 4.9));
         let seen = rates.most(0.0, 10.0).unwrap();
         assert!((seen.factor.ln() - 6.0).abs() < 1e-9 && seen.rate == 3.0, "{seen:?}");
         assert!((seen.speeds[0] - 2.0).abs() < 0.011 && (seen.speeds[1] - 4.0).abs() < 0.011, "{seen:?}");

@@ -55,7 +55,8 @@ fn growth_through_an_unstable_range_is_no_resonance() {
     // above that resonance, from a small start
     let o = run(&machine(3.0, "from = 410\nduration = 2.4375\ninitial = { \"d.x\" = 1e-4 }\n"));
     let grown = find(&o, "unstable_range").unwrap_or_else(|| panic!("{:?}", o.findings));
-    assert!(find(&o, "peak").is_none() && !grown.text.contains("resonance"), "{:?}", o.findings);
+    // nor is what the start leaves behind, far from any natural frequency
+    assert!(o.findings.iter().all(|f| !f.text.contains("resonance")), "{:?}", o.findings);
     assert_eq!(grown.level, Level::Warning);
     // s = (-c + sqrt(c^2 - 4 m (k - i q)))/2m: it grows most at 450 rad/s
     let rate = grown.evidence.iter().find(|e| e.what == "largest growth rate there").unwrap().value;
