@@ -127,6 +127,14 @@ samples = 256
         out.within_limits(values, diagnostics).then_some(out)
     }
 
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        self.study.admit(system)
+    }
+
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        self.study.prepare(system, context)
+    }
+
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let inner = Context { progress: &super::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;
