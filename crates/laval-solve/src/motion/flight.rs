@@ -502,7 +502,11 @@ impl<'a> Watch<'a> {
 
     fn judge(&mut self, t: f64, y: &[f64]) {
         let n = self.system.n();
-        let at = At { a: &self.dy[n..2 * n], ..point(self.system, t, spin_of(self.system, &self.law, t, y), y, &self.dy) };
+        let mut spin = spin_of(self.system, &self.law, t, y);
+        if self.law == SpinLaw::Free {
+            spin.accel = self.dy[2 * n + self.system.m() + 1];
+        }
+        let at = At { a: &self.dy[n..2 * n], ..point(self.system, t, spin, y, &self.dy) };
         for (slot, v) in self.system.validity(&at, &mut self.workspace) {
             let entry = match self.validity.iter_mut().find(|u| u.slot == slot && u.what == v.what) {
                 Some(u) => u,
