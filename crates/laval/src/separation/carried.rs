@@ -52,20 +52,26 @@ impl Cups {
     #[inline(always)]
     fn moving<S: Scalar>(&self, speed: S) -> Moving<S> {
         let l = self.ring.loading(&self.sums, Dual::<S, 1>::seed(speed, 0));
-        Moving { now: each(&l, |x| x.re), rate: each(&l, |x| x.eps[0]) }
-    }
-}
-
-#[inline(always)]
-fn each<S: Scalar>(l: &Load<Dual<S, 1>>, f: impl Fn(Dual<S, 1>) -> S) -> Load<S> {
-    Load {
-        tilt: f(l.tilt),
-        mass: l.mass,
-        height: f(l.height),
-        polar: f(l.polar),
-        diametral: f(l.diametral),
-        unbalance: c(f(l.unbalance.re), f(l.unbalance.im)),
-        couple: c(f(l.couple.re), f(l.couple.im)),
+        Moving {
+            now: Load {
+                tilt: l.tilt.re,
+                mass: l.mass,
+                height: l.height.re,
+                polar: l.polar.re,
+                diametral: l.diametral.re,
+                unbalance: c(l.unbalance.re.re, l.unbalance.im.re),
+                couple: c(l.couple.re.re, l.couple.im.re),
+            },
+            rate: Load {
+                tilt: l.tilt.eps[0],
+                mass: l.mass,
+                height: l.height.eps[0],
+                polar: l.polar.eps[0],
+                diametral: l.diametral.eps[0],
+                unbalance: c(l.unbalance.re.eps[0], l.unbalance.im.eps[0]),
+                couple: c(l.couple.re.eps[0], l.couple.im.eps[0]),
+            },
+        }
     }
 }
 
@@ -86,6 +92,12 @@ fn rates<S: Scalar>(d: &[S]) -> (Complex<S>, Complex<S>) {
 fn along<S: Scalar>(l: &Load<S>, e: Complex<S>, d: &[S]) -> S {
     let (point, tilt) = rates(d);
     ((l.unbalance * e).conj() * point).im - ((l.couple * e).conj() * tilt).re
+}
+
+/// `(alpha' beta - alpha beta')/2`.
+#[inline(always)]
+fn twist<S: Scalar>(q: &[S], d: &[S]) -> S {
+    (d[2] * q[3] - q[2] * d[3]).scale(0.5)
 }
 
 impl Part for Cups {
@@ -124,23 +136,22 @@ impl Part for Cups {
         let half = (now.polar + speed * rate.polar).scale(0.5);
         b.spin_accel_stiffness[(2, 3)] = half;
         b.spin_accel_stiffness[(3, 2)] = -half;
-        let grown = |z: Complex<S>| z.scale(speed);
-        for (u, z, k) in [(now.unbalance, now.couple, one), (grown(rate.unbalance), grown(rate.couple), zero)] {
-            b.add_rotating([(0, one), (1, one)], turning(u), k, one);
-            b.add_rotating([(3, one), (2, -one)], turning(z), k, one);
-        }
+        let (lateral, tilting) = ([(0, one), (1, one)], [(3, one), (2, -one)]);
+        b.add_rotating(lateral, turning(now.unbalance), one, one);
+        b.add_rotating(tilting, turning(now.couple), one, one);
+        b.add_rotating(lateral, turning(rate.unbalance.scale(speed)), zero, one);
+        b.add_rotating(tilting, turning(rate.couple.scale(speed)), zero, one);
     }
 
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, _: &Params<Self, S>, at: &At<S>) -> S {
         let Moving { now, rate } = self.moving(at.speed);
         let e = Complex::cis(at.phase);
-        let twist = |d: &[S]| (d[2] * at.q[3] - at.q[2] * d[3]).scale(0.5);
         (now.polar + at.speed * rate.polar) * at.spin_accel
             + along(&now, e, at.a)
             + at.spin_accel * along(&rate, e, at.v)
-            + now.polar * twist(at.a)
-            + at.spin_accel * rate.polar * twist(at.v)
+            + now.polar * twist(at.q, at.a)
+            + at.spin_accel * rate.polar * twist(at.q, at.v)
     }
 
     fn energy<S: Scalar>(&self, _: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
@@ -152,7 +163,7 @@ impl Part for Cups {
             let lever = (point.conj() * tilt.mul_i()).re;
             (diametral * tilt.norm_sqr()).scale(0.5) - (height * lever).scale(now.mass)
         };
-        let twist = (at.v[2] * at.q[3] - at.q[2] * at.v[3]).scale(0.5);
+        let twist = twist(at.q, at.v);
         let spinning = |l: &Load<S>| (l.polar * w * w).scale(0.5) + w * along(l, e, at.v) + w * l.polar * twist;
         let lifted = |height: S| height.scale(now.mass * self.ring.cup.gravity);
         let kinetic = point.norm_sqr().scale(0.5 * now.mass) + across(now.height, now.diametral) + spinning(&now);

@@ -119,14 +119,16 @@ impl SwingingCup {
             return (leaves.select_pos(S::cst(1e-9), S::zero()), leaves.select_pos(S::cst(FRAC_PI_2), S::zero()));
         }
         const STEPS: usize = 64;
-        let at = |k: usize| S::cst(-FRAC_PI_2 + (PI + FRAC_PI_2) * k as f64 / STEPS as f64);
-        let (mut low, mut high, mut before) = (S::zero(), S::zero(), self.drive(w, at(0)));
-        for k in 0..STEPS {
-            let drive = self.drive(w, at(k + 1));
+        let (mut low, mut high) = (S::zero(), S::zero());
+        let mut left = S::cst(-FRAC_PI_2);
+        let mut before = self.drive(w, left);
+        for k in 1..=STEPS {
+            let right = S::cst(-FRAC_PI_2 + (PI + FRAC_PI_2) * k as f64 / STEPS as f64);
+            let drive = self.drive(w, right);
             let falls = before.select_pos(drive.select_pos(S::zero(), S::one()), S::zero());
-            low = falls.select_pos(at(k), low);
-            high = falls.select_pos(at(k + 1), high);
-            before = drive;
+            low = falls.select_pos(left, low);
+            high = falls.select_pos(right, high);
+            (left, before) = (right, drive);
         }
         (low, high)
     }

@@ -104,7 +104,10 @@ impl Ring {
     /// The load at a speed (rad/s), with the sums at hand. Derivatives of the speed pass through.
     #[inline(always)]
     pub fn loading<S: Scalar>(&self, sums: &Sums, speed: S) -> Load<S> {
-        let tilt = self.held.map_or_else(|| self.cup.equilibrium(speed), S::cst);
+        let tilt = match self.held {
+            Some(tilt) => S::cst(tilt),
+            None => self.cup.equilibrium(speed),
+        };
         let (s, co) = tilt.sin_cos();
         let b = &self.cup.body;
         let (radius, height) = self.cup.centre(tilt);
@@ -121,7 +124,6 @@ impl Ring {
         // radii are R + dl s, heights V - dl c
         let polar = (radius * radius).scale(m0) + (radius * s).scale(2.0 * m1) + ss.scale(m2) + (radial + S::cst(own_x)).scale(share);
         let axially = (height * height).scale(m0) - (height * co).scale(2.0 * m1) + cc.scale(m2) + axial.scale(share);
-        let times = |u: C64, x: S| c(x.scale(u.re), x.scale(u.im));
         Load {
             tilt,
             mass: m0,
@@ -132,6 +134,12 @@ impl Ring {
             couple: times(u0, radius * height + mixed.scale(1.0 / b.mass)) + times(u1, s * height - radius * co) - times(u2, sc),
         }
     }
+}
+
+/// A number along a direction.
+#[inline(always)]
+fn times<S: Scalar>(u: C64, x: S) -> Complex<S> {
+    c(x.scale(u.re), x.scale(u.im))
 }
 
 #[cfg(test)]
