@@ -252,7 +252,8 @@ fn no_flipped_bit_of_a_chunk_that_no_manifest_names_is_believed() {
     fs::remove_file(dir.0.join("manifest.json")).unwrap();
     let mut computed = Vec::new();
     assert!(notes(&mut computed).is_empty() && computed.is_empty());
-    for at in 0..bytes.len() {
+    // every seventh byte, each time another bit
+    for at in (0..bytes.len()).step_by(7) {
         let mut flipped = bytes.clone();
         flipped[at] ^= 1 << (at % 8);
         fs::write(&path, flipped).unwrap();

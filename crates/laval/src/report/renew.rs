@@ -194,7 +194,7 @@ mod tests {
     use crate::outcome::{Axis, Figure, Line, Outcome, Panel, Table};
 
     fn report(names: &[&str], all: &[&str]) -> Report {
-        let table = |name: &str| Table::new("t", "").text("of", "", vec![name.into()]).build().unwrap();
+        let table = |name: &str| Table::new("t", "").float("x", "", "", vec![0.0]).text("of", "", vec![name.into()]).build().unwrap();
         let outcomes = names.iter().map(|n| Outcome::new("k", *n).table(table(n))).collect();
         Report { studies: all.iter().map(|s| s.to_string()).collect(), outcomes, ..Report::default() }
     }
@@ -285,7 +285,7 @@ mod tests {
             let mut report = report(studies, &all);
             for o in &mut report.outcomes {
                 for name in ["d-e", "e", "d"] {
-                    o.figures.push(Figure::new(name, "", "").panel(Panel::new(Axis::new("", "")).mark(Line::new("t", "of", "of"))));
+                    o.figures.push(Figure::new(name, "", "").panel(Panel::new(Axis::new("", "")).mark(Line::new("t", "x", "x"))));
                 }
             }
             let files = compose(&report, &[Format::Csv, Format::Svg]);

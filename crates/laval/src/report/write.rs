@@ -318,7 +318,9 @@ mod tests {
         let dir = Dir::new("names");
         let files = write(&dir.0, &report(&["../up", "up", "Up", "figures"]), &[Format::Csv, Format::Svg]).unwrap();
         let names: Vec<_> = files.iter().map(|f| f.strip_prefix(&dir.0).unwrap().to_str().unwrap().to_string()).collect();
-        assert_eq!(names, ["up-cc70dadc/t.csv", "figures/up-cc70dadc-f.svg",]);
+        let folders = ["up-8c722b8a", "up-75a288c0", "Up-55490a4b", "figures-dc2e3999"];
+        let expected: Vec<String> = folders.iter().flat_map(|f| [format!("{f}/t.csv"), format!("figures/{f}-f.svg")]).collect();
+        assert_eq!(names, expected);
         assert!(files.iter().all(|f| f.is_file()));
     }
 

@@ -1,8 +1,6 @@
 //! Columns of a chunk: what they are, and their values.
 
 use crate::diagnostic::Diagnostic;
-#[cfg(feature = "parquet")]
-use crate::hash::sha256;
 use serde::{Deserialize, Serialize};
 
 /// Type of a column.
@@ -92,25 +90,6 @@ impl Cells {
             _ => None,
         }
     }
-}
-
-/// SHA-256 of the values, bit for bit.
-#[cfg(feature = "parquet")]
-pub(super) fn checksum(cells: &[Cells]) -> String {
-    let mut bytes = Vec::new();
-    let mut push = |present: bool, value: &[u8]| {
-        bytes.push(u8::from(present));
-        bytes.extend((value.len() as u64).to_le_bytes());
-        bytes.extend(value);
-    };
-    for column in cells {
-        match column {
-            Cells::Float(v) => v.iter().for_each(|x| push(true, &x.to_bits().to_le_bytes())),
-            Cells::Int(v) => v.iter().for_each(|x| push(x.is_some(), &x.unwrap_or(0).to_le_bytes())),
-            Cells::Text(v) => v.iter().for_each(|x| push(x.is_some(), x.as_deref().unwrap_or_default().as_bytes())),
-        }
-    }
-    sha256(&bytes)
 }
 
 /// The cells are what the columns say, `rows` of each.

@@ -1,6 +1,6 @@
 //! The folder of a study: chunk files and manifest.
 
-use super::cells::{Cells, Column, checksum};
+use super::cells::{Cells, Column};
 use super::manifest::{Entry, FORMAT, Manifest};
 use super::{Host, Keep, Plan, parquet};
 use crate::diagnostic::Diagnostic;
@@ -103,8 +103,8 @@ impl Folder {
             .help("give the new results another folder with --out, or start anew with --fresh (which removes the old ones)"))
     }
 
-    /// Keeps the chunks whose files are sound: those of the manifest by their checksums, and those written just before a kill when their cells give
-    /// the very same file, whose mark holds the checksum of the cells.
+    /// Keeps the chunks whose files are sound: those of the manifest by its checksums, and those written just before a kill by the checksum they hold and
+    /// their mark.
     fn verify(&mut self, plan: &Plan, host: &dyn Host) -> Result<(), Diagnostic> {
         let listed = std::mem::take(&mut self.manifest.chunks);
         for index in 0..plan.chunks() {
@@ -141,27 +141,22 @@ impl Folder {
 
     /// Whether a chunk that no manifest names is sound, else why not.
     fn unlisted(&self, index: usize, plan: &Plan, bytes: &[u8]) -> Result<(), &'static str> {
-        let Ok((cells, mark)) = self.read(index, &plan.columns) else { return Err("damaged") };
-        if !mark.starts_with(&self.owner(index)) {
-            return Err("not of this study");
+        if !parquet::sealed(bytes) {
+            return Err("damaged");
         }
-        let whole = cells.iter().all(|c| c.len() == plan.range(index).len());
-        let same = || self.encode(index, &plan.columns, &cells).is_ok_and(|again| again == bytes);
-        if whole && same() { Ok(()) } else { Err("damaged") }
+        match self.read(index, &plan.columns) {
+            Ok((cells, mark)) if mark == self.mark(index) && cells.iter().all(|c| c.len() == plan.range(index).len()) => Ok(()),
+            _ => Err("not of this study"),
+        }
     }
 
-    fn owner(&self, index: usize) -> String {
-        format!("{} chunk {index} ", self.manifest.input_hash)
-    }
-
-    fn encode(&self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<Vec<u8>, String> {
-        parquet::encode(columns, cells, &format!("{}cells {}", self.owner(index), checksum(cells)))
+    fn mark(&self, index: usize) -> String {
+        format!("{} chunk {index}", self.manifest.input_hash)
     }
 
     /// Writes a chunk, then the manifest that names it.
     pub fn put(&mut self, index: usize, columns: &[Column], cells: &[Cells]) -> Result<(), Diagnostic> {
-        let bytes = self
-            .encode(index, columns, cells)
+        let bytes = parquet::encode(columns, cells, &self.mark(index))
             .map_err(|e| Diagnostic::error("store.write", format!("chunk {index} cannot be written as Parquet: {e}")))?;
         let path = self.file(index);
         write_whole(&path, &bytes, Lasting::PowerLoss).map_err(|e| self.unwritable(&path, &e))?;

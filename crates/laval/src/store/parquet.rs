@@ -1,8 +1,10 @@
-//! One chunk as a Parquet file: the same cells give the same bytes.
+//! One chunk as a Parquet file: the same cells give the same bytes, which hold their own checksum.
 
 use super::cells::{Cells, Column, Kind};
 use crate::columns;
+use crate::hash::sha256;
 use std::fs::File;
+use std::ops::Range;
 use std::path::Path;
 
 fn values(cells: &Cells) -> columns::Values<'_> {
@@ -13,11 +15,35 @@ fn values(cells: &Cells) -> columns::Values<'_> {
     }
 }
 
+/// What stands before the checksum, in the notes at the end of the file.
+const SEAL: &[u8] = b"laval-sha256:";
+/// Hexadecimal digits of a checksum.
+const DIGITS: usize = 64;
+
+/// Where the checksum of a file stands.
+fn seal(bytes: &[u8]) -> Option<Range<usize>> {
+    let at = bytes.windows(SEAL.len()).rposition(|w| w == SEAL)? + SEAL.len();
+    (at + DIGITS <= bytes.len()).then_some(at..at + DIGITS)
+}
+
+/// Whether a file holds the checksum of its other bytes. A damaged file must not be decoded: the decoder need not survive it.
+pub fn sealed(bytes: &[u8]) -> bool {
+    let Some(place) = seal(bytes) else { return false };
+    let mut blank = bytes.to_vec();
+    blank[place.clone()].fill(b'0');
+    bytes[place] == *sha256(&blank).as_bytes()
+}
+
 /// Encodes a chunk; `mark` says which study and chunk it belongs to.
 pub fn encode(columns: &[Column], cells: &[Cells], mark: &str) -> Result<Vec<u8>, String> {
     let list: Vec<columns::Column> =
         columns.iter().zip(cells).map(|(c, x)| columns::Column { name: &c.name, unit: &c.unit, doc: &c.doc, values: values(x) }).collect();
-    columns::encode(&list, &[("laval", mark)])
+    let blank = format!("{}{}", String::from_utf8_lossy(SEAL), "0".repeat(DIGITS));
+    let mut out = columns::encode(&list, &[("laval", mark), ("checksum", &blank)])?;
+    let place = seal(&out).ok_or("no place for the checksum")?;
+    let sum = sha256(&out);
+    out[place].copy_from_slice(sum.as_bytes());
+    Ok(out)
 }
 
 /// Reads a chunk back, with its mark.
@@ -54,6 +80,7 @@ mod tests {
         for _ in 0..8 {
             assert!(bytes == encode(&columns, &cells, "here").unwrap());
         }
+        assert!(sealed(&bytes) && !sealed(&bytes[..bytes.len() / 2]) && !sealed(&[&bytes[..], b" "].concat()));
         let path = std::env::temp_dir().join(format!("laval-chunk-{}", std::process::id()));
         std::fs::write(&path, &bytes).unwrap();
         let (back, mark) = decode(&path, &columns).unwrap();
