@@ -38,8 +38,8 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         number("decay", "1/s", "decay rate of the slowest mode at rest", |r: &Row| r.rate.unwrap_or(f64::NAN)),
     ];
     let jump = |r: &Row| r.jump.unwrap_or((f64::NAN, f64::NAN));
-    let doc = "in smaller steps from the speed before: last speed before the amplitude changes by a quarter within";
-    out.push(number("jump_before", "rad/s", &format!("{doc} 1/64 of the step"), move |r: &Row| jump(r).0));
+    let doc = "in smaller steps from the speed before: last speed before the amplitude changes by a quarter";
+    out.push(number("jump_before", "rad/s", doc, move |r: &Row| jump(r).0));
     out.push(number("jump_after", "rad/s", "first speed after that change", move |r: &Row| jump(r).1));
     out.extend(columns::judged(&study.rules));
     for (b, own) in fleet.bodies.iter().enumerate() {
