@@ -77,7 +77,7 @@ const STUDIES: &[(&str, &str)] = &[
     ("nonlinear_response", "speed = { from = 50, to = 600 }"),
     (
         "bifurcation_loci",
-        "speed = { from = 50, to = 600 }\nparameter = { parameter = \"losses.damping\", from = 60, to = 80, points = 3 }\nmax_points = 200",
+        "speed = { from = 50, to = 600 }\nparameter = { parameter = \"inside.damping\", from = 0, to = 60, points = 3 }\nmax_points = 200",
     ),
     (
         "response_map",
@@ -143,8 +143,9 @@ fn run(machine: &str, kind: &str, fields: &str) -> Outcome {
 /// Ids, subjects and values of the findings, and the columns of speeds, rates, displacements and angles.
 type Numbers = (Vec<(String, String, f64)>, Vec<(String, Vec<f64>)>);
 
-/// Evidence, not answers; and what a disc shows of itself, which cups beside it are not.
-const ASIDE: [&str; 9] = ["error", "residual", "uncertainty", "bracket", "remaining", "settled", "slope", "centre of mass", "swing"];
+/// Evidence, not answers; angles of what is nearly round or may turn by a whole turn; and what a disc shows of itself, which cups beside it are not.
+const ASIDE: [&str; 11] =
+    ["error", "residual", "uncertainty", "bracket", "remaining", "settled", "slope", "direction", "phase", "centre of mass", "swing"];
 /// Largest value of a column that is rounding.
 const ROUNDING: f64 = 1e-9;
 
