@@ -61,6 +61,7 @@ impl<S: Scalar> Cavity<S> {
         (self.radius.square() * self.height * self.density).scale(PI)
     }
     /// `H^2/12`: what turns L0 into the tilt reaction of slices that do not feel each other, m^2.
+    #[inline(always)]
     pub fn slices(&self) -> S {
         self.height.square().scale(1.0 / 12.0)
     }
