@@ -330,7 +330,7 @@ mod tests {
         // equal and opposite in two planes: no force, a moment u W^2 l about the axis a quarter turn from them
         let (u, l) = (2e-4, 0.3);
         let pair = forces(Disc::tilting().unbalanced(u, 0.0, 0.2).unbalanced(u, std::f64::consts::PI, 0.2 - l), &p);
-        let mut want = vec![0.0; 16];
+        let mut want = [0.0; 16];
         // along x at the height z bends about y; sin: along y about -x
         (want[3], want[4 + 2]) = (u * 2500.0 * l, -u * 2500.0 * l);
         assert!(near(pair[..8].to_vec(), want[..8].to_vec()), "{pair:?}");

@@ -188,7 +188,7 @@ margin = 0.15
         }
         let size = |tilt: bool| peaks.iter().map(|p| if probes[p.probe].is_tilt() == tilt { p.value } else { f64::NAN }).collect();
         let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
-            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(|p| name(p)).collect())
+            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(name).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))

@@ -67,7 +67,7 @@ impl Ranged {
     /// A speed at which a part is not known.
     fn known(&self, system: &System) -> Result<(), Diagnostic> {
         for (name, t) in tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse) {
-            for n in self.needed.iter().filter(|n| n.leaves(&t)) {
+            if let Some(n) = self.needed.iter().find(|n| n.leaves(&t)) {
                 let speed = |w: f64| format_si(w, "rad/s");
                 let (wanted, table) = if n.from == n.to {
                     (format!("at {}", speed(n.from)), format!("from {} to {}", speed(t.from), speed(t.to)))

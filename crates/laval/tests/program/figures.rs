@@ -134,7 +134,8 @@ fn a_figure_without_anything_to_see_is_left_out() {
         let panel = Panel::new(axis).mark(mark()).mark(Rule::x(1.5, "operating speed"));
         Outcome::new("modes", "m").table(table(y)).figure(Figure::new("f", "F", "").panel(panel)).checked().unwrap().figures.len()
     };
-    let (points, line): (fn() -> Mark, fn() -> Mark) = (|| Points::new("t", "x", "y").into(), || Line::new("t", "x", "y").into());
+    let points = || Mark::from(Points::new("t", "x", "y"));
+    let line = || Mark::from(Line::new("t", "x", "y"));
     for mark in [points, line] {
         assert_eq!(figures(vec![f64::NAN, 3.0], Axis::new("y", ""), mark), 1);
         assert_eq!(figures(vec![f64::NAN, f64::NAN], Axis::new("y", ""), mark), 0);

@@ -90,7 +90,7 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
     let end = if context.cancelled() { End::Cancelled } else { End::Reached };
     let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
     for (name, count) in &response.work {
-        outcome = outcome.work(*name, *count as u64);
+        outcome = outcome.work(*name, *count);
     }
     let (at, count) = (quantity(speed, "rad/s"), found.len());
     if found.is_empty() {

@@ -84,6 +84,7 @@ fn best(
 }
 
 /// A state that balances, followed over the values: isolated, or one of a continuum.
+#[allow(clippy::large_enum_variant)] // there is one
 enum Followed<'a> {
     Alone(Box<Follower<'a>>, [Reach; 2], f64),
     Loose(Vec<f64>),
