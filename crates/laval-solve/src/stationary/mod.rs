@@ -35,6 +35,8 @@ const WIDEST: f64 = 0.5;
 const STIFF: f64 = 50.0;
 /// Two states are one within this many typical sizes.
 const SAME: f64 = 1e-6;
+/// Share of the speed within which a fold or branch point is known at best: what holds the masses is a small difference of their forces.
+const ROUNDING: f64 = 1e-11;
 /// Most changes of stability located along one branch; where roots are zero to rounding there would be no end of them.
 const MOST_LOCATED: usize = 100;
 /// Most branches followed.
@@ -358,7 +360,9 @@ impl<'a> Search<'a> {
             let growing = (last.stability.growing, next.stability.growing);
             for s in &turns {
                 let change = if s.kind == Kind::Fold { Change::Fold } else { Change::BranchPoint };
-                let bracket = s.range();
+                let (low, high) = s.range();
+                let open = ROUNDING * s.point.p.abs();
+                let bracket = (low - open, high + open);
                 let located = s.status != laval_num::continuation::Status::Bracketed;
                 let state = State { branch: k, speed: s.point.p, x: s.point.x.clone(), error: s.point.error };
                 let place = s.point.s.clamp(last.s, next.s);
