@@ -444,7 +444,7 @@ mod tests {
             v.set("stiffness", Value::Number(2e6), None);
             p.set("kyy", 1e6);
         });
-        assert_eq!(text, ["stiffness is given beside kyy"]);
+        assert!(text.len() == 1 && text[0].starts_with("stiffness is given beside kyy"), "{text:?}");
     }
 
     #[test]

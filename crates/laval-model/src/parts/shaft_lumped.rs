@@ -502,7 +502,7 @@ mod tests {
         let told = |values: &Values, params: &mut ParamValues| {
             let mut d = Diagnostics::default();
             let part = ShaftLumped::build(values, params, &mut d);
-            (part.map(|p| (p.size(), p.round)), d.0.iter().map(|d| d.to_string()).collect::<Vec<_>>())
+            (part.map(|p| (p.size(), p.round)), d.0.iter().map(|d| d.message.clone()).collect::<Vec<_>>())
         };
         assert_eq!(told(&values, &mut params).1, ["the shaft has no stiffness"]);
         params.set("below", 0.2);
