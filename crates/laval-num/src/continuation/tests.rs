@@ -213,7 +213,8 @@ fn a_pitchfork_drowned_in_rounding_is_where_its_equations_have_it() {
     for (start, p, direction) in [([0.0, 0.2], -0.71, Direction::Up), ([0.7, 0.2], 0.79, Direction::Down)] {
         let b = trace(&mut z(), &start, p, direction, &set, &mut []).unwrap();
         let found: Vec<&Special> = b.of(Kind::BranchPoint).chain(b.of(Kind::ParameterExtremum)).collect();
-        assert!(!found.is_empty() && b.of(Kind::Fold).count() == 0, "{:?} {:?}", b.end, b.specials);
+        // rounding may bend the branch beside it
+        assert!(!found.is_empty() && b.of(Kind::Fold).all(|f| (f.point.p - place).abs() < 1e-6), "{:?} {:?}", b.end, b.specials);
         for s in found {
             let (low, high) = s.range();
             assert!((s.point.p - place).abs() < 1e-12 && s.status == Status::Confirmed, "{s:?}");
@@ -473,7 +474,7 @@ fn a_user_test_is_located_and_a_jump_is_only_bracketed() {
 
 /// Two planes that fold together have two null vectors: the fold is located, and the extended system says that it does not apply.
 #[test]
-fn a_double_null_vector_is_not_confirmed() {
+fn a_double_null_vector_is_a_branch_point_and_no_fold() {
     let mut z = problem(2, |x, p, r, j, dp| {
         for i in 0..2 {
             r[i] = x[i].powi(3) - x[i] + p;
@@ -486,7 +487,11 @@ fn a_double_null_vector_is_not_confirmed() {
     let b = trace(&mut z, &[x0, x0], p0, Direction::Up, &Settings::new(-2.0, 2.0), &mut []).unwrap();
     let p = 2.0 / (3.0 * 3f64.sqrt());
     let near: Vec<&Special> = b.specials.iter().filter(|s| (s.point.p - p).abs() < 1e-6).collect();
-    assert!(!near.is_empty() && near.iter().all(|s| s.status != Status::Confirmed), "{:?} {:?}", b.end, b.specials);
+    // x1 = x2 and the branch on which they part turn there together
+    let at = |s: &Special| s.point.x.iter().all(|x| (x - 1.0 / 3f64.sqrt()).abs() < 1e-9);
+    let confirmed_fold = |s: &Special| s.kind == Kind::Fold && s.status == Status::Confirmed;
+    assert!(near.iter().any(|s| s.kind == Kind::BranchPoint && at(s)), "{:?} {:?}", b.end, b.specials);
+    assert!(!near.iter().any(|s| confirmed_fold(s)), "{:?} {:?}", b.end, b.specials);
 }
 
 fn pitchfork() -> Problem {
