@@ -11,6 +11,8 @@
 //!
 //! Validity: on the branch of small motions; parts whose stiffness grows with the square of the speed or faster have no such limit (`None`).
 //!
+//! Theory: `docs/theory/linear-vibration.md#self-centring`.
+//!
 //! Sources: `000_a291f7ede1484e56` section 1.4, corrected.
 
 use super::harmonic::orbit::Orbit;

@@ -3,6 +3,8 @@
 //! Unknowns are the coordinates and those internal states that are not eliminated: memory states and frequency-domain parts enter exactly.
 //! T is given in the coordinates of [`Sectors`]. About a state that turns with the rotor, column j is evaluated at `s + i k_j W` with the winding
 //! k_j of its coordinate; for a machine without preferred direction that is exact and constant in time.
+//!
+//! Theory: `docs/theory/linear-vibration.md#characteristic-matrix`.
 
 use super::sectors::{Sector, Sectors, imaginary};
 use crate::model::blocks::Grid;

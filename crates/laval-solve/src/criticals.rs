@@ -6,6 +6,8 @@
 //!
 //! Newton's method from the chord of a step is quick and may lead to the crossing of another mode, or to none: a mode of a memory that turns with the rotor stays beside the
 //! line over a wide range. So every solution is held against the mode it belongs to, and where it is another the mode itself is followed and its crossing bracketed.
+//!
+//! Theory: `docs/theory/linear-vibration.md#critical-speeds`.
 
 use super::characteristic::Characteristic;
 use super::locate::{Located, State, carried, crossing};

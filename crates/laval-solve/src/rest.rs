@@ -1,4 +1,6 @@
 //! Equilibria: static rest in fixed axes, and the Newton iteration shared with states that turn with the rotor.
+//!
+//! Theory: `docs/theory/equilibria.md#static-rest`.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, coordinate_sectors, nonlinear_states};
 use super::sectors::{Sectors, real_part};

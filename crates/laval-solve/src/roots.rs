@@ -8,6 +8,8 @@
 //! half planes but for a strip along the imaginary axis, of some of them all but the piece of that strip where they accumulate, of a viscous one the
 //! right half plane. In every rectangle the roots known from nearby starts are divided out, those the count says are missing are looked for, and the
 //! count is taken again. Roots outside the rectangles that starts lead to are kept and said to be uncounted.
+//!
+//! Theory: `docs/theory/linear-vibration.md#counting-of-roots`.
 
 use super::characteristic::{Characteristic, Equilibrium, Frame, Polished};
 use super::pencil::{Family, ISOTROPIC, Linearised, MachineMode, Spectrum, Whirl, time_forms};

@@ -2,6 +2,8 @@
 //!
 //! A damped machine crosses the threshold transversally: the crossing is bracketed. An undamped one is unstable between double roots, which are
 //! solved for as such ([`super::locate::double_root`]).
+//!
+//! Theory: `docs/theory/linear-vibration.md#stability-boundaries`.
 
 use super::locate::{State, double_root, value_and_slope};
 use super::pencil::Spectrum;

@@ -7,6 +7,8 @@
 //!
 //! Symbols: W spin speed, rad/s; th spin angle, rad; U unbalance, kg m; M mass of the bodies that turn and of all they carry, kg.
 //!
+//! Theory: `docs/theory/ball-balancers.md#stationary-states`.
+//!
 //! Sources: ISO 21940-11:2016 for the grade.
 
 use crate::model::part::{At, DofKind, Rows};

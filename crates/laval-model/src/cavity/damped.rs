@@ -18,6 +18,8 @@
 //! even places and at the tops of waves, those of the first harmonic left out among them.
 //!
 //! Symbols as in [cavity](super) and [waves](super::waves).
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#time-forms`.
 
 use super::layer::{GROWTHS, Layer, Refused, TOPS};
 use super::rational::{Rational, Wave};

@@ -10,6 +10,8 @@
 //!
 //! Close to `sigma = +-2 W` lambda vanishes; there the unknown is `y = P - g r`, which is driven by terms of the order lambda^2 only. At these points each
 //! harmonic is rational in k^2 and the sum is a tangent.
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#axial-harmonics`.
 
 use super::sum::over_odd;
 use super::{Cavity, Tilt};

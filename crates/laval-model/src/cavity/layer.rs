@@ -15,6 +15,8 @@
 //! At speed -W the reaction is that at W with x and r conjugate: forms are made for `W > 0`, with `nu/|W|` as their only speed.
 //!
 //! Symbols as in [cavity](super).
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#time-forms`.
 
 use super::Cavity;
 use super::damped::attainable;

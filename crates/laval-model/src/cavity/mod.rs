@@ -13,6 +13,8 @@
 //! Validity: small motions of a layer that rotation holds on the wall (W^2 r0 above gravity), rigid cavity without baffles, constant speed. An ideal
 //! liquid has a dense set of inertial waves at real w with |sigma| < 2 W: there Lt means nothing at real w. The viscous form has free-slip ends.
 //!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#conventions`.
+//!
 //! Sources: `001_352384e7bf252e35` equations (7)-(34), corrected.
 
 mod damped;

@@ -16,6 +16,8 @@
 //! R:  u = v = w = 0;   r0:  v' - v/r0 - i u/r0 = 0,  w' - kappa u = 0,  i sigma (p - 2 nu u' + h r0) + W^2 r0 u = 0
 //! Lt = pi rho { as for the ideal liquid, k = 0, + sum [ R(-2 i (p - i nu v')/kappa^2 + 2 i R nu w'/kappa) at R + 2 i int (p - 2 nu kappa w) r^2 dr ] }
 //! ```
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#viscous-liquid`.
 
 use super::sum::over_odd;
 use super::{Cavity, Tilt, Truncation};

@@ -18,6 +18,8 @@
 //! What is close to a wave on the real axis cannot be told from afar: the error is that for motions that grow or decay at no less than [`MARGIN`] of the speed.
 //!
 //! Symbols as in [cavity](super); derived from the equations there.
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#time-forms`.
 
 use super::rational::{Rational, Wave};
 use super::{Cavity, Truncation};

@@ -11,6 +11,8 @@
 //!
 //! Validity: deflections inside the range over which c0 and c1 were fitted (`valid_to`).
 //!
+//! Theory: `docs/theory/rolling-bearings.md#cubic-law`.
+//!
 //! Sources: `000_a291f7ede1484e56` equations (4)-(8); the law (z1 - z2)^3 of its equation (11) is neither of the two.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -16,6 +16,8 @@
 //! Without preload the stiffness at rest is zero: a linear study needs an amplitude, a preload, or, where there is clearance, other parts that hold the rotor
 //! inside it.
 //!
+//! Theory: `docs/theory/rolling-bearings.md#hertz-law`.
+//!
 //! Sources: H. Hertz (1882); `000_a291f7ede1484e56` section 1.1 for the law and its cubic approximation, [`cubic_fit`].
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -17,6 +17,8 @@
 //!
 //! Validity: small motion about the static position; coefficients belong to vibration at the frequency they were found for; speeds of the table.
 //!
+//! Theory: `docs/theory/machine.md#linear-bearings`.
+//!
 //! Sources: J. W. Lund, K. K. Thomsen (1978) as in every text on rotor bearings; signs as in API 684 and most codes. A data sheet that gives
 //! F = +K q, or turns the other way, needs the signs of its terms changed.
 

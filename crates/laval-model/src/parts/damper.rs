@@ -7,6 +7,8 @@
 //!
 //! Validity: linear.
 //!
+//! Theory: `docs/theory/machine.md#dampers`.
+//!
 //! Sources: `000_a291f7ede1484e56` equation (8) (fixed axes); A. L. Kimball, Gen. Electr. Rev. 27 (1924) (rotating axes).
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

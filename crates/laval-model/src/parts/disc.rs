@@ -22,6 +22,8 @@
 //!
 //! Validity: tilt up to 0.1 rad, where its sine is 0.2 % less than the angle; spin row linear in skew.
 //!
+//! Theory: `docs/theory/machine.md#rigid-disc`.
+//!
 //! Sources: `000_a291f7ede1484e56` sections 1.1 and 2.1 (planar rotor); tilt terms from the kinetic energy of a symmetric top to second order.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -6,6 +6,8 @@
 //!
 //! Validity: no tilt of the block; linear supports.
 //!
+//! Theory: `docs/theory/machine.md#foundation`.
+//!
 //! Sources: `000_a291f7ede1484e56` section 2.1, equation (8).
 
 use crate::diagnostic::Diagnostics;

@@ -20,6 +20,8 @@
 //!
 //! Validity: slow changes of speed, so that the steady curve holds; no torsion between motor and rotor.
 //!
+//! Theory: `docs/theory/motors-and-run-up.md#torque-curves`.
+//!
 //! Sources: M. Kloss, Arch. Elektrotech. 5 (1916) 59; limited power after V. O. Kononenko, Vibrating Systems with a Limited Power Supply (Iliffe, 1969).
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

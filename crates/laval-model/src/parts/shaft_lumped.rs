@@ -28,6 +28,8 @@
 //! Validity: mass of the shaft small against what it carries; unequal stiffness in x and y belongs to fixed axes (a support, not a shaft with flats); of the
 //! geometry: slender, no shear deflection.
 //!
+//! Theory: `docs/theory/machine.md#massless-shafts`.
+//!
 //! Sources: any text on beams for the matrix; A. L. Kimball, Gen. Electr. Rev. 27 (1924) for damping in rotor axes.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -13,6 +13,8 @@
 //! Validity: slender shaft (no shear deflection), mass of the shaft small against what it carries; the supports carry no moment. Unequal stiffness in x
 //! and y belongs to the supports, which do not turn.
 //!
+//! Theory: `docs/theory/machine.md#massless-shafts`.
+//!
 //! Sources: any text on beams; the same as a model of two beam elements on springs.
 
 use crate::diagnostic::Diagnostics;

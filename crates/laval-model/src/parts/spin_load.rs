@@ -13,6 +13,8 @@
 //!
 //! Validity: what it stands for is rigidly coupled to the rotor; slow changes of speed, so that the steady drag holds.
 //!
+//! Theory: `docs/theory/motors-and-run-up.md#torque-curves`.
+//!
 //! Sources: linear drag of lubricated bearings; windage with the square of the speed, as for turbulent flow around discs (H. Schlichting, Boundary-Layer Theory,
 //! McGraw-Hill 1979, chapter XXI).
 

@@ -12,6 +12,8 @@
 //!
 //! Validity: no friction at the contact (no rub-driven backward whirl); a jump of the force needs steps that locate the touch.
 //!
+//! Theory: `docs/theory/rolling-bearings.md#stops`.
+//!
 //! Sources: Kelvin-Voigt contact without tension, as in S. W. Shaw, P. J. Holmes, J. Sound Vib. 90 (1983) 129, taken radially.
 
 use crate::diagnostic::Diagnostics;

@@ -3,6 +3,8 @@
 //! Every linear mode that deflects the nonlinear parts continues to a family of nonlinear free motions. At infinite amplitude a hardening part is
 //! rigid: the families end at frequencies where the machine can whirl without deflecting it, the zeros of the condensed compliance
 //! `B Z(i w)^-1 B^T`. A family may come from there without reaching a linear mode.
+//!
+//! Theory: `docs/theory/free-motions.md#backbone-curves`.
 
 use super::condense::Basis;
 use super::floquet::first_order;

@@ -12,6 +12,8 @@
 //! | a complex pair | a complex pair | Neimark-Sacker: a second frequency appears beside the spin |
 //!
 //! Branches judged on Hill's determinant, whose decaying exponents are not all known: [`super::on_determinant`].
+//!
+//! Theory: `docs/theory/harmonic-balance.md#bifurcations`.
 
 use super::branch::Judge;
 use super::floquet::{Exponents, Method};

@@ -4,6 +4,8 @@
 //! `W - W_h = k a^2 + ...`. Where the small cycles lie on the side on which rest is unstable the onset is soft (they are stable); on the other side it
 //! is hard: rest is stable there, and an unstable cycle is the size of the disturbance that leads away from it. Families are followed in
 //! the speed with the whirl frequency unknown. One Floquet exponent of a cycle is zero, that of a shift in time; it is recognised and set apart.
+//!
+//! Theory: `docs/theory/free-motions.md#limit-cycles`.
 
 use super::backbone::{backward, discretisation, linear_modes, next_order, polish, static_harmonics};
 use super::floquet::{Exponents, Stability, Unjudged};

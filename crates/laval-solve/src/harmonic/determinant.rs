@@ -12,6 +12,8 @@
 //!
 //! Exponents repeat with i w, so that one strip of the width w holds all of them. The number of those that grow is counted by the argument principle, right of the margin from
 //! which on the parts are analytic ([`strip`]); orders are added until count and exponents settle. Of what decays only the exponents that starts lead to are known.
+//!
+//! Theory: `docs/theory/harmonic-balance.md#stability`.
 
 mod strip;
 

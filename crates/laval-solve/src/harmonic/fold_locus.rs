@@ -10,6 +10,8 @@
 //!
 //! Second derivatives along v are central differences of the exact Jacobian, which serve steps and tangents alone.
 //!
+//! Theory: `docs/theory/harmonic-balance.md#folds-and-branch-points`.
+//!
 //! Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM 2000), chapters 3 and 8.
 
 use super::problem::Balance;

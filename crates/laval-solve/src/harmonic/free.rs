@@ -12,6 +12,8 @@
 //! Without damping whole families of motions exist, and xi comes out as zero to rounding: it only makes the equations as many as the unknowns. In a
 //! damped machine xi is the excitation that makes up for the losses, proportional to mass as in the extended periodic motion concept (M. Krack,
 //! Comput. Struct. 154, 2015, 59).
+//!
+//! Theory: `docs/theory/free-motions.md#equations`.
 
 use super::nonlinear::Sampled;
 use super::pace::Pace;

@@ -10,6 +10,8 @@
 //! its eigenvalues. H is cut off at |k| <= N, the exponential is summed as Taylor series on parts of the period, and N is raised until the exponents
 //! settle. `z_(-k)` is the conjugate of `z_k`.
 //!
+//! Theory: `docs/theory/harmonic-balance.md#stability`.
+//!
 //! Source: F. Bayer, R. I. Leine, Sorting-free Hill-based stability analysis of periodic solutions through Koopman analysis, Nonlinear Dynamics 111 (2023).
 
 use super::floquet::{Exponents, Method, Stability, Unjudged};

@@ -7,6 +7,8 @@
 //! ```
 //!
 //! Its stationary states are those of one-harmonic balance. Beside them it gives growth rates of the slow motion, which know the mode near the speed only.
+//!
+//! Theory: `docs/theory/approximate-methods.md#averaging`.
 
 use super::elliptic::{Elliptic, law, motions};
 use super::floquet::{Exponents, Stability};

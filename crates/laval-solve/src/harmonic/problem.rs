@@ -6,6 +6,8 @@
 //!
 //! x are the terms of the nonlinear coordinates u, L and p the linear parts condensed exactly at every order, f the nonlinear forces sampled over the
 //! period. Rows are in N (N m), divided by nothing: Newton scales them.
+//!
+//! Theory: `docs/theory/harmonic-balance.md#balance`.
 
 pub use super::coordinates::Nonlinear;
 

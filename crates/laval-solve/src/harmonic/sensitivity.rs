@@ -19,6 +19,8 @@
 //!
 //! Validity: simple stationary points; laws whose force jumps have no such derivatives. Both halves of a lateral pair move together where a symmetry is imposed.
 //!
+//! Theory: `docs/theory/harmonic-balance.md#sensitivity`.
+//!
 //! Sources: implicit function theorem; envelope theorem.
 
 use super::measure::{Instant, Measure};

@@ -12,6 +12,8 @@
 //! the limit with one harmonic is `(chi T^2 + chi0 (m'/(M + m'))^2) / (T m e sqrt(kap c1/mu))`, 1 at the critical damping chi*.
 //!
 //! The terms in 1/W are no small matter at the end of a range of interest, so the branch is followed on to many times that speed, where they are.
+//!
+//! Theory: `docs/theory/harmonic-balance.md#branches-that-do-not-close`.
 
 use super::branch::{State, Traced};
 use super::orbit::Orbit;

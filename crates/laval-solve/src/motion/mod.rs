@@ -13,6 +13,8 @@
 //!
 //! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column ([`single`]) or, beside memory
 //! states, dense ([`compiled`]), and only nonlinear parts and memory states are evaluated at every call.
+//!
+//! Theory: `docs/theory/motion-in-time.md#first-order-system`.
 
 pub(super) mod compiled;
 pub(super) mod constant;

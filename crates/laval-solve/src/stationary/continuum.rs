@@ -3,6 +3,8 @@
 //! Newton's method has no step there. The shortest of all steps that serve, `s = A^T (A A^T)^-1 r` with the scaled Jacobian A, leads to the nearest state.
 //! What holds masses by less than a hundred-thousandth counts as nothing where no isolated state is near: the weight of five balls tilts a disc by so little
 //! that they lie anywhere they balance.
+//!
+//! Theory: `docs/theory/equilibria.md#continua`.
 
 use super::Search;
 use laval_num::continuation::Zero;

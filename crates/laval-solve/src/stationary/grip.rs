@@ -6,6 +6,8 @@
 //!
 //! The ends of the range are sought where friction is used up: at the corners f_i = +T_i or -T_i, reached step by step from the state without friction.
 //! About the states of a continuum there are no such corners: there the masses are moved along straight ways until friction gives way.
+//!
+//! Theory: `docs/theory/equilibria.md#dry-friction`.
 
 use super::{Search, State};
 use crate::characteristic::Equilibrium;

@@ -2,6 +2,8 @@
 //! every new state, stability along the branches, and the places where it changes.
 //!
 //! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is told instead.
+//!
+//! Theory: `docs/theory/equilibria.md#states-in-rotating-axes`.
 
 pub mod along;
 mod continuum;

@@ -6,7 +6,7 @@
 //! Validity: particles of a swinging cup settle during the run-up; the liquid of a fixed-angle tube shifts to another place while the speed changes, so that its run-up
 //! counts by the field at mean radius ([`super::recovery::Clock`]); machines that liquid flows through are fed at speed.
 //!
-//! Sources: `theory/separation.md` sections 3 to 9.
+//! Sources: `docs/theory/separation.md#exact-solution`, `docs/theory/separation.md#run-up`, `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::closed::{Closed, Drifting, Steady};
 use super::drift::{self, Climb};

@@ -17,7 +17,7 @@
 //! Validity: contents frozen; the cups are at the tilt of equilibrium of the moment, so that the speed changes slowly against their swing. What the forces leave
 //! out of the change of A and m V with the speed stands in the account of energy.
 //!
-//! Sources: `theory/separation.md` section 13, couplings; kinetic energy of a rigid body to second order in the tilt, as for a disc.
+//! Sources: `docs/theory/operating-window.md#load-of-the-cups`; kinetic energy of a rigid body to second order in the tilt, as for a disc.
 
 use super::load::{Load, Ring, Sums};
 use crate::diagnostic::Diagnostics;

@@ -14,7 +14,7 @@
 //!
 //! Validity: speed and tilt constant; Re small.
 //!
-//! Sources: `theory/separation.md` sections 4 and 6.
+//! Sources: `docs/theory/separation.md#exact-solution`, `docs/theory/separation.md#drag-dominated-limit`.
 
 use super::particle::Rates;
 use laval_num::complex::{C64, c};

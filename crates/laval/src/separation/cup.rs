@@ -13,7 +13,7 @@
 //!
 //! Validity: contents frozen; cup symmetric about the plane of its swing.
 //!
-//! Sources: `theory/separation.md` section 7; 000_a291f7ede1484e56 equation (60).
+//! Sources: `docs/theory/separation.md#cups`; 000_a291f7ede1484e56 equation (60).
 
 use laval_num::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, PI};

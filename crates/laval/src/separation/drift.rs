@@ -14,7 +14,7 @@
 //!
 //! Validity: drag rate n far above the spin speed: the time is off by about (w/n)^2, the place by w/n; the cup follows its equilibrium.
 //!
-//! Sources: `theory/separation.md` sections 2, 3, 6 and 8.
+//! Sources: `docs/theory/separation.md#drag-dominated-limit`, `docs/theory/separation.md#run-up`.
 
 use super::closed::Steady;
 use super::cup::SwingingCup;

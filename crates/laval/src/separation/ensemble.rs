@@ -8,7 +8,7 @@
 //! powder:  eta(t) = (1/N) sum_i P(size > d_i(t)),  d_i the size at which particle i is just caught
 //! ```
 //!
-//! Sources: `theory/separation.md` sections 6 and 9.
+//! Sources: `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::exit::{Exit, Surface};
 use super::halton::{self, Point};

@@ -6,7 +6,7 @@
 //!
 //! Validity: contact ends the motion; no sliding along a wall.
 //!
-//! Sources: `theory/separation.md` section 5.
+//! Sources: `docs/theory/separation.md#first-exit`.
 
 use super::closed::Path;
 use super::root::root;

@@ -12,7 +12,7 @@
 //!
 //! Validity: exact. L multiplies w^2 and w1 only, because the tilt happens about the hinge.
 //!
-//! Sources: `theory/separation.md` sections 1 and 2; 000_a291f7ede1484e56 equations (57), (58), of which (57) carries L with the rates of the tilt.
+//! Sources: `docs/theory/separation.md#frame-of-a-cup`; 000_a291f7ede1484e56 equations (57), (58), of which (57) carries L with the rates of the tilt.
 
 use laval_num::scalar::Scalar;
 

@@ -3,7 +3,7 @@
 //! Equations: radical inverses of i = 1 .. N in prime bases, without scrambling or skipping. Places take the bases 2, 3, 5, sizes 7,
 //! densities 11.
 //!
-//! Sources: J. H. Halton, Numer. Math. 2 (1960) 84; `theory/separation.md` section 9.
+//! Sources: J. H. Halton, Numer. Math. 2 (1960) 84; `docs/theory/separation.md#ensembles-and-recovery`.
 
 /// Radical inverse of `i` in a base: its digits mirrored at the point.
 pub fn radical_inverse(mut i: u64, base: u64) -> f64 {

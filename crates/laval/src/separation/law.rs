@@ -11,7 +11,7 @@
 //!
 //! Symbols: GSD geometric standard deviation; x' size with 63.2 % below; n spread. Shares are by mass when the powder's shares are.
 //!
-//! Sources: `theory/separation.md` section 9; P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29.
+//! Sources: `docs/theory/separation.md#ensembles-and-recovery`; P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29.
 
 use super::normal;
 

@@ -11,7 +11,7 @@
 //!
 //! Validity: contents frozen; cups do not swing about their tilt, and are as thick along the hinge as across it.
 //!
-//! Sources: `theory/separation.md` section 13, couplings.
+//! Sources: `docs/theory/operating-window.md#load-of-the-cups`.
 
 use super::cup::SwingingCup;
 use laval_num::complex::{C64, Complex, c};

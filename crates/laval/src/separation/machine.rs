@@ -11,7 +11,7 @@
 //!
 //! Validity: as those; in flow machines gravity, entrance and re-entrainment are left out.
 //!
-//! Sources: `theory/separation.md` sections 4 to 10.
+//! Sources: `docs/theory/separation.md#machines`, `docs/theory/separation.md#engineering-measures`.
 
 use super::closed::{Closed, Drifting, Steady};
 use super::cup::SwingingCup;

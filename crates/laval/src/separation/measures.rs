@@ -17,7 +17,7 @@
 //!
 //! Validity: drag-dominated motion along the radius, plug flow; the capture convention is part of the type [`Sigma`].
 //!
-//! Sources: `theory/separation.md` section 10; C. M. Ambler, J. Biochem. Microbiol. Technol. Eng. 1 (1959) 185; Livshts et al., Scientific Reports
+//! Sources: `docs/theory/separation.md#engineering-measures`; C. M. Ambler, J. Biochem. Microbiol. Technol. Eng. 1 (1959) 185; Livshts et al., Scientific Reports
 //! 5 (2015) 17319 (pelleted shares).
 
 use std::f64::consts::PI;

@@ -7,7 +7,7 @@
 //!
 //! Validity: as those; the liquid turns with the cup at once.
 //!
-//! Sources: `theory/separation.md` sections 2, 5, 8.
+//! Sources: `docs/theory/separation.md#equation-of-motion`, `docs/theory/separation.md#run-up`.
 
 use super::cup::SwingingCup;
 use super::exit::{Exit, MOST, Vessel};

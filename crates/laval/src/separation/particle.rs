@@ -14,7 +14,7 @@
 //!
 //! Validity: liquid at rest relative to the vessel; no Basset history force, Saffman lift or drag of walls.
 //!
-//! Sources: `theory/separation.md` sections 2 and 3; L. Schiller, A. Naumann, Z. VDI 77 (1933) 318; J. F. Richardson, W. N. Zaki, Trans. Inst.
+//! Sources: `docs/theory/separation.md#equation-of-motion`, `docs/theory/separation.md#drag-and-hindered-settling`; L. Schiller, A. Naumann, Z. VDI 77 (1933) 318; J. F. Richardson, W. N. Zaki, Trans. Inst.
 //! Chem. Eng. 32 (1954) 35.
 
 use laval_num::scalar::Scalar;

@@ -3,7 +3,7 @@
 //! Equations: linear `w = w_f u`, smooth `w = w_f (10 u^3 - 15 u^4 + 6 u^5)` with `u = t/T`, or a table joined by the monotone cubic of
 //! [`laval_num::interpolate`]; held after the last time.
 //!
-//! Sources: `theory/separation.md` section 8.
+//! Sources: `docs/theory/separation.md#run-up`.
 
 use laval_num::interpolate::{Interpolant, TableError};
 

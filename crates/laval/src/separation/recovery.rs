@@ -12,7 +12,7 @@
 //!
 //! Validity: larger particles leave no later than smaller ones of the same start and density.
 //!
-//! Sources: `theory/separation.md` sections 6 and 9.
+//! Sources: `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::batch::Spinning;
 use super::ensemble::quantile;

@@ -14,7 +14,7 @@
 //! millionths of it) and where no surface is within reach of the particle, whose way is bounded
 //! by `|s| int max|A r + b| dt` over the liquid. Elsewhere the particle is followed step by step.
 //!
-//! Sources: G. Peano, Math. Ann. 32 (1888) 450; `theory/separation.md` sections 6 and 8.
+//! Sources: G. Peano, Math. Ann. 32 (1888) 450; `docs/theory/separation.md#drag-dominated-limit`.
 
 /// Rows of `[A b]`.
 pub(super) type Affine = [[f64; 4]; 3];

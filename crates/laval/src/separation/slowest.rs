@@ -6,7 +6,7 @@
 //!
 //! Validity: particles released at rest; inertia moves the place of the longest time by w/n, the time by less.
 //!
-//! Sources: `theory/separation.md` sections 5 and 9.
+//! Sources: `docs/theory/separation.md#ensembles-and-recovery`.
 
 use super::batch::Spinning;
 use super::ensemble::Member;

@@ -7,6 +7,8 @@
 //!
 //! Validity: tube capped: liquid that reaches the mouth stays inside.
 //!
+//! Theory: `docs/theory/separation.md#fixed-angle-tubes`.
+//!
 //! Sources: hydrostatics of a liquid at rest in a rotating vessel.
 
 use super::closed::Steady;

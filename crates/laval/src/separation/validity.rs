@@ -1,6 +1,6 @@
 //! Where the model of separation ends: numbers to attach to every result.
 //!
-//! Sources: `theory/separation.md` section 11; ISO 13317 (Reynolds number 0.25).
+//! Sources: `docs/theory/separation.md#validity`; ISO 13317 (Reynolds number 0.25).
 
 use super::machine::Separator;
 use super::particle::{Drag, Medium, Particle};

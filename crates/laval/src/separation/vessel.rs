@@ -2,7 +2,7 @@
 //!
 //! Validity: surfaces at rest in the axes of the vessel.
 //!
-//! Sources: `theory/separation.md` section 5.
+//! Sources: `docs/theory/separation.md#first-exit`.
 
 use super::exit::{Cylinder, Gap, MOST, Surface, Vessel};
 use super::tube::Filled;

@@ -7,6 +7,8 @@
 //!
 //! Validity: of the comparison that of both machines; roots of the approximation are held against the nearest root of the whole machine that was found.
 //!
+//! Theory: `docs/theory/approximate-methods.md#truncated-axial-waves`.
+//!
 //! Sources: `001_352384e7bf252e35` equation (37), corrected.
 
 use super::Context;

@@ -8,7 +8,7 @@
 //!
 //! Validity: constant speed, no unbalance. Of a damped machine these are motions with exactly that much excitation; without damping xi is zero.
 //!
-//! Sources: `theory/nonlinear-response.md` section 5; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
+//! Sources: `docs/theory/free-motions.md#backbone-curves`; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
 
 use super::free_motion::{
     FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,

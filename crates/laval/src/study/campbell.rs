@@ -6,6 +6,8 @@
 //!
 //! Validity: small motions about the equilibrium at each speed; constant speed.
 //!
+//! Theory: `docs/theory/linear-vibration.md#critical-speeds`.
+//!
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
 use super::approximation;

@@ -3,6 +3,8 @@
 //! Waves that nothing inside a part damps have negative energy in fixed axes where they travel slower than the rotor turns: with any damping outside they grow at every speed, mostly so
 //! slowly that nobody would notice. With losses inside and none outside the machine is unstable at every speed above a critical one. Both together leave a finite range. So the sign of
 //! the growth alone says little of a machine with such waves; what a part has to say of itself it says in its [`Words`].
+//!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#stability-criteria`.
 
 use super::support::About;
 use crate::diagnostic::Diagnostic;

@@ -7,7 +7,7 @@
 //!
 //! Validity: small motions about the equilibrium; constant speed.
 //!
-//! Sources: `theory/planar-rotor.md` sections 6 and 9.
+//! Sources: `docs/theory/linear-vibration.md#critical-speeds`.
 
 use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words, follow, orders, special};
 use super::growing::{Follows, unstable};

@@ -1,4 +1,6 @@
 //! What drives do: whether a free spin is caught by a vibration (Sommerfeld effect) before the speed it could reach, and whether they could follow a programme.
+//!
+//! Theory: `docs/theory/motors-and-run-up.md#speed-capture`.
 
 use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};

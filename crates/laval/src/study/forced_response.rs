@@ -7,7 +7,7 @@
 //!
 //! Validity: motions small enough for the tangent of nonlinear parts at rest; constant speed.
 //!
-//! Sources: `theory/planar-rotor.md` sections 5 and 9.
+//! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
 
 use super::growing::{Follows, unstable};
 use super::support::{SPEED_RANGE, inconsistent, moves, one_or_range, remarks_between, sight};

@@ -8,7 +8,7 @@
 //!
 //! Validity: constant speed, no unbalance. With unbalance the whirl goes on beside the forced motion at a frequency of its own.
 //!
-//! Sources: `theory/nonlinear-response.md` section 5; J. E. Marsden, M. McCracken, The Hopf Bifurcation (1976).
+//! Sources: `docs/theory/free-motions.md#limit-cycles`; J. E. Marsden, M. McCracken, The Hopf Bifurcation (1976).
 
 use super::free_motion::{
     FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,

@@ -7,7 +7,7 @@
 //!
 //! Validity: periodic motion at the spin speed. Elliptic balance applies to one deflection with a hardening cubic law in x and y apart.
 //!
-//! Sources: `000_a291f7ede1484e56` chapters 1 and 2; `theory/nonlinear-response.md` sections 2 to 4.
+//! Sources: `000_a291f7ede1484e56` chapters 1 and 2; `docs/theory/approximate-methods.md#averaging`, `docs/theory/approximate-methods.md#elliptic-balance`.
 
 use super::support::range;
 use super::{Context, Study};

@@ -7,7 +7,7 @@
 //!
 //! Validity: small motions about the state; constant speed.
 //!
-//! Sources: standard linear theory; forward and backward parts as in `theory/planar-rotor.md` section 6.
+//! Sources: standard linear theory; forward and backward parts in `docs/theory/linear-vibration.md#modes-and-whirl-direction`.
 
 use super::region;
 use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, admit_threshold, decay_uncounted, hertz, inconsistent, remarks, speed};

@@ -7,6 +7,8 @@
 //!
 //! Validity: that of the parts, followed along the motion; a liquid layer must be spun up with its cavity.
 //!
+//! Theory: `docs/theory/motors-and-run-up.md#passage-through-resonance`.
+//!
 //! Sources: `000_a291f7ede1484e56` chapter 2; envelope against speed as in every text on passage through resonance.
 
 use super::balance;

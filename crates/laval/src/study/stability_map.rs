@@ -7,7 +7,7 @@
 //!
 //! Validity: small motions about the equilibrium at each speed; constant speed.
 //!
-//! Sources: `theory/planar-rotor.md` section 6.
+//! Sources: `docs/theory/linear-vibration.md#stability-boundaries`, `docs/theory/liquid-plane-flow.md#instability`.
 
 use super::criterion::{CRITERION, Criterion};
 use super::modes::THRESHOLD;

@@ -6,6 +6,8 @@
 //!
 //! Validity: that of the parts, followed along the motion; frequency-domain parts only by a stated fit.
 //!
+//! Theory: `docs/theory/motion-in-time.md#first-order-system`.
+//!
 //! Sources: `000_a291f7ede1484e56` chapter 2 (transients by direct integration).
 
 use super::balance;

@@ -11,8 +11,9 @@ use laval::solve::stability::row as undamped_row;
 use rayon::prelude::*;
 use std::sync::atomic::AtomicBool;
 
-/// Edges on a blocked foundation, by fill: roots of the 2 x 2 determinant of section 6 with Bessel functions of another library, the speed found by a secant. Those of the
-/// table differ from them by up to 0.0206 rad/s to either side; no mass of the foundation explains that (a heavy one moves all edges up).
+/// Edges on a blocked foundation, by fill: roots of the 2 x 2 determinant of
+/// `docs/theory/linear-vibration.md#rotor-with-tilt-on-anisotropic-supports` with Bessel functions of another library, the speed found by a secant.
+/// Those of the table differ from them by up to 0.0206 rad/s to either side; no mass of the foundation explains that (a heavy one moves all edges up).
 const BLOCKED: [(f64, &[f64]); 4] = [
     (0.5, &[313.926070, 469.874496]),
     (0.7, &[283.259011, 493.056186]),

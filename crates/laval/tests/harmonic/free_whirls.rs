@@ -40,7 +40,7 @@ fn found(base: Base, request: Request) -> (System, Backbone) {
     (system, found)
 }
 
-/// G of the theory at delta = 0.
+/// G of `docs/theory/liquid-plane-flow.md#frequency-form` at delta = 0.
 fn liquid(w: f64, speed: f64, fill: f64) -> f64 {
     let q = 1.0 / (fill * fill);
     let g = (q - 1.0) / (q + 1.0);

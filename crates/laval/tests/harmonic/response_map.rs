@@ -104,7 +104,7 @@ fn cells_of_a_machine_with_liquid_tell_where_it_whirls_by_itself() {
     assert!(finding(&o, "neimark_sacker_machines") >= 1.0, "{:?}", o.findings);
 }
 
-/// Folds of `nonlinear-response.md` section 11: two independent programs agree on them to 10 digits.
+/// Folds of `docs/theory/harmonic-balance.md#reference-folds`: two independent programs agree on them to 10 digits.
 #[test]
 fn reference_folds_and_what_sweeps_do() {
     let o = run(&loaded(

@@ -10,5 +10,6 @@ mod figures;
 mod interrupts;
 mod pages;
 mod texts;
+mod theory;
 mod typical_mistakes;
 mod validation;

@@ -22,7 +22,8 @@ fn at(system: &System, speed: f64) -> Response {
 
 const CAVITY: Cavity<f64> = Cavity { radius: 0.15, free: 0.105, height: 0.3, density: 1000.0 };
 
-/// Section 7 of the theory, with matrices written out here for a centre of mass off the reference point: S1 with a cavity off the shaft and skew.
+/// The matrices of `docs/theory/linear-vibration.md#rotor-with-tilt-on-anisotropic-supports`, written out for a centre of mass off the reference point: S1 with a
+/// cavity off the shaft and skew.
 #[test]
 fn against_the_equations_of_the_plane() {
     let (below, above, ei) = (0.25f64, 0.35, 2.06e11 * PI * 0.035f64.powi(4) / 64.0);

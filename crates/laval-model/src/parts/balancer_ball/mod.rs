@@ -17,7 +17,7 @@
 //!
 //! Symbols: s eccentricity of the ring centre, m; gamma its direction, B the **node line** (the diameter a track is tilted about), both from the key
 //! mark, rad; alpha tilt of a track, rad; phi angle of a ball in its track from the node line, rad; r track radius, m; m ball mass, kg; Jx diametral
-//! and Jz polar inertia of one ring, kg m^2; c drag, T_d dry torque, N m s and N m; f rolling resistance; e rate at which dry friction is half built up, rad/s;
+//! and Jz polar inertia of one ring, kg m^2; c drag, T_d dry torque, N m s and N m; f rolling resistance; e rate at which dry friction has 71 % of its full value, rad/s;
 //! r_b ball radius, m; k contact stiffness, N m/rad^1.5; chi contact damping, s/rad.
 //!
 //! Angles: B is measured from the key mark, not from the eccentricity of the ring. That is convention A of the source's equations of motion (`B = beta`,
@@ -29,6 +29,8 @@
 //!
 //! Validity: balls roll or slide without spin about other axes (rolling adds inertia along the track only); dry friction below e is a creep, not a stop; a ring has no gap
 //! in its bearing. Balls pass through each other unless contact is given.
+//!
+//! Theory: `docs/theory/ball-balancers.md#equations-of-motion`.
 //!
 //! Sources: `004_a7f947693ee2e358` chapters 1 to 4, with its errata; E. L. Thearle, Trans. ASME 54 (1932) 131; K. Green, A. R. Champneys, N. J. Lieven,
 //! J. Sound Vib. 291 (2006) 861.

@@ -32,6 +32,8 @@
 //! away from a tall cavity. The cavity is straight; it may be off the shaft and skew to it ([offset]). Ends without friction: the Ekman layers of real ends are
 //! not in any model.
 //!
+//! Theory: `docs/theory/liquid-plane-flow.md#state-form`, `docs/theory/liquid-in-three-dimensions.md#simplified-models`.
+//!
 //! Sources: `000_a291f7ede1484e56` equations (12)-(24), corrected; state form derived from the same flow; `001_352384e7bf252e35` equations (7)-(34),
 //! corrected.
 

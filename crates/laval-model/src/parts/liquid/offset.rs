@@ -13,6 +13,8 @@
 //!
 //! Symbols: e eccentricity, m; tau skew, rad; phi_e, phi_t their angles from the key mark, rad; the others as in the [part](super).
 //!
+//! Theory: `docs/theory/liquid-in-three-dimensions.md#cavity-off-the-shaft`.
+//!
 //! Sources: the equations of the [part](super) with the motion of the cavity in place of that of the shaft; `L(W) [e; tau]` in the frequency domain.
 
 use super::{Coefficients, Fill, Liquid, LiquidParams, Model};

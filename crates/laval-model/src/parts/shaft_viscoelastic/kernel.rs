@@ -8,6 +8,8 @@
 //! axis, where the nearest pole of the integrand lies a quarter turn away. Its two endless tails are summed: what is slower than m0 acts as one
 //! exponential (two moments of m, Gauss), what is faster than the band as one exponential and a constant (three moments of 1/m, Gauss-Radau). Strengths and
 //! rates are closed forms of A, a and b, so that they can be differentiated.
+//!
+//! Theory: `docs/theory/viscoelastic-shafts.md#sum-of-exponentials`.
 
 use laval_num::complex::{C64, Complex, c};
 use laval_num::gamma::gamma;

@@ -31,6 +31,8 @@
 //! Validity: small strain; slender shaft (no shear), mass small against what it carries; `K(0) < 1`, else the material creeps without bound. The
 //! material turns with a rotor and so does its memory: memory in fixed axes belongs to supports and shafts that do not turn.
 //!
+//! Theory: `docs/theory/viscoelastic-shafts.md#force-and-kernel`.
+//!
 //! Sources: `004_a7f947693ee2e358` equations (1)-(12a), corrected; M. A. Koltunov (1976) for the kernel; A. L. Kimball (1924) for the rotor axes.
 
 pub mod kernel;

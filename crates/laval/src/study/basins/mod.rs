@@ -9,7 +9,7 @@
 //!
 //! Validity: constant speed; machines whose spin is prescribed. The grid is a plane through the space of states: a basin that does not meet it is not seen.
 //!
-//! Sources: `theory/nonlinear-response.md` sections 8 and 9.
+//! Sources: `docs/theory/motion-in-time.md#basins-of-attraction`.
 
 mod attractors;
 mod axes;

@@ -7,6 +7,8 @@
 //!
 //! Validity: as `nonlinear_response`: periodic motion at the spin frequency, reached from an end of the range of speeds at some of the values tried.
 //!
+//! Theory: `docs/theory/harmonic-balance.md#bifurcations`.
+//!
 //! Sources: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM 2000); Y. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004).
 
 use super::free_motion::TRUNCATION;

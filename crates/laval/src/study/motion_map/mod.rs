@@ -6,7 +6,7 @@
 //!
 //! Validity: constant speed; machines whose spin is prescribed. Each point shows the motion reached from its start, of which there may be others.
 //!
-//! Sources: `theory/nonlinear-response.md` sections 8 and 9.
+//! Sources: `docs/theory/motion-in-time.md#steady-state-motion`.
 
 mod report;
 

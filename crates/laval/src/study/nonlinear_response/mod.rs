@@ -22,6 +22,8 @@
 //! With all states the search combines the planes of known states, switches branches at bifurcations, and starts from subharmonic and from arbitrary
 //! motions (see [`crate::solve::harmonic::families`]).
 //!
+//! Theory: `docs/theory/harmonic-balance.md#balance`.
+//!
 //! Sources: `000_a291f7ede1484e56` chapters 1 and 2 (averaging, harmonic balance); M. Urabe (1965) for the Galerkin form.
 
 use super::support::range;

@@ -8,7 +8,7 @@
 //!
 //! A distance in speed, as those of `strength` and `clear`: growth rates have no scale of their own that a limit of zero could be compared with.
 //!
-//! Sources: `theory/separation.md` section 13 gives (-largest growth rate - sig0)/w, which has the same zeros.
+//! Sources: `docs/theory/operating-window.md#margins`; (-largest growth rate - sig0)/w has the same zeros.
 
 use super::margins::{Point, STABLE};
 use super::window::Interval;

@@ -12,7 +12,7 @@
 //!
 //! Validity: no thickness of the pellet, which bounds the change of l; the mass of cups and their contents stays.
 //!
-//! Sources: `theory/separation.md` section 13, couplings.
+//! Sources: `docs/theory/operating-window.md#change-of-the-contents`.
 
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;

@@ -18,7 +18,7 @@
 //! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
 //! parameters, which bounds it where margins depend on them monotonically.
 //!
-//! Sources: `theory/separation.md` section 13.
+//! Sources: `docs/theory/operating-window.md#margins`.
 
 mod borders;
 mod contents;

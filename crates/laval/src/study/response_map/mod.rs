@@ -7,7 +7,7 @@
 //! Validity: as there, with the states of the branches from both ends of the range of speeds. A machine that does not exist or whose response cannot be
 //! computed is a cell without numbers, with the reason; it does not end the study.
 //!
-//! Sources: `theory/nonlinear-response.md` sections 6 and 7.
+//! Sources: `docs/theory/harmonic-balance.md#continuation`, `docs/theory/harmonic-balance.md#stability`.
 
 mod border;
 mod cells;

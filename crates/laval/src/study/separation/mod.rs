@@ -7,7 +7,7 @@
 //!
 //! Validity: flags in the table `validity`; contact ends a particle's motion.
 //!
-//! Sources: `theory/separation.md`; 000_a291f7ede1484e56 chapter 3.
+//! Sources: `docs/theory/separation.md`; 000_a291f7ede1484e56 chapter 3.
 
 mod demand;
 mod figures;

@@ -4,6 +4,8 @@
 //! slowest mode as the tolerance asks for, then recorded over some periods and judged ([`period`]); while it does not repeat it goes on, up to
 //! four times the time that the slowest mode asks for. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
 //! ([`shooting`]).
+//!
+//! Theory: `docs/theory/motion-in-time.md#steady-state-motion`.
 
 pub(super) mod columns;
 pub(super) mod fields;

@@ -10,6 +10,8 @@
 //! Validity: two parts are told apart when they differ by more than four lines of frequency, `8 pi/T`, or by the order 4/turns; between two lines of frequency a height
 //! falls by at most 15 %. Parts beyond four times the highest order fold back. Windows of fewer than four turns have no orders.
 //!
+//! Theory: `docs/theory/motion-in-time.md#spectra`.
+//!
 //! Sources: F. J. Harris, Proc. IEEE 66 (1978) 51 (windows); P. Goldman and A. Muszynska, J. Eng. Gas Turbines Power 121 (1999) 524 (full spectrum).
 
 mod analyse;

@@ -8,7 +8,7 @@
 //! Validity: constant speed; a machine that is the same in all directions, without weight across its axis. No number of starts proves that the list of
 //! states is complete. States that are not isolated (three and more equal balls that balance in a continuum of ways) are judged by samples of the continuum.
 //!
-//! Sources: `theory/ball-balancer.md` sections 5 to 8; K. Green, A. R. Champneys, N. J. Lieven, J. Sound Vib. 291 (2006) 861.
+//! Sources: `docs/theory/equilibria.md#states-in-rotating-axes`, `docs/theory/ball-balancers.md#stationary-states`; K. Green, A. R. Champneys, N. J. Lieven, J. Sound Vib. 291 (2006) 861.
 
 mod chart;
 pub(super) mod classify;

@@ -9,7 +9,7 @@
 //! Validity: constant speed at every step; machines whose spin is prescribed. Followed motions change speed in steps at phase zero, with position and velocity kept:
 //! the limit of a slow sweep as the step becomes small.
 //!
-//! Sources: `theory/nonlinear-response.md` sections 8 and 9; Benettin et al., Meccanica 15 (1980) 9; Das et al., Nonlinearity 30 (2017) 4111.
+//! Sources: `docs/theory/motion-in-time.md#sweeps-and-jumps`; Benettin et al., Meccanica 15 (1980) 9; Das et al., Nonlinearity 30 (2017) 4111.
 
 mod figures;
 mod lyapunov;
