@@ -203,6 +203,9 @@ impl Outcome {
         match self.end {
             End::Reached => "The study ran to its end.".into(),
             End::StepTooSmall { at } => format!("The study stopped early: the step became too small at {}.", place(at)),
+            End::NewtonFailed { at, residual } if !residual.is_finite() => {
+                format!("The study stopped early: no solution was found at {} (the equations have no finite values there).", place(at))
+            }
             End::NewtonFailed { at, residual } => {
                 format!("The study stopped early: no solution was found at {} (residual {}).", place(at), significant(residual, 2))
             }
@@ -421,6 +424,8 @@ mod tests {
     fn end_names_its_place() {
         let o = Outcome::new("k", "n").over("speed", "rad/s").end(End::StepTooSmall { at: 123.456 });
         assert_eq!(o.end_in_words(), "The study stopped early: the step became too small at speed = 123.5 rad/s.");
+        let o = o.end(End::NewtonFailed { at: 123.456, residual: f64::NAN });
+        assert!(!o.end_in_words().contains("not a number"), "{}", o.end_in_words());
     }
 
     #[test]

@@ -336,8 +336,16 @@ impl Sources {
     }
 
     fn fields(&self, r: &mut Random, hostility: usize, info: &KindInfo, names: &[String], out: &mut String) {
+        // a few of the optional keys at a time: many exclude each other
+        let optional = info.fields.iter().filter(|f| !f.required).count();
+        let some = (250 / optional.max(1)).clamp(15, 35);
         for f in &info.fields {
-            let given = if f.required { 100 - hostility } else { 35 };
+            let given = match f.name {
+                _ if f.required => 100 - hostility,
+                // small grids come to their end
+                "points" => 70,
+                _ => some,
+            };
             if r.chance(given) {
                 let value = if r.chance(hostility * hostility) { r.of(&ODD).to_string() } else { self.value(r, hostility, f, names) };
                 *out += &format!("{} = {value}\n", f.name);
