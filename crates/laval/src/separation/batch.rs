@@ -1,4 +1,5 @@
-//! A suspension in a machine, with its run-up: when and where each particle leaves. The one account of time of every study.
+//! Exit times of the particles of a suspension in a machine, run-up included. All studies take their times
+//! from here.
 //!
 //! Equations: closed form at constant speed with Stokes' drag ([`super::closed`]). Otherwise integration, with inertia ([`super::motion`]) or with the drag in
 //! balance with the field ([`super::drift`]). [`Model::Adaptive`] takes inertia along where n/w is below [`FELT`]: left out above, it changes times by about (w/n)^2.

@@ -1,7 +1,9 @@
-//! Cups as a part of the machine that carries them: their mass, inertia and unbalance at the tilt of the moment.
+//! Cups as a linear part of the machine that carries them: mass, inertia and unbalance at the tilt of the
+//! current speed.
 //!
-//! Equations, about the point P of the body at the height of the hinges, `p` its displacement, `theta = alpha + i beta` the tilt of the body, `phi` the spin
-//! angle, `W = phi'`; mass m, height V, inertias A and C, unbalance U and its moment Z as [`Load`] has them at W, derivatives in W with an index:
+//! Equations, about the point P of the body at the height of the hinges, `p` its displacement,
+//! `theta = alpha + i beta` the tilt of the body, `phi` the spin angle, `W = phi'`; mass m, height V, inertias
+//! A and C, unbalance U and its moment Z from [`Load`] at W; an index W means the derivative with respect to W:
 //!
 //! ```text
 //! m (p'' - i V theta'')                        = (W^2 U - i W' (U + W U_W)) exp(i phi)
@@ -14,8 +16,9 @@
 //!
 //! Symbols: m, V, A, C, U, Z in kg, m, kg m^2, kg m^2, kg m, kg m^2; p in m; theta, phi in rad.
 //!
-//! Validity: contents frozen; the cups are at the tilt of equilibrium of the moment, so that the speed changes slowly against their swing. What the forces leave
-//! out of the change of A and m V with the speed stands in the account of energy.
+//! Validity: contents frozen; cups at their equilibrium tilt of the current speed, so that the speed changes
+//! slowly against their swing. The forces neglect the change of A and m V with the speed; the energy account
+//! shows its size.
 //!
 //! Sources: `docs/theory/operating-window.md#load-of-the-cups`; kinetic energy of a rigid body to second order in the tilt, as for a disc.
 

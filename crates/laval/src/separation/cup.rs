@@ -1,4 +1,4 @@
-//! A cup that hangs on a hinge and swings out as the rotor turns: its tilt, its small swing, its motion while the speed changes.
+//! Swinging cup: equilibrium tilt, small swing about it, motion while the speed changes.
 //!
 //! Equations, with the second moments about the hinge `Jx = int x^2 dm`, `Jy = int y^2 dm`, `Jxy = int x y dm`:
 //!

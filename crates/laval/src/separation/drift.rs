@@ -1,4 +1,4 @@
-//! Particles whose drag balances the field at every moment, where the closed form does not hold: while the speed changes, and beyond Stokes' law.
+//! Drag-dominated motion where no closed form exists: variable speed, and drag beyond Stokes' law.
 //!
 //! Equations, F the acceleration that drives a particle relative to the liquid:
 //!
@@ -7,8 +7,9 @@
 //! disc stack: throughput that just lifts a particle across all gaps   N int 2 pi r v(r) dr/tan th,   v(r) its velocity in the field w^2 r
 //! ```
 //!
-//! Steps of Runge and Kutta (order 4) shorter than a fiftieth of the vessel's width; the exit is solved for within its step. Where the drag law jumps (Re = 1000)
-//! the velocity stays at the jump until the field has grown by its 0.4 %.
+//! Runge-Kutta steps of order 4, each shorter than a fiftieth of the width of the vessel; the exit is solved
+//! for within its step. At the jump of the drag law (Re = 1000) the velocity stays constant until the field
+//! has grown by the 0.4 % of the jump.
 //!
 //! Symbols: s sedimentation coefficient; a_e acceleration of the frame ([`super::frame`]).
 //!

@@ -1,4 +1,4 @@
-//! A suspension in a separator: the same fixed set of particles for every question.
+//! Suspension in a separator: one fixed set of particles, so that counts are reproducible and comparable.
 //!
 //! Equations: with the exit times T_i of N particles, `eta(t) = #(T_i <= t)/N`; the quantile t_q is the order statistic number ceil(q N). Without inertia,
 //! time and size enter through `tau = |s| t` alone, so that one set of products tau_i serves every size, viscosity and time:

@@ -1,4 +1,4 @@
-//! The first time a particle meets a surface of its vessel.
+//! First exit of a particle: the time at which it reaches a surface of its vessel.
 //!
 //! Equations: the smallest root with outward crossing of the gaps (distances to the surfaces, positive inside). The gaps are sampled on a
 //! grid that is geometric through the first transient and then even; a change of sign, or a minimum between two samples that dips below

@@ -1,4 +1,4 @@
-//! The frame of a cup that hangs on a rotor and tilts: positions, and the accelerations an observer in the cup must add.
+//! Frame of a swinging cup: positions, and the accelerations of the frame.
 //!
 //! Equations, with `c = cos a`, `s = sin a`, `R = L + c x + s y`, angular velocity of the frame `Om = (w s, -w c, -A1)`:
 //!

@@ -1,4 +1,5 @@
-//! What cups do to the rotor that carries them: mass, inertia, height of the centre of mass, unbalance, all at the tilt of the moment.
+//! Load of cups on the rotor that carries them: mass, inertia, height of the centre of mass, unbalance, at
+//! the tilt of the current speed.
 //!
 //! Equations, for n cups at equal pitch with centres of mass at the radius `R = L + xc cos a + yc sin a` and the height `V` above the hinges:
 //!

@@ -1,11 +1,11 @@
-//! The machines that separate: swinging cups, fixed-angle tubes, tubular bowls, disc stacks, decanters, each with where particles start and when they are
-//! caught.
+//! Separating machines: swinging cups, fixed-angle tubes, tubular bowls, disc stacks, decanters, with the
+//! initial positions of particles and the condition of their capture.
 //!
 //! Equations: cups and tubes as in [`super::closed`]; a tubular bowl is the same motion in the field of the radius alone, between surface r1 and bowl r2, while
 //! the liquid flows through in plug flow. In a disc stack a particle that enters at the share f of a gap is caught when the residence time reaches
 //! `f Vol/(|s| g Sigma)`, whatever the profile of the flow. A decanter separates like a tubular bowl of the same Sigma (half capture).
 //!
-//! A machine that flows through takes the residence time `Vol/Q` for the time of a cup.
+//! In machines with throughput the residence time `Vol/Q` takes the place of the time of a cup.
 //!
 //! Symbols: as in [`super::measures`].
 //!

@@ -1,11 +1,13 @@
-//! The motion of a particle when no closed form holds: drag that depends on the Reynolds number, speed that changes, a cup that swings.
+//! Motion of a particle by integration: drag that depends on the Reynolds number, variable speed, a swinging
+//! cup.
 //!
 //! Equations: those of [`super::particle`] with the accelerations of [`super::frame`], together with the cup's own motion ([`super::cup`]), whose second
 //! rate enters the particle's at the same instant.
 //!
-//! Where the law of Schiller and Naumann jumps (0.4 % at Re = 1000) the integration stops and goes on with the other piece.
+//! Integration stops at the jump of the law of Schiller and Naumann (0.4 % at Re = 1000) and continues with
+//! the other piece.
 //!
-//! Validity: as those; the liquid turns with the cup at once.
+//! Validity: as there; the liquid co-rotates with the cup without delay.
 //!
 //! Sources: `docs/theory/separation.md#equation-of-motion`, `docs/theory/separation.md#run-up`.
 

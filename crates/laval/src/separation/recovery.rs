@@ -1,4 +1,5 @@
-//! How much of a powder is caught by a time, and the time a share takes, without the steps of counted particles.
+//! Recovery of a powder over time, and the time for a required recovery, as smooth functions instead of
+//! counts of particles.
 //!
 //! Equations: for N places of the fixed set, with `d_i(t)` the smallest diameter that leaves from the place i by the time t,
 //!

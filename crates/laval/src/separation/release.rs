@@ -1,4 +1,4 @@
-//! One particle released at a place with a velocity, by the same account of time and by the same model as the batch.
+//! One particle released at a position with a velocity, by the model and the exit times of the batch.
 //!
 //! Equations: those of [`super::batch`]. With the drag in balance with the field a particle has no velocity of its own to begin with.
 //!

@@ -1,8 +1,10 @@
-//! The particle of a suspension that leaves last: how long all of them take.
+//! Particle of a suspension that leaves last: the time in which all are captured.
 //!
-//! Equations: along a path the time that is left falls, so that the longest belongs to a place where paths begin: on the border of the liquid. In bowls, disc stacks and
-//! decanters that is their surface (for light particles their wall). In cups and tubes the exit times of a grid over surface, bottom and side are compared, and the largest
-//! ones followed uphill by steps that are halved, which finds the time to about a millionth.
+//! Equations: the remaining time decreases along a path, so that the longest one belongs to a point where
+//! paths begin, on the border of the liquid. In bowls, disc stacks and decanters that is the surface (for
+//! light particles the wall). In cups and tubes exit times on a grid over surface, bottom and side are
+//! compared, and the largest ones are increased by a search with halved steps, which gives the time to about
+//! a millionth.
 //!
 //! Validity: particles released at rest; inertia moves the place of the longest time by w/n, the time by less.
 //!

@@ -1,4 +1,4 @@
-//! Where the model of separation ends: numbers to attach to every result.
+//! Validity of the separation model: flags attached to every result.
 //!
 //! Sources: `docs/theory/separation.md#validity`; ISO 13317 (Reynolds number 0.25).
 
