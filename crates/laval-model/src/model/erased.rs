@@ -41,6 +41,7 @@ macro_rules! erased {
             fn warnings(&self, p: &[f64]) -> Vec<String>;
             fn drives(&self, p: &[f64], speed: f64) -> Option<f64>;
             fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
+            fn without_tilt(&self) -> Option<&'static str>;
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
             fn rough(&self) -> Option<Arc<dyn Erased>>;
             fn places(&self, p: &[f64]) -> Vec<(usize, f64)>;
@@ -120,6 +121,9 @@ macro_rules! erased {
             }
             fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
                 Part::lacks_spin_inertia(self, &T::Family::from_slice(p))
+            }
+            fn without_tilt(&self) -> Option<&'static str> {
+                Part::without_tilt(self)
             }
             fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
                 Part::domain(self, &T::Family::from_slice(p), speed)

@@ -529,6 +529,10 @@ pub trait Part: Send + Sync + Sized + 'static {
     fn lacks_spin_inertia(&self, _p: &Params<Self, f64>) -> Option<&'static str> {
         None
     }
+    /// Of a body that does not tilt and could: the parameter that lets it.
+    fn without_tilt(&self) -> Option<&'static str> {
+        None
+    }
     /// Where own coordinates are when a motion begins and nothing is said of them: local coordinate and value; others rest.
     fn places(&self, _p: &Params<Self, f64>) -> Vec<(usize, f64)> {
         Vec::new()

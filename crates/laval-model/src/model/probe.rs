@@ -1,4 +1,4 @@
-//! What of the motion of bodies counts as motion: the displacement of every point where something is attached, and the tilt.
+//! What of the motion of bodies counts as motion: the displacement of every point where something is attached or that is named, and the tilt.
 
 use super::field::Attach;
 use super::part::Link;
@@ -66,7 +66,8 @@ pub(super) fn all(system: &System) -> Vec<Probe> {
         let probe = |sight, rows| Probe { body: k, name: body.name.clone(), sight, rows };
         let reference = [0, 1].map(|i| vec![(body.x + i, 1.0)]);
         out.push(probe(Sight::Displacement(0.0), reference.clone()));
-        let mut heights: Vec<f64> = attached(system, &body.name).filter(|z| *z != 0.0).collect();
+        let named = system.machine.points.iter().filter(|p| p.0 == body.name).map(|p| p.1);
+        let mut heights: Vec<f64> = attached(system, &body.name).chain(named).filter(|z| *z != 0.0).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
         for z in heights {

@@ -48,6 +48,8 @@ pub struct Machine {
     pub drive: Drive,
     /// Blocks beside the parts that studies read: cups, suspension, limits.
     pub extras: Vec<Extra>,
+    /// Points of bodies that such blocks name: body and height above its reference point, m.
+    pub points: Vec<(String, f64)>,
 }
 
 /// A part before assembly.
@@ -369,7 +371,8 @@ impl System {
         }
         out
     }
-    /// All that is measured of the bodies' motion, by body: the reference point, the points where parts are attached whose displacement differs from it, the tilt.
+    /// All that is measured of the bodies' motion, by body: the reference point, the points where parts are attached or that a block names, where their
+    /// displacement differs from it, the tilt.
     pub fn probes(&self) -> &[Probe] {
         self.probes.get_or_init(|| probe::all(self))
     }

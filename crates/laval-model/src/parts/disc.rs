@@ -256,6 +256,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
     fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
         (p.polar_inertia == 0.0).then_some("polar_inertia")
     }
+    fn without_tilt(&self) -> Option<&'static str> {
+        (!self.tilts).then_some("diametral_inertia")
+    }
     fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         if self.tilts {
             out.push(Validity { what: "tilt over 0.1 rad", ratio: at.q[2].hypot(at.q[3]) / SMALL });

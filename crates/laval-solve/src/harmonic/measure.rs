@@ -1,7 +1,7 @@
 //! What is measured of a periodic motion: the distance of a body from its rest position, or the force of a part. The largest over a period counts.
 //!
-//! The force of a part is what its residual puts on its first pair of coordinates when nothing accelerates: of a bearing what it transmits, of a foundation
-//! what its spring and damper give to the ground.
+//! The force of a part is what its residual puts on its first pair of coordinates: of a bearing what it transmits, of a liquid what it puts on the wall of its
+//! cavity, with its inertia. That of a body is without its own inertia: of a foundation what its spring and damper give to the ground.
 
 use super::orbit::Orbit;
 use crate::model::blocks::Blocks;
@@ -31,6 +31,8 @@ pub(super) struct Instant<'a, S> {
     pub q: &'a [S],
     /// Their rates.
     pub v: &'a [S],
+    /// Accelerations.
+    pub a: &'a [S],
     /// Internal states.
     pub z: &'a [S],
     /// Phase of the spin, rad.
@@ -79,7 +81,7 @@ impl Measure {
                 let (n, m) = (system.n(), system.m());
                 let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
                 orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-                let now = Instant { q: &q, v: &v, z: &z, phase: turns as f64 * tau, speed: orbit.speed };
+                let now = Instant { q: &q, v: &v, a: &a, z: &z, phase: turns as f64 * tau, speed: orbit.speed };
                 force(&system.slots()[slot], system.params(), &now)
             }
         }
@@ -173,12 +175,16 @@ fn vertex(square: impl Fn(f64) -> f64, (mut tau, mut best): (f64, f64), mut h: f
     (tau, best)
 }
 
-/// What a part puts on its first pair of coordinates when nothing accelerates, N.
+/// What a part puts on its first pair of coordinates, N; a body what it does without its own inertia.
 fn force<S: Evaluate>(slot: &Slot, params: &[S], now: &Instant<S>) -> [S; 2] {
     let (mut q, mut v) = (Vec::new(), Vec::new());
     gather(&slot.map, now.q, &mut q);
     gather(&slot.map, now.v, &mut v);
-    let a = vec![S::zero(); slot.map.len()];
+    let mut a = vec![S::zero(); slot.map.len()];
+    if !slot.layout.body {
+        gather(&slot.map, now.a, &mut a);
+        a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
+    }
     let (mut rows, mut rate, mut spin) = (vec![S::zero(); slot.map.len()], vec![S::zero(); slot.states.len()], S::zero());
     let at = At {
         q: &q,

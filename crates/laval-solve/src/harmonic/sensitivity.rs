@@ -336,7 +336,8 @@ impl Point<'_, '_> {
     fn slope(&self, seen: &Seen, motion: &[Vec<C64>], unit: Option<&[f64]>, by_speed: f64, parameter: Option<Parameter>) -> (f64, f64) {
         let system = self.balance.system;
         let (n, m) = (system.n(), system.m());
-        let (mut q, mut v, mut z) = (vec![D1::lift(0.0); n], vec![D1::lift(0.0); n], vec![D1::lift(0.0); m]);
+        let zero = D1::lift(0.0);
+        let (mut q, mut v, mut accel, mut z) = (vec![zero; n], vec![zero; n], vec![zero; n], vec![zero; m]);
         let mu = self.balance.nonlinear.basis.rows.len();
         let mut own = vec![C64::zero(); self.balance.terms.coordinates];
         let stretch = by_speed / seen.turns as f64;
@@ -349,6 +350,8 @@ impl Point<'_, '_> {
                 q[i].eps[0] += d.re;
                 v[i].re -= w * a.im;
                 v[i].eps[0] -= w * d.im + k as f64 * stretch * a.im;
+                accel[i].re -= w * w * a.re;
+                accel[i].eps[0] -= w * w * d.re + 2.0 * w * k as f64 * stretch * a.re;
             }
             for (i, s) in seen.orbit.states[which].iter().enumerate() {
                 z[i].re += (*s * turn).re;
@@ -366,7 +369,7 @@ impl Point<'_, '_> {
         let params: Vec<D1> =
             system.params().iter().enumerate().map(|(i, &p)| D1 { re: p, eps: [parameter.map_or(0.0, |q| q.rate(i))] }).collect();
         let speed = D1 { re: seen.orbit.speed, eps: [by_speed] };
-        let now = Instant { q: &q, v: &v, z: &z, phase: seen.turns as f64 * seen.tau, speed };
+        let now = Instant { q: &q, v: &v, a: &accel, z: &z, phase: seen.turns as f64 * seen.tau, speed };
         let [a, b] = self.measure.at(system, &params, &now);
         let [a, b] = match self.measure {
             Measure::Displacement(i) if !seen.orbit.rest.is_empty() => {

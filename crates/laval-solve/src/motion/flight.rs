@@ -110,6 +110,8 @@ pub struct Flight {
     pub peaks: Vec<Peak>,
     /// Of each body, the same.
     pub windows: Vec<Vec<Window>>,
+    /// Of each point beside the reference points.
+    pub points: Vec<(Probe, Vec<Window>)>,
     /// Of each body that tilts.
     pub tilts: Vec<Tilting>,
     /// Crossings of switching surfaces: slot, surface of the part, time.
@@ -160,6 +162,8 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
     match run.end {
         End::Failed { t: 0.0, what } => Err(cannot(what.to_string())),
         _ => {
+            let aside = |t: &&Track| !t.probe.is_tilt() && !t.probe.is_reference();
+            let points = watch.tracks.iter().filter(aside).map(|t| (t.probe.clone(), t.windows.clone())).collect();
             let (peaks, windows, tilts) = by_body(watch.tracks);
             Ok(Flight {
                 times: watch.times,
@@ -170,6 +174,7 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
                 stiff,
                 peaks,
                 windows,
+                points,
                 tilts,
                 contacts: watch.contacts,
                 validity: watch.validity,

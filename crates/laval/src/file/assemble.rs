@@ -223,6 +223,7 @@ pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
         },
         drive: block.drive,
         extras,
+        points: Vec::new(),
     }
 }
 

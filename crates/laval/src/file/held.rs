@@ -1,8 +1,11 @@
 //! Remarks on a machine that can be computed but probably is not meant: motions that nothing holds, values without effect.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::erased::Evaluate;
+use crate::model::field::Attach;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
-use crate::model::part::{At, DofKind, Physics, PortKind};
+use crate::model::part::{At, DofKind, Link, Physics, PortKind, Rows};
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::dense::Mat;
@@ -10,7 +13,11 @@ use laval_num::dense::Mat;
 /// Warns of parts that cannot do what they are there for, of displacements without any stiffness and of tilt stiffness on bodies that do not tilt.
 pub(super) fn check(system: &System, out: &mut Diagnostics) {
     for slot in system.slots() {
+        let before = out.0.len();
         tilt_without_effect(system, slot, out);
+        if out.0.len() == before {
+            clamped(system, slot, out);
+        }
     }
     for (k, text) in system.warnings() {
         let slot = &system.slots()[k];
@@ -54,6 +61,55 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
             Diagnostic::warning("part.no_tilt", message).at(slot.span.clone()).help("give a disc its diametral_inertia to let it tilt"),
         );
     }
+}
+
+/// A part that acts on tilt, at a body that does not tilt and could: what acts there holds nothing, or holds against a clamp.
+fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
+    let mut first = 0;
+    for port in &slot.layout.ports {
+        let tilts = first + 2..first + port.kind.size();
+        first += port.kind.size();
+        if port.kind != PortKind::PointAndTilt || !tilts.clone().any(|i| acts(system, slot, i)) {
+            continue;
+        }
+        let ends = match &port.link {
+            Link::On(a) => vec![a],
+            Link::Between(a, b) => vec![a, b],
+        };
+        let stiff = |a: &&Attach| {
+            let body = system.slot(a.body.as_deref()?)?;
+            Some((body.name.as_str(), body.part.without_tilt()?))
+        };
+        for (body, lets) in ends.iter().filter_map(stiff) {
+            let message = match &port.link {
+                Link::On(_) => format!("\"{}\" acts on the tilt of \"{body}\", which does not tilt: that has no effect", slot.name),
+                Link::Between(..) => format!("\"{}\" is clamped at \"{body}\", which does not tilt", slot.name),
+            };
+            let help = format!("give \"{body}\" its {lets} to let it tilt");
+            out.push(Diagnostic::warning("part.clamped", message).at(slot.span.clone()).help(help));
+        }
+    }
+}
+
+/// The forces of a part change with a local coordinate, its rate or acceleration.
+fn acts(system: &System, slot: &Slot, coordinate: usize) -> bool {
+    // a reaction in the frequency domain has no forces at an instant
+    if matches!(slot.physics, Physics::Frequency(_)) {
+        return true;
+    }
+    let speed = system.machine.speed.unwrap_or(100.0);
+    let (n, z) = (slot.map.len(), vec![0.0; slot.states.len()]);
+    let forces = |tilt: f64| {
+        let mut x = vec![0.0; n];
+        x[coordinate] = tilt;
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; z.len()], 0.0);
+        let at = At { q: &x, v: &x, a: &x, z: &z, phase: 0.3, speed, spin_accel: 0.0, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        f64::residual(&*slot.part, &system.params()[slot.params.clone()], &at, &mut rows, &mut Blocks::default());
+        force.extend(rate);
+        force
+    };
+    forces(0.0) != forces(1e-3)
 }
 
 /// Stiffness relative to the largest that counts as none.
@@ -163,6 +219,19 @@ mod tests {
         assert_eq!(warnings(&format!("{soft}{stiff}")), Vec::<String>::new());
         let stop = "[[part]]\nkind = \"stop\"\nbetween = [\"d\", \"ground\"]\nstiffness = \"1e6 N/m\"\ngap = \"0.2 mm\"\n";
         assert_eq!(warnings(stop), Vec::<String>::new());
+    }
+
+    /// A shaft that is stiff against tilt is clamped at a disc without tilt; against the ground it is meant to be.
+    #[test]
+    fn a_shaft_is_clamped_at_a_disc_that_does_not_tilt() {
+        let stiff = "tilt_stiffness = \"1e4 N m/rad\"\n";
+        let second = "[[part]]\nkind = \"disc\"\nname = \"e\"\nmass = 1\ndiametral_inertia = 0.01\npolar_inertia = 0.015\n";
+        let held = format!("{second}{}", shaft("[\"e\", \"ground\"]", stiff));
+        let joined = |more: &str| warnings(&format!("{held}{}", shaft("[\"e\", \"d\"]", &format!("name = \"s\"\n{more}"))));
+        assert_eq!(joined(stiff), ["\"s\" is clamped at \"d\", which does not tilt"]);
+        assert_eq!(joined(""), Vec::<String>::new());
+        let place = load(&format!("{DISC}{held}{}", shaft("[\"e\", \"d\"]", stiff))).unwrap_or_else(|d| panic!("{d:?}")).warnings.0;
+        assert!(place[0].span.is_some() && place[0].help.as_deref().is_some_and(|h| h.contains("diametral_inertia")), "{place:?}");
     }
 
     #[test]

@@ -18,6 +18,7 @@ use super::support::{SPEED, largest, speed};
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
 use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
@@ -106,7 +107,7 @@ amplitude = { from = "1 um", to = "1 mm" }
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
         let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
-        let shown = Shown { request: &request, found: &found, measured, bodies: measure.bodies.iter().map(|b| b.0.clone()).collect() };
+        let shown = Shown { request: &request, found: &found, measured, probes: measure.probes };
         shown.outcome(context).map_err(Diagnostic::from)
     }
 }
@@ -115,7 +116,7 @@ struct Shown<'a> {
     request: &'a Request,
     found: &'a crate::solve::harmonic::backbone::Backbone,
     measured: Vec<Vec<Measured>>,
-    bodies: Vec<String>,
+    probes: Vec<Probe>,
 }
 
 impl Shown<'_> {
@@ -308,7 +309,7 @@ impl Shown<'_> {
             .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
             .float("frequency", "rad/s", FREQUENCY, column(&|m| m.frequency))
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
-        let t = body_columns(t, &self.bodies, &measured);
+        let t = body_columns(t, &self.probes, &measured);
         trust_columns(t, column(&|m| m.truncation), column(&|m| m.residual), &measured).build()
     }
 

@@ -13,7 +13,7 @@
 use super::approximation;
 use super::modes::{THRESHOLD, WHIRLS};
 use super::region;
-use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range, remarks_between};
+use super::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or, remarks_between};
 use super::{Context, Study, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -150,7 +150,8 @@ orders = [1, 2]
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
+        let one = "; modes shows the modes at one speed";
+        let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
         Some(Campbell {
             speed,

@@ -11,18 +11,21 @@
 
 use super::growing::{Follows, unstable};
 use super::support::{SPEED_RANGE, inconsistent, moves, one_or_range, remarks_between, sight};
-use super::{Context, Study, size};
+use super::{Context, Study, sights, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::blocks::Blocks;
+use crate::model::erased::Evaluate;
 use crate::model::field::{Field, RangeValue, Values};
-use crate::model::part::At;
+use crate::model::part::{At, Physics};
 use crate::model::probe::Probe;
-use crate::model::system::{System, Workspace};
+use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::extrema::{Curve, Extremum, curve, seeds};
 use crate::solve::linear_response::{Response, response};
 use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
+use crate::solve::sectors::circular;
 use crate::solve::sweep::{Strongest, spectrum};
 use laval_num::complex::{C64, c};
 use std::collections::BTreeMap;
@@ -282,12 +285,18 @@ impl Study for ForcedResponse {
             ),
             None => format!("Amplitudes of {} bodies over spin speed, without resonance.", bodies.len()),
         };
-        let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s")).panel(amplitude).panel(phase);
-        let figure = if probes.iter().any(Probe::is_tilt) { figure.panel(tilt) } else { figure };
+        // of a machine that only tilts there is nothing to draw of displacements, of one that does not tilt nothing of tilts
+        let largest = |p: &Probe| points.iter().map(|r| r.size(p)).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        let loud = sights::loudest(probes.iter().map(|p| (p, largest(p))));
+        let some = |tilt: bool| probes.iter().any(|p| p.is_tilt() == tilt && !sights::still(p, largest(p), loud, sights::ROUNDING));
+        let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s"));
+        let figure = if some(false) { figure.panel(amplitude).panel(phase) } else { figure };
+        let figure = if some(true) { figure.panel(tilt) } else { figure };
         outcome = outcome.table(table.build().map_err(inconsistent)?);
         // one speed makes neither curves nor extrema
         if !one {
-            outcome = outcome.table(extrema).figure(figure);
+            outcome = outcome.table(extrema);
+            outcome = if figure.panels.is_empty() { outcome } else { outcome.figure(figure) };
         }
         outcome.checked().map_err(inconsistent)
     }
@@ -328,6 +337,9 @@ fn observed(
     let mut ws = Workspace::default();
     let n = system.n();
     for (row, r) in points.iter().enumerate() {
+        for (name, force) in exact_forces(system, r) {
+            out.entry((name, "force", "N")).or_insert_with(|| vec![0.0; points.len()])[row] = force;
+        }
         let rest = state(r.speed)?;
         let t = Characteristic::new(system, &rest);
         let s = c(0.0, r.speed);
@@ -375,7 +387,7 @@ fn observed(
             for (slot, o) in system.observe(&at, &mut ws) {
                 let slot = &system.slots()[slot];
                 // the amplitude of a body is in its own columns; eliminated states are not at hand
-                if slot.physics != crate::model::part::Physics::Linear || slot.memory > 0 || ["displacement", "tilt"].contains(&o.name) {
+                if slot.physics != Physics::Linear || slot.memory > 0 || ["displacement", "tilt"].contains(&o.name) {
                     continue;
                 }
                 let column: &mut Vec<f64> = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
@@ -386,6 +398,24 @@ fn observed(
         }
     }
     Ok(Seen { quantities: out, validity, outside })
+}
+
+/// Forces of the parts that are given in the frequency domain, by their exact reaction: what they put on their first pair of coordinates, such as a liquid on
+/// the wall of its cavity. Semi-major axes, N.
+fn exact_forces(system: &System, r: &Response) -> Vec<(String, f64)> {
+    let slots = system.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_)) && s.map.len() >= 2);
+    let one = |slot: &Slot| {
+        let (n, params) = (slot.map.len(), &system.params()[slot.params.clone()]);
+        let moved: Vec<C64> = slot.map.iter().map(|row| row.iter().fold(C64::zero(), |sum, &(g, x)| sum + r.x[g].scale(x))).collect();
+        let (mut reaction, mut load) = (vec![C64::zero(); n * n], Blocks::default());
+        f64::impedance(&*slot.part, params, c(0.0, r.speed), r.speed, &mut reaction);
+        load.reset(n, 0, r.speed);
+        f64::load(&*slot.part, params, r.speed, &mut load);
+        let force = |i: usize| (0..n).fold(c(-load.force_cos[i], load.force_sin[i]), |sum, j| sum + reaction[i * n + j] * moved[j]);
+        let (forward, backward) = circular(force(0), force(1));
+        (slot.name.clone(), forward.abs() + backward.abs())
+    };
+    slots.map(one).collect()
 }
 
 /// Response at one speed, for callers that want no table.

@@ -1,9 +1,11 @@
 //! What the studies of free motions share: how far bodies move, whether models hold, fields, ends.
 
-use super::support::{larger, largest};
+use super::sights;
+use super::support::largest;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::At;
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Finding, TableBuilder};
 use crate::solve::harmonic::backbone::MOST_HARMONICS;
@@ -55,21 +57,27 @@ pub(super) fn constant_speed(system: &System) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-const SAMPLES: usize = 64;
+/// Instants of a period at which validity is taken.
+const SAMPLES: usize = 16;
 
 /// Measures free motions of one machine.
 pub(super) struct Measure<'a> {
     system: &'a System,
     balance: Balance<'a>,
-    /// Names of bodies and their first coordinates.
-    pub bodies: Vec<(String, usize)>,
+    /// First coordinates of the bodies.
+    bodies: Vec<usize>,
+    /// Probes that are measured, by index, and themselves: the reference points of the bodies first.
+    which: Vec<usize>,
+    pub probes: Vec<Probe>,
 }
 
 /// How far a motion goes.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
-    /// Per body: modulus of the first order in the direction of the whirl, and largest distance from the axis over a period, m.
-    pub bodies: Vec<[f64; 2]>,
+    /// Per body: modulus of the first order in the direction of the whirl, m.
+    pub first: Vec<f64>,
+    /// Per probe: largest value over a period, m or rad.
+    pub largest: Vec<f64>,
     /// Largest use of a part's validity, and which.
     pub validity: (f64, String),
 }
@@ -82,40 +90,37 @@ impl<'a> Measure<'a> {
     pub fn new(system: &'a System, d: Discretisation, frequency: f64) -> Result<Self, Diagnostic> {
         let w = frequency.abs().max(1e-3);
         let balance = Balance::new(system, d, (0.9 * w, 1.1 * w), None)?;
-        Ok(Measure { system, balance, bodies: system.bodies().into_iter().map(|b| (b.name, b.x)).collect() })
+        let bodies = system.bodies().into_iter().map(|b| b.x).collect();
+        Ok(Measure { system, balance, bodies, which: sights::ordered(system), probes: sights::probes(system) })
     }
 
     /// A motion with harmonics `x` at speed, frequency and drive.
     pub fn of(&mut self, [speed, frequency, drive]: [f64; 3], x: &[f64]) -> Measured {
         self.balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3], parameter: None });
         let Ok(orbit) = Orbit::of(&mut self.balance, x, speed) else {
-            return Measured { bodies: vec![[f64::NAN; 2]; self.bodies.len()], validity: (f64::NAN, String::new()) };
+            let [first, largest] = [self.bodies.len(), self.which.len()].map(|n| vec![f64::NAN; n]);
+            return Measured { first, largest, validity: (f64::NAN, String::new()) };
         };
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let first = |&(_, x): &(String, usize)| {
+        let first = |&x: &usize| {
             let (forward, backward) = orbit.whirl(x, 1);
-            [forward.abs().max(backward.abs()), 0.0]
+            forward.abs().max(backward.abs())
         };
-        let mut bodies: Vec<[f64; 2]> = self.bodies.iter().map(first).collect();
         let mut worst = (0.0, String::new());
         let mut ws = Workspace::default();
         for j in 0..SAMPLES {
             let tau = TAU * j as f64 / SAMPLES as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            for (o, &(_, x)) in bodies.iter_mut().zip(&self.bodies) {
-                o[1] = larger(o[1], q[x].hypot(q[x + 1]));
-            }
-            if j % 4 == 0 {
-                let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: tau / frequency };
-                for (slot, v) in self.system.validity(&at, &mut ws) {
-                    if !(v.ratio <= worst.0) {
-                        worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
-                    }
+            let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: tau / frequency };
+            for (slot, v) in self.system.validity(&at, &mut ws) {
+                if !(v.ratio <= worst.0) {
+                    worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
                 }
             }
         }
-        Measured { bodies, validity: worst }
+        let largest = sights::sizes(self.system, &self.which, &orbit, 1);
+        Measured { first: self.bodies.iter().map(first).collect(), largest, validity: worst }
     }
 }
 
@@ -134,15 +139,14 @@ pub(super) fn in_order<'a, T>(
 }
 
 /// The columns of how far each body goes.
-pub(super) fn body_columns(mut t: TableBuilder, bodies: &[String], measured: &[&Measured]) -> TableBuilder {
-    for (b, name) in bodies.iter().enumerate() {
-        let of = |c: usize| measured.iter().map(|m| m.bodies[b][c]).collect::<Vec<f64>>();
-        t = t.float(format!("{name} first order"), "m", "modulus of the first-order amplitude; NaN when it could not be had", of(0)).float(
-            format!("{name} largest displacement"),
-            "m",
-            "largest distance of the centre from its rest position over a period; NaN when it could not be had",
-            of(1),
-        );
+pub(super) fn body_columns(mut t: TableBuilder, probes: &[Probe], measured: &[&Measured]) -> TableBuilder {
+    for (k, p) in probes.iter().enumerate() {
+        if p.is_reference() {
+            let doc = "modulus of the first-order amplitude; NaN when it could not be had";
+            t = t.float(format!("{} first order", p.name), "m", doc, measured.iter().map(|m| m.first[k]).collect());
+        }
+        let doc = format!("{}; NaN when it could not be had", sights::largest_doc(p));
+        t = t.float(sights::largest_column(p), p.unit(), doc, measured.iter().map(|m| m.largest[k]).collect());
     }
     t
 }

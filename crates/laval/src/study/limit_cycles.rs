@@ -15,9 +15,10 @@ use super::free_motion::{
     trust_columns, unfinished,
 };
 use super::support::{SPEED_RANGE, larger, range, runs};
-use super::{Context, Study};
+use super::{Context, Study, sights};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, Values};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
@@ -78,7 +79,7 @@ impl Study for LimitCycles {
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |c: &Cycle, measure: &mut Measure| measure.of([c.speed, c.frequency, 0.0], &c.x);
         let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
-        let shown = Shown { request: &request, found: &found, measured, bodies: measure.bodies.iter().map(|b| b.0.clone()).collect() };
+        let shown = Shown { request: &request, found: &found, measured, probes: measure.probes };
         shown.outcome(context).map_err(Diagnostic::from)
     }
 }
@@ -87,7 +88,7 @@ struct Shown<'a> {
     request: &'a Request,
     found: &'a Cycles,
     measured: Vec<Vec<Measured>>,
-    bodies: Vec<String>,
+    probes: Vec<Probe>,
 }
 
 /// The words of an onset.
@@ -99,7 +100,40 @@ fn word(o: &Onset) -> &'static str {
     }
 }
 
+/// What the size of a whirl is.
+#[derive(Clone, Copy, PartialEq)]
+enum Reach {
+    Displacement,
+    Tilt,
+}
+
+impl Reach {
+    fn is_tilt(self) -> bool {
+        self == Reach::Tilt
+    }
+    fn unit(self) -> &'static str {
+        if self.is_tilt() { "rad" } else { "m" }
+    }
+    fn column(self) -> &'static str {
+        if self.is_tilt() { "largest tilt" } else { "largest displacement" }
+    }
+}
+
 impl Shown<'_> {
+    /// Displacements, unless nothing but tilts.
+    fn kind(&self) -> Reach {
+        let all = || self.measured.iter().flatten().flat_map(|m| self.probes.iter().zip(m.largest.iter().copied()));
+        let loud = sights::loudest(all());
+        let moved = all().any(|(p, x)| !p.is_tilt() && !sights::still(p, x, loud, sights::ROUNDING));
+        if moved || loud == 0.0 { Reach::Displacement } else { Reach::Tilt }
+    }
+
+    /// The probe of this kind that goes farthest in a motion, and how far; NaN where that is not known.
+    fn reach(&self, m: &Measured, kind: Reach) -> (usize, f64) {
+        let own = m.largest.iter().copied().enumerate().filter(|(k, _)| self.probes[*k].is_tilt() == kind.is_tilt());
+        own.reduce(|a, b| if larger(a.1, b.1) == a.1 { a } else { b }).unwrap_or((0, f64::NAN))
+    }
+
     fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
         let found = self.found;
         let ended = if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) };
@@ -235,7 +269,8 @@ impl Shown<'_> {
                 if !(hi - lo > 1e-4 * hi) {
                     continue;
                 }
-                let largest = self.measured[k][a..=b].iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
+                let kind = self.kind();
+                let largest = self.measured[k][a..=b].iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
                 out.push(
                     Finding::warning(
                         "whirl_beside_rest",
@@ -247,7 +282,7 @@ impl Shown<'_> {
                         ),
                     )
                     .of(format!("family {}", k + 1))
-                    .value(largest, "m"),
+                    .value(largest, kind.unit()),
                 );
             }
         }
@@ -258,22 +293,23 @@ impl Shown<'_> {
         let mut out = Vec::new();
         let name = format!("family {}", k + 1);
         let stable = f.cycles.iter().zip(&self.measured[k]).filter(|(c, _)| c.stable());
-        let reach = |m: &Measured| m.bodies.iter().enumerate().map(|(i, b)| (i, b[1])).max_by(|a, b| a.1.total_cmp(&b.1));
-        let largest = stable.filter_map(|(c, m)| Some((c, reach(m)?))).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let kind = self.kind();
+        let largest = stable.map(|(c, m)| (c, self.reach(m, kind))).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
         if let Some((c, (body, r))) = largest {
             let trivial = f.cycles.iter().map(|c| c.trivial).fold(0.0, f64::max);
             out.push(
                 Finding::info(
                     "largest_whirl",
                     format!(
-                        "The largest stable whirl of this family displaces \"{}\" by {{}}, at {} rad/s of spin, whirling at {} rad/s.",
-                        self.bodies.get(body).map_or("", String::as_str),
+                        "The largest stable whirl of this family {} \"{}\" by {{}}, at {} rad/s of spin, whirling at {} rad/s.",
+                        if kind.is_tilt() { "tilts" } else { "displaces" },
+                        self.probes.get(body).map_or(String::new(), sights::owner),
                         significant(c.speed, 6),
                         significant(c.frequency, 6)
                     ),
                 )
                 .of(&name)
-                .value(r, "m")
+                .value(r, kind.unit())
                 .evidence("largest exponent of a shift in time, zero in theory", trivial, "1/s")
                 .evidence("error of growth rates", c.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error), "1/s")
                 .evidence("scaled residual", c.residual, ""),
@@ -321,10 +357,17 @@ impl Shown<'_> {
             .float(
                 "largest displacement",
                 "m",
-                "largest distance of any body from its rest position over a period; NaN when it could not be had",
-                measured.iter().map(|m| m.bodies.iter().map(|b| b[1]).reduce(larger).unwrap_or(f64::NAN)).collect(),
+                "largest distance of any body, at the points that count, from its rest position over a period; NaN when it could not be had",
+                measured.iter().map(|m| self.reach(m, Reach::Displacement).1).collect(),
             );
-        let t = body_columns(t, &self.bodies, &measured)
+        let t = match self.kind() {
+            Reach::Displacement => t,
+            Reach::Tilt => {
+                let doc = "largest tilt of any body over a period; NaN when it could not be had";
+                t.float("largest tilt", "rad", doc, measured.iter().map(|m| self.reach(m, Reach::Tilt).1).collect())
+            }
+        };
+        let t = body_columns(t, &self.probes, &measured)
             .float(
                 "growth rate",
                 "1/s",
@@ -382,20 +425,22 @@ impl Shown<'_> {
 
     fn figure(&self) -> Figure {
         let found = self.found;
-        let most = self.measured.iter().flatten().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
+        let kind = self.kind();
+        let most = self.measured.iter().flatten().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
         // one family needs no number in the legend
         let grouped = |line: Line| if found.families.len() > 1 { line.group("family") } else { line.name("whirl") };
         let judged = found.unjudged.is_none();
         let marked = |line: Line| if judged { line.solid_where("stable") } else { line };
         // families of very different size are seen together on a logarithmic axis
-        let largest = |m: &Vec<Measured>| m.iter().flat_map(|m| &m.bodies).map(|b| b[1]).fold(0.0, f64::max);
+        let largest = |m: &Vec<Measured>| m.iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
         let least = self.measured.iter().map(largest).fold(f64::INFINITY, f64::min);
-        let axis = if most > 20.0 * least { Axis::log("largest displacement", "m") } else { Axis::new("largest displacement", "m") };
-        let mut panel = Panel::new(axis.metres(most));
+        let (column, unit) = (kind.column(), if kind.is_tilt() { "mrad" } else { "m" });
+        let axis = if most > 20.0 * least { Axis::log(column, unit) } else { Axis::new(column, unit) };
+        let mut panel = Panel::new(if kind.is_tilt() { axis.factor(1e3) } else { axis.metres(most) });
         for (from, to) in found.rest.unstable_ranges(0.0) {
             panel = panel.mark(Band::x(from, to).name("rest unstable").strip());
         }
-        panel = panel.mark(marked(grouped(Line::new("cycles", "speed", "largest displacement"))));
+        panel = panel.mark(marked(grouped(Line::new("cycles", "speed", column))));
         for o in &found.onsets {
             panel = panel.mark(Rule::x(o.edge.speed, word(o)));
         }

@@ -2,7 +2,9 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
+use crate::model::probe::{Probe, Sight};
 use crate::model::system::System;
+use crate::units::read_quantity;
 
 /// What `[limits]` is.
 pub const EXAMPLE: &str = r#"displacement = { drum = "0.3 mm" }
@@ -25,7 +27,7 @@ pub const FIELDS: &[Field] = &[
         "displacement",
         named("m"),
         "",
-        "largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached",
+        "largest steady displacement of bodies, the foundation among them, at the reference point and wherever something is attached; of one point alone as { \"drum at 100 mm\" = \"0.2 mm\" }",
     ),
     Field::optional("velocity", named("m/s"), "", "largest steady vibration velocity of bodies, at the same points"),
     Field::optional("tilt", named("rad"), "", "largest steady tilt of bodies"),
@@ -71,13 +73,45 @@ pub const FIELDS: &[Field] = &[
     ),
 ];
 
-/// A limit on one body or part.
+/// A limit on one body, on one point of a body, or on one part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// The body or part.
+    /// What it is on, as the file says it.
     pub name: String,
+    /// The body or part.
+    pub body: String,
+    /// The point of the body alone: its height above the reference point, m.
+    pub at: Option<f64>,
     /// The limit, SI.
     pub value: f64,
+}
+
+impl Limit {
+    /// It is on the point that this probe measures.
+    pub fn is_at(&self, probe: &Probe) -> bool {
+        probe.name == self.body && self.at.is_some_and(|z| probe.sight == Sight::Displacement(z))
+    }
+}
+
+/// Limits that may be on a point of a body.
+const ON_POINTS: [&str; 3] = ["displacement", "velocity", "passage_displacement"];
+
+/// A point of a body as "drum at 100 mm".
+fn point(name: &str) -> Option<(&str, f64)> {
+    let (body, at) = name.rsplit_once(" at ")?;
+    Some((body, read_quantity(at, "m").ok().filter(|z| z.abs() <= FARTHEST)?))
+}
+
+/// Height of a point, m, at most.
+const FARTHEST: f64 = 100.0;
+
+/// The points of bodies that limits name.
+pub fn points(extra: &Extra, system: &System) -> Vec<(String, f64)> {
+    let bodies = system.bodies();
+    let is_body = |n: &str| bodies.iter().any(|b| b.name == n);
+    let named = ON_POINTS.into_iter().flat_map(|field| extra.values.named(field)).filter_map(|(name, _)| name);
+    let found = named.filter(|n| !is_body(n)).filter_map(point).filter(|p| is_body(p.0));
+    found.map(|(body, at)| (body.to_string(), at)).collect()
 }
 
 /// The limits.
@@ -129,12 +163,16 @@ pub fn read(v: &Values, system: &System, out: &mut Diagnostics) -> Limits {
     let parts: Vec<String> = system.slots().iter().map(|s| s.name.clone()).collect();
     let mut list = |field: &str, known: &[String], what: &str| -> Vec<Limit> {
         let mut found = Vec::new();
+        let limit = |name: &str, body: &str, at: Option<f64>, value| Limit { name: name.into(), body: body.into(), at, value };
         for (name, value) in v.named(field) {
-            match name {
-                None => found.extend(known.iter().map(|n| Limit { name: n.clone(), value })),
-                Some(n) if known.iter().any(|k| k == n) => found.push(Limit { name: n.to_string(), value }),
-                Some(n) => {
-                    let all = known.join(", ");
+            let point = name.and_then(point).filter(|(n, _)| ON_POINTS.contains(&field) && known.iter().any(|k| k == n));
+            match (name, point) {
+                (None, _) => found.extend(known.iter().map(|n| limit(n, n, None, value))),
+                (Some(n), _) if known.iter().any(|k| k == n) => found.push(limit(n, n, None, value)),
+                (Some(n), Some((body, at))) => found.push(limit(n, body, Some(at), value)),
+                (Some(n), None) => {
+                    let more = if ON_POINTS.contains(&field) { "; a point of a body is written as \"drum at 100 mm\"" } else { "" };
+                    let all = format!("{}{more}", known.join(", "));
                     let help = match nearest(n, known.iter().map(String::as_str)) {
                         Some(k) => format!("did you mean \"{k}\"? There are {all}"),
                         None => format!("there are {all}"),

@@ -9,7 +9,8 @@
 //!
 //! Sources: `000_a291f7ede1484e56` chapters 1 and 2; `docs/theory/approximate-methods.md#averaging`, `docs/theory/approximate-methods.md#elliptic-balance`.
 
-use super::support::range;
+use super::nonlinear_response::around;
+use super::support::one_or_range;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -50,13 +51,13 @@ harmonics = 7
         Field::required(
             "speed",
             FieldKind::Range { unit: "rad/s", bounds: Bounds::closed(1e-3, 1e7) },
-            "range of the spin speed; compared at 25 points unless given",
+            "one spin speed, or a range; compared at 25 points unless given",
         ),
         Field::optional("harmonics", FieldKind::Integer { min: 1, max: 31 }, "7", "largest order of harmonic balance compared"),
     ];
 
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
-        let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
+        let speed = one_or_range("speed", values.range("speed")?, 2, values, diagnostics)?;
         let harmonics = values.integer("harmonics").and_then(|i| usize::try_from(i).ok()).unwrap_or(7);
         Some(Methods { speed, harmonics })
     }
@@ -77,7 +78,7 @@ harmonics = 7
         let most = usize::try_from(context.work_limit).unwrap_or(usize::MAX).clamp(2, 20_000);
         let request = Request { max_points: most, ..self.request() };
         let converged = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
-        let speeds = self.speed.linspace(25);
+        let speeds = if self.speed.is_one() { vec![self.speed.from] } else { self.speed.linspace(25) };
         let within = usize::try_from(context.work_limit).unwrap_or(usize::MAX).min(speeds.len());
         let total = speeds.len() as u64;
         let mut lower: Vec<(usize, Response)> = Vec::new();
@@ -110,7 +111,8 @@ fn speeds_of(r: &Response) -> Vec<f64> {
 
 impl Methods {
     fn request(&self) -> Request {
-        Request { truncation: 1e-9, stability: false, ..Request::over(self.speed.from, self.speed.to) }
+        let (from, to) = if self.speed.is_one() { around(self.speed.from) } else { (self.speed.from, self.speed.to) };
+        Request { truncation: 1e-9, stability: false, ..Request::over(from, to) }
     }
 
     fn outcome(
@@ -169,7 +171,8 @@ impl Methods {
         }
         if t.rows() > 0 {
             out = out.table(t);
-            if all.iter().any(|v| v.deviation > 0.0) {
+            // one speed makes no curve
+            if all.iter().any(|v| v.deviation > 0.0) && !self.speed.is_one() {
                 let axis = Axis::log("deviation of the peak", "%").factor(100.0);
                 let points = Points::new("methods", "speed", "deviation").classes("method", &["averaging", "harmonic balance to order 1"]);
                 let alt = "Deviation of each method from the converged peak over the spin speed, all states.";

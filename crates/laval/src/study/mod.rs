@@ -31,6 +31,7 @@ pub mod run_up;
 pub mod sensitivity;
 pub mod separation;
 mod settled;
+mod sights;
 mod size;
 mod spectra;
 pub mod speed_range;
@@ -48,7 +49,7 @@ mod watch;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo, Values};
 use crate::model::part::Part;
-use crate::model::system::{PartInput, System};
+use crate::model::system::{Machine, PartInput, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, significant};
 use crate::separation::carried::Cups;
@@ -300,6 +301,8 @@ pub struct BlockKind {
     pub check: fn(&Extra, &System, &mut Diagnostics),
     /// The part of the machine that a sound block is.
     pub part: fn(&Extra, &System) -> Option<PartInput>,
+    /// Points of bodies that it names, whose displacement counts: body and height above its reference point, m.
+    pub points: fn(&Extra, &System) -> Vec<(String, f64)>,
 }
 
 /// All blocks beside parts and studies.
@@ -311,18 +314,25 @@ pub fn blocks() -> Vec<BlockKind> {
     };
     let cups = BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() };
     let none = |_: &Extra, _: &System| None;
+    let nowhere = |_: &Extra, _: &System| Vec::new();
     vec![
-        BlockKind { info: cups, check: duty::check_cup, part: duty::cup_part },
+        BlockKind { info: cups, check: duty::check_cup, part: duty::cup_part, points: nowhere },
         BlockKind {
             info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION_EXAMPLE, duty::SUSPENSION),
             check: duty::check_suspension,
             part: none,
+            points: nowhere,
         },
-        BlockKind { info: one("limits", limits::DOC, limits::EXAMPLE, limits::FIELDS), check: limits::check, part: none },
+        BlockKind {
+            info: one("limits", limits::DOC, limits::EXAMPLE, limits::FIELDS),
+            check: limits::check,
+            part: none,
+            points: limits::points,
+        },
     ]
 }
 
-/// The machine with what its blocks beside the parts are in it, in place of what they were before.
+/// The machine with the parts that its blocks are and the points that they name, in place of what they were before.
 ///
 /// # Errors
 /// As [`System::assemble`].
@@ -330,15 +340,18 @@ pub fn with_blocks(system: System) -> Result<System, Diagnostics> {
     let (known, extras) = (blocks(), &system.machine.extras);
     let kind = |e: &Extra| known.iter().find(|k| k.info.word == e.word);
     let parts: Vec<PartInput> = extras.iter().filter_map(|e| (kind(e)?.part)(e, &system)).collect();
+    let mut points: Vec<(String, f64)> = extras.iter().filter_map(|e| Some((kind(e)?.points)(e, &system))).flatten().collect();
+    points.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    points.dedup();
     let mut inputs = system.inputs();
     let before = inputs.len();
     // a part of the file may have the name of a block
     inputs.retain(|i| i.part.kind() != <Cups as Part>::KIND);
-    if parts.is_empty() && inputs.len() == before {
+    if parts.is_empty() && inputs.len() == before && points == system.machine.points {
         return Ok(system);
     }
     inputs.extend(parts);
-    System::assemble(system.machine, inputs)
+    System::assemble(Machine { points, ..system.machine }, inputs)
 }
 
 /// The registry entry of a study.

@@ -11,10 +11,11 @@
 
 use super::region;
 use super::support::{ABOUT, About, ROUNDING, SPEED, admit_roots, admit_threshold, decay_uncounted, hertz, inconsistent, remarks, speed};
-use super::{Context, Study};
+use super::{Context, Study, sights};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{DofKind, Domain, Words};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
 use crate::solve::characteristic::Characteristic;
@@ -47,11 +48,28 @@ pub(super) const THRESHOLD: Field = Field::optional(
     "growth rate above which a mode is called unstable",
 );
 
-/// Largest displacement of a body's reference point in a mode: semi-major axis of its orbit.
-pub(super) fn body_amplitude(mode: &MachineMode, x: usize) -> f64 {
-    let (f, b) = crate::solve::sectors::circular(mode.q[x], mode.q[x + 1]);
+/// What a probe measures of a mode: semi-major axis of its orbit.
+pub(super) fn amplitude(mode: &MachineMode, probe: &Probe) -> f64 {
+    let [x, y] = probe.amplitudes(&mode.q);
+    let (f, b) = crate::solve::sectors::circular(x, y);
     f.abs() + b.abs()
 }
+
+/// Sizes of a shape: of every probe over the largest of its kind, 0 of what is rounding beside the rest; and the largest tilt over the largest displacement, 1/m.
+fn shape(mode: &MachineMode, probes: &[Probe]) -> (Vec<f64>, f64) {
+    let own: Vec<f64> = probes.iter().map(|p| amplitude(mode, p)).collect();
+    let loud = sights::loudest(probes.iter().zip(own.iter().copied()));
+    let size = |(p, &a): (&Probe, &f64)| if sights::still(p, a, loud, SHAPE_ROUNDING) { 0.0 } else { a };
+    let own: Vec<f64> = probes.iter().zip(&own).map(size).collect();
+    let largest = |tilt: bool| probes.iter().zip(&own).filter(|p| p.0.is_tilt() == tilt).map(|p| *p.1).fold(0.0, f64::max);
+    let [moved, tilted] = [false, true].map(largest);
+    let over = |x: f64, most: f64| if most > 0.0 { x / most } else { 0.0 };
+    let relative = probes.iter().zip(&own).map(|(p, &x)| over(x, if p.is_tilt() { tilted } else { moved })).collect();
+    (relative, if moved > 0.0 { tilted / moved } else { f64::NAN })
+}
+
+/// Share of the loudest that is rounding in the shape of a mode.
+const SHAPE_ROUNDING: f64 = 1e-10;
 
 impl Study for Modes {
     const KIND: &'static str = "modes";
@@ -125,7 +143,6 @@ impl Study for Modes {
         if let Some(found) = &found {
             table = table.flag("counted", "it lies in a rectangle whose count agrees", found.counted.clone());
         }
-        let bodies = system.bodies();
         let tilts: Vec<bool> = system.coordinates().iter().map(|c| matches!(c.dof.kind, DofKind::TiltX | DofKind::TiltY)).collect();
         if tilts.contains(&true) && !endless {
             let mass = Linearised::new(system, &about)?.mass;
@@ -134,13 +151,20 @@ impl Study for Modes {
                        nothing with mass moves";
             table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
         }
-        for body in &bodies {
-            let relative = |m: &MachineMode| {
-                let largest = bodies.iter().map(|b| body_amplitude(m, b.x)).fold(0.0, f64::max);
-                if largest > 0.0 { body_amplitude(m, body.x) / largest } else { 0.0 }
+        let probes = sights::probes(system);
+        let shapes: Vec<(Vec<f64>, f64)> = modes.iter().map(|m| shape(m, &probes)).collect();
+        for (k, probe) in probes.iter().enumerate() {
+            let doc = if probe.is_tilt() {
+                "amplitude of the tilt over that of the body that tilts most; 0 where nothing tilts"
+            } else {
+                "orbit amplitude over that of the point that moves most; 0 where nothing but tilts"
             };
-            let doc = "orbit amplitude over that of the body that moves most";
-            table = table.float(format!("amplitude.{}", body.name), "", doc, modes.iter().map(relative).collect());
+            table = table.float(sights::column(probe), "", doc, shapes.iter().map(|s| s.0[k]).collect());
+        }
+        if probes.iter().any(Probe::is_tilt) {
+            let doc =
+                "tilt of the body that tilts most, rad, over the displacement of the point that moves most, m; NaN where nothing but tilts";
+            table = table.float_if_any("tilt_over_displacement", "1/m", doc, shapes.iter().map(|s| s.1).collect());
         }
         let mut outcome = Outcome::new(Self::KIND, context.name)
             .end(context.end(!context.cancelled()))
@@ -167,18 +191,21 @@ impl Study for Modes {
             outcome = outcome.finding(Finding::info("threshold", text).value(threshold, "1/s"));
         }
         let open = decay_uncounted(system, self.speed).is_some();
+        let slowly: Vec<usize> = (0..modes.len()).filter(|&k| grows(&modes[k]) && !unstable(&modes[k])).collect();
+        let any_grows = !slowly.is_empty();
         let least = modes
             .iter()
             .enumerate()
-            .filter(|(_, m)| !unstable(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0))
+            .filter(|(_, m)| !grows(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0))
             .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()));
-        if let Some((k, m)) = least {
+        let least = least.map(|(k, m)| {
             let undamped = m.growth().abs() <= rounding;
             let text = format!(
                 "{} mode {} at {} ({}): {}.",
-                match (open, any_unstable) {
+                match (open, any_unstable || any_grows) {
                     (true, _) => "Of the modes that decay and were found the least damped is",
-                    (_, true) => "The least damped stable mode is",
+                    (_, true) if self.threshold < 0.0 => "The least damped stable mode is",
+                    (_, true) => "Of the modes that decay the least damped is",
                     _ => "The least damped mode is",
                 },
                 k + 1,
@@ -187,15 +214,13 @@ impl Study for Modes {
                 if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
             );
             let ratio = if undamped { 0.0 } else { m.damping_ratio() };
-            outcome = outcome.finding(
-                Finding::info("least_damped_mode", text)
-                    .of("damping ratio")
-                    .value(ratio, "")
-                    .evidence("growth", m.growth(), "1/s")
-                    .evidence("rounding of the eigenvalues", rounding, "1/s"),
-            );
-        }
-        if !any_unstable {
+            Finding::info("least_damped_mode", text).of("damping ratio").value(ratio, "").evidence("growth", m.growth(), "1/s").evidence(
+                "rounding of the eigenvalues",
+                rounding,
+                "1/s",
+            )
+        });
+        let verdict = (!any_unstable).then(|| {
             let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
             let zero = largest.abs() <= rounding;
             let (at, limit) = (quantity(self.speed, "rad/s"), quantity(threshold, "1/s"));
@@ -205,10 +230,10 @@ impl Study for Modes {
                     "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
                 )
             } else if slow {
-                let slower = match modes.iter().filter(|m| grows(m)).count() {
-                    0 => "none of the modes found grows more slowly".to_string(),
-                    1 => "one of the modes found grows more slowly".to_string(),
-                    n => format!("{n} of the modes found grow more slowly"),
+                let slower = match slowly.as_slice() {
+                    [] => "none of the modes found grows more slowly".to_string(),
+                    [k] => format!("one of the modes found grows more slowly, mode {}", k + 1),
+                    all => format!("{} of the modes found grow more slowly", all.len()),
                 };
                 format!("At {at} no mode grows faster than {limit}; {slower}. Slow waves of {} are not all computed.", undamped.name)
             } else if zero {
@@ -222,11 +247,15 @@ impl Study for Modes {
             };
             let finding = match (proven, slow) {
                 (false, _) => Finding::warning("stability_unknown", text),
+                (_, true) if !slowly.is_empty() => Finding::warning("slow_growth", text),
                 (_, true) => Finding::info("stable", text),
                 _ => Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s"),
             };
-            outcome = outcome.finding(finding.evidence("rounding of the eigenvalues", rounding, "1/s"));
-        }
+            finding.evidence("rounding of the eigenvalues", rounding, "1/s")
+        });
+        // what grows comes first
+        let (first, second) = if any_grows { (verdict, least) } else { (least, verdict) };
+        outcome = first.into_iter().chain(second).fold(outcome, Outcome::finding);
         if let Some(found) = &found {
             for f in region::findings(system, self.speed, found) {
                 outcome = outcome.finding(f);

@@ -177,13 +177,22 @@ pub fn one_or_range(field: &str, given: RangeValue, least: usize, values: &Value
 }
 
 /// A range whose ends differ and whose number of points is at least `least`, and not beyond what memory can keep.
-pub fn range(field: &str, range: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
+pub fn range(field: &str, given: RangeValue, least: usize, values: &Values, diagnostics: &mut Diagnostics) -> Option<RangeValue> {
+    let speeds = "; modes, forced_response, stability_map and transient take one speed";
+    range_or(field, (given, if field == "speed" { speeds } else { "" }), least, values, diagnostics)
+}
+
+/// The same; what is said besides where it is one value: which study answers then.
+pub fn range_or(
+    field: &str,
+    (range, one): (RangeValue, &str),
+    least: usize,
+    values: &Values,
+    diagnostics: &mut Diagnostics,
+) -> Option<RangeValue> {
     let wrong = if range.is_one() {
         let message = format!("{field} is one value, and this study needs a range");
-        Some((
-            message,
-            format!("write {field} = {{ from = .., to = .. }}; modes, forced_response, stability_map and transient take one speed"),
-        ))
+        Some((message, format!("write {field} = {{ from = .., to = .. }}{one}")))
     } else if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
         Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
     } else if range.points.is_some_and(|p| p < least) {

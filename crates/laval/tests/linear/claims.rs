@@ -162,7 +162,17 @@ fn a_mode_that_grows_is_not_stable() {
         assert!(growth[k].abs() <= rounding || stable[k] == (growth[k] < 0.0), "{} {}", growth[k], stable[k]);
     }
     assert!(growth.iter().any(|g| *g > 1e-9), "{growth:?}");
-    assert!(findings(o, "unstable_mode").is_empty() && finding(o, "stable").text.contains("one of the modes found grows"));
+    assert!(findings(o, "unstable_mode").is_empty() && findings(o, "stable").is_empty());
+    let place = |id: &str| o.findings.iter().position(|f| f.id == id).unwrap_or_else(|| panic!("no {id}"));
+    let slow = &o.findings[place("slow_growth")];
+    let first = growth.iter().zip(&stable).position(|(_, s)| !s).expect("a mode that grows") + 1;
+    assert!(
+        slow.level == Level::Warning && slow.text.contains(&format!("one of the modes found grows more slowly, mode {first}")),
+        "{slow:?}"
+    );
+    // growth is said first, and no mode is the least damped of all
+    assert_eq!(place("slow_growth"), 0);
+    assert!(finding(o, "least_damped_mode").text.starts_with("Of the modes that decay"));
     assert_eq!(finding(o, "roots_missed").level, Level::Info);
 }
 

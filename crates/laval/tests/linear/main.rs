@@ -5,12 +5,15 @@ mod common;
 
 mod claims;
 mod criticals;
+mod liquid_force;
 mod memory;
 mod model_planar;
 mod modes;
 mod nonlinear_forces;
+mod one_speed;
 mod optimum;
 mod parts_physics;
+mod pure_tilt;
 mod response;
 mod sensitivity;
 mod several_unbalances;

@@ -496,6 +496,14 @@ wave_damping = "4 1/s"
     }
 
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        if self.fill != Fill::Empty && self.physics() == Physics::Linear {
+            let mut blocks = Blocks::default();
+            blocks.reset(at.q.len(), at.z.len() - self.memory(), at.speed);
+            self.linear(p, at.speed, &mut blocks);
+            let (mut force, mut rate) = (vec![0.0; at.q.len()], vec![0.0; at.z.len()]);
+            blocks.residual(at, &mut force, &mut rate);
+            out.push(Observed { name: "force", unit: "N", value: force[0].hypot(force[1]) });
+        }
         if self.waves() {
             let seen = self.seen(p, at);
             let at = &seen.at(at);

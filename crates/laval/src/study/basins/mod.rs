@@ -18,14 +18,15 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::{cells, recorded};
+use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, fastest_growth, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
 use super::support::{SPEED, speed};
-use super::{Context, Study};
+use super::{Context, Study, sights};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
+use crate::model::probe::Probe;
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, quantity};
@@ -200,6 +201,7 @@ points = 50
             growth: fastest_growth(&own, self.speed),
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
+            probes: sights::probes(system),
             values: self.axes.each_ref().map(Axis::values),
             method: method(&own, self.rules.method, self.speed),
             varied,
@@ -249,6 +251,8 @@ struct Fleet<'a> {
     /// A mode at rest neither decays nor grows.
     neutral: bool,
     bodies: Vec<Body>,
+    /// What is recorded of every motion.
+    probes: Vec<Probe>,
     /// Initial values along both axes.
     values: [Vec<f64>; 2],
 }
@@ -295,8 +299,8 @@ impl Fleet<'_> {
             rate: self.rate,
         };
         let members: Vec<Member> = range.clone().map(member).collect();
-        let voyage =
-            Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, bodies: recorded(&self.system) };
+        let probes = self.probes.clone();
+        let voyage = Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));

@@ -10,7 +10,7 @@ use super::{Basins, Fleet};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Points, Table, quantity};
 use crate::store::Results;
-use crate::study::{Context, Study};
+use crate::study::{Context, Study, sights};
 use std::collections::BTreeMap;
 
 /// Attractors of which a finding speaks.
@@ -25,8 +25,11 @@ struct Map<'a> {
     /// Why there is none.
     failure: Vec<String>,
     motions: Vec<Motion>,
-    /// By body.
+    /// By probe.
     amplitude: Vec<Vec<f64>>,
+    /// The probe by which attractors are ordered and told: the first body, or its tilt where it only tilts.
+    lead: usize,
+    /// By body.
     rms: Vec<Vec<f64>>,
     found: Found,
 }
@@ -36,8 +39,8 @@ impl<'a> Map<'a> {
         let position =
             |name: &str| results.position(name).ok_or_else(|| Diagnostic::error("store.columns", format!("there is no column \"{name}\"")));
         let names = state_names(&fleet.system);
-        let of_bodies = |what: &str| fleet.bodies.iter().map(|b| position(&format!("{what}.{}", b.name))).collect::<Result<Vec<_>, _>>();
-        let (peaks, means) = (of_bodies("amplitude")?, of_bodies("rms")?);
+        let peaks = fleet.probes.iter().map(|p| position(&sights::column(p))).collect::<Result<Vec<_>, _>>()?;
+        let means = fleet.bodies.iter().map(|b| position(&format!("rms.{}", b.name))).collect::<Result<Vec<_>, _>>()?;
         let (x, y, word, period, remaining) =
             (position(PLACE[0])?, position(PLACE[1])?, position("motion")?, position("period")?, position("remaining")?);
         let states = (0..LONGEST)
@@ -45,7 +48,7 @@ impl<'a> Map<'a> {
             .collect::<Result<Vec<_>, _>>()?;
         let (mut place, mut motion, mut motions) = (vec![], vec![], vec![]);
         let mut amplitude = vec![vec![]; peaks.len()];
-        let mut rms = amplitude.clone();
+        let mut rms = vec![vec![]; means.len()];
         for chunk in results.chunks() {
             let chunk = chunk?;
             for r in 0..chunk.rows.len() {
@@ -59,17 +62,22 @@ impl<'a> Map<'a> {
                     // where a mode neither decays nor grows, what does not repeat may never settle
                     irregular: judged == Verdict::NotPeriodic.word() && !fleet.neutral,
                     remaining: number(remaining),
-                    amplitude: peaks.first().map_or(f64::NAN, |&c| number(c)),
+                    amplitude: f64::NAN,
                 });
                 motion.push(judged.to_string());
                 amplitude.iter_mut().zip(&peaks).for_each(|(a, &c)| a.push(number(c)));
                 rms.iter_mut().zip(&means).for_each(|(a, &c)| a.push(number(c)));
             }
         }
+        let known = sights::resolved(fleet.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), fleet.study.rules.tolerance);
+        let lead = known.iter().min_by_key(|k| k.0.body).and_then(|k| fleet.probes.iter().position(|p| *p == k.0)).unwrap_or(0);
+        if let Some(own) = amplitude.get(lead) {
+            motions.iter_mut().zip(own).for_each(|(m, &a)| m.amplitude = a);
+        }
         let (sizes, rules) = (sizes(&fleet.system, fleet.study.speed), &fleet.study.rules);
         let found = Ruler { sizes: &sizes, rest: &fleet.start.rest, tolerance: rules.tolerance }.sort(&motions);
         let failure = told::words(results, "failure")?;
-        Ok(Map { fleet, place, motion, failure, motions, amplitude, rms, found })
+        Ok(Map { fleet, place, motion, failure, motions, amplitude, lead, rms, found })
     }
 
     /// Rows of the grid.
@@ -104,7 +112,7 @@ impl<'a> Map<'a> {
         format!("{}, {}", one(0), one(1))
     }
 
-    /// Largest displacement of a body on an attractor.
+    /// Largest value of a probe on an attractor.
     fn peak(&self, a: &Attractor, b: usize) -> f64 {
         match a.period {
             Some(_) => self.amplitude[b][a.best],
@@ -169,10 +177,11 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
             Some(turns) => format!("which repeats after {turns} turns"),
             None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
         };
-        let body = map.fleet.bodies.first().map_or("", |b| b.name.as_str());
-        let moves = quantity(map.peak(a, 0), "m");
+        let lead = map.fleet.probes.get(map.lead);
+        let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (sights::quality(p), sights::owner(p), p.unit()));
+        let moves = if lead.is_some() { quantity(map.peak(a, map.lead), unit) } else { String::new() };
         let begin = if a.period.is_some() { format!("{}, {what}", upper(&map.name(k))) } else { upper(&what) };
-        let text = format!("{begin} (largest displacement of \"{body}\" {moves}): reached from {{}} of the cells.");
+        let text = format!("{begin} (largest {size} of \"{body}\" {moves}): reached from {{}} of the cells.");
         let finding = Finding::info("share", text).of(map.name(k)).value(p, "").shown_as(100.0 * p, "%");
         outcome = outcome.finding(finding.evidence("sampling error", error, "").evidence("cells", count as f64, ""));
     }
@@ -332,9 +341,9 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             "forcing periods after which the motion repeats; NaN where there is none",
             of_cells(&results.numbers("period")?),
         );
-    for (b, body) in fleet.bodies.iter().enumerate() {
-        cells =
-            cells.float(format!("amplitude.{}", body.name), "m", "largest displacement; NaN where it failed", of_cells(&map.amplitude[b]));
+    for (k, p) in fleet.probes.iter().enumerate() {
+        let doc = format!("largest {}; NaN where it failed", sights::quality(p));
+        cells = cells.float(sights::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
     }
     cells = cells
         .float(
@@ -350,7 +359,12 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
     let all = &map.found.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let mut table = Table::new("attractors", "Settled motions that differ")
-        .int("attractor", "", "number, in order of the first body's displacement", (1..=all.len() as i64).collect())
+        .int(
+            "attractor",
+            "",
+            "number, in order of the first body's displacement, or of its tilt where it only tilts",
+            (1..=all.len() as i64).collect(),
+        )
         .text(
             "motion",
             "whether it repeats",
@@ -360,13 +374,12 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
         .int("cells", "", "cells of the grid that end in it", all.iter().map(|a| map.count(a) as i64).collect())
         .float("share", "", "share p of all cells", column(&|a| share(map.count(a), rows.len()).0))
         .float("share_error", "", "sampling error sqrt(p (1 - p)/N) for N cells", column(&|a| share(map.count(a), rows.len()).1));
-    for (b, body) in fleet.bodies.iter().enumerate() {
-        table = table.float(format!("amplitude.{}", body.name), "m", "largest displacement", column(&|a| map.peak(a, b))).float(
-            format!("rms.{}", body.name),
-            "m",
-            "root of the mean squared displacement of its best motion",
-            column(&|a| map.rms[b][a.best]),
-        );
+    for (k, p) in fleet.probes.iter().enumerate() {
+        table = table.float(sights::column(p), p.unit(), format!("largest {}", sights::quality(p)), column(&|a| map.peak(a, k)));
+        if let Some(rms) = map.rms.get(k) {
+            let doc = "root of the mean squared displacement of its best motion";
+            table = table.float(format!("rms.{}", p.name), "m", doc, column(&|a| rms[a.best]));
+        }
     }
     table = table
         .float(

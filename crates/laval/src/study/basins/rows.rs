@@ -33,7 +33,7 @@ pub(super) fn columns(study: &Basins, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
     }
-    out.extend(columns::tilts(&fleet.system));
+    out.extend(columns::others(&fleet.system));
     for p in 0..LONGEST {
         for (i, (name, unit)) in state_names(&fleet.system).into_iter().enumerate() {
             let doc = "state at phase zero, so many turns before the end; none where the motion does not repeat or has repeated before";

@@ -3,14 +3,14 @@
 use super::BifurcationLoci;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
-use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::path::PathEnd;
 use crate::solve::harmonic::problem::Balance;
-use crate::study::{Context, Study};
+use crate::study::{Context, Study, sights};
 use std::f64::consts::TAU;
 
 /// Instants of a period at which validity is looked at.
@@ -18,8 +18,8 @@ const SAMPLES: usize = 16;
 
 /// Displacements and validity of one motion.
 pub(super) struct Seen {
-    /// Largest distance from the rest position over a period, m, by body.
-    pub displacement: Vec<f64>,
+    /// Largest value over a period, m or rad, by probe.
+    pub sizes: Vec<f64>,
     /// Largest use of a part's validity, and what.
     pub validity: (f64, String),
 }
@@ -29,7 +29,8 @@ pub(super) struct Shown<'a> {
     pub(super) request: &'a Request,
     pub(super) found: &'a Loci,
     pub(super) unit: &'static str,
-    pub(super) bodies: Vec<(String, usize)>,
+    /// Probes that are measured, the reference points of the bodies first.
+    pub(super) probes: Vec<Probe>,
     /// By locus and point.
     pub(super) seen: Vec<Vec<Seen>>,
     /// By locus and corner.
@@ -47,8 +48,8 @@ pub(super) fn corner_name(locus: &Locus, corner: &Corner) -> &'static str {
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, request: &'a Request, found: &'a Loci) -> Result<Self, Diagnostic> {
-        let bodies: Vec<(String, usize)> = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
-        let mut shown = Shown { request, found, unit: super::unit(system, &request.parameter), bodies, seen: vec![], corners: vec![] };
+        let probes = sights::probes(system);
+        let mut shown = Shown { request, found, unit: super::unit(system, &request.parameter), probes, seen: vec![], corners: vec![] };
         let template = Balance::new(system, found.discretisation, request.speeds, None)?;
         let see = |value: f64, speed: f64, x: &[f64]| shown.measure(system, &template, value, speed, x);
         let seen = found.loci.iter().map(|l| l.points.iter().map(|p| see(p.value, p.speed, &p.x)).collect()).collect();
@@ -59,12 +60,12 @@ impl<'a> Shown<'a> {
 
     /// Displacements and validity of a motion of the machine at a value of the parameter.
     fn measure(&self, system: &System, template: &Balance, value: f64, speed: f64, x: &[f64]) -> Seen {
-        let unknown = || Seen { displacement: vec![f64::NAN; self.bodies.len()], validity: (f64::NAN, String::new()) };
+        let unknown = || Seen { sizes: vec![f64::NAN; self.probes.len()], validity: (f64::NAN, String::new()) };
         let Ok(machine) = system.with(&[(&self.request.parameter, value)]) else { return unknown() };
         let Some(mut balance) = template.of_other(&machine) else { return unknown() };
         let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
         let turns = template.terms.divisor;
-        let displacement = self.bodies.iter().map(|b| Measure::Displacement(b.1).largest(&machine, &orbit, turns).0).collect();
+        let sizes = sights::sizes(&machine, &sights::ordered(&machine), &orbit, turns);
         let (n, m) = (machine.n(), machine.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
         let (mut worst, mut ws) = ((0.0, String::new()), Workspace::default());
@@ -78,7 +79,7 @@ impl<'a> Shown<'a> {
                 }
             }
         }
-        Seen { displacement, validity: worst }
+        Seen { sizes, validity: worst }
     }
 
     pub(super) fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
@@ -146,13 +147,8 @@ impl<'a> Shown<'a> {
             .flag("begins", "first point of its locus", rows.iter().map(|r| r.1).collect())
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.3.speed).collect())
             .float(self.request.parameter.clone(), self.unit, "parameter", rows.iter().map(|r| r.3.value).collect());
-        for (b, (name, _)) in self.bodies.iter().enumerate() {
-            t = t.float(
-                format!("{name} largest displacement"),
-                "m",
-                "largest distance of the centre from its rest position over a period",
-                rows.iter().map(|r| r.4.displacement[b]).collect(),
-            );
+        for (k, p) in self.probes.iter().enumerate() {
+            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.4.sizes[k]).collect());
         }
         if self.request.stability {
             let bounds = |r: &(usize, bool, &Locus, &LocusPoint, &Seen)| r.3.crossing.is_none_or(|c| c.2 == 0);
@@ -187,9 +183,8 @@ impl<'a> Shown<'a> {
             )
             .float("speed", "rad/s", "spin speed", float(&|c| c.speed))
             .float(self.request.parameter.clone(), self.unit, "parameter", float(&|c| c.turn.value));
-        for (b, (name, _)) in self.bodies.iter().enumerate() {
-            let column = rows.iter().map(|r| r.3.displacement[b]).collect();
-            t = t.float(format!("{name} largest displacement"), "m", "largest distance of the centre from its rest position", column);
+        for (k, p) in self.probes.iter().enumerate() {
+            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.3.sizes[k]).collect());
         }
         t.float("residual", "", "scaled residual of the extended equations", float(&|c| c.turn.residual))
             .float(

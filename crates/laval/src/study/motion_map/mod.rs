@@ -15,8 +15,8 @@ use super::settled::columns::{self, RowColumn, body, cells, number, word};
 use super::settled::fields::{self, SLOWEST};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
-use super::support::{SPEED_RANGE, range};
-use super::{Context, Study};
+use super::support::{SPEED_RANGE, range, range_or};
+use super::{Context, Study, sights};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
@@ -79,13 +79,13 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             "speed",
             SPEED_RANGE,
             "",
-            "spin speeds along x, above zero, 50 points unless given; half to one and a half times that of the machine when left out",
+            "spin speeds along x, above zero, 50 points unless given; half to one and a half times that of the machine when left out. One speed beside x: that of all motions",
         ),
         Field::optional(
             "x",
             FieldKind::ParameterRange,
             "",
-            "a second parameter along x in place of the speed, which is then that of the machine",
+            "a second parameter along x in place of the speed, which is then one: speed, or that of the machine",
         ),
         INITIAL,
         METHOD,
@@ -101,7 +101,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         let before = diagnostics.0.len();
         let y = parameter("y", values, system, diagnostics);
         let x = match values.get("x") {
-            Some(_) if values.get("speed").is_some() => {
+            Some(_) if values.range("speed").is_some_and(|r| !r.is_one()) => {
                 let message = "both a range of speeds and a parameter along x are given";
                 diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("x")).help("say one or the other"));
                 None
@@ -109,11 +109,13 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             Some(_) => parameter("x", values, system, diagnostics),
             None => speeds(values, system, diagnostics),
         };
-        let speed = system.machine.speed.unwrap_or(f64::NAN);
+        let one = values.range("speed").filter(RangeValue::is_one).map(|r| r.from);
+        let speed = one.or(system.machine.speed).unwrap_or(f64::NAN);
         if x.as_ref().is_some_and(|x| x.path.is_some()) && !(speed >= SLOWEST) {
-            let message = "a map of two parameters needs the machine's speed, above zero";
-            diagnostics
-                .push(Diagnostic::error("motion_map.speed", message).at(values.span.clone()).help("add speed = \"3000 rpm\" to [machine]"));
+            let message = "a map of two parameters needs a speed above zero";
+            let help = "add speed = \"3000 rpm\" here or to [machine]";
+            let place = if one.is_some() { values.span_of("speed") } else { values.span.clone() };
+            diagnostics.push(Diagnostic::error("motion_map.speed", message).at(place).help(help));
         }
         if system.bodies().is_empty() {
             diagnostics.push(Diagnostic::error("motion_map.no_body", "no body of this machine moves across the axis"));
@@ -187,7 +189,8 @@ fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Op
         );
         return None;
     };
-    let range = range("speed", given, 2, values, diagnostics)?;
+    let one = ", or give x a second parameter: the speed is then the same everywhere";
+    let range = range_or("speed", (given, one), 2, values, diagnostics)?;
     if !(range.from >= SLOWEST) {
         let message = "a map needs speeds above 1e-6 rad/s: there is no period at rest";
         diagnostics.push(Diagnostic::error("motion_map.speed", message).at(values.span_of("speed")));
@@ -278,7 +281,7 @@ impl Fleet<'_> {
             out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
             out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
         }
-        out.extend(columns::tilts(&self.system));
+        out.extend(columns::others(&self.system));
         out.push(word(REFUSED, "why there is no machine with these values", |r: &Row| r.refused.clone()));
         out
     }
@@ -302,13 +305,8 @@ impl Fleet<'_> {
         let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(member).collect();
         let refused: Vec<Option<String>> = found.iter().map(|m| m.as_ref().err().cloned()).collect();
         let members: Vec<Member> = found.into_iter().flatten().collect();
-        let voyage = Settling {
-            members: &members,
-            rules: &self.study.rules,
-            counter,
-            budget: &self.budget,
-            bodies: columns::recorded(&self.system),
-        };
+        let voyage =
+            Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes: sights::probes(&self.system) };
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let mut settled = settled.into_iter();

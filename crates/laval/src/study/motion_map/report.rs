@@ -2,13 +2,13 @@
 
 use super::{Fleet, MotionMap, REFUSED};
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::{Kind, Results};
-use crate::study::settled::columns::{tilt, tilting};
 use crate::study::settled::period::LONGEST;
 use crate::study::settled::told;
 use crate::study::support::inconsistent;
-use crate::study::{Context, Study};
+use crate::study::{Context, Study, sights};
 use std::collections::BTreeMap;
 
 /// Repetitions that have a word of their own.
@@ -21,10 +21,8 @@ struct Map<'a> {
     fleet: &'a Fleet<'a>,
     /// What the motion of each is, in a word of the legend.
     classes: Vec<String>,
-    /// Largest displacements by body.
-    amplitudes: Vec<(String, Vec<f64>)>,
-    /// Largest tilts of the bodies that tilt.
-    tilts: Vec<(String, Vec<f64>)>,
+    /// Largest values of every probe, but of displacements that are not resolved beside the tilt of their body.
+    sizes: Vec<(Probe, Vec<f64>)>,
 }
 
 impl Map<'_> {
@@ -63,16 +61,12 @@ fn all_classes() -> Vec<String> {
 pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
     let periods = results.numbers("period")?;
     let classes: Vec<String> = told::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
-    let mut amplitudes = Vec::new();
-    for b in fleet.system.bodies() {
-        amplitudes.push((b.name.clone(), results.numbers(&format!("amplitude.{}", b.name))?));
+    let mut sizes = Vec::new();
+    for p in sights::probes(&fleet.system) {
+        let own = results.numbers(&sights::column(&p))?;
+        sizes.push((p, own));
     }
-    let mut tilts = Vec::new();
-    for name in tilting(&fleet.system) {
-        let sizes = results.numbers(&tilt(&name))?;
-        tilts.push((name, sizes));
-    }
-    let map = Map { fleet, classes, amplitudes, tilts };
+    let map = Map { fleet, classes, sizes: sights::resolved(sizes, fleet.study.rules.tolerance) };
     let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
@@ -86,16 +80,16 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     figures(&map, outcome).checked().map_err(inconsistent)
 }
 
-/// The largest displacement of every body, and the largest tilt.
+/// The largest displacement of every body and point, and the largest tilt.
 fn largest(map: &Map) -> Vec<Finding> {
-    let one = |(body, sizes): &(String, Vec<f64>), what: &str, unit: &str| {
+    let one = |(probe, sizes): &(Probe, Vec<f64>)| {
         let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
         let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let text = format!("The largest {what} of \"{body}\" is {{}}, at {}.", map.place(row));
-        Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(body).value(size, unit), row))
+        let (what, owner) = (sights::quality(probe), sights::owner(probe));
+        let text = format!("The largest {what} of \"{owner}\" is {{}}, at {}.", map.place(row));
+        Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(owner).value(size, probe.unit()), row))
     };
-    let moved = map.amplitudes.iter().filter_map(|a| one(a, "displacement", "m"));
-    moved.chain(map.tilts.iter().filter_map(|t| one(t, "tilt", "rad"))).collect()
+    map.sizes.iter().filter_map(one).collect()
 }
 
 /// How the motions repeat.
@@ -183,13 +177,16 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         let alt = format!("{title} over {x} and {y}.");
         Figure::new(name, title, alt).x(side(0)).panel(Panel::new(side(1)).mark(heat))
     };
-    for (body, sizes) in &map.amplitudes {
+    for (probe, sizes) in &map.sizes {
         let known = sizes.iter().filter(|a| a.is_finite());
         let (least, most) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
         if least <= most {
-            let colours = drawn("largest displacement", "m", most, least > 0.0 && most > WIDE * least);
-            let heat = Heat::new("map", x, y, format!("amplitude.{body}"), colours);
-            outcome = outcome.figure(figure(format!("amplitude-{body}"), format!("Largest displacement of {body}"), heat));
+            let (column, what, owner) = (sights::column(probe), sights::quality(probe), sights::owner(probe));
+            let label = format!("largest {what}");
+            let log = least > 0.0 && most > WIDE * least;
+            let colours = if probe.is_tilt() { sights::axis(label, probe, most) } else { drawn(&label, "m", most, log) };
+            let heat = Heat::new("map", x, y, &column, colours);
+            outcome = outcome.figure(figure(column.replace('.', "-"), format!("Largest {what} of {owner}"), heat));
         }
     }
     let classes = all_classes();

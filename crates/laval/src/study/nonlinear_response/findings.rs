@@ -15,6 +15,7 @@ use crate::solve::harmonic::terms::admitted;
 use crate::solve::stationary::images::Images;
 use crate::solve::turning::isotropic;
 use crate::study::region::dense_orders;
+use crate::study::sights;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
 
@@ -40,9 +41,12 @@ impl Shown<'_> {
         if request.states == States::All {
             out.extend(families::all(response));
         }
-        if let Some(r) = &self.rising {
+        let displaced = self.displaced();
+        let rising = self.rising.as_ref().filter(|_| displaced);
+        for r in rising.into_iter().chain(&self.tilt_rising) {
             out.push(self.without_largest(r, &response.branches[r.branch]));
-        } else if let Some(l) = self.most() {
+        }
+        if let Some(l) = self.most().filter(|_| displaced && rising.is_none()) {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
             let end = match l.left {
@@ -55,7 +59,7 @@ impl Shown<'_> {
             out.push(
                 Finding::info(
                     "largest_displacement",
-                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s{end}.", l.body, significant(speed, 6)),
+                    format!("The largest steady displacement is {{}}, of \"{}\" at {} rad/s{end}.", l.owner, significant(speed, 6)),
                 )
                 .value(a, "m")
                 .evidence("dropped over kept force harmonics, worst point", worst(response, |p| p.truncation), "")
@@ -67,13 +71,14 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
-        for l in self.largest.iter().filter(|_| self.largest.len() > 1 && self.rising.is_none()) {
+        let told = self.largest.iter().filter(|l| !self.only_tilts(l));
+        for l in told.filter(|_| self.largest.len() > 1 && displaced && rising.is_none()) {
             let (a, speed) = l.best();
-            let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.body, significant(speed, 6));
+            let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.owner, significant(speed, 6));
             let slope = l.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
             out.push(
                 Finding::info("largest_displacement_of", text)
-                    .of(&l.body)
+                    .of(&l.owner)
                     .value(a, "m")
                     .evidence("relative slope along the branch", slope, "")
                     .evidence("speed", speed, "rad/s"),
@@ -124,18 +129,20 @@ impl Shown<'_> {
         out
     }
 
-    /// That the displacement rises to where a branch was left.
+    /// That a displacement or tilt rises to where a branch was left.
     fn without_largest(&self, rising: &Rising, branch: &Traced) -> Finding {
         let grows = matches!(branch.end, End::StepTooSmall { why: Refusal::Parameter | Refusal::Monitor, .. });
-        let head = if grows { "The steady displacement is unbounded" } else { "The largest steady displacement was not reached" };
+        let probe = &self.probes[rising.probe];
+        let what = sights::quality(probe);
+        let head = if grows { format!("The steady {what} is unbounded") } else { format!("The largest steady {what} was not reached") };
         let text = format!(
             "{head}: that of \"{}\" still rises at {} rad/s, where the branch of states {} was left at {{}}.",
-            rising.body,
+            sights::owner(probe),
             significant(rising.speed, 6),
             words(branch.origin),
         );
-        let id = if grows { "unbounded_displacement" } else { "largest_displacement_not_reached" };
-        Finding::warning(id, text).value(rising.displacement, "m").evidence("speed", rising.speed, "rad/s")
+        let id = if grows { format!("unbounded_{what}") } else { format!("largest_{what}_not_reached") };
+        Finding::warning(id, text).value(rising.size, probe.unit()).evidence("speed", rising.speed, "rad/s")
     }
 
     /// Parts whose fitted time form stood for them in the judgement of stability.

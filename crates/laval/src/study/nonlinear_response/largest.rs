@@ -4,15 +4,17 @@ use super::shown::Shown;
 use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::peak::{Peak, Sense};
 use crate::solve::harmonic::response::{Request, Response};
+use crate::study::sights;
 use laval_num::continuation::End;
 
-/// The largest displacement of a body, or of all.
+/// The largest displacement or tilt of a body.
 pub(super) struct Largest {
-    pub(super) body: String,
-    /// At a computed point: displacement, m, and speed, rad/s.
-    displacement: f64,
+    /// Name of the body, or of a point of it.
+    pub(super) owner: String,
+    /// At a computed point: size, m or rad, and speed, rad/s.
+    size: f64,
     speed: f64,
-    /// Between computed points, where the displacement falls on both sides.
+    /// Between computed points, where it falls on both sides.
     pub(super) refined: Option<Peak>,
     /// It lies where a branch meets the end of the range of speeds.
     pub(super) at_end: bool,
@@ -21,17 +23,18 @@ pub(super) struct Largest {
 }
 
 impl Largest {
-    /// Displacement, m, and speed, rad/s, as well as known.
+    /// Size, m or rad, and speed, rad/s, as well as known.
     pub(super) fn best(&self) -> (f64, f64) {
-        self.refined.as_ref().map_or((self.displacement, self.speed), |p| (p.value, p.speed))
+        self.refined.as_ref().map_or((self.size, self.speed), |p| (p.value, p.speed))
     }
 }
 
-/// A displacement that still rises where a branch was left, above all others: there is no largest one.
+/// A displacement or tilt that still rises where a branch was left, above all others of its kind: there is no largest one.
 pub(super) struct Rising {
-    pub(super) body: String,
-    /// Displacement, m, and speed, rad/s, at the last point.
-    pub(super) displacement: f64,
+    /// Index among the probes measured.
+    pub(super) probe: usize,
+    /// Size, m or rad, and speed, rad/s, at the last point.
+    pub(super) size: f64,
     pub(super) speed: f64,
     /// Index of the branch.
     pub(super) branch: usize,
@@ -71,32 +74,33 @@ impl Shown<'_> {
         Some(Summit { value, at: (b, i), refined })
     }
 
-    /// The largest displacement of a body, of values by branch and point.
+    /// The largest value of a probe, of values by branch and point.
     fn largest_of(&mut self, response: &Response, request: &Request, k: usize, values: &[Vec<f64>]) -> Option<Largest> {
-        let (body, x) = self.bodies[k].clone();
-        let s = self.summit(response, request, Measure::Displacement(x), values)?;
+        let owner = sights::owner(&self.probes[k]);
+        let s = self.summit(response, request, Measure::Probe(self.which[k]), values)?;
         let (branch, i) = (&response.branches[s.at.0], s.at.1);
         let left = (!matches!(branch.end, End::Reached | End::Closed)).then(|| branch.points.last().map(|p| p.speed)).flatten();
         let at_end = s.refined.is_none() && (i == 0 || i + 1 == branch.points.len() && left.is_none());
-        Some(Largest { body, displacement: s.value, speed: branch.points[i].speed, refined: s.refined, at_end, left })
+        Some(Largest { owner, size: s.value, speed: branch.points[i].speed, refined: s.refined, at_end, left })
     }
 
-    /// Largest stable displacement of each body, and one that rises above all of them where a branch was left: what rises to such an end is no maximum.
-    pub(super) fn peaks(&mut self, response: &Response, request: &Request) -> (Vec<Largest>, Option<Rising>) {
+    /// Largest stable displacement of each point, or tilt of each body, and one that rises above all of them where a branch was left: what rises to such an end is
+    /// no maximum.
+    pub(super) fn peaks(&mut self, response: &Response, request: &Request, tilt: bool) -> (Vec<Largest>, Option<Rising>) {
         let mut rising: Option<Rising> = None;
-        let mut values: Vec<Vec<Vec<f64>>> = vec![vec![]; self.bodies.len()];
+        let own: Vec<usize> = (0..self.probes.len()).filter(|&k| self.probes[k].is_tilt() == tilt).collect();
+        let mut values: Vec<Vec<Vec<f64>>> = vec![vec![]; own.len()];
         for (b, branch) in response.branches.iter().enumerate() {
             let left = !matches!(branch.end, End::Reached | End::Closed);
-            for (k, values) in values.iter_mut().enumerate() {
-                let a = |i: usize| self.amplitudes[b][i][k][1];
+            for (&k, values) in own.iter().zip(&mut values) {
+                let a = |i: usize| self.sizes[b][i][k];
                 let last = branch.points.len().saturating_sub(1);
                 let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
                 let mut own = vec![f64::NAN; branch.points.len()];
                 for i in (0..branch.points.len()).filter(|&i| !branch.points[i].unstable()) {
                     if left && i >= foot && foot < last {
-                        if rising.as_ref().is_none_or(|r| a(i) > r.displacement) {
-                            let (body, speed) = (self.bodies[k].0.clone(), branch.points[i].speed);
-                            rising = Some(Rising { body, displacement: a(i), speed, branch: b });
+                        if rising.as_ref().is_none_or(|r| a(i) > r.size) {
+                            rising = Some(Rising { probe: k, size: a(i), speed: branch.points[i].speed, branch: b });
                         }
                     } else {
                         own[i] = a(i);
@@ -105,10 +109,23 @@ impl Shown<'_> {
                 values.push(own);
             }
         }
-        let largest: Vec<Largest> =
-            values.iter().enumerate().filter_map(|(k, values)| self.largest_of(response, request, k, values)).collect();
+        let found = own.iter().zip(&values);
+        let largest: Vec<Largest> = found.filter_map(|(&k, values)| self.largest_of(response, request, k, values)).collect();
         let most = largest.iter().map(|l| l.best().0).fold(f64::NEG_INFINITY, f64::max);
-        let rising = rising.filter(|r| r.displacement > most);
+        let rising = rising.filter(|r| r.size > most);
         (largest, rising)
+    }
+
+    /// It is the displacement of a body that only tilts.
+    pub(super) fn only_tilts(&self, l: &Largest) -> bool {
+        let own = self.tilts.iter().find(|t| t.owner == l.owner);
+        own.is_some_and(|t| l.best().0 <= sights::ROUNDING * t.best().0)
+    }
+
+    /// Some point is displaced, and not only by what rounding leaves beside the tilts.
+    pub(super) fn displaced(&self) -> bool {
+        let all = || self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied()));
+        let loud = sights::loudest(all());
+        loud == 0.0 || all().any(|(p, x)| !p.is_tilt() && !sights::still(p, x, loud, sights::ROUNDING))
     }
 }

@@ -36,6 +36,7 @@ use crate::solve::ensemble;
 use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
 use crate::solve::harmonic::settle;
 use crate::solve::symmetry::Symmetry;
+pub(super) use one::around;
 use shown::Shown;
 
 mod families;
@@ -185,9 +186,9 @@ harmonics = "auto"
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let mut shown = Shown::new(system, &response, &request)?;
         shown.measure(&response);
-        (shown.largest, shown.rising) = shown.peaks(&response, &request);
+        (shown.largest, shown.rising) = shown.peaks(&response, &request, false);
         shown.forces = shown.extreme_forces(&response, &request);
-        shown.tilts = shown.largest_tilts(&response, &request);
+        (shown.tilts, shown.tilt_rising) = shown.peaks(&response, &request, true);
         shown.centring = shown.centring(&response);
         shown.tuned = shown.tuning(&response, &request);
         let mut outcome = shown.outcome(&response, &request, context)?;

@@ -5,13 +5,14 @@
 use super::super::Context;
 use super::super::support::inconsistent;
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Finding, Outcome, Table, quantity};
 use crate::solve::harmonic::floquet::Stability;
-use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, respond};
+use crate::study::sights;
 use laval_num::continuation::Zero;
 use laval_num::dense::Mat;
 use laval_num::newton::{Options, newton};
@@ -22,13 +23,13 @@ const ASIDE: f64 = 1e-3;
 const SAME: f64 = 1e-7;
 
 /// The range of speeds in which branches are followed.
-pub(super) fn around(speed: f64) -> (f64, f64) {
+pub(in super::super) fn around(speed: f64) -> (f64, f64) {
     (speed - ASIDE * speed.abs(), speed + ASIDE * speed.abs())
 }
 
 /// A motion at the speed.
 struct Motion {
-    /// Largest displacement of each body, m.
+    /// Largest value of each probe over a period, m or rad.
     amplitudes: Vec<f64>,
     /// Period in turns.
     turns: usize,
@@ -48,7 +49,7 @@ impl Motion {
 
 /// Motions at the speed, by the displacement of the first body.
 fn motions(system: &System, request: &Request, response: &Response, speed: f64, context: &Context) -> Result<Vec<Motion>, Diagnostic> {
-    let bodies = system.bodies();
+    let (which, probes) = (sights::ordered(system), sights::probes(system));
     let mut stability = if request.stability { Stability::new(system).ok() } else { None };
     let mut out: Vec<Motion> = Vec::new();
     for branch in &response.branches {
@@ -68,9 +69,12 @@ fn motions(system: &System, request: &Request, response: &Response, speed: f64, 
             }
             let Ok(orbit) = Orbit::of(&mut balance, &x, speed) else { continue };
             let turns = branch.turns();
-            let amplitudes: Vec<f64> = bodies.iter().map(|b| Measure::Displacement(b.x).largest(system, &orbit, turns).0).collect();
+            let amplitudes = sights::sizes(system, &which, &orbit, turns);
+            // what is rounding beside the rest of a motion tells nothing of it
+            let loud = sights::loudest(probes.iter().zip(amplitudes.iter().copied()));
+            let near = |p: &Probe, a: f64, b: f64| (a - b).abs() <= SAME * a.max(b) || sights::still(p, a.max(b), loud, sights::ROUNDING);
             let same =
-                |m: &Motion| m.turns == turns && m.amplitudes.iter().zip(&amplitudes).all(|(a, b)| (a - b).abs() <= SAME * a.max(*b));
+                |m: &Motion| m.turns == turns && probes.iter().zip(m.amplitudes.iter().zip(&amplitudes)).all(|(p, (a, b))| near(p, *a, *b));
             if out.iter().any(same) {
                 continue;
             }
@@ -86,7 +90,9 @@ fn motions(system: &System, request: &Request, response: &Response, speed: f64, 
 pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64, context: &Context) -> Result<Outcome, Diagnostic> {
     let response = respond(system, request, context.cancel, &|done| context.progress.report(done, 0))?;
     let found = motions(system, request, &response, speed, context)?;
-    let bodies = system.bodies();
+    let probes = sights::probes(system);
+    let loud = sights::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
+    let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
     let end = if context.cancelled() { End::Cancelled } else { End::Reached };
     let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
     for (name, count) in &response.work {
@@ -106,18 +112,22 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
     for (k, m) in found.iter().enumerate() {
         let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
         let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
-        for (b, a) in bodies.iter().zip(&m.amplitudes) {
-            let text = format!("At {at} {which} is {}{period}; its largest displacement of \"{}\" is {{}}.", m.stability(), b.name);
-            let finding = Finding::info("steady_motion", text).of(format!("{} {}", k + 1, b.name)).value(*a, "m");
+        // of a body that only tilts its tilt is told
+        let told = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !sights::still(p, **a, loud, sights::ROUNDING);
+        for (p, a) in probes.iter().zip(&m.amplitudes).filter(told) {
+            let (what, owner) = (sights::quality(p), sights::owner(p));
+            let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.", m.stability());
+            let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
+            let finding = Finding::info(id, text).of(format!("{} {owner}", k + 1)).value(*a, p.unit());
             outcome = outcome.finding(finding.evidence("largest growth rate", m.growth.0, "1/s").evidence("error", m.growth.1, "1/s"));
         }
     }
     let mut table = Table::new("motions", format!("Steady motions at {at}"))
         .int("motion", "", "number by the displacement of the first body", (1..=count as i64).collect())
         .int("turns", "", "period in turns of the rotor", found.iter().map(|m| m.turns as i64).collect());
-    for (i, b) in bodies.iter().enumerate() {
-        let doc = "largest displacement over a period";
-        table = table.float(format!("amplitude.{}", b.name), "m", doc, found.iter().map(|m| m.amplitudes[i]).collect());
+    for (i, p) in probes.iter().enumerate() {
+        let doc = format!("largest {} over a period", sights::quality(p));
+        table = table.float(sights::column(p), p.unit(), doc, found.iter().map(|m| m.amplitudes[i]).collect());
     }
     let table = table
         .text("stability", "stable, unstable or of unknown stability", found.iter().map(|m| m.stability().into()).collect())

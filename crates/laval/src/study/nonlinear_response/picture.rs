@@ -3,9 +3,11 @@
 use super::shown::{Shown, judged};
 use super::stretches::unstable_throughout;
 use super::sweeps::reached;
+use crate::model::probe::Probe;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
+use crate::study::sights;
 
 /// Panels of the figure of forces at most.
 const MOST_PANELS: usize = 4;
@@ -13,7 +15,8 @@ const MOST_PANELS: usize = 4;
 impl Shown<'_> {
     /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
     pub(super) fn figure(&self, response: &Response, all: bool, speeds: (f64, f64)) -> Figure {
-        let values: Vec<f64> = self.amplitudes.iter().flatten().flatten().map(|a| a[1]).filter(|a| *a > 0.0 && a.is_finite()).collect();
+        let moved = self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s)).filter(|(p, _)| !p.is_tilt()).map(|s| *s.1);
+        let values: Vec<f64> = moved.filter(|a| *a > 0.0 && a.is_finite()).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
         let factor_of = |label: String| {
             // on a linear axis families lie apart that on a logarithmic one do not
@@ -30,17 +33,29 @@ impl Shown<'_> {
         };
         // mixed states are as large as the larger of their planes, but not in the mean
         let measure = if all { "rms" } else { "largest" };
-        let line = |name: &str, shown: &str| {
-            let line = grouped(Line::new("response", "speed", format!("{name} {measure} displacement")).name(shown));
+        let column = |column: String, shown: &str| {
+            let line = grouped(Line::new("response", "speed", column).name(shown));
             let line = line.solid_where("not unstable");
             if whole { line } else { line.meaning("stable or not judged", "unstable") }
         };
-        let mut panels: Vec<Panel> = if all {
+        let line = |name: &str, shown: &str| column(format!("{name} {measure} displacement"), shown);
+        let displaced = self.displaced();
+        let mut panels: Vec<Panel> = if !displaced {
+            vec![]
+        } else if all {
             self.bodies.iter().map(|(name, _)| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()
         } else {
             let panel = factor_of("largest displacement".into());
-            vec![self.bodies.iter().fold(panel, |panel, (name, _)| panel.mark(line(name, name)))]
+            let shown = self.probes.iter().filter(|p| !p.is_tilt());
+            vec![shown.fold(panel, |panel, p| panel.mark(column(sights::largest_column(p), &sights::owner(p))))]
         };
+        // the largest tilts are among what parts show
+        let tilt = |p: &&Probe| p.is_tilt() && self.observed.iter().any(|o| o.0 == format!("{} tilt", p.name));
+        let tilts: Vec<&Probe> = self.probes.iter().filter(tilt).collect();
+        if !tilts.is_empty() {
+            let panel = Panel::new(Axis::new("largest tilt", "mrad").factor(1e3));
+            panels.push(tilts.iter().fold(panel, |panel, p| panel.mark(column(format!("{} tilt", p.name), &p.name))));
+        }
         let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
         let [up, down] = [true, false].map(|up| reached(response, up, speeds));
         if let Some(first) = panels.first_mut() {
@@ -101,11 +116,11 @@ impl Shown<'_> {
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
         match self.most() {
-            Some(l) if self.rising.is_none() => format!(
+            Some(l) if self.rising.is_none() && self.displaced() => format!(
                 "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),
                 quantity(l.best().0, "m"),
-                l.body,
+                l.owner,
                 significant(l.best().1, 5)
             ),
             _ => "Largest displacement of each body against speed.".into(),

@@ -5,10 +5,10 @@ use super::forces::Extremes;
 use super::largest::{Largest, Rising};
 use super::self_centring::Centring;
 use super::tables::{branch_table, change_table};
-use super::tilts::Tilt;
 use super::tuning::Tuned;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
 use crate::solve::harmonic::branch::Origin;
@@ -19,7 +19,7 @@ use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
 use crate::solve::symmetry::Symmetry;
 use crate::study::support::{larger, largest};
-use crate::study::{Context, Study};
+use crate::study::{Context, Study, sights};
 use laval_num::continuation::End;
 use std::f64::consts::TAU;
 
@@ -29,10 +29,15 @@ pub(super) struct Shown<'a> {
     /// By the discretisation of a branch.
     balances: Vec<Balance<'a>>,
     pub(super) bodies: Vec<(String, usize)>,
+    /// Probes that are measured, the reference points of the bodies first, and their indices among those of the machine.
+    pub(super) probes: Vec<Probe>,
+    pub(super) which: Vec<usize>,
+    /// By branch and point: per probe the largest value over a period, m or rad.
+    pub(super) sizes: Vec<Vec<Vec<f64>>>,
     /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin, root of the mean square,
     /// largest y, amplitudes of x and y at the spin frequency.
     pub(super) amplitudes: Vec<Vec<Vec<[f64; 8]>>>,
-    /// By branch and fold: per body the largest distance from the axis.
+    /// By branch and fold: per probe the largest value over a period.
     pub(super) at_folds: Vec<Vec<Vec<f64>>>,
     /// Slots of parts whose force is measured; by branch, point and slot the force at the spin frequency: semi-major axis, amplitudes of x and y.
     pub(super) force_slots: Vec<usize>,
@@ -42,12 +47,13 @@ pub(super) struct Shown<'a> {
     pub(super) observations: Vec<Vec<Vec<f64>>>,
     /// By branch and point: largest use of validity and what.
     pub(super) validity: Vec<Vec<(f64, String)>>,
-    /// Largest displacement of each body.
+    /// Largest displacement of each point of the bodies.
     pub(super) largest: Vec<Largest>,
     pub(super) rising: Option<Rising>,
     pub(super) forces: Vec<Extremes>,
     /// Largest tilt of each body.
-    pub(super) tilts: Vec<Tilt>,
+    pub(super) tilts: Vec<Largest>,
+    pub(super) tilt_rising: Option<Rising>,
     pub(super) centring: Option<Centring>,
     pub(super) tuned: Vec<Tuned>,
 }
@@ -71,6 +77,9 @@ impl<'a> Shown<'a> {
             system,
             balances,
             bodies,
+            probes: sights::probes(system),
+            which: sights::ordered(system),
+            sizes: vec![],
             amplitudes: vec![],
             at_folds: vec![],
             force_slots: Measure::forces(system),
@@ -82,6 +91,7 @@ impl<'a> Shown<'a> {
             rising: None,
             forces: vec![],
             tilts: vec![],
+            tilt_rising: None,
             centring: None,
             tuned: vec![],
         })
@@ -120,9 +130,12 @@ impl<'a> Shown<'a> {
         for branch in &response.branches {
             let balance = self.balance_of(branch);
             let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+            let mut sizes = Vec::new();
             for state in &branch.points {
                 let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
-                amplitudes.push(self.amplitudes_of(&orbit, branch.turns()));
+                let own = self.amplitudes_of(&orbit, branch.turns());
+                sizes.push(self.sizes_of(&orbit, branch.turns(), &own));
+                amplitudes.push(own);
                 forces.push(self.forces_of(&orbit, branch.turns()));
                 let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
                 observations.push(seen);
@@ -131,22 +144,31 @@ impl<'a> Shown<'a> {
             let mut folds = Vec::new();
             for f in &branch.folds {
                 let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
-                folds.push(self.amplitudes_of(&orbit, branch.turns()).iter().map(|a| a[1]).collect());
+                let own = self.amplitudes_of(&orbit, branch.turns());
+                folds.push(self.sizes_of(&orbit, branch.turns(), &own));
             }
             self.at_folds.push(folds);
             self.first_forces.push(forces);
+            self.sizes.push(sizes);
             self.amplitudes.push(amplitudes);
             self.observations.push(observations);
             self.validity.push(validity);
         }
     }
 
-    /// The body that moves most at a fold, and its largest displacement.
-    pub(super) fn size_at(&self, response: &Response, fold: &Fold) -> Option<(String, f64)> {
+    /// What moves most at a fold, of tilts where nothing is displaced: its probe and the largest value.
+    pub(super) fn size_at(&self, response: &Response, fold: &Fold) -> Option<(&Probe, f64)> {
         let place = |(b, t): (usize, &Traced)| Some((b, t.folds.iter().position(|f| std::ptr::eq(f, fold))?));
         let (b, k) = response.branches.iter().enumerate().find_map(place)?;
-        let sizes = self.bodies.iter().map(|b| b.0.clone()).zip(self.at_folds.get(b)?.get(k)?.iter().copied());
+        let tilt = !self.displaced();
+        let sizes = self.probes.iter().zip(self.at_folds.get(b)?.get(k)?.iter().copied()).filter(|s| s.0.is_tilt() == tilt);
         sizes.filter(|s| s.1.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Largest value of every probe; that of a reference point is known already.
+    fn sizes_of(&self, orbit: &Orbit, turns: usize, own: &[[f64; 8]]) -> Vec<f64> {
+        let (bodies, others) = self.which.split_at(own.len().min(self.which.len()));
+        own.iter().take(bodies.len()).map(|a| a[1]).chain(sights::sizes(self.system, others, orbit, turns)).collect()
     }
 
     /// Of every part whose force is measured, its force at the spin frequency.

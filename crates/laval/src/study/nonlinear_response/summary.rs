@@ -32,13 +32,13 @@ impl Sweep {
     }
 }
 
-/// The largest stable displacement of any body over a period.
+/// The largest stable displacement or tilt of any body over a period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Top {
-    /// Name of the body.
+    /// Name of the body, or of a point of it.
     pub body: String,
-    /// Displacement, m.
-    pub displacement: f64,
+    /// Displacement, m, or tilt, rad.
+    pub size: f64,
     /// Speed, rad/s.
     pub speed: f64,
     /// It lies at an end of the range of speeds.
@@ -56,9 +56,11 @@ pub struct Summary {
     pub hysteresis: f64,
     /// Such speeds reach an end of the range.
     pub open: bool,
-    /// `None` where the displacement still rises where a branch was left.
+    /// The largest displacement; `None` where it still rises where a branch was left, and where nothing but tilts.
     pub top: Option<Top>,
-    /// A branch was left while its displacement still rose above all others.
+    /// The largest tilt; `None` where it still rises where a branch was left, and where nothing tilts.
+    pub tilt: Option<Top>,
+    /// A branch was left while its displacement or tilt still rose above all others.
     pub rising: bool,
     /// Ranges in which states are unstable for another reason than lying between two folds.
     pub unstable: Vec<(f64, f64)>,
@@ -91,11 +93,17 @@ impl Summary {
         let response = respond(system, request, cancel, &|_| {})?;
         let mut shown = Shown::new(system, &response, request)?;
         shown.measure(&response);
-        let (largest, rising) = shown.peaks(&response, request);
-        let top = largest.into_iter().filter(|_| rising.is_none()).max_by(|a, b| a.best().0.total_cmp(&b.best().0)).map(|l| {
-            let (displacement, speed) = l.best();
-            Top { displacement, speed, at_end: l.at_end, body: l.body }
-        });
+        let displaced = shown.displaced();
+        let mut rises = false;
+        let mut top = |tilt: bool, counts: bool| {
+            let (largest, rising) = shown.peaks(&response, request, tilt);
+            let rising = rising.is_some() && counts;
+            rises |= rising;
+            let most = largest.into_iter().filter(|_| counts && !rising).max_by(|a, b| a.best().0.total_cmp(&b.best().0))?;
+            let (size, speed) = most.best();
+            Some(Top { size, speed, at_end: most.at_end, body: most.owner })
+        };
+        let (top, tilt) = (top(false, displaced), top(true, true));
         let (hysteresis, open) = several(&response, request.speeds);
         let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_runs(b))).collect();
         unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -111,7 +119,8 @@ impl Summary {
             hysteresis,
             open,
             top,
-            rising: rising.is_some(),
+            tilt,
+            rising: rises,
             unstable,
             changes: response.branches.iter().flat_map(|b| &b.changes).map(|c| (c.event, c.speed)).collect(),
             growth,

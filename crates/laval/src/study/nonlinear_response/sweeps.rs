@@ -3,9 +3,11 @@
 use super::findings::reason;
 use super::shown::words;
 use super::stretches::{range_words, ranges_of, unstable_runs};
+use crate::model::probe::Probe;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, Traced};
+use crate::study::sights;
 use laval_num::continuation::End;
 use std::ops::Range;
 
@@ -29,8 +31,8 @@ pub(super) struct Jump<'r> {
 /// States before a fold that are looked at.
 const NEAR: usize = 4;
 
-/// The body that moves most at a fold, and its largest displacement, m.
-type Size<'a> = &'a dyn Fn(&Fold) -> Option<(String, f64)>;
+/// What moves most at a fold, and how far, m or rad.
+type Size<'a> = &'a dyn Fn(&Fold) -> Option<(&'a Probe, f64)>;
 
 /// The branches from both ends of the range.
 fn main_branches(response: &Response) -> impl Iterator<Item = &Traced> {
@@ -190,7 +192,9 @@ impl Jump<'_> {
         let finding =
             Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}")).value(f.speed, "rad/s");
         let finding = match size(f) {
-            Some((body, size)) => finding.evidence(format!("largest displacement of \"{body}\" at the fold"), size, "m"),
+            Some((p, size)) => {
+                finding.evidence(format!("largest {} of \"{}\" at the fold", sights::quality(p), sights::owner(p)), size, p.unit())
+            }
             None => finding,
         };
         finding

@@ -5,6 +5,7 @@ use crate::outcome::{OutcomeError, Table};
 use crate::solve::harmonic::bifurcation::Change;
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, State, Traced};
+use crate::study::sights;
 use crate::study::support::largest;
 use laval_num::continuation::End;
 
@@ -58,6 +59,11 @@ impl Shown<'_> {
             if response.branches.iter().any(|b| b.turns() > 1) {
                 t = t.float(format!("{name} subharmonic"), "m", "largest modulus of a component slower than the spin", column(3));
             }
+        }
+        // the tilts of bodies are among what parts show
+        for (k, p) in self.probes.iter().enumerate().filter(|(_, p)| !p.is_reference() && !p.is_tilt()) {
+            let column = all.iter().map(|a| self.sizes[a.0][a.1][k]).collect();
+            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), column);
         }
         for (k, (name, unit)) in self.observed.iter().enumerate() {
             let column = all.iter().map(|a| self.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
@@ -118,14 +124,9 @@ impl Shown<'_> {
                 "change when four more orders are kept; NaN when no fold was found with them",
                 column(&|f| f.harmonics_change),
             );
-        for (k, (name, _)) in self.bodies.iter().enumerate() {
+        for (k, p) in self.probes.iter().enumerate() {
             let sizes = self.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
-            t = t.float(
-                format!("{name} largest displacement"),
-                "m",
-                "largest distance of the centre from its rest position over a period at the fold",
-                sizes,
-            );
+            t = t.float(sights::largest_column(p), p.unit(), format!("{} at the fold", sights::largest_doc(p)), sizes);
         }
         t.build()
     }

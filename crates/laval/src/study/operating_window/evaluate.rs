@@ -51,7 +51,7 @@ pub(super) struct Unseen {
 /// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
 fn unseen(system: &System, asked: &Asked) -> Vec<Unseen> {
     let apart = |k: usize| system.probes().iter().any(|p| p.body == k && !p.is_tilt() && !p.is_reference());
-    let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.name == name);
+    let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.body == name);
     let l = &asked.limits;
     let seen = |k: usize, name: &str| limited(&l.tilt, name) || (apart(k) && limited(&l.displacement, name)) || !l.moment.is_empty();
     let bodies = system.bodies().into_iter().enumerate();

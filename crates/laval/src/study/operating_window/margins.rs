@@ -11,7 +11,7 @@ use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
 use crate::study::duty::Carried;
 use crate::study::duty::task::{Task, needed};
-use crate::study::limits::Limits;
+use crate::study::limits::{Limit, Limits};
 use crate::study::support::largest;
 use laval_num::complex::{C64, c};
 use std::sync::Arc;
@@ -274,12 +274,20 @@ impl Judge<'_> {
         let place = |name: &str| bodies.iter().position(|b| b.name == name);
         let mut all = Vec::new();
         for s in met {
-            let of_body = |list: &[f64], name: &str| place(name).and_then(|k| list.get(k).copied());
-            let of_bodies =
-                [(&l.displacement, "displacement", &s.displacement), (&l.velocity, "velocity", &s.velocity), (&l.tilt, "tilt", &s.tilt)];
-            for (limits, what, list) in of_bodies {
+            // a point of a body that does not tilt moves as the body does
+            let point = |limit: &Limit| system.probes().iter().position(|p| limit.is_at(p));
+            let of_body = |list: &[f64], which: Option<usize>, limit: &Limit| match (point(limit), which) {
+                (Some(k), Some(i)) => s.points.get(k).map(|p| p[i]),
+                _ => place(&limit.body).and_then(|k| list.get(k).copied()),
+            };
+            let of_bodies = [
+                (&l.displacement, "displacement", &s.displacement, Some(0)),
+                (&l.velocity, "velocity", &s.velocity, Some(1)),
+                (&l.tilt, "tilt", &s.tilt, None),
+            ];
+            for (limits, what, list, which) in of_bodies {
                 for limit in limits {
-                    all.extend(of_body(list, &limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                    all.extend(of_body(list, which, limit).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
                 }
             }
             for (limits, what, of) in [(&l.force, "force", &s.force), (&l.moment, "moment", &s.moment)] {

@@ -1,9 +1,11 @@
 //! The way up through the resonances, and down again: largest displacements and torque up to every speed. Simulated to the top of the range and back.
 
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::model::timed::Speeds;
 use crate::outcome::Finding;
+use crate::solve::motion::envelope::Window;
 use crate::solve::motion::flight::{Choice, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
@@ -19,6 +21,8 @@ use std::f64::consts::TAU;
 #[derive(Clone)]
 pub(super) struct Passage {
     bodies: Vec<String>,
+    /// Points beside the reference points.
+    points: Vec<Probe>,
     ways: [Vec<Stretch>; 2],
     /// Steps of the integration.
     pub steps: u64,
@@ -33,6 +37,8 @@ struct Stretch {
     speeds: (f64, f64),
     /// Largest displacement of each body, m, and the speed it happens at.
     moved: Vec<(f64, f64)>,
+    /// The same of each point beside the reference points.
+    aside: Vec<(f64, f64)>,
     /// Torque of the drive, N m.
     torque: f64,
 }
@@ -56,7 +62,8 @@ impl Passage {
         context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
         let told = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
         let (ways, steps) = both_ways(system, (top, duration), context, &told)?;
-        Ok(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), ways, steps, lacks })
+        let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
+        Ok(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps, lacks })
     }
 
     /// Stretches of a way up to a speed.
@@ -66,16 +73,26 @@ impl Passage {
 
     /// Largest displacement of each body on the way up to a speed and down again.
     pub fn peaks(&self, speed: f64) -> Vec<Peak> {
-        let mut out = Vec::new();
-        for (way, up) in [(0, true), (1, false)] {
-            for (k, body) in self.bodies.iter().enumerate() {
-                let moved = self.stretches(way, speed).filter_map(|s| s.moved.get(k).copied());
-                // NaN before all
-                let largest = moved.reduce(|a, b| if b.0 > a.0 || b.0.is_nan() { b } else { a });
-                out.extend(largest.map(|(displacement, speed)| Peak { body: body.clone(), up, displacement, speed }));
-            }
-        }
+        let of = |k: usize| self.largest(speed, move |s| s.moved.get(k).copied());
+        let one = |(k, body): (usize, &String)| -> Vec<Peak> {
+            let peak = |(up, at): (bool, (f64, f64))| Peak { body: body.clone(), up, displacement: at.0, speed: at.1 };
+            of(k).map(peak).collect()
+        };
+        let mut out: Vec<Peak> = self.bodies.iter().enumerate().flat_map(one).collect();
+        out.sort_by_key(|p| !p.up);
         out
+    }
+
+    /// On the way up to a speed, and down again, the largest of a displacement with its speed; NaN before all.
+    fn largest<'s>(
+        &'s self,
+        speed: f64,
+        of: impl Fn(&Stretch) -> Option<(f64, f64)> + Copy + 's,
+    ) -> impl Iterator<Item = (bool, (f64, f64))> + 's {
+        [(0, true), (1, false)].into_iter().filter_map(move |(way, up)| {
+            let moved = self.stretches(way, speed).filter_map(of);
+            Some((up, moved.reduce(|a, b| if b.0 > a.0 || b.0.is_nan() { b } else { a })?))
+        })
     }
 
     /// Largest torque of the way to a speed and back, N m; NaN stays.
@@ -93,11 +110,18 @@ impl Passage {
     /// Margin of the passage to a speed and back.
     pub fn margin(&self, speed: f64, limits: &Limits) -> (f64, String) {
         let mut worst = (f64::INFINITY, "passage".to_string());
-        for p in self.peaks(speed) {
-            for limit in limits.passage.iter().filter(|l| l.name == p.body) {
-                let m = 1.0 - p.displacement / limit.value;
+        for limit in &limits.passage {
+            let body = self.bodies.iter().position(|b| *b == limit.body);
+            let point = self.points.iter().position(|p| limit.is_at(p));
+            let of = move |s: &Stretch| match (point, body) {
+                (Some(k), _) => s.aside.get(k).copied(),
+                (None, Some(k)) => s.moved.get(k).copied(),
+                _ => None,
+            };
+            for (_, (displacement, at)) in self.largest(speed, of) {
+                let m = 1.0 - displacement / limit.value;
                 if !(m >= worst.0) {
-                    worst = (m, format!("displacement of {} at {:.4} rad/s", p.body, p.speed));
+                    worst = (m, format!("displacement of {} at {at:.4} rad/s", limit.name));
                 }
             }
         }
@@ -170,9 +194,11 @@ fn both_ways(
         }
         for k in 0..WINDOWS {
             let [a, b] = [k, k + 1].map(|i| programme.at(duration * i as f64 / WINDOWS as f64).speed);
-            let moved = flight.windows.iter().map(|w| (w[k].peak.amplitude, programme.at(w[k].peak.t).speed)).collect();
+            let peak = |w: &Vec<Window>| (w[k].peak.amplitude, programme.at(w[k].peak.t).speed);
+            let moved = flight.windows.iter().map(peak).collect();
+            let aside = flight.points.iter().map(|p| peak(&p.1)).collect();
             let torque = torques.get(k).copied().unwrap_or(f64::NAN);
-            way.push(Stretch { speeds: (a.min(b), a.max(b)), moved, torque });
+            way.push(Stretch { speeds: (a.min(b), a.max(b)), moved, aside, torque });
         }
         // from the lowest speed on, both ways
         if to < from {

@@ -26,6 +26,8 @@ pub(super) struct State {
     pub displacement: Vec<f64>,
     /// Largest velocity of each body, the same, m/s.
     pub velocity: Vec<f64>,
+    /// Largest displacement, m, and velocity, m/s, of each probe that is no tilt.
+    pub points: Vec<[f64; 2]>,
     /// Largest tilt of each body, rad; 0 of a body that does not tilt.
     pub tilt: Vec<f64>,
     /// Largest force of each part that shows one, N.
@@ -56,6 +58,7 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
     let mut out = State {
         displacement: vec![0.0; bodies.len()],
         velocity: vec![0.0; bodies.len()],
+        points: vec![[0.0; 2]; system.probes().len()],
         tilt: vec![0.0; bodies.len()],
         force: BTreeMap::new(),
         moment: BTreeMap::new(),
@@ -77,9 +80,10 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         let tau = TAU * j as f64 / SAMPLES as f64;
         orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
         q.iter_mut().zip(offset).for_each(|(q, o)| *q += o);
-        for p in system.probes().iter().filter(|p| !p.is_tilt()) {
+        for (k, p) in system.probes().iter().enumerate().filter(|p| !p.1.is_tilt()) {
             let [x, y] = p.of(&v);
             raise(&mut out.velocity[p.body], x.hypot(y));
+            raise(&mut out.points[k][1], x.hypot(y));
         }
         let at =
             At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
@@ -105,7 +109,9 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
     // the largest values lie between the instants; displacements count from rest
     for (k, p) in system.probes().iter().enumerate() {
         let of = if p.is_tilt() { &mut out.tilt } else { &mut out.displacement };
-        raise(&mut of[p.body], Measure::Probe(k).largest(system, orbit, order).0);
+        let size = Measure::Probe(k).largest(system, orbit, order).0;
+        raise(&mut of[p.body], size);
+        raise(&mut out.points[k][0], size);
     }
     if offset.iter().all(|o| *o == 0.0) {
         for slot in Measure::forces(system) {

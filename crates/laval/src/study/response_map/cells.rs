@@ -4,7 +4,7 @@ use super::Axis;
 use crate::outcome::End;
 use crate::solve::harmonic::bifurcation::Event;
 use crate::store::{Cells, Column};
-use crate::study::nonlinear_response::summary::{Summary, Sweep};
+use crate::study::nonlinear_response::summary::{Summary, Sweep, Top};
 
 /// One machine.
 pub(super) struct Cell {
@@ -40,6 +40,9 @@ fn sweeps(s: &Summary) -> &'static str {
     }
 }
 
+/// Column of the largest tilt.
+pub(super) const TILT: &str = "tilt";
+
 /// A column and where its values come from.
 pub(super) struct CellColumn {
     pub column: Column,
@@ -62,7 +65,7 @@ fn flag(x: bool) -> f64 {
 }
 
 /// The columns.
-pub(super) fn columns(axes: &[Axis; 2]) -> Vec<CellColumn> {
+pub(super) fn columns(axes: &[Axis; 2], tilts: bool) -> Vec<CellColumn> {
     let mut out: Vec<CellColumn> = Vec::new();
     for (k, a) in axes.iter().enumerate() {
         out.push(CellColumn { column: Column::float(&a.path, a.unit, "value of the parameter"), get: Get::Place(k) });
@@ -83,14 +86,21 @@ pub(super) fn columns(axes: &[Axis; 2]) -> Vec<CellColumn> {
     number("open", "", "1 where such speeds reach an end of the range, so that the width goes on beyond it; NaN where it failed", |s| {
         flag(s.open)
     });
-    number("peak", "m", "largest stable displacement of any body; NaN where it failed or was not reached", |s| {
-        s.top.as_ref().map_or(f64::NAN, |t| t.displacement)
+    number("peak", "m", "largest stable displacement of any body, at the points that count; NaN where it failed or was not reached", |s| {
+        s.top.as_ref().map_or(f64::NAN, |t| t.size)
     });
     number("peak_speed", "rad/s", "its speed; NaN where it failed or was not reached", |s| s.top.as_ref().map_or(f64::NAN, |t| t.speed));
     number("peak_at_end", "", "1 where it lies at an end of the range of speeds; NaN where there is none", |s| {
         s.top.as_ref().map_or(f64::NAN, |t| flag(t.at_end))
     });
-    number("rising", "", "1 where the displacement still rose where a branch was left; NaN where it failed", |s| flag(s.rising));
+    if tilts {
+        fn of(s: &Summary, f: fn(&Top) -> f64) -> f64 {
+            s.tilt.as_ref().map_or(f64::NAN, f)
+        }
+        number(TILT, "rad", "largest stable tilt of any body; NaN where it failed or was not reached", |s| of(s, |t| t.size));
+        number("tilt_speed", "rad/s", "its speed; NaN where it failed or was not reached", |s| of(s, |t| t.speed));
+    }
+    number("rising", "", "1 where the displacement or tilt still rose where a branch was left; NaN where it failed", |s| flag(s.rising));
     number("unstable_from", "rad/s", &format!("lowest speed of unstable states that are not between two folds; {none}"), |s| {
         s.unstable.iter().map(|r| r.0).fold(f64::NAN, f64::min)
     });
@@ -114,7 +124,10 @@ pub(super) fn columns(axes: &[Axis; 2]) -> Vec<CellColumn> {
         out.push(CellColumn { column: Column::text(name, doc), get: Get::Word(get) });
     };
     word("sweeps", "what slow sweeps up and down do", |s| Some(sweeps(s).into()));
-    word("body", "the body that moves farthest", |s| s.top.as_ref().map(|t| t.body.clone()));
+    word("body", "the body, or point of a body, that moves farthest", |s| s.top.as_ref().map(|t| t.body.clone()));
+    if tilts {
+        word("tilting_body", "the body that tilts most", |s| s.tilt.as_ref().map(|t| t.body.clone()));
+    }
     word("unstable", "ranges of speed of unstable states, rad/s", |s| {
         let each: Vec<String> = s.unstable.iter().map(|r| format!("{} to {}", r.0, r.1)).collect();
         (!each.is_empty()).then(|| each.join("; "))

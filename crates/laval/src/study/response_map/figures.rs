@@ -1,7 +1,7 @@
 //! Maps of the largest peak, of the width of the hysteresis, and of what slow sweeps do.
 
 use super::Axis as Parameter;
-use super::cells::SWEEPS;
+use super::cells::{SWEEPS, TILT};
 use super::report::Map;
 use crate::outcome::{Axis, Figure, Heat, Line, Mark, Outcome, Panel};
 
@@ -48,6 +48,12 @@ pub(super) fn add(map: &Map, mut outcome: Outcome) -> Outcome {
         let colours = lengths("largest peak", most, least > 0.0 && most > WIDE * least);
         let heat = Heat::new("map", x, y, "peak", colours);
         outcome = outcome.figure(figure("peak", "Largest peak", "Largest stable displacement", heat.into(), true));
+    }
+    let (least, most) = known(TILT);
+    if least <= most {
+        let colours = Axis::new("largest tilt", "mrad").factor(1e3);
+        let heat = Heat::new("map", x, y, TILT, colours);
+        outcome = outcome.figure(figure("tilt", "Largest tilt", "Largest stable tilt", heat.into(), true));
     }
     let (_, widest) = known("hysteresis");
     if widest > 0.0 {

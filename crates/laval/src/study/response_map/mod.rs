@@ -20,6 +20,7 @@ use super::support::range;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::response::Request;
@@ -130,7 +131,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
         self.admit(system)?;
         let values = self.axes.each_ref().map(Axis::values);
         let rows = values[0].len() * values[1].len();
-        let columns = cells::columns(&self.axes);
+        let columns = cells::columns(&self.axes, system.probes().iter().any(Probe::is_tilt));
         let plan = store::Plan {
             study: Self::KIND.into(),
             columns: columns.iter().map(|c| c.column.clone()).collect(),

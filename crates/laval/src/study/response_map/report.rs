@@ -1,7 +1,7 @@
 //! From cells to findings and tables.
 
 use super::border::{Piece, pieces};
-use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, UP};
+use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
 use super::{ResponseMap, figures};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding, Outcome, Table, quantity, significant};
@@ -106,8 +106,10 @@ fn failures(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
     }
     let rising = map.column("rising").iter().filter(|x| **x == 1.0).count();
     if rising > 0 {
-        let text =
-            format!("Of {{}} of {} machines the displacement still rises where a branch was left: they have no peak here.", map.len());
+        let text = format!(
+            "Of {{}} of {} machines the displacement or tilt still rises where a branch was left: they have no peak here.",
+            map.len()
+        );
         out.push(Finding::warning("peaks_not_reached", text).value(rising as f64, ""));
     }
     Ok(out)
@@ -138,19 +140,23 @@ fn jumping(map: &Map) -> Vec<Finding> {
     out
 }
 
-/// The largest and the smallest peak of the map.
+/// Columns of the largest displacement and of its speed, and its unit.
+const PEAK: (&str, &str, &str) = ("peak", "peak_speed", "m");
+
+/// The largest and the smallest peak of the map, and the largest tilt.
 fn peaks(map: &Map) -> Vec<Finding> {
-    let one = |id: &str, word: &str, sign: f64| {
-        let (cell, peak) = map.best("peak", sign)?;
+    let one = |id: &str, what: &str, (column, at, unit): (&str, &str, &str), sign: f64| {
+        let (cell, peak) = map.best(column, sign)?;
         let of = |name: &str| map.column(name).get(cell).copied().unwrap_or(f64::NAN);
-        let end = if of("peak_at_end") == 1.0 { ", an end of the range" } else { "" };
-        let text = format!("The {word} peak is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of("peak_speed"), 4));
-        let f = Finding::info(id, text).value(peak, "m").evidence("speed", of("peak_speed"), "rad/s");
+        let end = if column == PEAK.0 && of("peak_at_end") == 1.0 { ", an end of the range" } else { "" };
+        let text = format!("The {what} is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of(at), 4));
+        let f = Finding::info(id, text).value(peak, unit).evidence("speed", of(at), "rad/s");
         Some(map.with_place(f.evidence("dropped over kept force harmonics, worst point", of("truncation"), ""), cell))
     };
     let several = map.column("peak").iter().filter(|p| p.is_finite()).count() > 1;
-    let mut out: Vec<Finding> = one("largest_peak", "largest", 1.0).into_iter().collect();
-    out.extend(several.then(|| one("smallest_peak", "smallest", -1.0)).flatten());
+    let mut out: Vec<Finding> = one("largest_peak", "largest peak", PEAK, 1.0).into_iter().collect();
+    out.extend(several.then(|| one("smallest_peak", "smallest peak", PEAK, -1.0)).flatten());
+    out.extend(one("largest_tilt", "largest tilt", (TILT, "tilt_speed", "rad"), 1.0));
     out
 }
 

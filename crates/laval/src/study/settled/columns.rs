@@ -3,8 +3,10 @@
 use super::measure::BodyMeasure;
 use super::period::Verdict;
 use super::{Rules, Settled};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::store::{Cells, Column};
+use crate::study::sights;
 
 /// A row of a study that settles motions.
 pub trait Row {
@@ -42,29 +44,13 @@ pub fn body<R: Row>(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&B
     number(name, "m", doc, move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| of(&m.bodies[b])))
 }
 
-/// First coordinates of what is recorded: displacements of the bodies, then the tilts of those that tilt.
-pub fn recorded(system: &System) -> Vec<usize> {
-    let bodies = system.bodies();
-    bodies.iter().map(|b| b.x).chain(bodies.iter().filter_map(|b| b.tilt)).collect()
-}
-
-/// Bodies that tilt, in the order of [`recorded`].
-pub fn tilting(system: &System) -> Vec<String> {
-    system.bodies().into_iter().filter(|b| b.tilt.is_some()).map(|b| b.name).collect()
-}
-
-/// The largest tilts.
-pub fn tilts<R: Row>(system: &System) -> Vec<RowColumn<R>> {
-    let first = system.bodies().len();
-    let of = |(k, name): (usize, String)| {
-        number(tilt(&name), "rad", "largest tilt", move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| m.bodies[first + k].peak))
+/// The largest displacements of points beside the reference points of bodies, and the largest tilts.
+pub fn others<R: Row>(system: &System) -> Vec<RowColumn<R>> {
+    let of = |(k, probe): (usize, Probe)| {
+        let doc = format!("largest {}", sights::quality(&probe));
+        number(sights::column(&probe), probe.unit(), &doc, move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| m.bodies[k].peak))
     };
-    tilting(system).into_iter().enumerate().map(of).collect()
-}
-
-/// Name of the column of the largest tilt of a body.
-pub fn tilt(body: &str) -> String {
-    format!("tilt.{body}")
+    sights::probes(system).into_iter().enumerate().filter(|p| !p.1.is_reference()).map(of).collect()
 }
 
 /// How the motion was judged, what that took, and where it leaves the model of a part.

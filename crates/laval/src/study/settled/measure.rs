@@ -14,7 +14,7 @@ pub const HIGHEST: usize = 4;
 /// Local maxima this much below the highest sample are refined too.
 const NEARLY: f64 = 0.98;
 
-/// One body's motion about its place of rest.
+/// The motion of one probe about its value at rest: of a displacement, or of a tilt with rad for m.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyMeasure {
     /// Largest displacement, m.
@@ -30,8 +30,9 @@ pub struct BodyMeasure {
 /// See the [module](self).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
+    /// By probe, the reference points of the bodies first.
     pub bodies: Vec<BodyMeasure>,
-    /// x and y of every body at the last whole periods, oldest first.
+    /// Both components of every probe at the last whole periods, oldest first.
     pub points: Vec<Vec<f64>>,
     /// Radii of the circular parts of one body at the orders -4, -4 + 1/16 .. 4, m; negative orders turn backward.
     pub spectrum: Vec<f64>,
@@ -40,14 +41,14 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// From samples of x and y of every body, over the last `periods` periods.
+    /// From samples of both components of every probe, over the last `periods` periods.
     pub(super) fn of(settling: &Settling, periods: usize, samples: &[f64], validity: Option<(String, f64)>) -> Self {
-        let width = 2 * settling.bodies.len();
+        let width = 2 * settling.probes.len();
         let motion = |b: usize| samples.chunks_exact(width).map(|s| c(s[2 * b], s[2 * b + 1])).collect::<Vec<C64>>();
-        let bodies = (0..settling.bodies.len()).map(|b| body(&motion(b), periods, settling.rules.periods)).collect();
+        let bodies = (0..settling.probes.len()).map(|b| body(&motion(b), periods, settling.rules.periods)).collect();
         let sections: Vec<Vec<f64>> = samples.chunks_exact(width).step_by(SAMPLES).map(<[f64]>::to_vec).collect();
         let points = sections[sections.len().saturating_sub(POINTS)..].to_vec();
-        let wanted = settling.rules.spectrum.and_then(|x| settling.bodies.iter().position(|&b| b == x));
+        let wanted = settling.rules.spectrum.and_then(|x| settling.probes.iter().position(|p| p.is_reference() && p.rows[0] == [(x, 1.0)]));
         Measure { bodies, points, spectrum: wanted.map_or_else(Vec::new, |b| spectrum(&motion(b))), validity }
     }
 }

@@ -15,6 +15,7 @@ pub(super) mod period;
 mod shooting;
 pub(super) mod told;
 
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Method, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;
@@ -203,8 +204,8 @@ pub(super) struct Settling<'a> {
     pub members: &'a [Member],
     pub rules: &'a Rules,
     pub counter: &'a Rows<'a>,
-    /// Index of x of every body.
-    pub bodies: Vec<usize>,
+    /// What is recorded.
+    pub probes: Vec<Probe>,
 }
 
 /// What is remembered of a member.
@@ -225,7 +226,7 @@ pub(super) struct Log {
     bounded: bool,
     steps: u64,
     sections: Sections,
-    /// x and y of every body at every sample, from their places of rest.
+    /// Both components of every probe at every sample, from their values at rest.
     samples: Vec<f64>,
     limits: Limits,
     shooting: Option<Shooting>,
@@ -383,8 +384,9 @@ impl Voyage for Settling<'_> {
             log.sections.push(y);
         }
         let rest = log.sections.rest();
-        for &x in &self.bodies {
-            log.samples.extend([y[x] - rest[x], y[x + 1] - rest[x + 1]]);
+        for p in &self.probes {
+            let ([x, y], [x0, y0]) = (p.of(y), p.of(rest));
+            log.samples.extend([x - x0, y - y0]);
         }
     }
 

@@ -3,6 +3,7 @@
 use super::Fleet;
 use super::report::Path;
 use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
+use crate::study::sights;
 
 /// Classes of figures.
 const WAYS: &[&str] = &["rest", "up", "down"];
@@ -17,22 +18,25 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
     }
     let speed = || Axis::new("spin speed", "rad/s");
     let ways = paths.iter().map(|p| p.way.word()).collect::<Vec<_>>().join(", ");
-    let largest = |b: usize| paths.iter().flat_map(|p| &p.amplitude[b]).fold(0.0f64, |m, a| if *a > m { *a } else { m });
-    let alt = format!("Largest displacement of each body over spin speed (start: {ways}).");
+    let largest = |k: usize| paths.iter().flat_map(|p| &p.amplitude[k]).fold(0.0f64, |m, a| if *a > m { *a } else { m });
+    let alt = format!("Largest displacement or tilt of each body over spin speed (start: {ways}).");
     let mut figure = Figure::new("amplitude", "Amplitude", alt).x(speed());
-    for (b, body) in fleet.bodies.iter().enumerate().take(MOST_BODIES) {
-        let axis = Axis::new(&body.name, if largest(b) < 1e-3 { "µm" } else { "mm" }).factor(if largest(b) < 1e-3 { 1e6 } else { 1e3 });
-        figure =
-            figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", format!("amplitude.{}", body.name)).group("start").nested()));
+    let resolved = |k: &usize| !fleet.tilts(&fleet.probes[*k]) || paths.iter().any(|p| largest(*k) > p.unresolved[*k]);
+    let drawn: Vec<usize> = (0..fleet.probes.len()).filter(resolved).collect();
+    for tilt in [false, true] {
+        for &k in drawn.iter().filter(|&&k| fleet.probes[k].is_tilt() == tilt).take(MOST_BODIES) {
+            let probe = &fleet.probes[k];
+            let axis = sights::axis(crate::study::support::sight(probe), probe, largest(k));
+            figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", sights::column(probe)).group("start").nested()));
+        }
     }
     outcome = outcome.figure(figure);
     let study = fleet.study;
-    let body = &fleet.bodies[study.section.0];
-    let name = &fleet.system.coordinates()[body.x + study.section.1].name;
-    let factor = if largest(study.section.0) < 1e-3 { (1e6, "µm") } else { (1e3, "mm") };
+    let probe = &fleet.probes[study.section.0];
+    let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| fleet.system.coordinates()[r.0].name.as_str());
+    let axis = sights::axis(name, probe, largest(study.section.0));
     let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
-    let panel = Panel::new(Axis::new(name, factor.1).factor(factor.0))
-        .mark(Points::new("poincare", "speed", "displacement").classes("start", WAYS));
+    let panel = Panel::new(axis).mark(Points::new("poincare", "speed", sights::quality(probe)).classes("start", WAYS));
     outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
     if let Some(b) = study.waterfall {
         let tallest = outcome

@@ -18,16 +18,17 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::{cells, recorded};
+use super::settled::columns::cells;
 use super::settled::fields::{self, SLOWEST};
 use super::settled::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
 use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
 use super::size::{KEPT, LISTED, Size};
 use super::start::{self, Entry, INITIAL, Start};
-use super::support::{SPEED_RANGE, range};
-use super::{Context, Study};
+use super::support::{SPEED_RANGE, range_or};
+use super::{Context, Study, sights};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
+use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
@@ -78,7 +79,7 @@ pub struct Sweep {
     ways: Vec<Way>,
     rules: Rules,
     initial: Vec<(Entry, f64)>,
-    /// Coordinate of the bifurcation diagram: body, 0 for x and 1 for y.
+    /// Coordinate of the bifurcation diagram: probe among those recorded, 0 for x and 1 for y.
     section: (usize, usize),
     /// Body of the waterfall.
     waterfall: Option<usize>,
@@ -128,7 +129,8 @@ start = "up_and_down"
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
-        let speed = range("speed", values.range("speed")?, 2, values, diagnostics);
+        let one = "; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads";
+        let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics);
         if let Some(s) = speed
             && !(s.from >= SLOWEST)
         {
@@ -140,7 +142,7 @@ start = "up_and_down"
             diagnostics.push(Diagnostic::error("sweep.no_body", "no body of this machine moves across the axis"));
         }
         let initial = start::state_map(values, "initial", system, diagnostics);
-        let section = section(values, system, &bodies, diagnostics);
+        let section = section(values, system, diagnostics);
         let named = values.text("waterfall").filter(|n| !n.is_empty());
         let waterfall = named.and_then(|n| bodies.iter().position(|b| b.name == n));
         if let (Some(name), None) = (named, waterfall) {
@@ -177,7 +179,7 @@ start = "up_and_down"
     fn size(&self, system: &System) -> Option<Size> {
         let rows = self.speed.points.unwrap_or(DEFAULT_POINTS) * self.ways.len();
         let spectrum = self.waterfall.map_or(0, |_| 2 * LINES * HIGHEST);
-        let columns = 16 + 12 * system.bodies().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
+        let columns = 16 + 11 * system.bodies().len() + system.probes().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
         Some(Size {
             bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
             of: format!("{rows} motions with {columns} numbers each"),
@@ -206,6 +208,7 @@ start = "up_and_down"
             system: Arc::new(own),
             speeds: self.speed.linspace(DEFAULT_POINTS),
             bodies: system.bodies(),
+            probes: sights::probes(system),
         };
         let (steps, ways) = (fleet.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
@@ -220,7 +223,7 @@ start = "up_and_down"
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run_on(plan, context, |range, counter, before| {
-            let carried = before()?.map(|cells| rows::states(&rows, &cells, ways));
+            let carried = before()?.map(|cells| rows::states(&rows, &cells, (ways, &fleet.probes)));
             let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
             Ok(computed.map(|list| cells(&rows, &list)))
         })?;
@@ -228,13 +231,16 @@ start = "up_and_down"
     }
 }
 
-fn section(values: &Values, system: &System, bodies: &[Body], diagnostics: &mut Diagnostics) -> Option<(usize, usize)> {
+fn section(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<(usize, usize)> {
     let Some(name) = values.text("section").filter(|n| !n.is_empty()) else { return Some((0, 0)) };
-    let index = system.coordinate(name);
-    let found = index.and_then(|i| bodies.iter().position(|b| b.x == i || b.x + 1 == i).map(|b| (b, i - bodies[b].x)));
+    let own = |p: &Probe, i: usize| {
+        [0, 1].into_iter().find(|&k| !matches!(p.sight, Sight::Displacement(z) if z != 0.0) && p.rows[k] == [(i, 1.0)])
+    };
+    let find = |i: usize| sights::probes(system).iter().enumerate().find_map(|(k, p)| Some((k, own(p, i)?)));
+    let found = system.coordinate(name).and_then(find);
     if found.is_none() {
-        let known: Vec<String> = bodies.iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
-        let message = format!("\"{name}\" is no lateral coordinate of a body");
+        let known: Vec<String> = system.bodies().iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
+        let message = format!("\"{name}\" is no displacement or tilt of a body");
         let help = format!("name one such as {}", known.join(", "));
         diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).about(name).help(help));
     }
@@ -258,6 +264,20 @@ struct Fleet<'a> {
     method: Method,
     speeds: Vec<f64>,
     bodies: Vec<Body>,
+    /// What is recorded of every motion.
+    probes: Vec<Probe>,
+}
+
+impl Fleet<'_> {
+    /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
+    fn unresolved(&self) -> f64 {
+        sights::UNRESOLVED * self.study.rules.tolerance
+    }
+
+    /// The body of a probe has a tilt beside it.
+    fn tilts(&self, probe: &Probe) -> bool {
+        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.body == probe.body)
+    }
 }
 
 /// State a followed motion brings along, for each way; none where it failed.
@@ -283,8 +303,8 @@ impl Fleet<'_> {
     /// Settled motions of members, with their exponents; none when stopped.
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<Found>> {
         let form = Form::of(&self.system, true);
-        let bodies = recorded(&self.system);
-        let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, bodies };
+        let probes = self.probes.clone();
+        let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
         let settled = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
@@ -331,7 +351,7 @@ impl Fleet<'_> {
             for ((&w, m), found) in followed.iter().zip(&members).zip(self.settle(&members, counter)?) {
                 let from = self.speed(ways[w], step.saturating_sub(1));
                 let (found, jump) = self.step(ways[w], (from, carried[w].as_ref()), m.speed, found, counter)?;
-                carried[w] = Followed::of(&found.0);
+                carried[w] = self.followed(&found.0);
                 out[w].push(row(ways[w], m, found, jump));
             }
         }

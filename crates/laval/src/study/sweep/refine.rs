@@ -18,23 +18,17 @@ const MOST: usize = 24;
 pub(super) struct Followed {
     /// State at phase zero.
     pub y: Vec<f64>,
-    /// Largest displacement of each body, m.
+    /// Largest value of every probe over its typical size.
     pub amplitude: Vec<f64>,
     /// It is known not to repeat. One that still changes slowly, as beside a fold, has an amplitude all the same.
     pub wanders: bool,
 }
 
 impl Followed {
-    /// `None` of a motion that failed.
-    pub fn of(settled: &Settled) -> Option<Followed> {
-        let m = settled.measure.as_ref()?;
-        let wanders = settled.verdict == Verdict::NotPeriodic;
-        Some(Followed { y: settled.y.clone(), amplitude: m.bodies.iter().map(|b| b.peak).collect(), wanders })
-    }
-
-    /// The motions are too different for neighbours of a branch. What does not repeat has no amplitude to compare.
-    fn jumps_to(&self, other: &Followed) -> bool {
-        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b);
+    /// The motions are too different for neighbours of a branch, in what is more than this share of the loudest. What does not repeat has no amplitude to compare.
+    fn jumps_to(&self, other: &Followed, share: f64) -> bool {
+        let loudest = self.amplitude.iter().chain(&other.amplitude).copied().fold(0.0, f64::max);
+        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b) && a.max(*b) > share * loudest;
         !self.wanders && !other.wanders && self.amplitude.iter().zip(&other.amplitude).any(apart)
     }
 }
@@ -46,9 +40,18 @@ pub(super) type Found = (Settled, Option<Exponent>);
 pub(super) type Step = (Found, Option<(f64, f64)>);
 
 impl Fleet<'_> {
+    /// What a motion hands on; `None` of one that failed.
+    pub(super) fn followed(&self, settled: &Settled) -> Option<Followed> {
+        let m = settled.measure.as_ref()?;
+        let wanders = settled.verdict == Verdict::NotPeriodic;
+        let amplitude = m.bodies.iter().zip(&self.probes).map(|(b, p)| b.peak / p.typical()).collect();
+        Some(Followed { y: settled.y.clone(), amplitude, wanders })
+    }
+
     /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.
     pub(super) fn step(&self, way: Way, (from, before): (f64, Option<&Followed>), to: f64, found: Found, counter: &Rows) -> Option<Step> {
-        let jumps = |a: &Followed, b: &Found| Followed::of(&b.0).is_some_and(|b| a.jumps_to(&b));
+        let share = self.unresolved();
+        let jumps = |a: &Followed, b: &Found| self.followed(&b.0).is_some_and(|b| a.jumps_to(&b, share));
         let Some(before) = before.filter(|b| way != Way::Rest && jumps(b, &found)) else { return Some((found, None)) };
         let quiet = counter.aside();
         let at = |from: &Followed, speed: f64| self.settle(&[self.member_at(speed, Some(&from.y))], &quiet)?.pop();
@@ -60,8 +63,8 @@ impl Fleet<'_> {
             let middle = 0.5 * (on.0 + beyond.0);
             let half = at(&on.1, middle)?;
             count += 1;
-            let Some(next) = Followed::of(&half.0) else { return Some((found, None)) };
-            if on.1.jumps_to(&next) {
+            let Some(next) = self.followed(&half.0) else { return Some((found, None)) };
+            if on.1.jumps_to(&next, share) {
                 beyond = (middle, half);
                 continue;
             }
@@ -70,8 +73,8 @@ impl Fleet<'_> {
             for end in [beyond.0, to] {
                 let whole = at(&on.1, end)?;
                 count += 1;
-                let Some(next) = Followed::of(&whole.0) else { return Some((found, None)) };
-                if on.1.jumps_to(&next) {
+                let Some(next) = self.followed(&whole.0) else { return Some((found, None)) };
+                if on.1.jumps_to(&next, share) {
                     beyond = (end, whole);
                     break;
                 }
@@ -85,7 +88,7 @@ impl Fleet<'_> {
         if beyond.0 == to {
             return Some((beyond.1, Some(place)));
         }
-        let landed = Followed::of(&beyond.1.0)?;
+        let landed = self.followed(&beyond.1.0)?;
         Some((at(&landed, to)?, Some(place)))
     }
 }

@@ -1,6 +1,5 @@
 //! What is said of a sweep.
 
-use super::super::settled::columns::{tilt, tilting};
 use super::super::settled::measure::{HIGHEST, LINES, POINTS};
 use super::super::settled::period::LONGEST;
 use super::super::settled::told::{limits, words};
@@ -12,7 +11,7 @@ use super::{Fleet, Sweep, Way, figures};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity};
 use crate::store::{Kind, Results};
-use crate::study::{Context, Study};
+use crate::study::{Context, Study, sights};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -28,12 +27,14 @@ pub(super) struct Path {
     pub motion: Vec<String>,
     pub period: Vec<f64>,
     pub bounded: Vec<bool>,
-    /// By body.
+    /// By probe.
     pub amplitude: Vec<Vec<f64>>,
+    /// By probe the size below which it is not resolved beside the rest of the motions of this way.
+    pub unresolved: Vec<f64>,
+    /// By probe: jumps are told by a reference point first, then by another point, then by a tilt.
+    pub rank: Vec<u8>,
     /// Speeds between which smaller steps place a jump on the way to each row; NaN where there is none.
     pub placed: Vec<(f64, f64)>,
-    /// By body that tilts.
-    pub tilt: Vec<Vec<f64>>,
 }
 
 /// A change between two neighbouring speeds that the motion on either side does not announce.
@@ -44,7 +45,7 @@ pub(super) struct Jump {
     pub after: f64,
     /// The same in smaller steps.
     pub placed: (f64, f64),
-    pub body: usize,
+    pub probe: usize,
     pub amplitudes: (f64, f64),
 }
 
@@ -55,6 +56,9 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
         Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
     };
     let one = |(w, way): (usize, &Way)| {
+        let amplitude = fleet.probes.iter().map(|p| own(&sights::column(p), w)).collect::<Result<Vec<_>, _>>()?;
+        let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
+        let loudest = sights::loudest(fleet.probes.iter().zip(amplitude.iter().map(largest)));
         Ok(Path {
             way: *way,
             speed: own("speed", w)?,
@@ -62,8 +66,9 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
             period: own("period", w)?,
             bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
             placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
-            amplitude: fleet.bodies.iter().map(|b| own(&format!("amplitude.{}", b.name), w)).collect::<Result<_, _>>()?,
-            tilt: tilting(&fleet.system).iter().map(|name| own(&tilt(name), w)).collect::<Result<_, _>>()?,
+            amplitude,
+            rank: fleet.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
+            unresolved: fleet.probes.iter().map(|p| fleet.unresolved() * loudest * p.typical()).collect(),
         })
     };
     ways.iter().enumerate().map(one).collect()
@@ -75,16 +80,18 @@ fn jumps(path: &Path) -> Vec<Jump> {
     let mut out = Vec::new();
     for i in 0..path.speed.len().saturating_sub(1) {
         let share = |a: &Vec<f64>| change(a, i) / a[i].max(a[i + 1]);
-        let clear = |a: &&Vec<f64>| {
+        let resolved = |k: usize, a: &[f64]| a[i].max(a[i + 1]) > path.unresolved[k];
+        let clear = |a: &Vec<f64>| {
             let sides = [if i > 0 { change(a, i - 1) } else { f64::NAN }, change(a, i + 1)];
             let known: Vec<f64> = sides.into_iter().filter(|x| x.is_finite()).collect();
             share(a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
         };
-        let found = path.amplitude.iter().enumerate().filter(|(_, a)| clear(a)).max_by(|a, b| change(a.1, i).total_cmp(&change(b.1, i)));
-        if let Some((body, a)) = found {
+        let all = path.amplitude.iter().enumerate().filter(|(k, a)| clear(a) && resolved(*k, a));
+        let found = all.max_by(|a, b| path.rank[b.0].cmp(&path.rank[a.0]).then(change(a.1, i).total_cmp(&change(b.1, i))));
+        if let Some((probe, a)) = found {
             let (before, after) = (path.speed[i], path.speed[i + 1]);
             let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite()).unwrap_or((before, after));
-            out.push(Jump { way: path.way, before, after, placed, body, amplitudes: (a[i], a[i + 1]) });
+            out.push(Jump { way: path.way, before, after, placed, probe, amplitudes: (a[i], a[i + 1]) });
         }
     }
     out
@@ -156,46 +163,45 @@ fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> 
 }
 
 fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
-    for (b, body) in fleet.bodies.iter().enumerate() {
-        let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[b][i], p.motion[i] == "periodic");
+    for (k, probe) in fleet.probes.iter().enumerate() {
+        let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[k][i], p.motion[i] == "periodic");
         let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));
         let Some((way, speed, a, repeats)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
+        // of a body that only tilts its tilt is told
+        if fleet.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
+            continue;
+        }
         // of a motion that does not repeat the largest of the periods recorded
         let what = if repeats { "settled" } else { "recorded" };
         let open = if repeats { "" } else { ", where the motion does not repeat" };
-        let place = quantity(speed, "rad/s");
-        let text = format!("The largest {what} displacement of \"{}\" is {{}}, at {place} ({}){open}.", body.name, begun(way));
-        outcome =
-            outcome.finding(Finding::info("largest_displacement", text).of(&body.name).value(a, "m").evidence("speed", speed, "rad/s"));
-    }
-    for (b, name) in tilting(&fleet.system).into_iter().enumerate() {
-        let all = paths.iter().flat_map(|p| p.tilt[b].iter().zip(&p.speed).map(move |(a, w)| (p.way, *w, *a)));
-        let Some((way, speed, a)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
-        let text = format!("The largest settled tilt of \"{name}\" is {{}}, at {} ({}).", quantity(speed, "rad/s"), begun(way));
-        outcome = outcome.finding(Finding::info("largest_tilt", text).of(&name).value(a, "rad").evidence("speed", speed, "rad/s"));
+        let (place, quality, owner) = (quantity(speed, "rad/s"), sights::quality(probe), sights::owner(probe));
+        let text = format!("The largest {what} {quality} of \"{owner}\" is {{}}, at {place} ({}){open}.", begun(way));
+        let finding = Finding::info(format!("largest_{quality}"), text).of(owner);
+        outcome = outcome.finding(finding.value(a, probe.unit()).evidence("speed", speed, "rad/s"));
     }
     outcome
 }
 
 fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
-        let name = &fleet.bodies[j.body].name;
-        let (from, to) = (quantity(j.amplitudes.0, "m"), quantity(j.amplitudes.1, "m"));
+        let probe = &fleet.probes[j.probe];
+        let (who, unit) = (sights::subject(probe), probe.unit());
+        let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
         let between = format!("between {} and {{}}", quantity(j.placed.0, "rad/s"));
         let (id, text) = match j.way {
             Way::Rest => (
                 "start_jump",
                 format!(
-                    "Started anew, \"{name}\" reaches {from} and then {to} {between}: there the start passes from one motion's basin to another's, which is no fold."
+                    "Started anew, {who} reaches {from} and then {to} {between}: there the start passes from one motion's basin to another's, which is no fold."
                 ),
             ),
             way => (
                 if way == Way::Up { "jump_up" } else { "jump_down" },
-                format!("A slow sweep {} jumps {between}: \"{name}\" goes from {from} to {to}.", way.word()),
+                format!("A slow sweep {} jumps {between}: {who} goes from {from} to {to}.", way.word()),
             ),
         };
         let finding = Finding::info(id, text).value(j.placed.1, "rad/s").evidence("last speed before", j.placed.0, "rad/s");
-        let finding = finding.evidence("amplitude before", j.amplitudes.0, "m").evidence("amplitude after", j.amplitudes.1, "m");
+        let finding = finding.evidence("amplitude before", j.amplitudes.0, unit).evidence("amplitude after", j.amplitudes.1, unit);
         let special = SpecialPoint::new(id, j.placed.1, j.placed).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
     }
@@ -242,7 +248,7 @@ fn differing(paths: &[Path]) -> Option<(&Path, Vec<RangeInclusive<usize>>)> {
         let repeat = [&up.motion[i], &down.motion[j]].iter().all(|m| m.as_str() == "periodic");
         let apart = |b: usize| {
             let (u, d) = (up.amplitude[b][i], down.amplitude[b][j]);
-            (u - d).abs() > APART * u.max(d)
+            (u - d).abs() > APART * u.max(d) && u.max(d) > up.unresolved[b].max(down.unresolved[b])
         };
         repeat && (0..up.amplitude.len()).any(apart)
     };
@@ -349,15 +355,17 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
     let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
+    let section = &fleet.probes[fleet.study.section.0];
+    let (quality, unit) = (sights::quality(section), section.unit());
     // a motion of period k has k points, the last ones
     let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
     let rows: Vec<(usize, f64)> =
         (0..speed.len()).flat_map(|r| points[kept(r)..].iter().map(move |p| (r, p[r]))).filter(|x| x.1.is_finite()).collect();
     let poincare =
-        Table::new("poincare", "Displacement at phase zero: one point for every period of a motion, 32 where it does not repeat")
+        Table::new("poincare", "Value of the section at phase zero: one point for every period of a motion, 32 where it does not repeat")
             .text("start", "how the motion began", rows.iter().map(|r| start[r.0].clone()).collect())
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
-            .float("displacement", "m", "displacement", rows.iter().map(|r| r.1).collect());
+            .float(quality, unit, quality, rows.iter().map(|r| r.1).collect());
     outcome = outcome.table(poincare.build().map_err(inconsistent)?);
     if fleet.study.waterfall.is_some() {
         let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
@@ -382,15 +390,24 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     }
     outcome = outcome.table(end_states(results)?);
     let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
-    let table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
+    let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if fleet.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
+    let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
-        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| fleet.bodies[j.body].name.clone()).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| sights::owner(&fleet.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
         .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
         .float("placed_after", "rad/s", "first speed after, in smaller steps", column(&|j| j.placed.1))
-        .float("amplitude_before", "m", "largest displacement before", column(&|j| j.amplitudes.0))
-        .float("amplitude_after", "m", "largest displacement after", column(&|j| j.amplitudes.1));
+        .float("amplitude_before", "m", "largest displacement before; NaN of a tilt", size(false, &|j| j.amplitudes.0))
+        .float("amplitude_after", "m", "largest displacement after; NaN of a tilt", size(false, &|j| j.amplitudes.1));
+    if jumps.iter().any(|j| fleet.probes[j.probe].is_tilt()) {
+        table = table.float("tilt_before", "rad", "largest tilt before; NaN of a displacement", size(true, &|j| j.amplitudes.0)).float(
+            "tilt_after",
+            "rad",
+            "largest tilt after; NaN of a displacement",
+            size(true, &|j| j.amplitudes.1),
+        );
+    }
     Ok(outcome.table(table.build().map_err(inconsistent)?))
 }
 
@@ -429,8 +446,9 @@ mod tests {
             period: vec![1.0; n],
             bounded: vec![false; n],
             amplitude: vec![amplitude.to_vec()],
+            unresolved: vec![1e-5],
+            rank: vec![0],
             placed: vec![(f64::NAN, f64::NAN); n],
-            tilt: vec![],
         }
     }
 

@@ -8,7 +8,9 @@ use super::super::start::state_names;
 use super::lyapunov::Exponent;
 use super::refine::Followed;
 use super::{Carried, Fleet, Sweep, Way};
+use crate::model::probe::Probe;
 use crate::store::{Cells, Kind};
+use crate::study::sights;
 
 /// One motion.
 pub(super) struct Row {
@@ -52,15 +54,16 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         }
         out.push(body(format!("subharmonic.{n}"), b, "semi-major axis at order 1/period of a motion of period above 1", |m| m.sub));
     }
-    out.extend(columns::tilts(&fleet.system));
+    out.extend(columns::others(&fleet.system));
     if study.lyapunov.is_some() {
         let of = |r: &Row| r.exponent.unwrap_or((f64::NAN, f64::NAN));
         out.push(number("lyapunov", "1/s", "largest Lyapunov exponent", move |r: &Row| of(r).0));
         out.push(number("lyapunov_halves", "1/s", "difference of the exponent between the halves of its time", move |r: &Row| of(r).1));
     }
     let column = 2 * study.section.0 + study.section.1;
+    let unit = fleet.probes[study.section.0].unit();
     for p in 0..POINTS {
-        out.push(number(point(p), "m", "displacement at phase zero, oldest first", move |r: &Row| {
+        out.push(number(point(p), unit, "value at phase zero, oldest first", move |r: &Row| {
             r.settled.measure.as_ref().and_then(|m| m.points.get(p)).map_or(f64::NAN, |x| x[column])
         }));
     }
@@ -92,20 +95,21 @@ pub(super) fn spectrum(line: usize) -> String {
 }
 
 /// The motions at the end of a chunk, for each way; none where a motion failed.
-pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], ways: usize) -> Carried {
+pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], (ways, probes): (usize, &[Probe])) -> Carried {
     let own = |what: &str| -> Vec<&Cells> {
         let fits = |c: &RowColumn<Row>| c.column.kind == Kind::Float && c.column.name.starts_with(what);
         columns.iter().zip(cells).filter(|(c, _)| fits(c)).map(|x| x.1).collect()
     };
-    let (state, amplitude) = (own(STATE), own("amplitude."));
+    let named = |p: &Probe| columns.iter().zip(cells).find(|c| c.0.column.name == sights::column(p)).map(|c| (p.typical(), c.1));
+    let (state, amplitude) = (own(STATE), probes.iter().filter_map(named).collect::<Vec<_>>());
     let motion = columns.iter().zip(cells).find(|(c, _)| c.column.name == "motion").map(|x| x.1);
     let rows = cells.first().map_or(0, Cells::len);
     let last = |w: usize| {
         let row = rows.saturating_sub(ways) + w;
-        let numbers = |cells: &[&Cells]| cells.iter().map(|c| c.number(row)).collect::<Vec<f64>>();
-        let y = numbers(&state);
+        let y: Vec<f64> = state.iter().map(|c| c.number(row)).collect();
+        let amplitude = amplitude.iter().map(|(typical, c)| c.number(row) / typical).collect();
         let wanders = motion.and_then(|m| m.word(row)) == Some(Verdict::NotPeriodic.word());
-        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude: numbers(&amplitude), wanders })
+        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude, wanders })
     };
     (0..ways).map(last).collect()
 }

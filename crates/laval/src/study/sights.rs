@@ -1,0 +1,93 @@
+//! What is told of the motion of bodies: the displacement of their reference points, of every other point that something names, and their tilts. One order, one
+//! set of names and one measure of size for all studies.
+
+use super::support::sight;
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::Axis;
+use crate::solve::harmonic::measure::Measure;
+use crate::solve::harmonic::orbit::Orbit;
+
+/// Indices of the probes: reference points of the bodies in their order, then further points, then tilts.
+pub fn ordered(system: &System) -> Vec<usize> {
+    let probes = system.probes();
+    let class = |k: &usize| (probes[*k].is_tilt(), !probes[*k].is_reference());
+    let mut all: Vec<usize> = (0..probes.len()).collect();
+    all.sort_by_key(class);
+    all
+}
+
+/// The probes in that order.
+pub fn probes(system: &System) -> Vec<Probe> {
+    ordered(system).into_iter().map(|k| system.probes()[k].clone()).collect()
+}
+
+/// Column of the largest value: "amplitude.drum", "amplitude.drum at 100 mm", "tilt.drum".
+pub fn column(probe: &Probe) -> String {
+    if probe.is_tilt() { format!("tilt.{}", probe.name) } else { format!("amplitude.{}", sight(probe)) }
+}
+
+/// The same in words, as columns of studies of periodic motions are named: "drum at 100 mm largest displacement".
+pub fn largest_column(probe: &Probe) -> String {
+    if probe.is_tilt() { format!("{} largest tilt", probe.name) } else { format!("{} largest displacement", sight(probe)) }
+}
+
+/// What a column of largest values over a period holds.
+pub fn largest_doc(probe: &Probe) -> &'static str {
+    if probe.is_tilt() { "largest tilt over a period" } else { "largest distance of this point from its rest position over a period" }
+}
+
+/// "displacement" or "tilt".
+pub fn quality(probe: &Probe) -> &'static str {
+    if probe.is_tilt() { "tilt" } else { "displacement" }
+}
+
+/// Name of the body, or of the point of a body, to which a size belongs.
+pub fn owner(probe: &Probe) -> String {
+    if probe.is_tilt() { probe.name.clone() } else { sight(probe) }
+}
+
+/// Subject of a sentence: "drum" in quotes, or the tilt of it.
+pub fn subject(probe: &Probe) -> String {
+    if probe.is_tilt() { format!("the tilt of \"{}\"", probe.name) } else { format!("\"{}\"", sight(probe)) }
+}
+
+/// An axis of its sizes, in a unit in which `most` is read easily.
+pub fn axis(label: impl Into<String>, probe: &Probe, most: f64) -> Axis {
+    match (probe.is_tilt(), most < 1e-3) {
+        (true, _) => Axis::new(label, "mrad").factor(1e3),
+        (false, true) => Axis::new(label, "µm").factor(1e6),
+        (false, false) => Axis::new(label, "mm").factor(1e3),
+    }
+}
+
+/// Largest value over a period of each of these probes; NaN of no motion.
+pub fn sizes(system: &System, which: &[usize], orbit: &Orbit, turns: usize) -> Vec<f64> {
+    let size = |&k: &usize| if orbit.orders.is_empty() { f64::NAN } else { Measure::Probe(k).largest(system, orbit, turns).0 };
+    which.iter().map(size).collect()
+}
+
+/// The largest of sizes over what is typical of each; NaN counts as none.
+pub fn loudest<'p>(sizes: impl IntoIterator<Item = (&'p Probe, f64)>) -> f64 {
+    sizes.into_iter().map(|(p, x)| x.abs() / p.typical()).fold(0.0, f64::max)
+}
+
+/// Share of the loudest below which a size is what a computation leaves of none.
+pub const ROUNDING: f64 = 1e-9;
+
+/// Times the tolerance of settling that the size of a motion beside another must be, to be known.
+pub const UNRESOLVED: f64 = 10.0;
+
+/// Sizes by probe without those of displacements that are not resolved beside the tilt of their body, where motions settle within this tolerance.
+pub fn resolved(sizes: Vec<(Probe, Vec<f64>)>, tolerance: f64) -> Vec<(Probe, Vec<f64>)> {
+    let most = |x: &[f64]| x.iter().copied().fold(0.0, f64::max);
+    let loud = loudest(sizes.iter().map(|(p, x)| (p, most(x))));
+    let tilting: Vec<usize> = sizes.iter().filter(|s| s.0.is_tilt()).map(|s| s.0.body).collect();
+    let nothing = |p: &Probe, x: &[f64]| !p.is_tilt() && tilting.contains(&p.body) && still(p, most(x), loud, UNRESOLVED * tolerance);
+    sizes.into_iter().filter(|(p, x)| !nothing(p, x)).collect()
+}
+
+/// A size that is none beside the loudest of a motion, where what is smaller than this `share` of it is not resolved.
+pub fn still(probe: &Probe, size: f64, loudest: f64, share: f64) -> bool {
+    size.abs() <= share * loudest * probe.typical()
+}
