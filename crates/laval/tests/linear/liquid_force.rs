@@ -19,8 +19,8 @@ fn machine(bearing: &str, liquid: &str) -> String {
         "[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 20\neccentricity = \"20 um\"\n\
          [[part]]\nname = \"bearing\"\nbetween = [\"d\", \"ground\"]\n{bearing}\n\
          [[part]]\nkind = \"damper\"\nname = \"losses\"\nbetween = [\"d\", \"ground\"]\ndamping = 4000\n\
-         [[part]]\nkind = \"liquid\"\nname = \"contents\"\non = \"d\"\ncavity_radius = {RADIUS}\ncavity_height = {LENGTH}\ndensity = {DENSITY}\n\
-         free_surface_radius = 0.06\n{liquid}\n"
+         [[part]]\nkind = \"liquid\"\nname = \"contents\"\nin = \"d\"\ncavity_radius = {RADIUS}\ncavity_height = {LENGTH}\ndensity = {DENSITY}\n\
+         fill = {{ free_surface_radius = 0.06 }}\n{liquid}\n"
     )
 }
 
