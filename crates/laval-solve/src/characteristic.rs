@@ -143,6 +143,11 @@ impl<'a> Characteristic<'a> {
     /// T(s) and dT/ds.
     pub fn at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
         self.linear_at(s, value, slope);
+        self.add_tangents(s, value, slope);
+    }
+
+    /// Adds the share of nonlinear parts, which is of second order in s.
+    fn add_tangents(&self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
         let Some([k, d, m]) = &self.nonlinear else { return };
         for j in 0..self.sectors.len() {
             let s = s + self.shift(self.sectors.of(j));
@@ -153,17 +158,43 @@ impl<'a> Characteristic<'a> {
         }
     }
 
+    /// T(s) of nonlinear parts alone; `None` where all parts are linear.
+    pub fn tangents_at(&self, s: C64) -> Option<Mat<C64>> {
+        self.nonlinear.as_ref()?;
+        let size = self.sectors.len();
+        let (mut value, mut slope) = (Mat::zeros(size, size), Mat::zeros(size, size));
+        self.add_tangents(s, &mut value, &mut slope);
+        Some(value)
+    }
+
     /// The share of linear and frequency-domain parts.
     pub fn linear_at(&mut self, s: C64, value: &mut Mat<C64>, slope: &mut Mat<C64>) {
+        self.differentiated(s, (1.0, 0.0), value, slope);
+    }
+
+    /// Derivative over the speed of the share of linear and frequency-domain parts, exact also beside their poles, which may turn with the rotor.
+    pub fn linear_by_speed(&mut self, s: C64) -> Mat<C64> {
+        let mut seeded = LinearModel::default();
+        self.system.linear(&self.params, Dual::seed(self.speed, 0), Form::Frequency, &mut seeded, &mut self.scratch);
+        std::mem::swap(&mut self.model, &mut seeded);
+        let (mut value, mut slope) = (Mat::default(), Mat::default());
+        self.differentiated(s, (0.0, 1.0), &mut value, &mut slope);
+        self.model = seeded;
+        slope
+    }
+
+    /// The share of linear and frequency-domain parts and its derivative in a direction (of s, of the speed), which the blocks know of the speed.
+    fn differentiated(&mut self, s: C64, (along, speed): (f64, f64), value: &mut Mat<C64>, slope: &mut Mat<C64>) {
         let size = self.sectors.len();
         value.reset(size, size);
         slope.reset(size, size);
-        let kinds: &[Sector] =
-            if self.frame == Frame::Fixed { &[Sector::Axial] } else { &[Sector::Axial, Sector::Forward, Sector::Backward] };
+        let turning = self.frame == Frame::Turning;
+        let kinds: &[Sector] = if turning { &[Sector::Axial, Sector::Forward, Sector::Backward] } else { &[Sector::Axial] };
         let (mut v, mut d) = (Mat::zeros(size, size), Mat::zeros(size, size));
         for &kind in kinds {
             let s = s + self.shift(kind);
-            let s = c(Dual { re: s.re, eps: [1.0] }, Dual { re: s.im, eps: [0.0] });
+            let wound = if turning { speed * kind.winding() } else { 0.0 };
+            let s = c(Dual { re: s.re, eps: [along] }, Dual { re: s.im, eps: [wound] });
             self.system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
             for i in 0..self.grid.rows() {
                 for j in 0..self.grid.cols() {
@@ -174,7 +205,7 @@ impl<'a> Characteristic<'a> {
             }
             self.sectors.polarise_matrix(&self.sectors, &mut v);
             self.sectors.polarise_matrix(&self.sectors, &mut d);
-            for j in (0..size).filter(|&j| self.frame == Frame::Fixed || self.sectors.of(j) == kind) {
+            for j in (0..size).filter(|&j| !turning || self.sectors.of(j) == kind) {
                 for i in 0..size {
                     (value[(i, j)], slope[(i, j)]) = (v[(i, j)], d[(i, j)]);
                 }

@@ -10,7 +10,7 @@
 //! Theory: `docs/theory/linear-vibration.md#critical-speeds`.
 
 use super::characteristic::Characteristic;
-use super::locate::{Located, State, carried, crossing};
+use super::locate::{Located, State, carried, crossing, value_and_slope};
 use super::pencil::{MachineMode, Whirl};
 use super::roots::{mode_near, transcendental};
 use super::scalar::{maximum, root};
@@ -103,6 +103,11 @@ fn on_line(speed: f64, value: C64, gap: f64) -> bool {
     gap.abs() <= ON_LINE * (value.abs() + speed.abs())
 }
 
+/// A root followed to another speed is this one.
+fn same(followed: Option<C64>, value: C64) -> bool {
+    followed.is_some_and(|x| (x - value).abs() <= SAME * value.abs())
+}
+
 /// The mode where it is nearest to the line among three neighbours on one side of it, if it is on the other side there.
 fn beyond(system: &System, state: State, order: f64, three: &[(f64, MachineMode)]) -> Option<(f64, MachineMode)> {
     let [(w0, m0), (w1, m1), (w2, m2)] = three else { return None };
@@ -118,7 +123,8 @@ fn beyond(system: &System, state: State, order: f64, three: &[(f64, MachineMode)
         return None;
     }
     let value = value(w)?;
-    (!on_line(w, value, top)).then(|| (w, MachineMode { value, ..m1.clone() }))
+    let back = carried(system, state, (w, value), *w1, m1.sector, DEPTH);
+    (same(back, m1.value) && !on_line(w, value, top)).then(|| (w, MachineMode { value, ..m1.clone() }))
 }
 
 /// The crossing of a mode between two speeds.
@@ -170,7 +176,6 @@ fn solve(system: &System, state: State, order: f64, (a, b): (Side, Side), (start
     let inside = |c: &Located| c.speed >= w0 - slack && c.speed <= w1 + slack && c.step <= SMALL * c.speed.abs();
     let signed = if start < 0.0 { -order } else { order };
     let led = |from: Side, to: f64| carried(system, state, (from.0, from.1.value), to, from.1.sector, DEPTH);
-    let same = |x: Option<C64>, y: C64| x.is_some_and(|x| (x - y).abs() <= SAME * y.abs());
     let own = |c: &Located| same(led(a, c.speed), c.value) || same(led(b, c.speed), c.value);
     let newton = crossing(system, state, signed, start, growth, m0.sector).filter(|c| inside(c));
     if let Some(c) = newton.filter(own) {
@@ -190,7 +195,9 @@ fn solve(system: &System, state: State, order: f64, (a, b): (Side, Side), (start
         crossing(system, state, signed, speed, value.re, m0.sector).filter(|c| inside(c) && (c.speed - speed).abs() <= 1e-6 * speed.abs());
     polished.or_else(|| {
         let p = Characteristic::new(system, &state(speed).ok()?).polish(value, m0.sector)?;
-        Some(Located { speed, value: p.value, defect: p.defect, step: TOLERANCE * speed.abs() })
+        let slope = value_and_slope(system, state, speed, p.value, m0.sector)?.1.im - signed;
+        let step = (p.step + f64::EPSILON * p.value.abs()) / slope.abs();
+        Some(Located { speed, value: p.value, defect: p.defect, step: step.max(TOLERANCE * speed.abs()) })
     })
 }
 

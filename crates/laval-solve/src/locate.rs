@@ -14,7 +14,7 @@ use laval_num::dense::Mat;
 /// The machine along its speed: finds the state it is linearised about.
 pub type State<'a> = &'a (dyn Fn(f64) -> Result<Equilibrium, Diagnostic> + Sync);
 
-/// Steps of the differences in speed, relative: exact to the fourth order, and the blocks are mostly quadratic in the speed.
+/// Steps of the differences in speed, relative.
 const STEP: f64 = 1e-3;
 
 fn at_speed<'a>(system: &'a System, state: State, speed: f64) -> Option<Characteristic<'a>> {
@@ -38,16 +38,17 @@ fn members(t: &Characteristic, sector: Option<Sector>) -> Vec<usize> {
     (0..t.size()).filter(|&i| sector.is_none_or(|k| t.sectors().of(i) == k)).collect()
 }
 
-/// `dT/dW` at fixed s by differences of fourth order.
+/// `dT/dW` at fixed s: exact for linear and frequency-domain parts, of which memory has poles that move with the speed; of the tangents of nonlinear parts, which have none, by
+/// differences of fourth order.
 fn speed_slope(system: &System, state: State, speed: f64, s: C64) -> Option<Mat<C64>> {
+    let mut here = at_speed(system, state, speed)?;
+    let mut out = here.linear_by_speed(s);
+    if here.tangents_at(s).is_none() {
+        return Some(out);
+    }
     let h = STEP * (1.0 + speed.abs());
-    let mut out = Mat::default();
     for (k, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
-        let (mut t, mut d) = (Mat::default(), Mat::default());
-        at_speed(system, state, speed + k * h)?.at(s, &mut t, &mut d);
-        if out.rows() == 0 {
-            out.reset(t.rows(), t.cols());
-        }
+        let t = at_speed(system, state, speed + k * h)?.tangents_at(s)?;
         for (o, x) in out.data_mut().iter_mut().zip(t.data()) {
             *o += x.scale(weight / (12.0 * h));
         }

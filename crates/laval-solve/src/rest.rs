@@ -222,6 +222,24 @@ fn undeflected(system: &System, at: &Equilibrium) -> bool {
     force.iter().chain(&rate).all(|&f| f == 0.0)
 }
 
+/// Newton step over the displacement up to which it may be rounding, and roundings of the forces that a step may stand for.
+const RESOLVED: f64 = 1e-6;
+const ROUNDINGS: f64 = 4.0;
+
+/// Newton step that one rounding of every force stands for, in typical sizes: `|K^-1| |K| |x|` times the rounding unit. Heavy bodies that are stiffly joined on a soft support
+/// hang further down than their forces cancel.
+fn resolution(k: &Mat<f64>, lu: &Lu<f64>, x: &[f64], typical: &[f64]) -> f64 {
+    let size = x.len();
+    let mut moved = vec![0.0; size];
+    for j in 0..size {
+        let force = f64::EPSILON * (0..size).map(|i| (k[(j, i)] * x[i]).abs()).sum::<f64>();
+        let mut column: Vec<f64> = (0..size).map(|i| if i == j { force } else { 0.0 }).collect();
+        lu.solve(&mut column);
+        moved.iter_mut().zip(&column).for_each(|(m, c)| *m += c.abs());
+    }
+    max_abs(&moved.iter().zip(typical).map(|(m, t)| m / t).collect::<Vec<_>>())
+}
+
 /// Newton's method on the equilibrium, from a start, with steps shortened until the residual falls.
 pub(super) fn settle(system: &System, start: Equilibrium) -> Result<Equilibrium, Diagnostic> {
     settle_with(system, start, &[])
@@ -278,6 +296,10 @@ fn settle_with(system: &System, start: Equilibrium, held: &[usize]) -> Result<Eq
             let rest = max_abs(&again.iter().zip(&typical).map(|(s, t)| s / t).collect::<Vec<_>>());
             if rest <= (1.0 - 0.25 * share) * length || length <= 1e-12 * (size + 1e-12) {
                 break (trial, moved);
+            }
+            if share == 1.0 && length <= RESOLVED * size && length <= ROUNDINGS * resolution(&k, &lu, &x, &typical) {
+                (at.iterations, at.last_step) = (iteration, length);
+                return Ok(at);
             }
             share *= 0.5;
             if share < 1e-6 {

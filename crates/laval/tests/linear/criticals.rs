@@ -2,8 +2,11 @@
 
 use crate::common::files::{finding, findings, load, run_all};
 use laval::outcome::{Data, Level, Outcome};
+use laval::solve::locate::value_and_slope;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
+use laval::solve::sectors::Sector;
+use laval_num::complex::{C64, c};
 
 /// A disc on a shaft that relaxes by an exponential in its own axes, with damping from outside.
 fn relaxing(ranges: &[(f64, f64)]) -> String {
@@ -44,6 +47,24 @@ fn a_relaxing_shaft_has_one_forward_critical_speed_in_every_range() {
         assert!(forward.len() == 1 && (forward[0] / expected - 1.0).abs() < 1e-10, "{range:?}: {forward:?} for {expected}");
         assert!(column(o, "critical_speeds", "uncertainty").iter().all(|s| *s < 1e-6), "{range:?}");
         assert!(!findings(o, "critical_speed").is_empty() && findings(o, "critical_speed_not_located").is_empty());
+    }
+}
+
+/// A root of the memory stays beside its pole at `s = i W - l`, which turns with the rotor: its derivative in the speed is that of the polynomial
+/// `(m s^2 + c s + k)(s - i W + l) = k g l`.
+#[test]
+fn a_root_beside_a_pole_that_turns_moves_as_its_polynomial_says() {
+    let (mass, k, damping, share, rate) = (10.0, 1e6, 40.0, 0.3, 5.0);
+    let system = load(&relaxing(&[(10.0, 2000.0)])).system;
+    for w in [50.0, 210.0, 300.0, 1000.0, 1900.0] {
+        let stiff = |s: C64| (s * s).scale(mass) + s.scale(damping) + C64::real(k);
+        let mut s = c(-rate, w);
+        for _ in 0..60 {
+            s = c(-rate, w) + C64::real(k * share * rate) / stiff(s);
+        }
+        let slope = stiff(s).mul_i() / ((s.scale(2.0 * mass) + C64::real(damping)) * (s - c(-rate, w)) + stiff(s));
+        let (value, found) = value_and_slope(&system, &|w| rest(&system, w), w, s, Some(Sector::Forward)).unwrap();
+        assert!((value - s).abs() < 1e-12 * w && (found - slope).abs() < 1e-10, "{w}: {value:?} {s:?} {found:?} {slope:?}");
     }
 }
 

@@ -13,6 +13,8 @@ use laval::study::{Context, Study, forced_response, modes, support};
 pub const TOLERANCE: f64 = 1e-8;
 /// Rounding of an eigenvalue over the largest: two that lie close share it as its root.
 const ROUNDING: f64 = 1e-12;
+/// Distance from a root over the speed from which a step is taken.
+const BESIDE: f64 = 1e-9;
 
 type Verdict = Result<(), String>;
 
@@ -155,6 +157,9 @@ pub fn response(m: &Machine) -> Verdict {
 /// One step of Newton's method on `det(s E - A(W)) = 0` for two real unknowns, of which s and W are functions with these slopes.
 fn step(m: &Machine, s: C, w: f64, slopes: [(C, f64); 2]) -> [f64; 2] {
     let a = Assembly::new(m, w);
+    // from beside the root, where the matrix may be singular to the last digit
+    let aside = BESIDE * w;
+    let s = s + slopes[0].0.scale(aside);
     let h = 1e-4 * w;
     // by a rule of fourth order: tables are cubic in the speed
     let at = |f: f64| Assembly::new(m, w + f * h);
@@ -170,7 +175,7 @@ fn step(m: &Machine, s: C, w: f64, slopes: [(C, f64); 2]) -> [f64; 2] {
     let (p, q) = (slope(slopes[0]), slope(slopes[1]));
     let det = p.re * q.im - p.im * q.re;
     // 1 + p x + q y = 0
-    [-q.im / det, p.im / det]
+    [aside - q.im / det, p.im / det]
 }
 
 /// How often each multiple of the speed is met between own speeds: the count of frequencies above it changes by as many, or by two fewer.

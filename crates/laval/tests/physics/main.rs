@@ -15,7 +15,9 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-const MACHINES: u64 = 2000;
+const MACHINES: u64 = 600;
+/// Machines beyond those in which something was wrong once: a memory beside its pole, an equilibrium in its rounding, a matrix singular to the last digit.
+const ALSO: [u64; 3] = [792, 1296, 1608];
 
 type Check = fn(&Machine, &mut Random) -> Result<(), String>;
 /// Name, one in how many machines, whether it needs a machine in which everything is damped.
@@ -40,18 +42,6 @@ fn wrong(case: u64, all: bool) -> Vec<(&'static str, String)> {
     due.filter_map(|c| Some((c.0, (c.3)(&m, &mut r).err()?))).collect()
 }
 
-/// Machines in which a study is known to fail: a critical speed that is not located or is off, or an equilibrium refused in rounding.
-const OPEN: &[(u64, &str)] = &[
-    (144, "critical_speeds"),
-    (228, "critical_speeds"),
-    (468, "critical_speeds"),
-    (792, "critical_speeds"),
-    (1296, "critical_speeds"),
-    (1296, "forced_response"),
-    (1296, "modes and response of a machine that turns the other way"),
-    (1608, "critical_speeds"),
-];
-
 #[test]
 fn random_machines_obey_their_matrices() {
     if let Some(case) = variable("LAVAL_FUZZ_CASE") {
@@ -59,15 +49,15 @@ fn random_machines_obey_their_matrices() {
         return;
     }
     let count = (MACHINES as f64 * variable::<f64>("LAVAL_FUZZ").unwrap_or(1.0)) as u64;
+    let also: Vec<u64> = ALSO.into_iter().filter(|case| *case >= count).collect();
     let (next, found) = (AtomicU64::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(2, |n| n.get()) {
             scope.spawn(|| {
                 loop {
-                    let case = next.fetch_add(1, Ordering::Relaxed);
-                    if case >= count {
-                        return;
-                    }
+                    let turn = next.fetch_add(1, Ordering::Relaxed);
+                    let beyond = turn.checked_sub(count).map(|k| also.get(k as usize).copied());
+                    let Some(case) = beyond.unwrap_or(Some(turn)) else { return };
                     let w = wrong(case, false);
                     found.lock().unwrap_or_else(|e| e.into_inner()).extend(w.into_iter().map(|(check, why)| (case, check, why)));
                 }
@@ -76,7 +66,6 @@ fn random_machines_obey_their_matrices() {
     });
     let mut found = found.into_inner().unwrap_or_else(|e| e.into_inner());
     found.sort();
-    found.retain(|f| !OPEN.contains(&(f.0, f.1)));
     let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
     for (case, check, why) in &found {
         let seen = kinds.entry(check).or_default();
