@@ -27,6 +27,9 @@ pub(super) struct Zeroed {
 /// Share of a step within which a zero of the slope lies on a branch point: as the determinant has it, and as its extended system does.
 const BESIDE: (f64, f64) = (1e-5, 5e-2);
 
+/// Roundings of the equations that may bend the branch beside a branch point.
+const ROUNDINGS: f64 = 10.0;
+
 /// Without the word of a fold's extended system.
 fn narrowed(status: Status) -> Status {
     if status == Status::Confirmed { Status::Located } else { status }
@@ -175,10 +178,10 @@ impl<P: Zero + ?Sized> Tracer<'_, P> {
                 let mut found = self.found(zero, Kind::Fold, ends, after);
                 self.confirm(&mut found.special);
                 let (size, scale) = (b.s - a.s, self.scale[self.n()]);
-                // a fold beside the branch point has a place of its own by its equations, which have no regular solution at it
+                // a fold beside the branch point has a place of its own by its equations, which are solved at it too: not where their rounding reaches that far
                 let own = |exact: &BranchPoint| {
                     let place = found.special.fold.as_ref().filter(|_| found.special.status == Status::Confirmed);
-                    place.is_some_and(|f| (f.p - exact.p).abs() > 1e-9 * exact.p.abs().max(scale))
+                    place.is_some_and(|f| (f.p - exact.p).abs() > (1e-9 * exact.p.abs().max(scale)).max(ROUNDINGS * f.p_error))
                 };
                 let near = |exact: &Option<BranchPoint>| match exact {
                     Some(exact) if !own(exact) => BESIDE.1,

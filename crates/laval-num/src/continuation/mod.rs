@@ -12,6 +12,7 @@
 //! Close pairs of folds are found from the dip of dp/ds that the cubic through two points and their tangents shows. Not seen: an even
 //! number of branch points or of zeros of a user's test within one step.
 
+mod augmented;
 mod branch;
 mod branch_point;
 mod corner;

@@ -75,6 +75,12 @@ pub(super) fn hermite(a: &Node, b: &Node, h: f64, u: f64, out: &mut Vec<f64>) {
     out.extend((0..a.y.len()).map(|i| ha * a.y[i] + hb * b.y[i] + ga * a.t[i] + gb * b.t[i]));
 }
 
+/// Direction of that cubic there.
+pub(super) fn heading(a: &Node, b: &Node, h: f64, u: f64) -> Vec<f64> {
+    let (chord, ga, gb) = (6.0 * u * (1.0 - u) / h, (1.0 - u) * (1.0 - 3.0 * u), u * (3.0 * u - 2.0));
+    (0..a.y.len()).map(|i| chord * (b.y[i] - a.y[i]) + ga * a.t[i] + gb * b.t[i]).collect()
+}
+
 /// `r(x, p) = 0` with the hyperplane `row . (y - anchor) = 0`.
 struct Bordered<'a, P: ?Sized> {
     problem: &'a mut P,

@@ -210,15 +210,19 @@ fn a_pitchfork_drowned_in_rounding_is_where_its_equations_have_it() {
         })
     };
     let set = Settings::new(-1.0, 1.0);
-    for (start, p, direction) in [([0.0, 0.2], -0.71, Direction::Up), ([0.7, 0.2], 0.79, Direction::Down)] {
-        let b = trace(&mut z(), &start, p, direction, &set, &mut []).unwrap();
-        let found: Vec<&Special> = b.of(Kind::BranchPoint).chain(b.of(Kind::ParameterExtremum)).collect();
-        // rounding may bend the branch beside it
-        assert!(!found.is_empty() && b.of(Kind::Fold).all(|f| (f.point.p - place).abs() < 1e-6), "{:?} {:?}", b.end, b.specials);
-        for s in found {
-            let (low, high) = s.range();
-            assert!((s.point.p - place).abs() < 1e-12 && s.status == Status::Confirmed, "{s:?}");
-            assert!(low <= place && place <= high && high - low < 1e-9, "{low} {high}");
+    // many starts, since they decide where points fall
+    for k in 0..100 {
+        let x = 0.4 + 0.0034 * f64::from(k);
+        let line = ([0.0, 0.2], x - 1.1, Direction::Up, &[Kind::BranchPoint][..]);
+        let bent = ([x, 0.2], place + x * x, Direction::Down, &[Kind::BranchPoint, Kind::ParameterExtremum][..]);
+        for (start, p, direction, kinds) in [line, bent] {
+            let b = trace(&mut z(), &start, p, direction, &set, &mut []).unwrap();
+            assert_eq!(b.specials.iter().map(|s| s.kind).collect::<Vec<_>>(), kinds, "{:?} {:?}", b.end, b.specials);
+            for s in &b.specials {
+                let (low, high) = s.range();
+                assert!((s.point.p - place).abs() < 1e-12 && s.status == Status::Confirmed, "{s:?}");
+                assert!(low <= place && place <= high && high - low < 1e-9, "{low} {high}");
+            }
         }
     }
 }
@@ -472,26 +476,38 @@ fn a_user_test_is_located_and_a_jump_is_only_bracketed() {
     assert_eq!(b.counters.undefined_tests, b.points.len());
 }
 
-/// Two planes that fold together have two null vectors: the fold is located, and the extended system says that it does not apply.
+/// Two planes that fold together, `p = x_i - x_i^3`: [dr/dx dr/dp] has two null vectors there, and the branch x1 = x2 crosses the ellipse
+/// `x1^2 + x1 x2 + x2^2 = 1` on which they part. On both the parameter has its extremum at the crossing: a branch point, and no simple fold.
 #[test]
-fn a_double_null_vector_is_a_branch_point_and_no_fold() {
-    let mut z = problem(2, |x, p, r, j, dp| {
-        for i in 0..2 {
-            r[i] = x[i].powi(3) - x[i] + p;
-            j[(i, i)] = 3.0 * x[i] * x[i] - 1.0;
-            dp[i] = 1.0;
-        }
-    });
+fn planes_that_fold_together_cross_the_branch_on_which_they_part() {
+    let z = || {
+        problem(2, |x, p, r, j, dp| {
+            for i in 0..2 {
+                r[i] = x[i].powi(3) - x[i] + p;
+                j[(i, i)] = 3.0 * x[i] * x[i] - 1.0;
+                dp[i] = 1.0;
+            }
+        })
+    };
+    let set = Settings::new(-2.0, 2.0);
     let x0 = 0.9f64;
-    let p0 = x0 - x0.powi(3);
-    let b = trace(&mut z, &[x0, x0], p0, Direction::Up, &Settings::new(-2.0, 2.0), &mut []).unwrap();
-    let p = 2.0 / (3.0 * 3f64.sqrt());
-    let near: Vec<&Special> = b.specials.iter().filter(|s| (s.point.p - p).abs() < 1e-6).collect();
-    // x1 = x2 and the branch on which they part turn there together
-    let at = |s: &Special| s.point.x.iter().all(|x| (x - 1.0 / 3f64.sqrt()).abs() < 1e-9);
-    let confirmed_fold = |s: &Special| s.kind == Kind::Fold && s.status == Status::Confirmed;
-    assert!(near.iter().any(|s| s.kind == Kind::BranchPoint && at(s)), "{:?} {:?}", b.end, b.specials);
-    assert!(!near.iter().any(|s| confirmed_fold(s)), "{:?} {:?}", b.end, b.specials);
+    let b = trace(&mut z(), &[x0, x0], x0 - x0.powi(3), Direction::Up, &set, &mut []).unwrap();
+    let kinds: Vec<Kind> = b.specials.iter().map(|s| s.kind).collect();
+    assert_eq!(kinds, [Kind::BranchPoint, Kind::ParameterExtremum, Kind::BranchPoint, Kind::ParameterExtremum], "{:?}", b.specials);
+    for (k, s) in b.specials.iter().enumerate() {
+        let sign = if k < 2 { 1.0 } else { -1.0 };
+        assert!((s.point.p - sign * 2.0 / (3.0 * 3f64.sqrt())).abs() < 1e-14 && s.status == Status::Confirmed, "{s:?}");
+        assert!(s.point.x.iter().all(|x| (x - sign / 3f64.sqrt()).abs() < 1e-12), "{s:?}");
+        assert!(s.fold.is_none(), "{s:?}");
+        let parting = cross(&mut z(), &s.point, &set).unwrap();
+        assert_eq!(parting.len(), 2);
+        for c in parting {
+            let [x, y] = c.x[..] else { panic!("{c:?}") };
+            assert!((x * x + x * y + y * y - 1.0).abs() < 1e-12 && (x - y).abs() > 1e-3, "{c:?}");
+            // away from it the parameter falls on the upper one, and rises on the lower
+            assert!(sign * (s.point.p - c.p) > 0.0 && (c.direction == Direction::Down) == (k < 2), "{c:?}");
+        }
+    }
 }
 
 fn pitchfork() -> Problem {
