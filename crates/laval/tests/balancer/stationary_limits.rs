@@ -177,3 +177,18 @@ fn the_best_state_may_be_one_of_a_continuum() {
     let want = c(2.92e6 / (w * w) - mass, 400.0 / w).abs() * 2e-6;
     assert!(best.text.contains("partly balanced") && best.value.is_some_and(|u| (u - want).abs() < 1e-6 * want), "{best:?} {want}");
 }
+
+/// Three equal balls keep the ring centre on the axis in a continuum of ways, which shrinks to one state where their moments just suffice: all balls stand together there.
+#[test]
+fn a_continuum_ends_where_the_closed_form_has_it() {
+    for (balls, mass) in [(3, 1.47e-3), (3, 1.472e-3), (4, 1.1e-3), (5, 0.881e-3)] {
+        let changes = [("balls = 2", &*format!("balls = {balls}")), ("ball_mass = \"3.6 g\"", &*format!("ball_mass = {mass}"))];
+        let o = run(&changes, "speed = { from = 300, to = 1200, points = 10 }");
+        let want = enough(f64::from(balls) * mass * 0.1);
+        let begins = all(&o, "continuum");
+        assert_eq!(begins.len(), 1, "{begins:?}");
+        let from = begins[0].evidence.iter().find(|e| e.what == "from").unwrap().value;
+        // several roots vanish there together, each known to its rounding only
+        assert!((from - want).abs() < 1e-6 * want, "{balls} balls of {mass} kg: {from} {want}");
+    }
+}

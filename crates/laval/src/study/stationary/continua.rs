@@ -1,9 +1,13 @@
-//! Continua of states, judged by samples: three and more equal masses balance in infinitely many ways, of which some may be stable.
+//! Continua of states, assessed by samples: three and more equal masses balance in infinitely many ways, of which some may be stable.
+//!
+//! A continuum ends where it shrinks to one state, as that of three balls where their moments just suffice and all stand together. That state is isolated on the other
+//! side, and the branch it lies on has as many roots at zero there as the continuum has directions and more: the end is located on the branch, not among the samples,
+//! which grow scarce beside it.
 
 use super::classify::{Class, Scale, Seen};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::solve::stationary::{Found, Loose, Search, Stability, State};
+use crate::solve::stationary::{Change, Found, Located, Loose, Search, Stability, State};
 use crate::solve::unbalance::Unbalance;
 use crate::study::support::larger;
 
@@ -52,6 +56,55 @@ pub struct Continua {
     pub spans: Vec<Span>,
     /// Starts that led to one.
     pub starts: usize,
+}
+
+/// Distance over the speed, on either side of where a branch changes, at which a continuum is sought beside it, and the angles by which masses are moved for that, rad.
+const BESIDE: f64 = 1e-3;
+const MOVED: [f64; 3] = [0.3, 0.1, 0.03];
+
+/// A kind of continuum: class, directions in which its states are free, and whether only stable states count.
+#[derive(Clone, Copy)]
+struct Wanted {
+    class: Class,
+    free: usize,
+    stable: bool,
+}
+
+impl Wanted {
+    fn among(&self, list: &[Sheet], speed: f64) -> bool {
+        list.iter().any(|s| s.speed == speed && (s.class, s.free) == (self.class, self.free) && (!self.stable || s.stable > 0))
+    }
+
+    /// Whether a state of it lies beside an isolated one at another speed.
+    fn beside(&self, system: &System, search: &mut Search, state: &State, speed: f64) -> Result<bool, Diagnostic> {
+        let angles = search.images().angles.clone();
+        for (moved, side) in MOVED.iter().flat_map(|m| [(m, 1.0), (m, -1.0)]) {
+            let mut x = state.x.clone();
+            angles.iter().enumerate().for_each(|(k, &i)| x[i] += side * moved * (1.0 + 2.4 * k as f64).sin());
+            let loose = Loose { speed, x, free: self.free };
+            if self.among(&sheets(system, search, &[loose], speed)?, speed) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The end of it between a speed at which it is not and one at which it is, where that lies on a branch of isolated states.
+    fn end(&self, system: &System, search: &mut Search, found: &Found, no: f64, yes: f64) -> Result<Option<f64>, Diagnostic> {
+        let ends = |l: &&Located| l.located && !matches!(l.change, Change::Fold | Change::Hopf);
+        let between = |l: &&Located| (l.state.speed - no) * (l.state.speed - yes) <= 0.0;
+        let mut places: Vec<&Located> = found.paths.iter().flat_map(|p| &p.special).filter(ends).filter(between).collect();
+        // where several roots vanish at once their product is flat: a root by itself is known better than the branch point
+        places.sort_by_key(|l| l.change != Change::Real);
+        for l in places {
+            let w = l.state.speed;
+            let aside = |to: f64| w + (to - w).signum() * (BESIDE * w.abs()).min(0.5 * (to - w).abs());
+            if self.beside(system, search, &l.state, aside(yes))? && !self.beside(system, search, &l.state, aside(no))? {
+                return Ok(Some(w));
+            }
+        }
+        Ok(None)
+    }
 }
 
 /// The continua at a speed, from the samples found at others.
@@ -130,19 +183,20 @@ pub fn continua(
     kinds.sort();
     for (class, free) in kinds {
         for stable in [false, true] {
-            let holds = |list: &[Sheet], w: f64| {
-                list.iter().any(|s| s.speed == w && (s.class, s.free) == (class, free) && (!stable || s.stable > 0))
-            };
+            let wanted = Wanted { class, free, stable };
             let mut from = None;
             for (k, &w) in reached.iter().enumerate() {
-                let now = holds(&out.sheets, w);
+                let now = wanted.among(&out.sheets, w);
                 let mut edge = |mut no: f64, mut yes: f64| -> Result<f64, Diagnostic> {
+                    if let Some(end) = wanted.end(system, search, found, no, yes)? {
+                        return Ok(end);
+                    }
                     for _ in 0..HALVINGS {
                         let middle = 0.5 * (no + yes);
                         if !goes_on(SAMPLES as u64) {
                             break;
                         }
-                        if holds(&sheets(system, search, loose, middle)?, middle) { yes = middle } else { no = middle }
+                        if wanted.among(&sheets(system, search, loose, middle)?, middle) { yes = middle } else { no = middle }
                     }
                     Ok(yes)
                 };
