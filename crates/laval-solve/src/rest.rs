@@ -8,7 +8,7 @@ use super::turning::preferring;
 use crate::diagnostic::Diagnostic;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, DofKind, Rows};
-use crate::model::system::{Slot, System, Workspace};
+use crate::model::system::{Drive, Slot, System, Workspace};
 use laval_num::complex::C64;
 use laval_num::dense::{Lu, Mat, max_abs};
 
@@ -60,8 +60,12 @@ pub fn hanging(system: &System, speed: f64, places: &[(usize, f64)]) -> Result<E
         .or_else(|d| sink(system, &start, &held).and_then(|sunk| settle_with(system, sunk, &held).ok()).ok_or(d))
 }
 
-/// What a machine without rest can be asked: states that turn exist only where nothing has a preferred direction.
-fn instead(system: &System, speed: f64) -> &'static str {
+/// Studies that answer for a machine without rest: states that turn exist only where nothing has a preferred direction, and a free spin has neither a given
+/// speed nor a programme.
+pub(super) fn instead(system: &System, speed: f64) -> &'static str {
+    if system.machine.drive == Drive::Free {
+        return "transient gives the motion in time";
+    }
     match preferring(system, speed) {
         None => "stationary gives the states that turn with the rotor and their stability, transient and run_up the motion in time",
         Some(_) => "transient and run_up give the motion in time",

@@ -1,7 +1,7 @@
 //! States that turn with the rotor: q = R(phase) Q for vectors, constant for everything else. Only a machine without preferred direction has them.
 
 use super::characteristic::{Equilibrium, Frame};
-use super::rest::{rest, settle};
+use super::rest::{instead, rest, settle};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Physics, Rows};
 use crate::model::system::{Slot, System, Workspace};
@@ -16,7 +16,8 @@ pub fn turning(system: &System, speed: f64, start: Option<Equilibrium>) -> Resul
     isotropic(system, speed)?;
     let start =
         start.map_or_else(|| Equilibrium::zero(system, Frame::Turning, speed), |s| Equilibrium { frame: Frame::Turning, speed, ..s });
-    settle(system, start)
+    // stationary begins at many places, this at one
+    settle(system, start).map_err(|d| if matches!(d.code, "rest.not_held" | "rest.not_found") { d.help(instead(system, speed)) } else { d })
 }
 
 /// Probes every part at random states turned with the machine to three angles.

@@ -310,6 +310,23 @@ fn changed_input_is_refused_with_what_changed_and_fresh_starts_anew() {
 }
 
 #[test]
+fn starting_anew_removes_no_file_of_others() {
+    let dir = Dir::new("foreign");
+    let fresh = Keep { fresh: true, ..dir.keep() };
+    for foreign in ["{ \"name\": \"a web page\" }", "{ \"format\": 2 }", "no JSON", "[1, 2]"] {
+        fs::create_dir_all(&dir.0).unwrap();
+        fs::write(dir.0.join("manifest.json"), foreign).unwrap();
+        let d = run(&fresh, &Told::default(), |_| panic!("computed")).err().unwrap();
+        assert_eq!(d.code, "store.foreign", "{foreign}");
+        assert_eq!(fs::read_to_string(dir.0.join("manifest.json")).unwrap(), foreign);
+    }
+    // one of an older layout is the program's own
+    fs::write(dir.0.join("manifest.json"), "{ \"format\": 1, \"laval\": \"0.0.9\" }").unwrap();
+    drop(run(&fresh, &Told::default(), |_| {}).unwrap());
+    drop(run(&fresh, &Told::default(), |_| {}).unwrap());
+}
+
+#[test]
 fn a_folder_in_use_is_refused_until_its_process_has_ended() {
     let dir = Dir::new("lock");
     let first = run(&dir.keep(), &Told::default(), |_| {}).unwrap();

@@ -72,6 +72,8 @@ pub struct Value {
     pub deviation: f64,
     /// Largest growth rate it gives, 1/s; NaN when it gives none.
     pub growth: f64,
+    /// Error of the growth rate, 1/s; 0 when there is no estimate.
+    pub growth_error: f64,
     /// k^2 of elliptic balance.
     pub parameter: f64,
 }
@@ -144,13 +146,14 @@ pub fn compare(
                 let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
                 let exact = peaks(system, &|tau, x| orbit.pair_at(x, tau)[0][0]);
                 full.sample(x, speed);
-                let growth = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok()).map_or(f64::NAN, |e: Exponents| e.growth());
+                let exponents = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok());
+                let (growth, growth_error) = exponents.map_or((f64::NAN, 0.0), |e: Exponents| (e.growth(), e.error));
                 let mut push = |method: Method, own: Vec<f64>, growth: f64, parameter: f64| {
                     let largest = exact.iter().copied().fold(0.0, f64::max);
                     let change = own.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| if (a - b).abs() <= m { m } else { (a - b).abs() });
                     let deviation = if own.is_empty() { f64::NAN } else { change / largest };
                     let peaks = if own.is_empty() { vec![f64::NAN; exact.len()] } else { own };
-                    out.values.push(Value { speed, state, method, peaks, deviation, growth, parameter });
+                    out.values.push(Value { speed, state, method, peaks, deviation, growth, growth_error: 0.0, parameter });
                 };
                 for (k, (h, _, balance)) in few.iter_mut().enumerate() {
                     let found = with_lower[k][state].map(|j| &lower_states[k][j].0);
@@ -180,6 +183,7 @@ pub fn compare(
                         peaks: own,
                         deviation: 0.0,
                         growth,
+                        growth_error,
                         parameter: f64::NAN,
                     });
                 };

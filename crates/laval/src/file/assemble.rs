@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::{Axis, Block, Catalog, MachineBlock, Spec, examine, held, joints, read_bytes, reader, stages};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::field::Extra;
+use crate::model::field::{Extra, Value};
 use crate::model::part::{At, Rows};
 use crate::model::system::{self, Machine, System, Workspace};
 use crate::parts;
@@ -67,16 +67,27 @@ impl Loaded {
             }
         }
         for r in &mut out {
-            // only some studies can be asked about another state
-            let about = |k: &&usize| self.spec.study(&self.studies[**k].name).is_some_and(|b| b.values.get("about").is_some());
-            let able: Vec<usize> = r.studies.iter().filter(about).copied().collect();
-            if matches!(r.diagnostic.code, "rest.refused" | "rest.turning") && !able.is_empty() && turns_alike(&self.system) {
+            let unrested = matches!(r.diagnostic.code, "rest.refused" | "rest.turning" | "rest.not_held" | "rest.not_found")
+                && turns_alike(&self.system);
+            let able: Vec<usize> = r.studies.iter().filter(|k| unrested && self.admitted_turning(**k)).copied().collect();
+            if !able.is_empty() {
                 let help = r.diagnostic.help.as_deref().unwrap_or_default();
                 r.diagnostic.help = Some(format!("give {} about = \"turning\"; or {help}", self.in_words(&able)).into());
             }
             r.diagnostic.message = format!("{}: {}", self.in_words(&r.studies), r.diagnostic.message);
         }
         out
+    }
+
+    /// A study knows the state that turns with the rotor, and the machine can answer it there.
+    fn admitted_turning(&self, study: usize) -> bool {
+        let Some(mut block) = self.spec.study(&self.studies[study].name).cloned() else { return false };
+        if block.values.get("about").is_none() {
+            return false;
+        }
+        block.values.set("about", Value::Choice("turning"), None);
+        let turned = stages::study(&study::registry(), &block, &self.system, &mut Diagnostics::default());
+        turned.is_some_and(|s| s.admit(&self.system).is_ok())
     }
 
     /// Studies by their names.

@@ -54,6 +54,7 @@ impl Folder {
             }
         }
         if self.path.join(MANIFEST).exists() {
+            self.own_manifest()?;
             names.push(MANIFEST.into());
         }
         for name in names {
@@ -61,6 +62,20 @@ impl Folder {
             fs::remove_file(&path).map_err(|e| Diagnostic::error("store.write", format!("cannot remove {}: {e}", path.display())))?;
         }
         Ok(())
+    }
+
+    /// A file of this name that this program has not written is not removed.
+    fn own_manifest(&self) -> Result<(), Diagnostic> {
+        let path = self.path.join(MANIFEST);
+        let text = fs::read(&path).map_err(|e| self.unreadable(&path, &e))?;
+        let value: Option<serde_json::Value> = serde_json::from_slice(&text).ok();
+        // of any version
+        let own = |v: &serde_json::Value| v["format"].is_u64() && v["laval"].is_string();
+        if value.as_ref().is_some_and(own) {
+            return Ok(());
+        }
+        Err(Diagnostic::error("store.foreign", format!("{} was not written by this program", path.display()))
+            .help("move it elsewhere, or give the results another folder with --out"))
     }
 
     fn read_manifest(&self) -> Result<Option<Manifest>, Diagnostic> {

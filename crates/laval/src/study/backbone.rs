@@ -51,6 +51,9 @@ fn turning(motions: &[Motion]) -> Option<&Motion> {
     motions.iter().max_by(|a, b| outside(a).total_cmp(&outside(b))).filter(|m| outside(m) > TURNS)
 }
 
+/// Relative change of a frequency that is none.
+const STEADY: f64 = 1e-7;
+
 /// Drive over frequency that is rounding: the machine is undamped.
 const ROUNDING: f64 = 1e-10;
 
@@ -212,14 +215,19 @@ impl Shown<'_> {
         let named = self.named(f);
         let turns = if self.directed() { if named < 0.0 { " backward" } else { " forward" } } else { "" };
         let six = |w: f64| format!("{} rad/s", significant(w, 6));
-        let word = if last.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
+        let word = match last.frequency.abs() / first.frequency.abs() - 1.0 {
+            change if change.abs() <= STEADY => "keeps its frequency",
+            change if change > 0.0 => "hardens",
+            _ => "softens",
+        };
         let turning = turning(&f.motions).map_or_else(String::new, |m| {
             let before = if m.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
             format!(" It first {before}, to {} at {}.", six(m.frequency), quantity(m.amplitude, "m"))
         });
         let text = match f.origin {
             Origin::Mode(_) => format!(
-                "The{turns} whirl of {{}} {word} with its amplitude: {} at {}, {} at {}.{turning}",
+                "The{turns} whirl of {{}} {word}{}: {} at {}, {} at {}.{turning}",
+                if word.starts_with("keeps") { " at all amplitudes computed" } else { " with its amplitude" },
                 six(first.frequency),
                 quantity(first.amplitude, "m"),
                 six(last.frequency),

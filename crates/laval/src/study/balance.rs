@@ -87,6 +87,8 @@ pub(super) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome)
     sound(play::report(motion, flight, outcome)?.checked())
 }
 
+/// Share of an unbalance that is rounding.
+const NOTHING: f64 = 1e-9;
 /// Share of the flight at its end over which rates are averaged.
 const LATE: usize = 5;
 /// Mean rate in the rotor over its speed from which masses do not follow it.
@@ -155,7 +157,7 @@ fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
     let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
-    let harm = left > without;
+    let harm = left > (1.0 + NOTHING) * without;
     let [_, at] = end_in_words(flight);
     let text = if harm {
         format!("{at} the balls make the unbalance larger: it is {{}}.")
@@ -170,7 +172,7 @@ fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
             .evidence("grade number (ISO 21940-11)", last.grade(left, speed), "m/s")
             .evidence("grade number without the balls", last.grade(without, speed), "m/s"),
     );
-    if !(last.capacity >= without) {
+    if !(last.capacity >= (1.0 - NOTHING) * without) {
         let text = format!("The balls can cancel {{}} at most, less than the unbalance of {}.", quantity(without, "kg m"));
         out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
     }

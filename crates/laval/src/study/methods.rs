@@ -203,7 +203,7 @@ impl Methods {
     fn findings(&self, converged: &Response, found: &Comparison, folds: &[FoldBy]) -> Vec<Finding> {
         let mut out = Vec::new();
         let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
-        let (unstable, all) = (states().filter(|v| v.growth > 0.0).count(), states().count());
+        let (unstable, all) = (states().filter(|v| v.growth > v.growth_error).count(), states().count());
         if unstable > 0 {
             let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
             out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
@@ -240,7 +240,9 @@ impl Methods {
         let judged = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
         let (mut wrong, mut count) = (0, 0);
         for a in judged(Method::Averaging) {
-            if let Some(c) = judged(Method::Converged).find(|c| c.speed == a.speed && c.state == a.state) {
+            // what neither grows nor decays beyond its error has no sign to compare
+            let told = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
+            if let Some(c) = judged(Method::Converged).find(told) {
                 count += 1;
                 wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
             }

@@ -122,3 +122,39 @@ fn studies_stop_when_asked() {
         assert_ne!(o.end, End::Reached, "{study}");
     }
 }
+
+/// At rest every whirl of a round machine goes round either way: one family for each pair, whatever rounding a stiff mode leaves in the frequency of a soft
+/// one. A wheel that turns has different families both ways, all of them kept; and a family has the frequency of the mode it begins at, not of its
+/// first amplitude.
+#[test]
+fn families_of_both_directions() {
+    let study = "kind = \"backbone\"\namplitude = { from = \"20 um\", to = \"100 um\" }\nharmonics = 3\nspeed";
+    let machine = |stiffness: f64, speed: f64| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 2\ndiametral_inertia = 0.01\npolar_inertia = 0.016\n\
+             [[part]]\nkind = \"foundation\"\nname = \"base\"\nmass = 20\nstiffness = {stiffness}\n\
+             [[part]]\nkind = \"bearing_cubic\"\nname = \"upper\"\nbetween = [{{ body = \"rotor\", at = 0.1 }}, \"base\"]\nlaw = \"isotropic\"\nstiffness = 2e5\ncubic_stiffness = 1e13\n\
+             [[part]]\nkind = \"bearing_cubic\"\nname = \"lower\"\nbetween = [{{ body = \"rotor\", at = -0.06 }}, \"base\"]\nlaw = \"isotropic\"\nstiffness = 3e5\ncubic_stiffness = 1e13\n\
+             [[study]]\n{study} = {speed}\n"
+        )
+    };
+    let families = |o: &Outcome| o.findings.iter().filter(|f| f.id == "family").map(|f| f.value.unwrap()).collect::<Vec<_>>();
+    for stiffness in [1e5, 1e12] {
+        let o = run(&machine(stiffness, 0.0));
+        let own = families(&o);
+        assert!(own.len() == 3 && own.iter().all(|w| *w > 0.0), "{stiffness}: {own:?}");
+        let modes = o.find_table("modes").unwrap();
+        for (k, w) in own.iter().enumerate() {
+            let near = (0..modes.rows()).filter(|&i| (modes.column("frequency").unwrap().number(i).unwrap().abs() / w - 1.0).abs() < 1e-6);
+            assert!(near.count() == 2, "{stiffness}: {k} of {own:?}");
+        }
+        // the first amplitude has a frequency of its own
+        let first = o.find_table("backbone").unwrap().column("frequency").unwrap().number(0).unwrap();
+        assert!((first / own[0] - 1.0).abs() > 3e-6, "{first} {own:?}");
+        // both senses of the stiff whirl of the base are one to rounding
+        let soft = |w: &&f64| w.abs() < 1e5;
+        let turning: Vec<f64> = families(&run(&machine(stiffness, 300.0))).iter().filter(soft).copied().collect();
+        let each = own.iter().filter(soft).count();
+        assert_eq!((turning.iter().filter(|w| **w > 0.0).count(), turning.len()), (each, 2 * each), "{turning:?}");
+    }
+}

@@ -198,6 +198,45 @@ fn advice_does_not_lead_in_circles() {
     let refusals = load(&machine("vertical", "8000", studies[0])).refusals();
     assert!(refusals[0].diagnostic.help.as_deref().is_some_and(|h| h.contains("stationary")), "{:?}", refusals[0].diagnostic);
     assert!(load(&machine("vertical", "8000", studies[2])).refusals().is_empty());
+    // the spin is free: neither a range of speeds nor a programme
+    let free = |study: &str| machine("vertical", "8000", study).replace("[machine]\n", "[machine]\ndrive = \"free\"\n");
+    let refusals = load(&free(studies[0])).refusals();
+    let help = refusals[0].diagnostic.help.as_deref().unwrap_or_default();
+    assert!(help.contains("transient") && !help.contains("stationary") && !help.contains("run_up"), "{help}");
+    assert!(!load(&free(studies[2])).refusals().is_empty() && load(&free("kind = \"transient\", duration = 0.01")).refusals().is_empty());
+}
+
+/// `about = "turning"` is advised where it is admitted: never of balls that the unbalance pushes nowhere, or where Newton's method has no state.
+#[test]
+fn about_turning_is_advised_only_where_it_works() {
+    let machine = |unbalance: &str, balls: usize, study: &str| {
+        format!(
+            "study = [{{ {study} }}]\n[machine]\nspeed = \"1200 rpm\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 35\n{unbalance}polar_inertia = 1.1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"drum\", \"ground\"]\nkxx = 8000\nkyy = 8000\ncxx = 150\ncyy = 150\n\
+             [[part]]\nkind = \"balancer_ball\"\nname = \"ring\"\non = \"drum\"\nballs = {balls}\nball_mass = 0.03\ntrack_radius = 0.24\nball_radius = 0.0095\ndrag = 5e-3\n\
+             contact_stiffness = 1e6\n"
+        )
+    };
+    let ranged = ", speed = { from = 10, to = 100 }";
+    let mut outcomes = [0, 0];
+    for unbalance in ["", "unbalance = 0.06\n"] {
+        for balls in [1, 2, 5] {
+            for (kind, range) in [("modes", ""), ("stability_map", ranged)] {
+                let study = format!("kind = \"{kind}\"{range}");
+                let refusals = load(&machine(unbalance, balls, &study)).refusals();
+                let help = refusals[0].diagnostic.help.as_deref().unwrap_or_default();
+                let turning = load(&machine(unbalance, balls, &format!("{study}, about = \"turning\""))).refusals();
+                assert_eq!(help.contains("about"), turning.is_empty(), "{balls} {study}: {help}, {turning:?}");
+                outcomes[usize::from(turning.is_empty())] += 1;
+                // and what is advised when it is refused works
+                for r in &turning {
+                    let help = r.diagnostic.help.as_deref().unwrap_or_default();
+                    assert!(help.contains("stationary") && !help.contains("about"), "{help}");
+                }
+            }
+        }
+    }
+    assert!(outcomes[0] > 0, "{outcomes:?}");
 }
 
 /// Many modes: colours and names by the direction of whirl, not one each.

@@ -332,3 +332,43 @@ fn growth_agrees_with_time_integration() {
         assert!((worst.re / number(r[5]) - 1.0).abs() < 5e-5 && (worst.im / number(r[6]) - 1.0).abs() < 5e-5, "{r:?}: {worst:?}");
     }
 }
+
+/// Elements of a shaft that act at their middles, 12 E I/l^3 across and E I/l in tilt, bend as the shaft between its masses does: on stiff bearings at its ends
+/// it whirls at (n pi/L)^2 sqrt(E I/m').
+#[test]
+fn a_shaft_of_elements_whirls_as_the_uniform_beam() {
+    let (elements, length, bending, mass, tilt) = (12, 1.5, 6.4e4, 15.0, 1e-5);
+    let l = length / f64::from(elements);
+    let mut text = String::from("[machine]\nspeed = 0\n[[study]]\nkind = \"modes\"\n");
+    for k in 0..=elements {
+        let share = if k == 0 || k == elements { 0.5 } else { 1.0 };
+        text += &format!("[[part]]\nkind = \"disc\"\nname = \"n{k}\"\nmass = {:e}\n", share * mass * l);
+        text += &format!("diametral_inertia = {tilt:e}\npolar_inertia = {:e}\n", 2.0 * tilt);
+    }
+    for k in 1..=elements {
+        let (above, below) = (format!("n{k}"), format!("n{}", k - 1));
+        text += &format!(
+            "[[part]]\nkind = \"shaft_lumped\"\nbetween = [{{ body = \"{above}\", at = {:e} }}, {{ body = \"{below}\", at = {:e} }}]\n",
+            -0.5 * l,
+            0.5 * l
+        );
+        text += &format!("stiffness = {:e}\ntilt_stiffness = {:e}\n", 12.0 * bending / l.powi(3), bending / l);
+    }
+    for k in [0, elements] {
+        text += &format!("[[part]]\nkind = \"bearing_linear\"\nbetween = [\"n{k}\", \"ground\"]\nkxx = 1e12\nkyy = 1e12\n");
+    }
+    let loaded = laval::file::load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+    let o = loaded.studies[0].study.run(&loaded.system, &laval::study::Context::quiet("modes")).unwrap();
+    let frequency = o.find_table("modes").unwrap().column("frequency").unwrap();
+    for n in 1..=3 {
+        let wave = f64::from(n) * std::f64::consts::PI / length;
+        // inertia of the tilts beside that of the displacements
+        let whirls = wave * wave * (bending / (mass + tilt / l * wave * wave)).sqrt();
+        // forward and backward; masses in points leave out (n pi)^4/(720 N^4)
+        let error = (f64::from(n) * std::f64::consts::PI / f64::from(elements)).powi(4) / 720.0;
+        for k in [2 * n - 2, 2 * n - 1] {
+            let found = frequency.number(k as usize).unwrap();
+            assert!((found / whirls - 1.0).abs() < 2.0 * error + 1e-6, "{n}: {found} for {whirls}, {error:e}");
+        }
+    }
+}

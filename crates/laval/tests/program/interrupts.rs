@@ -234,21 +234,25 @@ fn what_takes_long_within_ends_in_time() {
         include_str!("machines/methods.toml"),
         include_str!("machines/sensitivity.toml"),
     ];
+    // little time after a stop: each is ended from within
+    let grace = GRACE / 20;
     for text in machines {
         let l = load(text).unwrap_or_else(|d| panic!("{d:?}"));
         let kind = l.studies[0].study.kind();
-        for at in [100_000_000, 2 * GRACE] {
-            let cancel = Cancel::after(at);
+        for at in [grace, 4 * grace] {
+            let cancel = Cancel::after(at).within(grace);
             let o = run(&l, &cancel, u64::MAX);
             let late = cancel.spent().saturating_sub(at);
             assert_eq!(o.end, End::Cancelled, "{kind} stopped after {at}");
-            assert!(late <= 2 * GRACE, "{kind} went on for {late} units after {at}");
+            assert!(late <= 2 * grace, "{kind} went on for {late} units after {at}");
         }
-        let cancel = Cancel::default();
-        let o = run(&l, &cancel, 1);
-        assert!(matches!(o.end, End::WorkLimit | End::MaxPoints), "{kind}: {:?}", o.end);
-        assert!(cancel.spent() <= STEP + 5 * GRACE, "{kind} spent {} units under a limit of one step", cancel.spent());
     }
+    // the time beyond a limit on the work is some seconds, the same for every study
+    let l = load(machines[2]).unwrap_or_else(|d| panic!("{d:?}"));
+    let cancel = Cancel::default();
+    let o = run(&l, &cancel, 1);
+    assert!(matches!(o.end, End::WorkLimit | End::MaxPoints), "{:?}", o.end);
+    assert!(cancel.spent() <= STEP + 5 * GRACE, "{} units under a limit of one step", cancel.spent());
 }
 
 #[test]

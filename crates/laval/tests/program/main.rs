@@ -7,6 +7,7 @@ mod all_mistakes;
 mod architecture;
 mod docs;
 mod figures;
+mod findings;
 mod interrupts;
 mod pages;
 mod texts;

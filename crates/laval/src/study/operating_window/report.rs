@@ -208,9 +208,9 @@ impl Found<'_> {
             let text = "The machine is unstable at every speed computed: its growth rate is {} or more. Remove the instability before any other limit counts.";
             out = out.finding(Finding::warning("unstable", text).value(least, "1/s"));
         }
-        out = out.finding(Finding::warning("no_window", "No speed in the range keeps all requirements."));
+        out = out.finding(Finding::warning("no_window", "No speed computed in the range keeps all requirements."));
         for (a, b) in excluding(points) {
-            let text = format!("\"{}\" and \"{}\" exclude each other: no speed keeps both.", NAMES[a], NAMES[b]);
+            let text = format!("\"{}\" and \"{}\" exclude each other: no speed computed keeps both.", NAMES[a], NAMES[b]);
             out = out.finding(Finding::warning("excluding", text));
         }
         for (name, margin, speed) in relaxations(points) {
@@ -239,7 +239,7 @@ impl Found<'_> {
         if relaxations(points).is_empty() {
             out = out.finding(Finding::info(
                 "relaxation",
-                "Relaxing a single requirement does not open a window: at every speed two or more are broken.",
+                "Relaxing a single requirement does not open a window: at every speed computed two or more are broken.",
             ));
         }
         out

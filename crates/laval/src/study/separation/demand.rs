@@ -10,6 +10,7 @@ use crate::separation::machine::Turning;
 use crate::separation::measures;
 use crate::separation::particle::Particle;
 use crate::separation::validity::{FIELD, gravity_felt};
+use crate::solve::scalar::maximum;
 use crate::study::duty::task::needed;
 use crate::study::support::RPM;
 
@@ -88,7 +89,7 @@ impl Found<'_> {
         if spare(0.0) >= 0.0 {
             return Ok((0.0, 0.0));
         }
-        let mut before = (0.0, f64::NEG_INFINITY);
+        let (mut earlier, mut before) = ((0.0, f64::NEG_INFINITY), (0.0, f64::NEG_INFINITY));
         for k in 0..40 {
             // from a hundredth to a hundred times the speed
             let w = s.speed.abs() * 10f64.powf(-2.0 + 4.0 * k as f64 / 39.0);
@@ -96,8 +97,14 @@ impl Found<'_> {
                 break;
             }
             let m = spare(w);
-            if m >= 0.0 {
-                let (mut low, mut high) = (before, (w, m));
+            // between the speeds scanned it may suffice for a while
+            let hill = before.1 > earlier.1 && before.1 > m && earlier.1.is_finite();
+            let top = if hill { maximum(|x| Some(spare(x)), earlier.0, w, 1e-9 * w).filter(|t| t.1 >= 0.0) } else { None };
+            if m >= 0.0 || top.is_some() {
+                let (mut low, mut high) = match top {
+                    Some(top) => (if top.0 > before.0 { before } else { earlier }, top),
+                    None => (before, (w, m)),
+                };
                 for k in 0..60 {
                     if high.0 - low.0 < 1e-9 * high.0 {
                         break;
@@ -111,7 +118,7 @@ impl Found<'_> {
                 }
                 return Ok((high.0, high.0 - low.0));
             }
-            before = (w, m);
+            (earlier, before) = (before, (w, m));
         }
         Err(before.0)
     }

@@ -10,8 +10,8 @@ use crate::study::settled::period::Verdict;
 pub(super) const JUMP: f64 = 0.25;
 /// Parts of a step, at most: so closely a jump is placed.
 const PARTS: f64 = 64.0;
-/// Motions that one step may cost.
-const MOST: usize = 24;
+/// Motions that one step may cost: beside a fold the steps that stay on a branch become short as the fold comes near.
+const MOST: usize = 96;
 
 /// What a followed motion brings along to the next speed.
 #[derive(Clone)]
@@ -22,6 +22,8 @@ pub(super) struct Followed {
     pub amplitude: Vec<f64>,
     /// It is known not to repeat. One that still changes slowly, as beside a fold, has an amplitude all the same.
     pub wanders: bool,
+    /// It repeats. What falls off a branch does not, and may change little from one short step to the next.
+    pub repeats: bool,
 }
 
 impl Followed {
@@ -30,6 +32,11 @@ impl Followed {
         let loudest = self.amplitude.iter().chain(&other.amplitude).copied().fold(0.0, f64::max);
         let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b) && a.max(*b) > share * loudest;
         !self.wanders && !other.wanders && self.amplitude.iter().zip(&other.amplitude).any(apart)
+    }
+
+    /// The other is no neighbour of it on a branch.
+    fn leads_off(&self, other: &Followed, share: f64) -> bool {
+        self.jumps_to(other, share) || self.repeats && !other.repeats
     }
 }
 
@@ -45,7 +52,8 @@ impl Fleet<'_> {
         let m = settled.measure.as_ref()?;
         let wanders = settled.verdict == Verdict::NotPeriodic;
         let amplitude = m.bodies.iter().zip(&self.probes).map(|(b, p)| b.peak / p.typical()).collect();
-        Some(Followed { y: settled.y.clone(), amplitude, wanders })
+        let repeats = matches!(settled.verdict, Verdict::Period(_));
+        Some(Followed { y: settled.y.clone(), amplitude, wanders, repeats })
     }
 
     /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.
@@ -55,33 +63,30 @@ impl Fleet<'_> {
         let Some(before) = before.filter(|b| way != Way::Rest && jumps(b, &found)) else { return Some((found, None)) };
         let quiet = counter.aside();
         let at = |from: &Followed, speed: f64| self.settle(&[self.member_at(speed, Some(&from.y))], &quiet)?.pop();
-        // a motion on the branch, and one that the step from there leads to beyond a jump
-        let (mut on, mut beyond) = ((from, before.clone()), (to, found.clone()));
-        let narrow = (to - from).abs() / PARTS;
+        let narrow = (to - from).abs() / PARTS * (1.0 + 1e-9);
+        // a motion on the branch, the step from there that leads off it, and where that leads
+        let (mut on, mut part, mut beyond) = ((from, before.clone()), to - from, (to, found.clone()));
         let mut count = 0;
-        while (beyond.0 - on.0).abs() > narrow * (1.0 + 1e-9) && count < MOST {
-            let middle = 0.5 * (on.0 + beyond.0);
-            let half = at(&on.1, middle)?;
-            count += 1;
-            let Some(next) = self.followed(&half.0) else { return Some((found, None)) };
-            if on.1.jumps_to(&next, share) {
-                beyond = (middle, half);
-                continue;
+        while part.abs() > narrow {
+            if count >= MOST {
+                // steps as short as this still lead off, where shorter ones go on: the rest of the step is the place
+                let last = at(&on.1, to)?;
+                return Some((last, Some((on.0, to))));
             }
-            on = (middle, next);
-            // from here the rest of the step again, and what is beyond it
-            for end in [beyond.0, to] {
-                let whole = at(&on.1, end)?;
+            part *= 0.5;
+            loop {
+                let end = if (to - on.0).abs() <= part.abs() { to } else { on.0 + part };
+                let next = at(&on.1, end)?;
                 count += 1;
-                let Some(next) = self.followed(&whole.0) else { return Some((found, None)) };
-                if on.1.jumps_to(&next, share) {
-                    beyond = (end, whole);
+                let Some(there) = self.followed(&next.0) else { return Some((found, None)) };
+                if on.1.leads_off(&there, share) {
+                    (part, beyond) = (end - on.0, (end, next));
                     break;
                 }
                 if end == to {
-                    return Some((whole, None));
+                    return Some((next, None));
                 }
-                on = (end, next);
+                (on, part) = ((end, there), 2.0 * part);
             }
         }
         let place = (on.0, beyond.0);

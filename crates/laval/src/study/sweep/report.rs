@@ -9,7 +9,7 @@ use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
 use super::{Fleet, Sweep, Way, figures};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity};
+use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
 use crate::store::{Kind, Results};
 use crate::study::{Context, Study, sights};
 use std::collections::BTreeMap;
@@ -86,12 +86,16 @@ fn jumps(path: &Path) -> Vec<Jump> {
             let known: Vec<f64> = sides.into_iter().filter(|x| x.is_finite()).collect();
             share(a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
         };
+        let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite());
+        // in smaller steps the motion went on from one to the other
+        if path.way != Way::Rest && placed.is_none() && [i, i + 1].iter().all(|&k| path.motion[k] == "periodic") {
+            continue;
+        }
         let all = path.amplitude.iter().enumerate().filter(|(k, a)| clear(a) && resolved(*k, a));
         let found = all.max_by(|a, b| path.rank[b.0].cmp(&path.rank[a.0]).then(change(a.1, i).total_cmp(&change(b.1, i))));
         if let Some((probe, a)) = found {
             let (before, after) = (path.speed[i], path.speed[i + 1]);
-            let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite()).unwrap_or((before, after));
-            out.push(Jump { way: path.way, before, after, placed, probe, amplitudes: (a[i], a[i + 1]) });
+            out.push(Jump { way: path.way, before, after, placed: placed.unwrap_or((before, after)), probe, amplitudes: (a[i], a[i + 1]) });
         }
     }
     out
@@ -114,6 +118,13 @@ fn place(speed: &[f64], range: &RangeInclusive<usize>) -> String {
     let (a, b) = (speed[*range.start()], speed[*range.end()]);
     let say = |x: f64| quantity(x, "rad/s");
     if a == b { format!("at {}", say(a)) } else { format!("from {} to {}", say(a.min(b)), say(a.max(b))) }
+}
+
+/// "between a and b", with as many digits as tell them apart.
+fn between((a, b): (f64, f64)) -> String {
+    let words = |digits: usize| (significant(a, digits), significant(b, digits));
+    let (a, b) = (4..12).map(words).find(|(a, b)| a != b).unwrap_or_else(|| words(12));
+    format!("between {a} rad/s and {b} rad/s")
 }
 
 fn begun(way: Way) -> &'static str {
@@ -187,7 +198,7 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
         let probe = &fleet.probes[j.probe];
         let (who, unit) = (sights::subject(probe), probe.unit());
         let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
-        let between = format!("between {} and {{}}", quantity(j.placed.0, "rad/s"));
+        let between = between(j.placed);
         let (id, text) = match j.way {
             Way::Rest => (
                 "start_jump",
@@ -205,8 +216,9 @@ fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcom
         let special = SpecialPoint::new(id, j.placed.1, j.placed).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
     }
-    // nothing is said of speeds that could not be computed
-    let whole = |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite());
+    // nothing is said of speeds that could not be computed, nor of motions without one amplitude
+    let whole =
+        |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite()) && p.motion.iter().all(|m| m == "periodic");
     for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
         let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
         let (range, way) = (format!("from {} to {}", quantity(from, "rad/s"), quantity(to, "rad/s")), p.way.word());
@@ -468,8 +480,18 @@ mod tests {
 
     #[test]
     fn a_jump_is_no_resonance() {
-        let fold = jumps(&path(&[5.0, 5.2, 5.3, 1.0, 0.9]));
-        assert_eq!((fold.len(), fold[0].before, fold[0].after), (1, 2.0, 3.0));
+        let mut falls = path(&[5.0, 5.2, 5.3, 1.0, 0.9]);
+        // smaller steps go on
+        assert_eq!(jumps(&falls), []);
+        falls.placed[3] = (2.25, 2.5);
+        let fold = jumps(&falls);
+        assert_eq!((fold.len(), fold[0].before, fold[0].after, fold[0].placed), (1, 2.0, 3.0, (2.25, 2.5)));
+        // started anew there are no steps
+        falls.placed[3] = (f64::NAN, f64::NAN);
+        falls.way = Way::Rest;
+        assert_eq!(jumps(&falls).len(), 1);
+        assert_eq!(between((2.25, 2.5)), "between 2.25 rad/s and 2.5 rad/s");
+        assert_eq!(between((2395.7, 2395.9)), "between 2395.7 rad/s and 2395.9 rad/s");
         // narrow resonances, sampled once or twice
         assert_eq!(jumps(&path(&[1.0, 1.1, 9.0, 1.1, 1.0])), []);
         assert_eq!(jumps(&path(&[1.0, 2.0, 8.0, 2.5, 1.0])), []);

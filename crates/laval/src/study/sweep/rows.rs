@@ -108,8 +108,9 @@ pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], (ways, probes)
         let row = rows.saturating_sub(ways) + w;
         let y: Vec<f64> = state.iter().map(|c| c.number(row)).collect();
         let amplitude = amplitude.iter().map(|(typical, c)| c.number(row) / typical).collect();
-        let wanders = motion.and_then(|m| m.word(row)) == Some(Verdict::NotPeriodic.word());
-        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude, wanders })
+        let is = |verdict: Verdict| motion.and_then(|m| m.word(row)) == Some(verdict.word());
+        let (wanders, repeats) = (is(Verdict::NotPeriodic), is(Verdict::Period(1)));
+        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude, wanders, repeats })
     };
     (0..ways).map(last).collect()
 }
