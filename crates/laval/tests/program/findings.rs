@@ -11,6 +11,7 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
     ("history.rs", 2, &["largest_displacement", "largest_tilt"]),
     ("motion_map/report.rs", 1, &["largest_displacement", "largest_tilt"]),
     ("nonlinear_response/findings.rs", 1, &["largest_displacement_not_reached", "unbounded_displacement"]),
+    ("nonlinear_response/one.rs", 1, &["steady_motion", "steady_tilt"]),
     ("nonlinear_response/orders.rs", 1, &["superharmonic_range", "subharmonic_range"]),
     ("nonlinear_response/stability.rs", 1, &["stability_lost", "stability_gained"]),
     (
@@ -41,8 +42,20 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
     ("stationary/findings.rs", 2, &["balanced_stable", "stable_states", "continuum"]),
     (
         "sweep/report.rs",
-        3,
-        &["start_jump", "jump_up", "jump_down", "joins_up", "joins_down", "no_jump_up", "no_jump_down", "not_periodic", "not_settled"],
+        4,
+        &[
+            "largest_displacement",
+            "largest_tilt",
+            "start_jump",
+            "jump_up",
+            "jump_down",
+            "joins_up",
+            "joins_down",
+            "no_jump_up",
+            "no_jump_down",
+            "not_periodic",
+            "not_settled",
+        ],
     ),
     ("transient.rs", 1, &["largest_displacement", "largest_tilt"]),
 ];
