@@ -110,12 +110,13 @@ amplitude = { from = "1 um", to = "1 mm" }
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
         let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
-        let shown = Shown { request: &request, found: &found, measured, probes: measure.probes };
+        let shown = Shown { system, request: &request, found: &found, measured, probes: measure.probes };
         shown.outcome(context).map_err(Diagnostic::from)
     }
 }
 
 struct Shown<'a> {
+    system: &'a System,
     request: &'a Request,
     found: &'a crate::solve::harmonic::backbone::Backbone,
     measured: Vec<Vec<Measured>>,
@@ -204,7 +205,7 @@ impl Shown<'_> {
         }
         let kept = found.discretisation.harmonics;
         out.extend(short(self.request.harmonics, self.request.truncation, motions().map(|m| m.truncation), kept));
-        out.extend(invalid(&self.measured.iter().flatten().collect::<Vec<_>>(), "free whirls"));
+        out.extend(invalid(self.system, &self.measured.iter().flatten().collect::<Vec<_>>(), "free whirls"));
         out
     }
 
@@ -318,7 +319,7 @@ impl Shown<'_> {
             .float("frequency", "rad/s", FREQUENCY, column(&|m| m.frequency))
             .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
         let t = body_columns(t, &self.probes, &measured);
-        trust_columns(t, column(&|m| m.truncation), column(&|m| m.residual), &measured).build()
+        trust_columns(t, self.system, column(&|m| m.truncation), column(&|m| m.residual), &measured).build()
     }
 
     fn modes(&self) -> Result<Table, OutcomeError> {

@@ -2,6 +2,7 @@
 
 use super::sights;
 use super::support::largest;
+use super::validity::Uses;
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::At;
@@ -78,8 +79,8 @@ pub(super) struct Measured {
     pub first: Vec<f64>,
     /// Per probe: largest value over a period, m or rad.
     pub largest: Vec<f64>,
-    /// Largest use of a part's validity, and which.
-    pub validity: (f64, String),
+    /// Use of the parts' validity; `None` where the motion could not be had.
+    pub uses: Option<Uses>,
 }
 
 impl<'a> Measure<'a> {
@@ -99,7 +100,7 @@ impl<'a> Measure<'a> {
         self.balance.set_free(Pace { speed, frequency, drive, rate: [0.0; 3], parameter: None });
         let Ok(orbit) = Orbit::of(&mut self.balance, x, speed) else {
             let [first, largest] = [self.bodies.len(), self.which.len()].map(|n| vec![f64::NAN; n]);
-            return Measured { first, largest, validity: (f64::NAN, String::new()) };
+            return Measured { first, largest, uses: None };
         };
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -107,20 +108,15 @@ impl<'a> Measure<'a> {
             let (forward, backward) = orbit.whirl(x, 1);
             forward.abs().max(backward.abs())
         };
-        let mut worst = (0.0, String::new());
-        let mut ws = Workspace::default();
+        let (mut uses, mut ws) = (Uses::default(), Workspace::default());
         for j in 0..SAMPLES {
             let tau = TAU * j as f64 / SAMPLES as f64;
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: tau / frequency };
-            for (slot, v) in self.system.validity(&at, &mut ws) {
-                if !(v.ratio <= worst.0) {
-                    worst = (v.ratio, format!("{}: {}", self.system.slots()[slot].name, v.what));
-                }
-            }
+            uses.see(self.system, &at, &mut ws);
         }
         let largest = sights::sizes(self.system, &self.which, &orbit, 1);
-        Measured { first: self.bodies.iter().map(first).collect(), largest, validity: worst }
+        Measured { first: self.bodies.iter().map(first).collect(), largest, uses: Some(uses) }
     }
 }
 
@@ -152,14 +148,20 @@ pub(super) fn body_columns(mut t: TableBuilder, probes: &[Probe], measured: &[&M
 }
 
 /// The columns of how far motions are to be trusted.
-pub(super) fn trust_columns(t: TableBuilder, truncation: Vec<f64>, residual: Vec<f64>, measured: &[&Measured]) -> TableBuilder {
+pub(super) fn trust_columns(
+    t: TableBuilder,
+    system: &System,
+    truncation: Vec<f64>,
+    residual: Vec<f64>,
+    measured: &[&Measured],
+) -> TableBuilder {
     t.float("truncation", "", "dropped over kept force harmonics; NaN when it could not be had", truncation)
         .float("residual", "", "scaled residual of the balance", residual)
         .float(
             "validity",
             "",
             "largest use of a part's validity; above 1 is outside; NaN when it could not be had",
-            measured.iter().map(|m| m.validity.0).collect(),
+            measured.iter().map(|m| m.uses.as_ref().map_or(f64::NAN, |u| u.worst(system).0)).collect(),
         )
 }
 
@@ -174,26 +176,17 @@ pub(super) fn short(harmonics: Option<usize>, accepted: f64, truncations: impl I
     })
 }
 
-/// That motions leave the validity of models: the worst of each statement.
-pub(super) fn invalid(all: &[&Measured], what: &str) -> Vec<Finding> {
-    let mut worst: Vec<&(f64, String)> = Vec::new();
-    for m in all.iter().filter(|m| !(m.validity.0 <= 1.0)) {
-        match worst.iter_mut().find(|w| w.1 == m.validity.1) {
-            Some(w) if m.validity.0 > w.0 => *w = &m.validity,
-            Some(_) => {}
-            None => worst.push(&m.validity),
-        }
+/// That motions leave the validity of models: the largest use of each statement.
+pub(super) fn invalid(system: &System, all: &[&Measured], what: &str) -> Vec<Finding> {
+    let mut uses = Uses::default();
+    all.iter().filter_map(|m| m.uses.as_ref()).for_each(|u| uses.join(u));
+    let mut out = uses.of_motions(system, what);
+    let unknown = all.iter().filter(|m| m.uses.is_none()).count();
+    if unknown > 0 {
+        let text = format!("The size of {{}} of {} {what} and their distance from the limits of the parts are unknown.", all.len());
+        out.push(Finding::invalid("validity", text).value(unknown as f64, ""));
     }
-    let say = |w: &&(f64, String)| {
-        let (part, statement) = w.1.split_once(": ").unwrap_or(("a part", "no number"));
-        let text = format!("Some {what} are outside the model of \"{part}\": {statement}");
-        if w.0.is_finite() {
-            Finding::invalid("validity", text + " reaches {}, above 1.").of(part).value(w.0, "")
-        } else {
-            Finding::invalid("validity", text + " is without bound.").of(part)
-        }
-    };
-    worst.iter().map(say).collect()
+    out
 }
 
 /// Why a family could not be followed further; `None` when it was followed to its end.

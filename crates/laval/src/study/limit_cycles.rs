@@ -79,12 +79,13 @@ impl Study for LimitCycles {
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |c: &Cycle, measure: &mut Measure| measure.of([c.speed, c.frequency, 0.0], &c.x);
         let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
-        let shown = Shown { request: &request, found: &found, measured, probes: measure.probes };
+        let shown = Shown { system, request: &request, found: &found, measured, probes: measure.probes };
         shown.outcome(context).map_err(Diagnostic::from)
     }
 }
 
 struct Shown<'a> {
+    system: &'a System,
     request: &'a Request,
     found: &'a Cycles,
     measured: Vec<Vec<Measured>>,
@@ -224,7 +225,7 @@ impl Shown<'_> {
         }
         let truncations = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.truncation);
         out.extend(short(self.request.harmonics, self.request.truncation, truncations, found.discretisation.harmonics));
-        out.extend(invalid(&self.measured.iter().flatten().collect::<Vec<_>>(), "cycles"));
+        out.extend(invalid(self.system, &self.measured.iter().flatten().collect::<Vec<_>>(), "cycles"));
         out
     }
 
@@ -393,7 +394,7 @@ impl Shown<'_> {
                 "largest growth rate of the machine at rest at this speed; NaN when it could not be had",
                 column(&|c| c.rest),
             );
-        trust_columns(t, column(&|c| c.truncation), column(&|c| c.residual), &measured).build()
+        trust_columns(t, self.system, column(&|c| c.truncation), column(&|c| c.residual), &measured).build()
     }
 
     fn onsets(&self) -> Result<Table, OutcomeError> {

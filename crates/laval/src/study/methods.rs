@@ -11,6 +11,7 @@
 
 use super::nonlinear_response::around;
 use super::support::one_or_range;
+use super::validity::Uses;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -101,7 +102,9 @@ harmonics = 7
         }
         folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged.to_string(), speed, deviation: 0.0 }));
         let complete = within == speeds.len() && found.complete;
-        self.outcome(system, context, &converged, &found, &folds, context.end(complete)).map_err(Diagnostic::from)
+        let outside = Uses::of_response(system, &converged, request.speeds)?.of_states(system);
+        let outcome = self.outcome(system, context, &converged, &found, &folds, context.end(complete)).map_err(Diagnostic::from)?;
+        Ok(outside.into_iter().fold(outcome, Outcome::finding))
     }
 }
 

@@ -44,6 +44,7 @@ pub mod transient;
 mod turns;
 pub mod uncertainty;
 mod unstable;
+mod validity;
 mod watch;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -198,6 +199,11 @@ pub trait Study: Send + Sync + Sized + 'static {
     const FIELDS: &'static [Field];
     /// It rests on the motion of the machine at its spin speeds, and so on parts that are known at some speeds only.
     const TURNS: bool = true;
+
+    /// Lowest and highest spin speed of a request, rad/s, where they are not those of its fields `speed`, `from`, `to` and `programme`.
+    fn speeds(_: &Values, _: &System) -> Option<(f64, f64)> {
+        None
+    }
 
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;

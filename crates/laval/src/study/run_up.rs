@@ -52,6 +52,8 @@ pub struct RunUp {
     spectra: Option<Spectra>,
 }
 
+/// Places of a polynomial at which its speed is compared with those at which parts are known.
+const SPEEDS: usize = 10_000;
 const TABLE: &[(&str, &str, bool, &str)] =
     &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
 
@@ -116,6 +118,15 @@ hold = "2 s"
         spectra::HIGHEST_ORDER,
         spectra::THRESHOLD,
     ];
+
+    fn speeds(values: &Values, _: &System) -> Option<(f64, f64)> {
+        let (coefficients, duration) = (values.list("polynomial")?, values.number("duration")?);
+        let speed = |k: usize| {
+            let t = duration * k as f64 / SPEEDS as f64;
+            coefficients.iter().rev().fold(0.0, |w, c| w * t + c)
+        };
+        Some((0..=SPEEDS).map(speed).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(w), b.max(w))))
+    }
 
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();

@@ -59,7 +59,11 @@ pub(super) struct Ranged {
 
 impl Ranged {
     pub(super) fn new<T: Study>(study: T, values: &Values, system: &System) -> Self {
-        let needed = if T::TURNS { Needed::of(T::FIELDS, values, system) } else { Vec::new() };
+        let needed = match T::speeds(values, system) {
+            _ if !T::TURNS => Vec::new(),
+            Some((from, to)) => vec![Needed { from, to, span: SPIN.iter().find_map(|s| values.span_of(s.0)) }],
+            None => Needed::of(T::FIELDS, values, system),
+        };
         Ranged { study: Box::new(study), needed }
     }
 

@@ -8,6 +8,7 @@ mod machine;
 mod matrix;
 mod random;
 mod tables;
+mod walk;
 
 use machine::Machine;
 use random::Random;

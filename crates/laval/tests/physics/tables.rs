@@ -35,7 +35,7 @@ fn run(text: &str) -> Outcome {
 }
 
 /// What leaves the table from 1000 to 12000 rpm.
-const BEYOND: [&str; 13] = [
+const BEYOND: [&str; 25] = [
     "kind = \"modes\"\nspeed = \"12001 rpm\"",
     "kind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
     "kind = \"critical_speeds\"\nspeed = { from = \"900 rpm\", to = \"12000 rpm\", points = 5 }",
@@ -50,6 +50,23 @@ const BEYOND: [&str; 13] = [
     "kind = \"uncertainty\"\nstudy = { kind = \"modes\", speed = \"13000 rpm\" }\nsamples = 4\n\
      parameters = [{ parameter = \"rotor.mass\", distribution = \"normal\", deviation = \"1 %\" }]",
     "kind = \"operating_window\"\nspeed = { from = \"1000 rpm\", to = \"13000 rpm\", points = 5 }",
+    // the speeds that follow from other fields, or from none
+    "kind = \"operating_window\"\nspeed = { from = \"1000 rpm\", to = \"2000 rpm\", points = 5 }\nramp = \"1 s\"",
+    "kind = \"run_up\"\npolynomial = [150, 0, 2e7]\nduration = \"10 ms\"\npoints = 5",
+    "kind = \"run_up\"\npolynomial = [150, 1.2e6, -1.2e8]\nduration = \"10 ms\"\npoints = 5",
+    "kind = \"motion_map\"\nspeed = { from = \"900 rpm\", to = \"2000 rpm\", points = 2 }\n\
+     y = { parameter = \"rotor.mass\", from = \"40 kg\", to = \"50 kg\", points = 2 }",
+    "kind = \"bifurcation_loci\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\" }\n\
+     parameter = { parameter = \"rotor.mass\", from = \"40 kg\", to = \"50 kg\", points = 2 }",
+    "kind = \"response_map\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\" }\n\
+     x = { parameter = \"rotor.mass\", from = \"40 kg\", to = \"50 kg\", points = 2 }\n\
+     y = { parameter = \"rotor.unbalance\", from = \"400 g mm\", to = \"500 g mm\", points = 2 }",
+    "kind = \"stationary\"\nspeed = \"13000 rpm\"",
+    "kind = \"sensitivity\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\" }",
+    "kind = \"backbone\"\nspeed = \"13000 rpm\"",
+    "kind = \"limit_cycles\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\", points = 3 }",
+    "kind = \"methods\"\nspeed = { from = \"11000 rpm\", to = \"13000 rpm\", points = 2 }",
+    "kind = \"basins\"\nspeed = \"13000 rpm\"\nfrom = { \"rotor.x\" = \"-1 mm\", \"rotor.y\" = \"-1 mm\" }\nto = { \"rotor.x\" = \"1 mm\", \"rotor.y\" = \"1 mm\" }",
 ];
 
 #[test]
@@ -62,11 +79,22 @@ fn studies_beyond_a_table_are_refused() {
         assert_eq!(d.code, "study.beyond_table", "{study}: {d}");
         assert!(d.span.is_some() && d.help.as_deref().is_some_and(|h| h.contains("beyond = \"hold\"")), "{study}");
         assert_eq!(l.studies[0].study.run(&l.system, &Context::quiet("study")).err().unwrap().code, "study.beyond_table", "{study}");
-        // the same study inside, and a table that continues
-        assert!(load(&rotor("beyond = \"hold\"", &format!("[[study]]\n{study}\n"))).refusals().is_empty(), "{study}");
+        // a table that continues
+        let held = load(&rotor("beyond = \"hold\"", &format!("[[study]]\n{study}\n"))).refusals();
+        assert!(held.iter().all(|r| r.diagnostic.code != "study.beyond_table"), "{study}");
     }
     let inside = "[[study]]\nkind = \"campbell\"\nspeed = { from = \"1000 rpm\", to = \"12000 rpm\" }\n[[study]]\nkind = \"modes\"\n";
     assert!(load(&rotor("", inside)).refusals().is_empty());
+    // a polynomial that stays inside, and a map over two parameters at the speed of the machine
+    let inside = "[[study]]\nkind = \"run_up\"\npolynomial = [150, 0, 1e7]\nduration = \"10 ms\"\npoints = 5\n\
+        [[study]]\nkind = \"motion_map\"\nx = { parameter = \"rotor.unbalance\", from = \"400 g mm\", to = \"500 g mm\", points = 2 }\n\
+        y = { parameter = \"rotor.mass\", from = \"40 kg\", to = \"50 kg\", points = 2 }\n";
+    assert!(load(&rotor("", inside)).refusals().is_empty());
+    // without a range a map goes over half to one and a half times the speed of the machine
+    let fast =
+        rotor("", "[[study]]\nkind = \"motion_map\"\ny = { parameter = \"rotor.mass\", from = \"40 kg\", to = \"50 kg\", points = 2 }\n");
+    let fast = fast.replace("speed = \"6000 rpm\"\n[[part]]", "speed = \"9000 rpm\"\n[[part]]");
+    assert_eq!(load(&fast).refusals()[0].diagnostic.code, "study.beyond_table");
     // what rests on no motion of the machine needs no coefficient
     let kinds = registry();
     assert!(kinds.iter().any(|k| k.info.kind == "separation"));

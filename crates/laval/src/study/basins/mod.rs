@@ -120,6 +120,11 @@ points = 50
         ),
     ];
 
+    fn speeds(values: &Values, system: &System) -> Option<(f64, f64)> {
+        let top = values.number("speed").or(system.machine.speed)?;
+        values.range("run_up").map(|_| (0.0, top))
+    }
+
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let speed = speed(values, system, diagnostics);

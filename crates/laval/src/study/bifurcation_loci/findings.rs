@@ -4,6 +4,7 @@ use super::report::{Shown, corner_name};
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::harmonic::loci::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
 use crate::solve::harmonic::path::PathEnd;
+use crate::study::validity::Uses;
 
 /// Largest difference, relative to the range of the parameter, of values that are the same.
 const SAME: f64 = 1e-9;
@@ -286,23 +287,9 @@ impl Shown<'_> {
     }
 
     fn invalid(&self) -> Vec<Finding> {
-        let mut worst: Vec<&(f64, String)> = Vec::new();
-        for s in self.seen.iter().flatten().filter(|s| !(s.validity.0 <= 1.0)) {
-            match worst.iter_mut().find(|w| w.1 == s.validity.1) {
-                Some(w) if s.validity.0 > w.0 => *w = &s.validity,
-                Some(_) => {}
-                None => worst.push(&s.validity),
-            }
-        }
-        let say = |w: &&(f64, String)| {
-            let text = format!("Some motions on the loci lie outside the validity of a part ({})", w.1);
-            if w.0.is_finite() {
-                Finding::invalid("outside_validity", text + ": up to {} times the limit.").value(w.0, "")
-            } else {
-                Finding::invalid("outside_validity", text + ", without bound.")
-            }
-        };
-        worst.iter().map(say).collect()
+        let mut uses = Uses::default();
+        self.seen.iter().chain(&self.corners).flatten().filter_map(|s| s.uses.as_ref()).for_each(|u| uses.join(u));
+        uses.of_motions(self.system, "motions on the loci")
     }
 }
 

@@ -2,30 +2,27 @@
 
 use super::BifurcationLoci;
 use crate::diagnostic::Diagnostic;
-use crate::model::part::At;
 use crate::model::probe::Probe;
-use crate::model::system::{System, Workspace};
+use crate::model::system::System;
 use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::path::PathEnd;
 use crate::solve::harmonic::problem::Balance;
+use crate::study::validity::Uses;
 use crate::study::{Context, Study, sights};
-use std::f64::consts::TAU;
-
-/// Instants of a period at which validity is looked at.
-const SAMPLES: usize = 16;
 
 /// Displacements and validity of one motion.
 pub(super) struct Seen {
     /// Largest value over a period, m or rad, by probe.
     pub sizes: Vec<f64>,
-    /// Largest use of a part's validity, and what.
-    pub validity: (f64, String),
+    /// Use of the parts' validity; `None` where the motion could not be had.
+    pub uses: Option<Uses>,
 }
 
 /// Everything that is shown.
 pub(super) struct Shown<'a> {
+    pub(super) system: &'a System,
     pub(super) request: &'a Request,
     pub(super) found: &'a Loci,
     pub(super) unit: &'static str,
@@ -49,7 +46,8 @@ pub(super) fn corner_name(locus: &Locus, corner: &Corner) -> &'static str {
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, request: &'a Request, found: &'a Loci) -> Result<Self, Diagnostic> {
         let probes = sights::probes(system);
-        let mut shown = Shown { request, found, unit: super::unit(system, &request.parameter), probes, seen: vec![], corners: vec![] };
+        let unit = super::unit(system, &request.parameter);
+        let mut shown = Shown { system, request, found, unit, probes, seen: vec![], corners: vec![] };
         let template = Balance::new(system, found.discretisation, request.speeds, None)?;
         let see = |value: f64, speed: f64, x: &[f64]| shown.measure(system, &template, value, speed, x);
         let seen = found.loci.iter().map(|l| l.points.iter().map(|p| see(p.value, p.speed, &p.x)).collect()).collect();
@@ -60,26 +58,13 @@ impl<'a> Shown<'a> {
 
     /// Displacements and validity of a motion of the machine at a value of the parameter.
     fn measure(&self, system: &System, template: &Balance, value: f64, speed: f64, x: &[f64]) -> Seen {
-        let unknown = || Seen { sizes: vec![f64::NAN; self.probes.len()], validity: (f64::NAN, String::new()) };
+        let unknown = || Seen { sizes: vec![f64::NAN; self.probes.len()], uses: None };
         let Ok(machine) = system.with(&[(&self.request.parameter, value)]) else { return unknown() };
         let Some(mut balance) = template.of_other(&machine) else { return unknown() };
         let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
         let turns = template.terms.divisor;
         let sizes = sights::sizes(&machine, &sights::ordered(&machine), &orbit, turns);
-        let (n, m) = (machine.n(), machine.m());
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let (mut worst, mut ws) = ((0.0, String::new()), Workspace::default());
-        for j in 0..SAMPLES {
-            let tau = TAU * j as f64 / SAMPLES as f64;
-            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let at = At { q: &q, v: &v, a: &a, z: &z, phase: tau, speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            for (slot, use_) in machine.validity(&at, &mut ws) {
-                if !(use_.ratio <= worst.0) {
-                    worst = (use_.ratio, format!("{}: {}", machine.slots()[slot].name, use_.what));
-                }
-            }
-        }
-        Seen { sizes, validity: worst }
+        Seen { sizes, uses: Some(Uses::over(&machine, &orbit, turns)) }
     }
 
     pub(super) fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
@@ -164,7 +149,7 @@ impl<'a> Shown<'a> {
                 "validity",
                 "",
                 "largest use of a part's validity; above 1 is outside",
-                rows.iter().map(|r| finite(r.4.validity.0)).collect(),
+                rows.iter().map(|r| r.4.uses.as_ref().map_or(f64::NAN, |u| finite(u.worst(self.system).0))).collect(),
             )
             .build()
     }

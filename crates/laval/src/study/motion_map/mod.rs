@@ -97,6 +97,11 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         fields::ABSOLUTE,
     ];
 
+    fn speeds(values: &Values, system: &System) -> Option<(f64, f64)> {
+        let given = values.range("speed").is_some() || values.parameter_range("x").is_some();
+        system.machine.speed.filter(|_| !given).map(|w| (ABOUT.0 * w, ABOUT.1 * w))
+    }
+
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let y = parameter("y", values, system, diagnostics);

@@ -16,6 +16,7 @@ use crate::solve::stationary::images::Images;
 use crate::solve::turning::isotropic;
 use crate::study::region::dense_orders;
 use crate::study::sights;
+use crate::study::validity::Uses;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
 
@@ -122,7 +123,7 @@ impl Shown<'_> {
         let (orders, _) = admitted(d.symmetry, d.harmonics, d.divisor);
         let orders: Vec<f64> = orders.into_iter().map(|n| f64::from(n) / d.divisor as f64).collect();
         out.extend(dense_orders(self.system, request.speeds.1, &orders));
-        out.extend(self.invalid(response));
+        out.extend(self.invalid());
         if let Some(b) = response.broken.iter().find(|b| b.change.is_nan()) {
             out.push(Finding::invalid("nan", format!("\"{}\" gives no number in some states.", b.part)));
         }
@@ -191,34 +192,10 @@ impl Shown<'_> {
         moves.then(|| Finding::info("masses_elsewhere", text))
     }
 
-    fn invalid(&self, response: &Response) -> Vec<Finding> {
-        let mut worst: Vec<(String, f64, f64, f64)> = Vec::new();
-        for (b, branch) in response.branches.iter().enumerate() {
-            for (i, p) in branch.points.iter().enumerate() {
-                let (ratio, what) = &self.validity[b][i];
-                if *ratio <= 1.0 {
-                    continue;
-                }
-                match worst.iter_mut().find(|w| w.0 == *what) {
-                    None => worst.push((what.clone(), *ratio, p.speed, p.speed)),
-                    Some(w) => *w = (w.0.clone(), w.1.max(*ratio), w.2.min(p.speed), w.3.max(p.speed)),
-                }
-            }
-        }
-        worst
-            .into_iter()
-            .map(|(what, ratio, from, to)| {
-                Finding::invalid(
-                    "outside_validity",
-                    format!(
-                        "Some states between {} and {} rad/s lie outside the validity of a part ({what}): up to {{}} times the limit.",
-                        significant(from, 5),
-                        significant(to, 5)
-                    ),
-                )
-                .value(ratio, "")
-            })
-            .collect()
+    fn invalid(&self) -> Vec<Finding> {
+        let mut uses = Uses::default();
+        self.validity.iter().flatten().for_each(|u| uses.join(u));
+        uses.of_states(self.system)
     }
 }
 

@@ -19,6 +19,7 @@ use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
 use crate::solve::symmetry::Symmetry;
 use crate::study::support::{larger, largest};
+use crate::study::validity::Uses;
 use crate::study::{Context, Study, sights};
 use laval_num::continuation::End;
 use std::f64::consts::TAU;
@@ -45,8 +46,8 @@ pub(super) struct Shown<'a> {
     /// Names and units of observed quantities, and by branch and point their largest values.
     pub(super) observed: Vec<(String, &'static str)>,
     pub(super) observations: Vec<Vec<Vec<f64>>>,
-    /// By branch and point: largest use of validity and what.
-    pub(super) validity: Vec<Vec<(f64, String)>>,
+    /// By branch and point: use of the parts' validity.
+    pub(super) validity: Vec<Vec<Uses>>,
     /// Largest displacement of each point of the bodies.
     pub(super) largest: Vec<Largest>,
     pub(super) rising: Option<Rising>,
@@ -223,10 +224,10 @@ impl<'a> Shown<'a> {
         out
     }
 
-    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, (f64, String)) {
-        let mut worst = (0.0, String::new());
+    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, Uses) {
+        let mut uses = Uses::default();
         if orbit.orders.is_empty() {
-            return (vec![f64::NAN; self.observed.len()], worst);
+            return (vec![f64::NAN; self.observed.len()], uses);
         }
         let (n, m) = (self.system.n(), self.system.m());
         let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
@@ -236,15 +237,11 @@ impl<'a> Shown<'a> {
         let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
         let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
         let system = self.system;
-        let mut look = |tau: f64, worst: Option<&mut (f64, String)>| -> (Vec<f64>, Vec<(usize, Observed)>) {
+        let mut look = |tau: f64, uses: Option<&mut Uses>| -> (Vec<f64>, Vec<(usize, Observed)>) {
             orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            if let Some(worst) = worst {
-                for (slot, v) in system.validity(&at, &mut ws) {
-                    if !(v.ratio <= worst.0) {
-                        *worst = (v.ratio, format!("{}: {}", system.slots()[slot].name, v.what));
-                    }
-                }
+            if let Some(uses) = uses {
+                uses.see(system, &at, &mut ws);
             }
             // displacements of bodies have columns of their own
             let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
@@ -252,7 +249,7 @@ impl<'a> Shown<'a> {
         };
         let h = TAU / (samples * parts) as f64;
         for j in 0..samples {
-            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut worst));
+            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut uses));
             if self.observed.is_empty() {
                 self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit)).collect();
             }
@@ -268,7 +265,7 @@ impl<'a> Shown<'a> {
                 *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
             }
         }
-        (largest, worst)
+        (largest, uses)
     }
 
     pub(super) fn outcome(&self, response: &Response, request: &Request, context: &Context) -> Result<Outcome, outcome::OutcomeError> {

@@ -9,6 +9,7 @@ use crate::outcome;
 use crate::solve::harmonic::bifurcation::Event;
 use crate::solve::harmonic::branch::{Origin, POINT, Traced};
 use crate::solve::harmonic::response::{Request, Response, respond};
+use crate::study::validity::Uses;
 use laval_num::continuation::End;
 use std::sync::atomic::AtomicBool;
 
@@ -111,8 +112,8 @@ impl Summary {
         let points = |b: &'_ Traced| unstable_runs(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
         let growing = response.branches.iter().flat_map(points);
         let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
-        let uses = shown.validity.iter().flatten().filter(|v| !v.0.is_nan());
-        let validity = uses.max_by(|a, b| a.0.total_cmp(&b.0)).cloned().unwrap_or_default();
+        let mut uses = Uses::default();
+        shown.validity.iter().flatten().for_each(|u| uses.join(u));
         Ok(Summary {
             folds: response.branches.iter().map(|b| b.folds.len()).sum(),
             sweeps: [true, false].map(|up| sweep(&response, up, request.speeds)),
@@ -124,7 +125,7 @@ impl Summary {
             unstable,
             changes: response.branches.iter().flat_map(|b| &b.changes).map(|c| (c.event, c.speed)).collect(),
             growth,
-            validity,
+            validity: uses.worst(system),
             truncation: worst(&response, |p| p.truncation),
             orders: response.discretisation.harmonics,
             points: response.branches.iter().map(|b| b.points.len() as u64).sum(),

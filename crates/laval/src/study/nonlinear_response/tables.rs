@@ -97,7 +97,7 @@ impl Shown<'_> {
             "validity",
             "",
             "largest use of a part's validity; above 1 is outside",
-            all.iter().map(|a| self.validity[a.0][a.1].0).collect(),
+            all.iter().map(|a| self.validity[a.0][a.1].worst(self.system).0).collect(),
         )
         .build()
     }

@@ -162,6 +162,11 @@ ramp = "60 s"
         ),
     ];
 
+    /// A run-up begins at rest.
+    fn speeds(values: &Values, _: &System) -> Option<(f64, f64)> {
+        values.number("ramp").and(values.range("speed")).map(|r| (0.0, r.to))
+    }
+
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         request::read(values, system, diagnostics)
     }

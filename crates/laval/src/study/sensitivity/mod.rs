@@ -13,6 +13,7 @@ mod places;
 mod report;
 
 use super::nonlinear_response::NonlinearResponse;
+use super::validity::Uses;
 use super::{Context, Study};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
@@ -73,6 +74,8 @@ impl Study for Sensitivity {
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let found = places::find(system, &response, &request, context)?;
-        report::report(&found, self.bars, context)
+        let outside = Uses::of_response(system, &response, request.speeds)?.of_states(system);
+        let outcome = report::report(&found, self.bars, context)?;
+        Ok(outside.into_iter().fold(outcome, Outcome::finding))
     }
 }

@@ -7,6 +7,7 @@ use crate::solve::stationary::images::wrapped;
 use crate::solve::stationary::{Search, State};
 use crate::solve::unbalance::{Unbalance, unbalance};
 use crate::study::support::{larger, largest};
+use crate::study::validity::Uses;
 use std::f64::consts::PI;
 
 /// Kinds of states.
@@ -85,6 +86,8 @@ pub struct Seen {
     pub locked: bool,
     /// The unbalance with the masses where they are; `None` where no part balances by itself.
     pub unbalance: Option<Unbalance>,
+    /// Use of the parts' validity.
+    pub uses: Uses,
 }
 
 /// The largest of what is seen with the masses held at some places at this speed.
@@ -143,7 +146,9 @@ impl Seen {
         let tilt = largest(tilts.map(|(i, _)| about.q[i].hypot(about.q[i + 1])));
         let balancing = !system.corrections(&at, &mut ws).is_empty();
         let unbalance = balancing.then(|| unbalance(system, &at, &mut ws));
-        Seen { bodies, tilt, quantities, groups, parts: parts.into_iter().map(|p| p.1).collect(), locked, unbalance }
+        let mut uses = Uses::default();
+        uses.see(system, &at, &mut ws);
+        Seen { bodies, tilt, quantities, groups, parts: parts.into_iter().map(|p| p.1).collect(), locked, unbalance, uses }
     }
 
     /// Largest distance of a body from the axis, m.

@@ -10,6 +10,7 @@ use crate::model::system::System;
 use crate::solve::stationary::{Change, Found, Located, Loose, Search, Stability, State};
 use crate::solve::unbalance::Unbalance;
 use crate::study::support::larger;
+use crate::study::validity::Uses;
 
 /// Samples of one continuum at a speed.
 const SAMPLES: usize = 24;
@@ -35,6 +36,8 @@ pub struct Sheet {
     pub unbalance: Option<Unbalance>,
     /// Unknowns of the stable samples.
     pub places: Vec<Vec<f64>>,
+    /// Use of the parts' validity by the samples.
+    pub uses: Uses,
 }
 
 /// What holds of a continuum over a range of speeds.
@@ -128,7 +131,8 @@ fn sheets(system: &System, search: &mut Search, loose: &[Loose], speed: f64) -> 
         match place {
             None => {
                 let places = if stable > 0 { vec![x] } else { Vec::new() };
-                out.push(Sheet { speed, class, free, samples: 1, stable, growth: (growth, growth), share, radius, unbalance, places });
+                let (growth, uses) = ((growth, growth), seen.uses);
+                out.push(Sheet { speed, class, free, samples: 1, stable, growth, share, radius, unbalance, places, uses });
             }
             Some(k) => {
                 let s = &mut out[k];
@@ -136,6 +140,7 @@ fn sheets(system: &System, search: &mut Search, loose: &[Loose], speed: f64) -> 
                 s.stable += stable;
                 s.growth = (if growth < s.growth.0 { growth } else { s.growth.0 }, larger(s.growth.1, growth));
                 s.radius = larger(s.radius, radius);
+                s.uses.join(&seen.uses);
                 if stable > 0 {
                     s.places.push(x);
                 }

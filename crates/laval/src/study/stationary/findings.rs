@@ -11,6 +11,7 @@ use crate::outcome::{Finding, quantity, significant};
 use crate::solve::stationary::Found;
 use crate::solve::unbalance::Unbalance;
 use crate::study::support::larger;
+use crate::study::validity::Uses;
 use laval_num::continuation::End;
 
 /// Share of the range below which a gap between two intervals is none.
@@ -60,6 +61,10 @@ impl Report<'_> {
         }
         out.extend(self.errors.iter().filter_map(|e| self.cost(e)));
         out.extend(self.charted());
+        let mut uses = Uses::default();
+        let seen = self.rows.iter().map(|r| &r.seen).chain(told.points.iter().map(|p| &p.seen)).chain(&told.special).map(|s| &s.uses);
+        seen.chain(self.continua.sheets.iter().map(|s| &s.uses)).for_each(|u| uses.join(u));
+        out.extend(uses.of_states(self.system));
         out.extend(completeness(self.found, self.continua.starts));
         out.extend(unfinished(self.found));
         out
