@@ -1,8 +1,6 @@
 //! The identity of a build: all that settles numbers beside the machine file and the processor.
 
-#[path = "src/hash.rs"]
-mod hash;
-
+use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
@@ -11,7 +9,8 @@ use std::{env, fs};
 const SOURCES: [&str; 5] = ["src", "../laval-model/src", "../laval-num/src", "../laval-solve/src", "../../Cargo.lock"];
 
 fn main() {
-    let mut all = Vec::new();
+    // the compiler is part of the identity, so that its hash function may change with it
+    let mut all = DefaultHasher::new();
     for source in SOURCES.into_iter().filter(|s| Path::new(s).exists()) {
         println!("cargo:rerun-if-changed={source}");
         let mut files = files(source.into());
@@ -19,15 +18,23 @@ fn main() {
         for file in files {
             let content = fs::read(&file).unwrap_or_else(|e| panic!("cannot read {}: {e}", file.display()));
             let name = file.to_string_lossy().replace('\\', "/");
-            all.push(format!("{name} {}", hash::sha256(&content)));
+            add(&mut all, name.as_bytes());
+            add(&mut all, &content);
         }
     }
     for name in ["CARGO_PKG_VERSION", "TARGET", "OPT_LEVEL", "CARGO_CFG_TARGET_FEATURE"] {
-        all.push(format!("{name} {}", env::var(name).unwrap_or_default()));
+        add(&mut all, name.as_bytes());
+        add(&mut all, env::var(name).unwrap_or_default().as_bytes());
     }
     let compiler = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())).arg("-vV").output();
-    all.push(compiler.map_or_else(|e| e.to_string(), |o| String::from_utf8_lossy(&o.stdout).into_owned()));
-    println!("cargo:rustc-env=LAVAL_BUILD={}", &hash::sha256(all.join("\n").as_bytes())[..16]);
+    add(&mut all, &compiler.map_or_else(|e| e.to_string().into_bytes(), |o| o.stdout));
+    println!("cargo:rustc-env=LAVAL_BUILD={:016x}", all.finish());
+}
+
+/// The length keeps neighbours apart.
+fn add(all: &mut DefaultHasher, bytes: &[u8]) {
+    all.write_usize(bytes.len());
+    all.write(bytes);
 }
 
 fn files(path: PathBuf) -> Vec<PathBuf> {

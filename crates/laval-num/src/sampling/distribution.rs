@@ -1,5 +1,8 @@
 //! Distributions by their quantile functions.
 
+use statrs::function::erf::{erfc, erfc_inv};
+use std::f64::consts::SQRT_2;
+
 /// Distribution of one uncertain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
@@ -64,81 +67,19 @@ impl Distribution {
     }
 }
 
-/// Quantile of the standard normal distribution, relative error about 1e-16 (Wichura 1988, algorithm AS 241, PPND16).
-// the digits of the publication
-#[allow(clippy::excessive_precision)]
+/// Probability below `x` of the standard normal distribution.
+pub fn normal_probability(x: f64) -> f64 {
+    0.5 * erfc(-x / SQRT_2)
+}
+
+/// The `x` below which a share `p` of the standard normal distribution lies; infinite at 0 and 1, NaN outside.
 pub fn normal_quantile(p: f64) -> f64 {
-    const A: [f64; 8] = [
-        3.3871328727963666080,
-        1.3314166789178437745e2,
-        1.9715909503065514427e3,
-        1.3731693765509461125e4,
-        4.5921953931549871457e4,
-        6.7265770927008700853e4,
-        3.3430575583588128105e4,
-        2.5090809287301226727e3,
-    ];
-    const B: [f64; 8] = [
-        1.0,
-        4.2313330701600911252e1,
-        6.8718700749205790830e2,
-        5.3941960214247511077e3,
-        2.1213794301586595867e4,
-        3.9307895800092710610e4,
-        2.8729085735721942674e4,
-        5.2264952788528545610e3,
-    ];
-    const C: [f64; 8] = [
-        1.42343711074968357734,
-        4.63033784615654529590,
-        5.76949722146069140550,
-        3.64784832476320460504,
-        1.27045825245236838258,
-        2.41780725177450611770e-1,
-        2.27238449892691845833e-2,
-        7.74545014278341407640e-4,
-    ];
-    const D: [f64; 8] = [
-        1.0,
-        2.05319162663775882187,
-        1.67638483018380384940,
-        6.89767334985100004550e-1,
-        1.48103976427480074590e-1,
-        1.51986665636164571966e-2,
-        5.47593808499534494600e-4,
-        1.05075007164441684324e-9,
-    ];
-    const E: [f64; 8] = [
-        6.65790464350110377720,
-        5.46378491116411436990,
-        1.78482653991729133580,
-        2.96560571828504891230e-1,
-        2.65321895265761230930e-2,
-        1.24266094738807843860e-3,
-        2.71155556874348757815e-5,
-        2.01033439929228813265e-7,
-    ];
-    const F: [f64; 8] = [
-        1.0,
-        5.99832206555887937690e-1,
-        1.36929880922735805310e-1,
-        1.48753612908506148525e-2,
-        7.86869131145613259100e-4,
-        1.84631831751005468180e-5,
-        1.42151175831644588870e-7,
-        2.04426310338993978564e-15,
-    ];
-    let ratio = |top: &[f64; 8], bottom: &[f64; 8], r: f64| {
-        let horner = |c: &[f64; 8]| c.iter().rev().fold(0.0, |s, &x| s * r + x);
-        horner(top) / horner(bottom)
-    };
-    let q = p - 0.5;
-    if q.abs() <= 0.425 {
-        return q * ratio(&A, &B, 0.180625 - q * q);
+    if !(0.0..=1.0).contains(&p) {
+        return f64::NAN;
     }
-    let r = (-if q < 0.0 { p } else { 1.0 - p }.ln()).sqrt();
-    let x = if r <= 5.0 { ratio(&C, &D, r - 1.6) } else { ratio(&E, &F, r - 5.0) };
-    if q < 0.0 { -x } else { x }
+    // the smaller tail keeps its digits
+    let x = SQRT_2 * erfc_inv(2.0 * p.min(1.0 - p));
+    if p < 0.5 { -x } else { x }
 }
 
 #[cfg(test)]
@@ -158,6 +99,36 @@ mod tests {
             let e: f64 = normal_quantile(p) - x;
             assert!(e.abs() <= 4e-15 * x.abs(), "{p}: {e}");
         }
+    }
+
+    #[test]
+    fn tabulated_normal_probabilities() {
+        for (x, p) in [
+            (0.0, 0.5),
+            (1.0, 0.841344746068543),
+            (-1.959963984540054, 0.025),
+            (-3.0, 0.0013498980316301),
+            (-5.0, 2.866515718791939e-7),
+            (-8.0, 6.22096057427178e-16),
+        ] {
+            let e: f64 = normal_probability(x) / p - 1.0;
+            assert!(e.abs() < 2e-13, "{x} {e}");
+        }
+    }
+
+    #[test]
+    fn the_normal_quantile_inverts_the_probability() {
+        for i in 1..2000 {
+            let p = i as f64 / 2000.0;
+            let e = normal_probability(normal_quantile(p)) - p;
+            assert!(e.abs() < 4e-16, "{p} {e}");
+        }
+        for p in [1e-300, 1e-20, 1e-8] {
+            let e = normal_probability(normal_quantile(p)) / p - 1.0;
+            assert!(e.abs() < 1e-11, "{p} {e}");
+        }
+        assert_eq!((normal_quantile(0.0), normal_quantile(1.0)), (f64::NEG_INFINITY, f64::INFINITY));
+        assert!(normal_quantile(1.2).is_nan() && normal_quantile(f64::NAN).is_nan());
     }
 
     /// Integrals of the quantile function over the probability are the moments.

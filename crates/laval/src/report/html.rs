@@ -2,7 +2,7 @@
 
 use super::Report;
 use super::animation::animation;
-use super::embed::{base64, sha256};
+use super::embed::hash;
 use super::payload::{column_for, payload};
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
@@ -46,7 +46,6 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
     let column = column_for(&scenes.iter().flatten().collect::<Vec<_>>());
     let names = Names::new(report);
     let machine = escape(if report.machine.is_empty() { "machine without a name" } else { &report.machine });
-    let hash = |text: &str| base64(&sha256(text.as_bytes()));
     let mut s = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\

@@ -1,6 +1,6 @@
 //! Pages other than the report, in its style: they open offline, run no script, and adapt to phones, dark screens and paper.
 
-use super::embed::{base64, sha256};
+use super::embed::hash;
 use super::payload::drawn;
 use super::scene::Scene;
 use super::svg::{NARROW, WIDE, render};
@@ -16,7 +16,7 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
          <title>{}</title>\n<style>{css}</style>\n</head>\n<body>\n{body}</body>\n</html>\n",
-        base64(&sha256(css.as_bytes())),
+        hash(&css),
         escape(title)
     )
 }

@@ -13,7 +13,7 @@
 //!
 //! Sources: `docs/theory/separation.md#ensembles-and-recovery`; P. Rosin, E. Rammler, J. Inst. Fuel 7 (1933) 29.
 
-use super::normal;
+use laval_num::sampling::distribution::{normal_probability, normal_quantile};
 
 /// A law of sizes or densities.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +78,7 @@ impl Law {
     pub fn quantile(&self, u: f64) -> f64 {
         match self {
             Law::Single(x) => *x,
-            Law::LogNormal { median, gsd } => median * (gsd.ln() * normal::quantile(u)).exp(),
+            Law::LogNormal { median, gsd } => median * (gsd.ln() * normal_quantile(u)).exp(),
             Law::RosinRammler { characteristic, spread } => characteristic * (-(-u).ln_1p()).powf(1.0 / spread),
             Law::Cumulative(points) => {
                 let k = points.partition_point(|p| p.1 < u);
@@ -102,7 +102,7 @@ impl Law {
     pub fn above(&self, x: f64) -> f64 {
         match self {
             Law::Single(v) => f64::from(u8::from(*v > x)),
-            Law::LogNormal { median, gsd } => normal::probability(-(x / median).ln() / gsd.ln()),
+            Law::LogNormal { median, gsd } => normal_probability(-(x / median).ln() / gsd.ln()),
             Law::RosinRammler { characteristic, spread } => (-(x / characteristic).powf(*spread)).exp(),
             Law::Cumulative(points) => {
                 let k = points.partition_point(|p| p.0 <= x);
@@ -119,7 +119,7 @@ impl Law {
     /// Share above the value whose logarithm this is.
     pub fn above_ln(&self, ln_x: f64) -> f64 {
         match self {
-            Law::LogNormal { median, gsd } => normal::probability((median.ln() - ln_x) / gsd.ln()),
+            Law::LogNormal { median, gsd } => normal_probability((median.ln() - ln_x) / gsd.ln()),
             Law::RosinRammler { characteristic, spread } => (-(spread * (ln_x - characteristic.ln())).exp()).exp(),
             _ => self.above(ln_x.exp()),
         }

@@ -19,7 +19,6 @@ pub mod load;
 pub mod machine;
 pub mod measures;
 pub mod motion;
-pub mod normal;
 pub mod particle;
 pub mod places;
 pub mod ramp;

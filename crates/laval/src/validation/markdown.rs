@@ -1,9 +1,7 @@
-//! The part of Markdown that cases are written in: headings, paragraphs, lists, tables, fenced code; code, bold, emphasis and links
-//! inside a line.
+//! The blocks of a document in Markdown with their places, and blocks and lines as HTML.
 
 use crate::diagnostic::Span;
-use crate::report::escape;
-use std::fmt::Write;
+use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
 
 /// A piece of a document and its place in it.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,196 +41,115 @@ pub struct Cell {
     pub span: Span,
 }
 
-struct Line<'a> {
-    start: usize,
-    text: &'a str,
+fn parser(text: &str) -> Parser<'_> {
+    Parser::new_ext(text, Options::ENABLE_TABLES)
 }
 
-/// Cuts a document into blocks. An open fence runs to the end.
+/// Cuts a document into its outermost blocks.
 pub fn blocks(text: &str) -> Vec<Block> {
-    let mut start = 0;
-    let lines: Vec<Line> = text
-        .split_inclusive('\n')
-        .map(|l| {
-            let line = Line { start, text: l.trim_end() };
-            start += l.len();
-            line
-        })
-        .collect();
     let mut out = Vec::new();
-    let mut i = 0;
-    while i < lines.len() {
-        let line = &lines[i];
-        let from = i;
-        let kind = if line.text.is_empty() {
-            i += 1;
-            continue;
-        } else if let Some(info) = line.text.strip_prefix("```") {
-            i += 1;
-            let code = lines.get(i).map_or(text.len(), |l| l.start);
-            while i < lines.len() && !lines[i].text.starts_with("```") {
-                i += 1;
+    let mut events = parser(text).into_offset_iter();
+    while let Some((event, span)) = events.next() {
+        let Event::Start(tag) = event else { continue };
+        let inner = inside(&mut events);
+        let kind = match tag {
+            Tag::Heading { level, .. } => Kind::Heading(level as usize, words(text, &inner)),
+            Tag::List(first) => {
+                Kind::List { ordered: first.is_some(), items: parts(&inner, &TagEnd::Item).map(|i| words(text, i)).collect() }
             }
-            let end = lines.get(i).map_or(text.len(), |l| l.start);
-            i += 1;
-            Kind::Code { info: info.trim().to_string(), code: code..end.max(code) }
-        } else if let Some((level, title)) = heading(line.text) {
-            i += 1;
-            Kind::Heading(level, title.to_string())
-        } else if line.text.starts_with('|') && lines.get(i + 1).is_some_and(|l| is_rule(l.text)) {
-            let head = cells(line);
-            i += 2;
-            let mut rows = Vec::new();
-            while i < lines.len() && lines[i].text.starts_with('|') {
-                rows.push(cells(&lines[i]));
-                i += 1;
+            Tag::Table(_) => Kind::Table(grid(text, &inner)),
+            Tag::CodeBlock(fence) => {
+                let info = if let CodeBlockKind::Fenced(info) = fence { info.trim().to_string() } else { String::new() };
+                Kind::Code { info, code: extent(&inner).unwrap_or(span.end..span.end) }
             }
-            Kind::Table(Grid { head, rows })
-        } else if let Some((ordered, _)) = item(line.text) {
-            let mut items: Vec<String> = Vec::new();
-            while i < lines.len() && !lines[i].text.is_empty() {
-                match item(lines[i].text) {
-                    Some((_, text)) => items.push(text.to_string()),
-                    None if starts_block(lines[i].text) => break,
-                    None => join(items.last_mut(), lines[i].text),
-                }
-                i += 1;
-            }
-            Kind::List { ordered, items }
-        } else {
-            let mut words = line.text.trim().to_string();
-            i += 1;
-            while i < lines.len() && !lines[i].text.is_empty() && !starts_block(lines[i].text) {
-                join(Some(&mut words), lines[i].text);
-                i += 1;
-            }
-            Kind::Paragraph(words)
+            _ => Kind::Paragraph(words(text, &inner)),
         };
-        let end = lines.get(i).map_or(text.len(), |l| l.start);
-        out.push(Block { span: lines[from].start..end, kind });
+        out.push(Block { span, kind });
     }
     out
 }
 
-fn join(to: Option<&mut String>, line: &str) {
-    if let Some(to) = to {
-        to.push(' ');
-        to.push_str(line.trim());
-    }
-}
+type Placed<'a> = (Event<'a>, Span);
 
-fn heading(line: &str) -> Option<(usize, &str)> {
-    let level = line.len() - line.trim_start_matches('#').len();
-    let title = line.get(level..)?.strip_prefix(' ')?;
-    (1..=6).contains(&level).then_some((level, title.trim()))
-}
-
-fn item(line: &str) -> Option<(bool, &str)> {
-    if let Some(text) = line.strip_prefix("- ").or_else(|| line.strip_prefix("* ")) {
-        return Some((false, text.trim()));
-    }
-    let digits = line.len() - line.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-    let text = line.get(digits..)?.strip_prefix(". ")?;
-    (digits > 0).then_some((true, text.trim()))
-}
-
-fn starts_block(line: &str) -> bool {
-    line.starts_with("```") || line.starts_with('|') || heading(line).is_some() || item(line).is_some()
-}
-
-fn is_rule(line: &str) -> bool {
-    line.starts_with('|') && line.contains('-') && line.chars().all(|c| matches!(c, '|' | '-' | ':' | ' '))
-}
-
-/// Cells between bars; `\|` is a bar inside a cell.
-fn cells(line: &Line) -> Vec<Cell> {
-    let mut out = Vec::new();
-    let mut from = 1;
-    let bytes = line.text.as_bytes();
-    let mut push = |from: usize, to: usize| {
-        let raw = &line.text[from..to];
-        let lead = raw.len() - raw.trim_start().len();
-        let text = raw.trim();
-        let start = line.start + from + lead;
-        out.push(Cell { text: text.replace("\\|", "|"), span: start..start + text.len() });
-    };
-    for i in 1..bytes.len() {
-        if bytes[i] == b'|' && bytes[i - 1] != b'\\' {
-            push(from, i);
-            from = i + 1;
+/// What follows the start of an element up to its end.
+fn inside<'a>(events: &mut impl Iterator<Item = Placed<'a>>) -> Vec<Placed<'a>> {
+    let mut depth = 1;
+    let open = |e: &Placed| {
+        match e.0 {
+            Event::Start(_) => depth += 1,
+            Event::End(_) => depth -= 1,
+            _ => {}
         }
+        depth > 0
+    };
+    events.take_while(open).collect()
+}
+
+/// The elements of one kind, without their own start and end.
+fn parts<'e, 'a>(events: &'e [Placed<'a>], end: &TagEnd) -> impl Iterator<Item = &'e [Placed<'a>]> {
+    let is_end = move |e: &Placed| matches!(&e.0, Event::End(t) if t == end);
+    events.split_inclusive(is_end).filter(move |p| p.last().is_some_and(is_end)).map(|p| {
+        let start = p.iter().position(|e| matches!(&e.0, Event::Start(t) if t.to_end() == *end)).map_or(0, |i| i + 1);
+        &p[start..p.len() - 1]
+    })
+}
+
+/// From the first to the last event.
+fn extent(events: &[Placed]) -> Option<Span> {
+    let start = events.iter().map(|e| e.1.start).min()?;
+    Some(start..events.iter().map(|e| e.1.end).max()?)
+}
+
+/// The source of some events in one line.
+fn words(text: &str, events: &[Placed]) -> String {
+    extent(events).map_or(String::new(), |s| text[s].lines().map(str::trim).collect::<Vec<_>>().join(" ").trim().to_string())
+}
+
+fn grid(text: &str, events: &[Placed]) -> Grid {
+    let row = |events: &[Placed]| parts(events, &TagEnd::TableCell).map(|c| cell(text, c)).collect();
+    Grid {
+        head: parts(events, &TagEnd::TableHead).next().map(row).unwrap_or_default(),
+        rows: parts(events, &TagEnd::TableRow).map(row).collect(),
     }
-    if from < bytes.len() {
-        push(from, bytes.len());
-    }
-    out
+}
+
+/// A cell; `\\|` in it stands for a bar.
+fn cell(text: &str, events: &[Placed]) -> Cell {
+    let span = extent(events).unwrap_or_default();
+    Cell { text: text[span.clone()].replace("\\|", "|"), span }
 }
 
 /// A block as HTML; `text` is the document.
 pub fn html(block: &Block, text: &str) -> String {
-    let mut s = String::new();
-    match &block.kind {
-        Kind::Heading(level, title) => {
-            let _ = writeln!(s, "<h{level}>{}</h{level}>", inline(title));
-        }
-        Kind::Paragraph(words) => {
-            let _ = writeln!(s, "<p>{}</p>", inline(words));
-        }
-        Kind::List { ordered, items } => {
-            let tag = if *ordered { "ol" } else { "ul" };
-            let items: String = items.iter().map(|i| format!("<li>{}</li>", inline(i))).collect();
-            let _ = writeln!(s, "<{tag}>{items}</{tag}>");
-        }
-        Kind::Table(grid) => {
-            let row = |cells: &[Cell], tag: &str| {
-                cells.iter().map(|c| format!("<{tag} class=\"w\">{}</{tag}>", inline(&c.text))).collect::<String>()
-            };
-            s.push_str("<div class=\"scroll\" tabindex=\"0\"><table>");
-            if grid.head.iter().any(|c| !c.text.is_empty()) {
-                let _ = write!(s, "<thead><tr>{}</tr></thead>", row(&grid.head, "th"));
-            }
-            let body: String = grid.rows.iter().map(|r| format!("<tr>{}</tr>", row(r, "td"))).collect();
-            let _ = writeln!(s, "<tbody>{body}</tbody></table></div>");
-        }
-        Kind::Code { code, .. } => {
-            let _ = writeln!(s, "<pre tabindex=\"0\">{}</pre>", escape(&text[code.clone()]));
-        }
-    }
-    s
+    let mut out = String::new();
+    push_html(&mut out, parser(&text[block.span.clone()]).map(ours));
+    out
 }
 
 /// The inside of a line as HTML.
 pub fn inline(text: &str) -> String {
     let mut out = String::new();
-    let mut rest = text;
-    while let Some(at) = rest.find(['`', '*', '[']) {
-        out.push_str(&escape(&rest[..at]));
-        rest = &rest[at..];
-        let (html, used) = marked(rest).unwrap_or_else(|| (escape(&rest[..1]), 1));
-        out.push_str(&html);
-        rest = &rest[used..];
-    }
-    out + &escape(rest)
+    let paragraph = |e: &Event| !matches!(e, Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph));
+    push_html(&mut out, parser(text).filter(paragraph).map(ours));
+    out
 }
 
-/// The marked piece a text begins with, and its length.
-fn marked(text: &str) -> Option<(String, usize)> {
-    for (mark, tag) in [("`", "code"), ("**", "strong"), ("*", "em")] {
-        if let Some(inner) = text.strip_prefix(mark) {
-            let end = inner.find(mark).filter(|&n| n > 0 && !inner.starts_with(' '))?;
-            let content = if tag == "code" { escape(&inner[..end]) } else { inline(&inner[..end]) };
-            return Some((format!("<{tag}>{content}</{tag}>"), end + 2 * mark.len()));
+/// HTML of a document is shown as text, links lead to the web or to a page of the gallery, and what may be wide scrolls.
+fn ours(event: Event) -> Event {
+    let raw = |s: &'static str| Event::Html(CowStr::Borrowed(s));
+    match event {
+        Event::Html(t) | Event::InlineHtml(t) => Event::Text(t),
+        Event::Start(Tag::Link { link_type, dest_url, title, id }) => {
+            let web = dest_url.starts_with("https://") || dest_url.starts_with("http://");
+            let dest_url = if web { dest_url } else { gallery_page(&dest_url).unwrap_or_else(|| "#".into()).into() };
+            Event::Start(Tag::Link { link_type, dest_url, title, id })
         }
+        Event::Start(Tag::Table(_)) => raw("<div class=\"scroll\" tabindex=\"0\"><table class=\"words\">"),
+        Event::End(TagEnd::Table) => raw("</tbody></table></div>\n"),
+        Event::Start(Tag::CodeBlock(_)) => raw("<pre tabindex=\"0\">"),
+        Event::End(TagEnd::CodeBlock) => raw("</pre>\n"),
+        other => other,
     }
-    let inner = text.strip_prefix('[')?;
-    let (words, behind) = inner.split_once("](")?;
-    let (target, _) = behind.split_once(')')?;
-    if words.contains('[') {
-        return None;
-    }
-    let web = target.starts_with("https://") || target.starts_with("http://");
-    let target_html = if web { target.to_string() } else { gallery_page(target)? };
-    Some((format!("<a href=\"{}\">{}</a>", escape(&target_html), inline(words)), words.len() + target.len() + 4))
 }
 
 /// The page of the gallery that shows the document `../topic/case.md`.
@@ -272,8 +189,8 @@ mod tests {
     #[test]
     fn inside_a_line() {
         assert_eq!(inline("a `<b>*` **c** *d* e*f"), "a <code>&lt;b&gt;*</code> <strong>c</strong> <em>d</em> e*f");
-        assert_eq!(inline("[x](https://e.org/?a&b) [y](javascript:z)"), "<a href=\"https://e.org/?a&amp;b\">x</a> [y](javascript:z)");
-        assert_eq!(inline("[x](../a/b-1.md) [y](../a/../b.md)"), "<a href=\"a-b-1.html\">x</a> [y](../a/../b.md)");
+        assert_eq!(inline("[x](https://e.org/?a&b) [y](javascript:z)"), "<a href=\"https://e.org/?a&amp;b\">x</a> <a href=\"#\">y</a>");
+        assert_eq!(inline("[x](../a/b-1.md) [y](../a/../b.md)"), "<a href=\"a-b-1.html\">x</a> <a href=\"#\">y</a>");
         assert_eq!(inline("2 * 3 * 4 ` µ"), "2 * 3 * 4 ` µ");
     }
 }
