@@ -1,5 +1,5 @@
 //! Numerics for the dynamics of machines: scalars with exact derivatives and lanes, small dense algebra, Newton's method,
-//! continuation, time integration, eigenproblems, polynomials, Fourier sampling, minimisation without derivatives, and sampling of uncertain inputs. It knows nothing of rotors.
+//! continuation, time integration, eigenproblems, roots and maxima in one variable, Fourier sampling, minimisation without derivatives, and sampling of uncertain inputs. It knows nothing of rotors.
 #![warn(missing_docs)]
 
 pub mod analytic;
@@ -19,9 +19,9 @@ pub mod lanes;
 pub mod newton;
 pub mod ode;
 pub mod optimise;
-pub mod poly;
 pub mod quadrature;
 pub mod rational;
 pub mod sampling;
 pub mod scalar;
+pub mod univariate;
 pub mod work;

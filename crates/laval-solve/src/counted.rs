@@ -3,12 +3,12 @@
 
 use super::locate::{State, carried, value_and_slope};
 use super::roots::{LEAST, Request, Roots, roots};
-use super::scalar::root;
 use super::sectors::Sector;
 use super::stability::{Edge, Row, Sample, peak, tops};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::C64;
+use laval_num::univariate::root;
 use laval_num::work::piece;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -13,12 +13,12 @@ use super::characteristic::Characteristic;
 use super::locate::{Located, State, carried, crossing, value_and_slope};
 use super::pencil::{MachineMode, Whirl};
 use super::roots::{mode_near, transcendental};
-use super::scalar::{maximum, root};
 use super::sectors::Sector;
 use super::sweep::{Sweep, spectrum};
 use super::ties::{rank, settle};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
+use laval_num::univariate::{maximum, root};
 
 /// A speed where the frequency of a mode is a multiple of the speed.
 #[derive(Clone, Debug)]

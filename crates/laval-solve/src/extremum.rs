@@ -8,9 +8,9 @@
 
 use super::linear_response::{Response, response};
 use super::locate::State;
-use super::scalar::{maximum, root};
 use crate::model::probe::Probe;
 use crate::model::system::System;
+use laval_num::univariate::{maximum, root};
 
 /// Most responses an interpolation uses.
 const NODES: usize = 8;

@@ -20,7 +20,6 @@ pub mod programme;
 mod resonances;
 pub mod rest;
 pub mod roots;
-pub mod scalar;
 pub mod sectors;
 pub mod stability;
 pub mod stationary;

@@ -7,12 +7,12 @@
 
 use super::locate::{State, double_root, value_and_slope};
 use super::pencil::Spectrum;
-use super::scalar::{maximum, root};
 use super::sectors::Sector;
 use super::sweep::{spectrum, sweep};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
+use laval_num::univariate::{maximum, root};
 
 /// Largest growth at a speed.
 #[derive(Clone, Copy, Debug)]

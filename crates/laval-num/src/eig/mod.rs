@@ -5,7 +5,6 @@
 //! | `A x = s x` | [`eigenvalues`], [`Spectrum`] (reusable, fast for small real matrices), [`modes`] |
 //! | `A x = s E x`, E possibly singular | [`Pencil`] |
 //! | `A x = s E x`, real symmetric, E positive definite | [`definite`] |
-//! | `(s^2 M + s C + K) x = 0`, M possibly singular | [`Quadratic`] |
 //! | modes along a parameter | [`Track`] |
 //!
 //! Every problem is scaled before it is solved (rows and columns by powers of two, so without rounding), and every mode carries the
@@ -22,7 +21,6 @@ mod deflate;
 mod mode;
 mod number;
 mod pencil;
-mod quadratic;
 mod small;
 mod standard;
 mod symmetric;
@@ -33,7 +31,6 @@ mod track;
 pub use mode::{Mode, upper_half};
 pub use number::{Number, Svd};
 pub use pencil::{Modes, Pencil};
-pub use quadratic::Quadratic;
 pub use standard::{Spectrum, derivative, eigenvalues, modes};
 pub use symmetric::definite;
 pub use track::{Match, Track, assign};

@@ -179,8 +179,7 @@ fn not_finite_is_an_error() {
     assert_eq!(eigenvalues(&a), Err(EigError::NotFinite));
     assert_eq!(modes(&a), Err(EigError::NotFinite));
     assert_eq!(eigenvalues(&a.to_complex()), Err(EigError::NotFinite));
-    assert_eq!(Pencil::new(Mat::identity(3), a.clone()).modes(), Err(EigError::NotFinite));
-    assert!(Quadratic::new(a.clone(), a.clone(), a).is_err());
+    assert_eq!(Pencil::new(Mat::identity(3), a).modes(), Err(EigError::NotFinite));
 }
 
 #[test]
@@ -265,6 +264,24 @@ fn pencil_vectors_are_biorthogonal() {
     }
 }
 
+/// `(s^2 M + s C + K) x = 0` as a pencil of the first order.
+fn companion(m: Mat, d: Mat, k: Mat) -> Pencil<f64> {
+    let n = m.rows();
+    let one = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
+    let a = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+        (true, true) => 0.0,
+        (true, false) => one(i, j - n),
+        (false, true) => -k[(i - n, j)],
+        (false, false) => -d[(i - n, j - n)],
+    });
+    let e = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+        (true, true) => one(i, j),
+        (false, false) => m[(i - n, j - n)],
+        _ => 0.0,
+    });
+    Pencil::new(a, e)
+}
+
 /// Isotropic gyroscopic pair: s^2 - i w s + k = 0 and its conjugate, s = i (w +- sqrt(w^2 + 4 k))/2.
 #[test]
 fn gyroscopic_pencil_has_its_closed_form() {
@@ -272,61 +289,27 @@ fn gyroscopic_pencil_has_its_closed_form() {
         // Rows in different units: the second coordinate scaled by 1e-6, equations by 1e6.
         let (m, g, st) = (diag(&[1.0, 1.0]), Mat::from_fn(2, 2, |i, j| (j as f64 - i as f64) * w), diag(&[k, k]));
         let unit = |a: Mat| Mat::from_fn(2, 2, |i, j| a[(i, j)] * if i == 1 { 1e6 } else { 1.0 } * if j == 1 { 1e-3 } else { 1.0 });
-        let q = Quadratic::new(unit(m), unit(g), unit(st)).unwrap();
-        let found = q.modes().unwrap();
+        let found = companion(unit(m), unit(g), unit(st)).modes().unwrap();
         assert_eq!(found.infinite, 0);
         let root = (w * w + 4.0 * k).sqrt();
         let (fast, slow) = (0.5 * (w + root), 2.0 * k / (w + root));
         let exact = [c(0.0, slow), c(0.0, -slow), c(0.0, fast), c(0.0, -fast)];
         assert!(distance(&values(&found.finite), &exact) < 1e-13 * fast);
-        let refined: Vec<Mode> = found.finite.iter().map(|m| q.refine(m)).collect();
-        for (m, e) in refined.iter().zip(exact) {
-            assert!(m.residual < 1e-14);
-            // After refinement also the slow ones are right relative to themselves.
-            assert!(w == 0.0 || (m.value - e).abs() < 1e-13 * e.abs(), "{:?} {e:?}", m.value);
-        }
     }
 }
 
 #[test]
-fn quadratic_residuals_vectors_and_derivative() {
+fn values_of_second_order_multiply_to_the_ratio_of_determinants() {
     let mut r = Rng(9);
     for n in [1, 2, 6, 20] {
         let (m, d, k) = (r.mat(n), r.mat(n), r.mat(n));
-        let q = Quadratic::new(m.clone(), d.clone(), k.clone()).unwrap();
-        let all = q.modes().unwrap();
+        let all = companion(m.clone(), d, k.clone()).modes().unwrap();
         assert_eq!(all.finite.len(), 2 * n);
-        let top = all.finite.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
-        for p in &all.finite {
-            assert!(p.residual < 2e-13, "{}", p.residual);
-            let f = q.refine(p);
-            assert!(f.residual < 1e-15 * (n as f64).max(2.0), "{}", f.residual);
-            assert!((f.value - p.value).abs() < 1e-12 * top.max(p.sensitivity), "{:?} {:?}", f.value, p.value);
-        }
-        // The product over all values is det K / det M.
+        assert!(all.finite.iter().all(|p| p.residual < 2e-13));
         let product = all.finite.iter().fold(C64::ONE, |z, p| z * p.value);
         let det = |a: &Mat| crate::dense::Lu::new(a).unwrap().det();
         let exact = det(&k) / det(&m);
         assert!((product - c(exact, 0.0)).abs() < 1e-10 * exact.abs());
-        let x = &all.finite[n];
-        let (dm, dc, dk) = (r.mat(n), r.mat(n), r.mat(n));
-        let at = |h: f64| {
-            let shift = |a: &Mat, b: &Mat| Mat::from_fn(n, n, |i, j| a[(i, j)] + h * b[(i, j)]);
-            let q = Quadratic::new(shift(&m, &dm), shift(&d, &dc), shift(&k, &dk)).unwrap();
-            q.refine(x).value
-        };
-        let h = 1e-6;
-        let numeric = (at(h) - at(-h)).scale(0.5 / h);
-        let exact = q.derivative(x, &dm, &dc, &dk);
-        assert!((numeric - exact).abs() < 1e-6 * (1.0 + exact.abs()), "{numeric:?} {exact:?}");
-        for (i, a) in all.finite.iter().enumerate() {
-            let left = q.biorthogonal(a).left;
-            for (j, b) in all.finite.iter().enumerate() {
-                let z = q.biorthogonal(b);
-                let p = inner(&left, &z.right).abs() / (norm2(&left) * norm2(&z.right));
-                assert!(i == j || p < 1e-11, "{i} {j} {p}");
-            }
-        }
     }
 }
 
@@ -337,8 +320,7 @@ fn singular_mass_gives_infinite_eigenvalues() {
     for d in [0.0, 4e4] {
         let m = diag(&[mass, 0.0]);
         let k = Mat::from_fn(2, 2, |i, j| [[k1, -k1], [-k1, k1 + k2]][i][j]);
-        let q = Quadratic::new(m, diag(&[0.0, d]), k).unwrap();
-        let found = q.modes().unwrap();
+        let found = companion(m, diag(&[0.0, d]), k).modes().unwrap();
         if d == 0.0 {
             assert_eq!((found.finite.len(), found.infinite), (2, 2));
             let w = (k1 * k2 / (k1 + k2) / mass).sqrt();
@@ -360,7 +342,7 @@ fn singular_mass_gives_infinite_eigenvalues() {
 fn free_body_keeps_its_double_zero() {
     // Two masses and a spring: s = 0 twice (defective), +-i sqrt(2).
     let k = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { -1.0 });
-    let found = Quadratic::new(Mat::identity(2), Mat::zeros(2, 2), k).unwrap().modes().unwrap();
+    let found = companion(Mat::identity(2), Mat::zeros(2, 2), k).modes().unwrap();
     let w = 2f64.sqrt();
     let v = values(&found.finite);
     assert!(distance(&v, &[C64::ZERO, C64::ZERO, c(0.0, w), c(0.0, -w)]) < 1e-7);
@@ -425,7 +407,7 @@ fn tracks_gyroscopic_modes_from_rest() {
     // Isotropic gyroscopic rotor from rest: the double value at speed 0 splits into forward and backward.
     let at = |w: f64| {
         let g = Mat::from_fn(2, 2, |i, j| (j as f64 - i as f64) * w);
-        let q = Quadratic::new(Mat::identity(2), g, Mat::identity(2)).unwrap();
+        let q = companion(Mat::identity(2), g, Mat::identity(2));
         upper_half(&q.modes().unwrap().finite).iter().map(|m| q.biorthogonal(m)).collect::<Vec<_>>()
     };
     let mut t = Track::new(&at(0.0));

@@ -3,7 +3,7 @@
 use super::method::Method;
 use super::{Crew, Roster, Seat};
 use crate::lanes::{LANES, LaneScalar};
-use crate::ode::event::bracket;
+use crate::univariate::bracket;
 
 /// Probes of every event in a step.
 const PROBES: usize = 4;

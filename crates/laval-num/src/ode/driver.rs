@@ -1,9 +1,10 @@
 //! The loop over steps: lengths, limits, outputs and events.
 
 use super::control::{Attempt, Cause, Control, End, Run, Work, finite};
-use super::event::{Crossing, bracket};
+use super::event::Crossing;
 use super::step::Step;
 use super::system::{Failure, Ode};
+use crate::univariate::bracket;
 use crate::work::spend;
 
 /// Probes of every event in a step.

@@ -19,6 +19,7 @@ use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::dense::Mat;
 use laval_num::quadrature::gauss;
+use laval_num::univariate::bracket;
 use std::f64::consts::TAU;
 
 /// Points of Gauss's rule in a panel.
@@ -288,30 +289,9 @@ impl Switching {
     }
 }
 
-/// Zero of `f` in a bracket with these end values, by the Illinois rule with halving.
-fn root(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2], [mut fa, mut fb]: [f64; 2]) -> f64 {
-    for k in 0..80 {
-        if (b - a).abs() <= 4.0 * f64::EPSILON * b.abs().max(1.0) {
-            break;
-        }
-        let secant = b - fb * (b - a) / (fb - fa);
-        // every third step halves, so that a jump of the surface is bracketed as well
-        let t = if k % 3 == 2 || !(secant > a.min(b) && secant < a.max(b)) { 0.5 * (a + b) } else { secant };
-        let ft = f(t);
-        if ft == 0.0 {
-            return t;
-        }
-        if (ft < 0.0) == (fb < 0.0) {
-            fa *= 0.5;
-        } else {
-            (a, fa) = (b, fb);
-        }
-        (b, fb) = (t, ft);
-        if fa == 0.0 || ft.is_nan() {
-            break;
-        }
-    }
-    b
+/// Zero of `f` in a bracket with these end values.
+fn root(f: impl FnMut(f64) -> f64, [a, b]: [f64; 2], [fa, fb]: [f64; 2]) -> f64 {
+    bracket(a, fa, b, fb, f).map_or(b, |zero| zero.1)
 }
 
 /// Extremum towards zero of `f` between `tau - h` and `tau + h`, where it has these values; stops where the sign changes.

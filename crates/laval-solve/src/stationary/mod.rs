@@ -13,7 +13,6 @@ pub mod images;
 pub mod problem;
 
 use super::pencil::modes_about;
-use super::scalar::root;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::System;
@@ -25,6 +24,7 @@ use laval_num::continuation::{Branch, End, Kind, Point, Settings, Zero, cross, t
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Cause, Options, newton};
 use laval_num::sampling::Points;
+use laval_num::univariate::root;
 use problem::Stationary;
 use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;

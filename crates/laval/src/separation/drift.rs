@@ -23,9 +23,9 @@ use super::exit::{Cylinder, Exit, MOST, Vessel};
 use super::machine::Discs;
 use super::particle::{Drag, Medium, Particle, TURBULENT, transitional, turbulent};
 use super::ramp::Ramp;
-use super::root::root;
 use super::series::{Affine, Series};
 use super::vessel::Inside;
+use laval_num::univariate::root_by_newton;
 use std::f64::consts::PI;
 
 /// How fast a particle settles in a field.
@@ -170,7 +170,7 @@ fn advance(s: &Settling, fields: &dyn Fn(f64) -> Fields, inside: &Inside, t: f64
             (g.value, g.rate * h)
         };
         // a particle that is outside at the begin has left there
-        let share = if gap(0.0).0 <= 0.0 { 0.0 } else { root(gap, 0.0, 1.0)? };
+        let share = if gap(0.0).0 <= 0.0 { 0.0 } else { root_by_newton(gap, 0.0, 1.0)? };
         Some((share, i))
     });
     match found.min_by(|a, b| a.0.total_cmp(&b.0)) {

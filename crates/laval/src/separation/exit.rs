@@ -9,7 +9,7 @@
 //! Sources: `docs/theory/separation.md#first-exit`.
 
 use super::closed::Path;
-use super::root::root;
+use laval_num::univariate::root_by_newton;
 
 /// Most surfaces of a vessel.
 pub const MOST: usize = 4;
@@ -200,7 +200,7 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
                 // started outside, or leaves through the surface it started on
                 (b.value < -self.noise).then_some(self.t)
             } else if b.value < 0.0 {
-                root(|t| self.gap(i, t), self.t, t)
+                root_by_newton(|t| self.gap(i, t), self.t, t)
             } else if a.rate < 0.0 && b.rate > 0.0 {
                 self.dip(i, t)
             } else {
@@ -229,7 +229,7 @@ impl<'a, P: Path, V: Vessel> Search<'a, P, V> {
             let middle = 0.5 * (a + b);
             let (value, rate) = self.gap(i, middle);
             if value < 0.0 {
-                return root(|t| self.gap(i, t), self.t, middle);
+                return root_by_newton(|t| self.gap(i, t), self.t, middle);
             }
             if rate < 0.0 {
                 a = middle

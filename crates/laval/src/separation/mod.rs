@@ -24,7 +24,6 @@ pub mod places;
 pub mod ramp;
 pub mod recovery;
 pub mod release;
-pub mod root;
 mod series;
 pub mod slowest;
 pub mod tube;

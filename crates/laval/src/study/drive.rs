@@ -7,7 +7,7 @@ use crate::model::system::{System, Workspace};
 use crate::outcome::{Finding, SpecialPoint, Status, quantity};
 use crate::solve::motion::Motion;
 use crate::solve::motion::flight::Flight;
-use crate::solve::scalar::root;
+use laval_num::univariate::root;
 
 /// The speed rests when what still accelerates is below this share of the torque the vibration takes.
 const RESTING: f64 = 0.05;

@@ -4,6 +4,7 @@ use crate::common;
 
 use common::{number, rows};
 use laval::file::load;
+use laval::laval_num::univariate::root;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
@@ -13,7 +14,6 @@ use laval::outcome::{Data, End, Outcome};
 use laval::parts::{balancer_ball::*, damper::*, disc::*, shaft_lumped::*};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
-use laval::solve::scalar::root;
 use laval::solve::turning::turning;
 use laval::study::Context;
 use laval_num::complex::C64;

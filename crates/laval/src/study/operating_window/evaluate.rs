@@ -12,9 +12,9 @@ use crate::model::field::RangeValue;
 use crate::model::system::System;
 use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
-use crate::solve::scalar::maximum;
 use crate::study::Context;
 use crate::study::limits::Limit;
+use laval_num::univariate::maximum;
 
 /// How carefully a range is looked at.
 pub(super) enum Care<'a> {

@@ -6,9 +6,9 @@ use super::{Varied, alone, changed, wide};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
-use crate::solve::scalar::root;
 use crate::solve::stationary::along::{Along, Course, Ending};
 use crate::solve::stationary::{Request, Search, State};
+use laval_num::univariate::root;
 use std::sync::atomic::AtomicBool;
 
 /// Halvings of the interval in which a state ceases to be one that balances.

@@ -5,8 +5,8 @@ use super::follow::{Follower, Limit, Reach, Why};
 use super::{Context, Varied, alone, changed, listed, spread};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::solve::scalar::root;
 use crate::solve::stationary::{Request, Search, State};
+use laval_num::univariate::root;
 
 /// Values computed over the range before changes are located.
 const POINTS: usize = 61;

@@ -3,8 +3,8 @@
 use super::classify::{Class, HALF, Scale, Seen};
 use super::continua::Span;
 use crate::model::system::System;
-use crate::solve::scalar::root;
 use crate::solve::stationary::{Found, Located, Sample, Search, State};
+use laval_num::univariate::root;
 
 /// Share of the unbalance without the masses above which they do harm; equal masses opposite each other leave it as it is.
 const HARM: f64 = 1.001;
