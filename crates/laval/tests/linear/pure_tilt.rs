@@ -159,6 +159,10 @@ fn a_limit_on_a_point() {
     let of = |kind: &str| o.special_points.iter().filter(|p| p.kind == kind).map(|p| p.at).collect::<Vec<f64>>();
     near(of("window_high")[0], low, 1e-4);
     near(of("window_low")[1], high, 1e-4);
+    // a point below others is limited by what it does itself
+    let nearer = text.replace("\"d at 250 mm\" = \"0.2 mm\"", "\"d at 50 mm\" = \"0.04 mm\"");
+    let o = run_on(&nearer, "kind = \"operating_window\"\nspeed = { from = 100, to = 4000 }");
+    near(o.special_points.iter().find(|p| p.kind == "window_high").expect("an edge").at, low, 1e-4);
     // nothing is said of a tilt that no limit sees
     assert!(!o.findings.iter().any(|f| f.id == "tilt_without_limit"));
     let wrong = |point: &str| {
