@@ -1,10 +1,7 @@
 //! Ensembles against single motions: every form of the equations, other parameters in every lane, neighbours that fail, threads and levels.
 
-mod common;
-#[path = "hard_parts/pendulum.rs"]
-mod pendulum;
-
-use common::Planar;
+use crate::common::Planar;
+use crate::hard_parts::pendulum::*;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
@@ -16,7 +13,6 @@ use laval::solve::motion::flight::{Choice, Plan, fly};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::{Programme, Shape};
 use laval_num::lanes::Level;
-use pendulum::*;
 use std::sync::Arc;
 
 /// A member: machine, spin, start, duration.

@@ -138,7 +138,7 @@ fn killed_at_twenty_random_moments_and_resumed_the_files_are_those_of_the_undist
     let log = std::env::temp_dir().join(format!("laval-store-{}.log", std::process::id()));
     let start = |log: &Path| {
         Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "killed_process"])
+            .args(["--exact", "store::killed_process"])
             .env("LAVAL_STORE_FOLDER", &dir.0)
             .env("LAVAL_STORE_LOG", log)
             .stdout(Stdio::null())

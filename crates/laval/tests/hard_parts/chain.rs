@@ -1,8 +1,8 @@
 //! A body with 120 coordinates: a chain of 60 masses between springs, fixed at its lower end, each mass moving in x and y. Points between two
 //! masses move on the straight line that joins them, and tilt with it.
 
+use super::tools::{orbits, response};
 use crate::common::base::defect;
-use crate::tools::{orbits, response};
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;

@@ -1,6 +1,6 @@
 //! A part exact in the frequency domain only: `F = c s^a d` per axis, a damper of fractional order; with and without a fitted time form.
 
-use crate::tools::{orbits, response};
+use super::tools::{orbits, response};
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;

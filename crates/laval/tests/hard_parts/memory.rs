@@ -1,6 +1,6 @@
 //! A part with 200 memory states, in fixed or rotor axes: `F = k d + sum_j E_j s / (s + lambda_j) d`, rates from 1 to 1e9 1/s.
 
-use crate::tools::{orbits, response};
+use super::tools::{orbits, response};
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;

@@ -1,8 +1,8 @@
 //! The pendulum: conservation, stationary state and its modes, harmonic balance and Floquet exponents against time.
 
+use super::pendulum::*;
+use super::tools::{advance, contained, map, relative};
 use crate::common::base::request;
-use crate::pendulum::*;
-use crate::tools::{advance, contained, map, relative};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
@@ -211,7 +211,7 @@ fn balance_tangents_are_exact() {
     let system = machine(Case { stiffness: [4e5, 6e5], isotropic: false, ..CASE });
     let response = respond_to(&system, (200.0, 220.0));
     let mut balance = Balance::new(&system, response.discretisation, (200.0, 220.0), None).unwrap();
-    crate::tools::check_tangents(&mut balance, &response.branches[0].points[3].x, 211.0);
+    super::tools::check_tangents(&mut balance, &response.branches[0].points[3].x, 211.0);
 }
 
 /// On a bearing that differs in x and y.

@@ -1,7 +1,7 @@
 //! Every registered study on every hard part: an answer, or a refusal that names the part; and two linear programs that must agree.
 
-use crate::tools::{orbits, response};
-use crate::{chain, fractional, memory, pendulum_tests, tabulated};
+use super::tools::{orbits, response};
+use super::{chain, fractional, memory, pendulum_tests, tabulated};
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::model::field::{RangeValue, Value, Values};
 use laval::model::system::System;

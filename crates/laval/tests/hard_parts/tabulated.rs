@@ -1,6 +1,6 @@
 //! A bearing whose coefficients stand in a table over the speed, straight lines between its points.
 
-use crate::tools::{advance, check_tangents, orbits, response};
+use super::tools::{advance, check_tangents, orbits, response};
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;

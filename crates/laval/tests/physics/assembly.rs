@@ -3,8 +3,8 @@
 //! Written from the equations of each part, and from nothing of the program: a shaft on supports is made of beam elements on springs, a table is interpolated by
 //! its own cubic.
 
-use crate::machine::{Body, End, Law, Machine};
-use crate::matrix::{C, Complex, Lu, Real, c, complex, zeros};
+use super::machine::{Body, End, Law, Machine};
+use super::matrix::{C, Complex, Lu, Real, c, complex, zeros};
 
 const GRAVITY: f64 = 9.80665;
 

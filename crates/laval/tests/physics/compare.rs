@@ -1,9 +1,9 @@
 //! What the studies say of a random machine, against its matrices.
 
-use crate::assembly::Assembly;
-use crate::machine::Machine;
-use crate::matrix::{C, Complex, Lu, Real, apply, c, eigenvalues, exponential, quotient, zeros};
-use crate::random::Random;
+use super::assembly::Assembly;
+use super::machine::Machine;
+use super::matrix::{C, Complex, Lu, Real, apply, c, eigenvalues, exponential, quotient, zeros};
+use super::random::Random;
 use laval::file;
 use laval::model::field::RangeValue;
 use laval::outcome::{Data, Outcome};
@@ -300,7 +300,7 @@ pub fn transient(m: &Machine, r: &mut Random) -> Verdict {
     let mut states = names.clone();
     states.extend(names.iter().map(|n| format!("{n}'")));
     for (i, j) in m.joints.iter().enumerate() {
-        if matches!(j.law, crate::machine::Law::Liquid { .. }) {
+        if matches!(j.law, super::machine::Law::Liquid { .. }) {
             states.extend(["flow_x", "flow_y", "surface_x", "surface_y"].map(|s| format!("j{i}.{s}")));
         }
     }

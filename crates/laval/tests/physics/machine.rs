@@ -1,6 +1,6 @@
 //! Random machines, and the files that describe them.
 
-use crate::random::Random;
+use super::random::Random;
 use std::fmt::Write;
 
 /// A body or the ground, and the place on it.

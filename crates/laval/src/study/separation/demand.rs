@@ -10,9 +10,9 @@ use crate::separation::machine::Turning;
 use crate::separation::measures;
 use crate::separation::particle::Particle;
 use crate::separation::validity::{FIELD, gravity_felt};
-use crate::solve::scalar::maximum;
 use crate::study::duty::task::needed;
 use crate::study::support::RPM;
+use laval_num::univariate::maximum;
 
 /// Highest speed shown over that of the study.
 pub(super) const HIGHEST_SHOWN: f64 = 4.0;

@@ -1,7 +1,7 @@
 //! End states that other integrators agree on, and orbits known in closed form.
 
-use super::common::Base;
 use super::{constant, explicit, motion, stiff};
+use crate::common::Base;
 use laval::solve::motion::SpinLaw;
 use laval::solve::programme::Programme;
 use laval_num::complex::c;

@@ -1,7 +1,5 @@
 //! Liquid in three dimensions and with viscosity: reactions of a cavity, and the machine that carries one.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod machine;
 mod offsets;
 mod reactions;
@@ -26,7 +24,7 @@ fn cavity(name: &str) -> Cavity<f64> {
 
 /// Rows of a table with the cavity's name first, the rest as numbers.
 fn named(text: &str) -> Vec<(&str, Vec<f64>)> {
-    common::rows(text).into_iter().map(|r| (r[0], r[1..].iter().map(|x| common::number(x)).collect())).collect()
+    crate::common::rows(text).into_iter().map(|r| (r[0], r[1..].iter().map(|x| crate::common::number(x)).collect())).collect()
 }
 
 /// Relative difference of complex numbers.

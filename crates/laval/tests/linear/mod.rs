@@ -1,8 +1,5 @@
 //! Linear machines: modes, responses, stability, sensitivities; the physics of parts.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod claims;
 mod criticals;
 mod liquid_force;

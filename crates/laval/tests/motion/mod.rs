@@ -1,8 +1,5 @@
 //! Motions in time, alone and by the thousand.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod basins;
 mod claims;
 mod motion_map;

@@ -1,8 +1,5 @@
 //! What the program says and shows: mistakes, texts, figures, documents, the structure of the code.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod all_mistakes;
 mod architecture;
 mod docs;

@@ -2,8 +2,6 @@
 
 mod approximation;
 mod bands;
-#[path = "../common/mod.rs"]
-mod common;
 mod criteria;
 mod one_coordinate;
 mod orbits;

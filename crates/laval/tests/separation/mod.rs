@@ -1,8 +1,5 @@
 //! Centrifugal separation: particles, recovery, operating windows.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod carried;
 mod ensemble;
 mod motion;

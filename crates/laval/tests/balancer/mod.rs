@@ -1,8 +1,5 @@
 //! Rotors balanced by movable balls: motions, stationary states, run-ups, basins.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod basins;
 mod motion;
 mod run_up;

@@ -1,8 +1,5 @@
 //! Periodic motions by harmonic balance: branches, bifurcations, free whirls, maps of responses.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod bifurcation_loci;
 mod branches;
 mod contact;
