@@ -76,7 +76,7 @@ pub(super) fn instead(system: &System, speed: f64) -> &'static str {
 /// the points it joins. Parts in contact and parts whose clearance is open in a machine that others hold can be.
 pub fn unlinearised(system: &System, about: &Equilibrium) -> Option<Diagnostic> {
     system.slots().iter().find_map(|slot| {
-        let reason = slot.part.refuses_rest(&system.params()[slot.params.clone()])?;
+        let reason = slot.part.contacts()?.refuses_rest(&system.params()[slot.params.clone()])?;
         let fine = clearance(system, slot, about).is_some_and(|gap| {
             let resolved = 1e-9 * max_abs(&local(system, slot, &about.q)).max(gap.abs());
             gap < -resolved || gap > resolved && held(system, slot, about)
@@ -93,8 +93,8 @@ pub fn unlinearised(system: &System, about: &Equilibrium) -> Option<Diagnostic> 
 pub fn clearance(system: &System, slot: &Slot, about: &Equilibrium) -> Option<f64> {
     let zero = vec![0.0; system.n()];
     let at = At { q: &about.q, v: &zero, a: &zero, z: &about.z, phase: 0.0, speed: about.speed, spin_accel: 0.0, t: 0.0 };
-    let p = &system.params()[slot.params.clone()];
-    system.with_local(slot, &at, &mut Workspace::default(), |l| slot.part.clearance(p, l))
+    let (contacts, p) = (slot.part.contacts()?, &system.params()[slot.params.clone()]);
+    system.with_local(slot, &at, &mut Workspace::default(), |l| contacts.clearance(p, l))
 }
 
 /// Coordinates of a part's port at coordinates of the machine.

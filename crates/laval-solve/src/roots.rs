@@ -1,7 +1,7 @@
 //! Roots of a machine with parts that have no time form: those of its characteristic function in a region, with the number that the argument principle counts.
 //!
 //! ```text
-//! det T(s) = 0;   1/(2 pi i) closed integral of d ln(R det T) = number of roots inside,   R as in [`Part::regular`](crate::model::part::Part::regular)
+//! det T(s) = 0;   1/(2 pi i) closed integral of d ln(R det T) = number of roots inside,   R as in [`regular`](crate::model::capability::FrequencyDomain::regular)
 //! ```
 //!
 //! The parts say where T is analytic ([`Domain`]). The region is made of rectangles inside that domain: of an ideal liquid with all its axial waves both

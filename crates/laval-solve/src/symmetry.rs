@@ -132,7 +132,9 @@ pub fn change_under_turn(system: &System, slot: &Slot, speed: f64, angle: f64) -
 fn impedance_force(system: &System, slot: &Slot, speed: f64, s: C64, amplitude: [&[f64]; 2], turn: f64) -> [Vec<f64>; 2] {
     let k = slot.map.len();
     let mut z = vec![C64::zero(); k * k];
-    slot.part.impedance_f64(&system.params()[slot.params.clone()], s, speed, &mut z);
+    if let Some(part) = slot.part.frequency_domain() {
+        part.impedance_f64(&system.params()[slot.params.clone()], s, speed, &mut z);
+    }
     let mut parts = amplitude.map(<[f64]>::to_vec);
     parts[1].iter_mut().for_each(|x| *x /= s.abs());
     parts.iter_mut().for_each(|x| system.turn(x, turn));

@@ -5,15 +5,19 @@
 
 use super::blocks::Blocks;
 use super::erased::{D1, D8, Erased, Evaluate};
+use super::lanes::{Inertial, InertialArgs};
 use super::params::Family;
 use super::part::{At, DofKind, Layout, Params, Part, Physics, PortKind, Rows};
+use laval_num::lanes::Slots;
 use laval_num::scalar::Scalar;
 
+mod capabilities;
 mod fields;
 mod linear;
 #[cfg(test)]
 mod tests;
 
+pub use capabilities::{Implements, Otherwise, declared, undeclared};
 pub use fields::check_fields;
 pub use linear::local_stiffness;
 
@@ -273,7 +277,7 @@ impl<'a, P: Part> Bench<'a, P> {
         if Part::memory(self.part) > self.m {
             self.fail(Promise::Layout, "more memory states than states".into());
         }
-        let shape = Erased::shape(self.part, &self.params, 0.1);
+        let shape = Part::body(self.part).map_or_else(Vec::new, |b| b.shape(&self.params, 0.1));
         if shape.len() != if layout.body { layout.own.len() } else { 0 } {
             self.fail(Promise::Layout, format!("shape has {} rows for {} own coordinates", shape.len(), layout.own.len()));
         }
@@ -285,7 +289,9 @@ impl<'a, P: Part> Bench<'a, P> {
 
     fn switches(&self, x: &[f64]) -> Vec<bool> {
         let mut out = Vec::new();
-        Erased::switches(self.part, &x[self.params_at()..], &self.at(x), &mut out);
+        if let Some(contacts) = Part::contacts(self.part) {
+            contacts.switches(&x[self.params_at()..], &self.at(x), &mut out);
+        }
         out.iter().map(|s| *s > 0.0).collect()
     }
 
@@ -353,15 +359,14 @@ impl<'a, P: Part> Bench<'a, P> {
     }
 
     fn inertia(&mut self) {
+        let Some(part) = Part::varying_inertia(self.part) else { return };
         for x in self.states() {
             let (n, value, jacobian) = (self.n, self.eval(&x), self.jacobian(&x));
             let (mut out, mut mass) = (vec![0.0; value.len()], vec![0.0; n * n]);
             let (force, rest) = out.split_at_mut(n);
             let (rate, spin) = rest.split_at_mut(self.m);
-            let rows = Rows { force, rate, spin: &mut spin[0] };
-            if !Part::inertial(self.part, &P::Family::from_slice(&self.params), &self.at(&x), &mut { rows }, &mut mass) {
-                return;
-            }
+            let out_rows = Rows { force, rate, spin: &mut spin[0] };
+            Slots::<Inertial>::scalar(part, &mut InertialArgs { p: &self.params, at: self.at(&x), out: out_rows, mass: &mut mass });
             let size = self.sizes(&value, &jacobian);
             self.compare(Promise::Inertia, "beside the masses", &out, &value, &size, 1e-12);
             for j in 0..n {
@@ -512,12 +517,17 @@ macro_rules! conformance {
         #[cfg(test)]
         mod conformance {
             use super::*;
-            use $crate::model::conformance::{Options, assert_none, check, check_fields};
+            use $crate::model::conformance::{Options, assert_none, check, check_fields, declared, undeclared};
             #[allow(unused_imports)]
             use $crate::model::params::Family as _;
             #[test]
             fn fields() {
                 assert_none(&check_fields::<$part>());
+            }
+            #[test]
+            fn capabilities() {
+                let forgotten = undeclared($crate::implemented!($part), &[$( declared(&$make) ),*]);
+                assert!(forgotten.is_empty(), "implemented, but declared by no variant: {forgotten:?}");
             }
             $(
                 #[test]

@@ -1,15 +1,25 @@
-//! Parts composed at run time: the object-safe face of [`Part`], one method slot per scalar, filled by one blanket implementation.
+//! Parts composed at run time: the object-safe faces of [`Part`] and of the [capabilities](super::capability), one method slot per scalar,
+//! filled by one blanket implementation each.
 
 use super::blocks::Blocks;
+use super::capability;
 use super::lanes::InLanes;
 use super::params::{Family, ParamSlot};
-use super::part::{At, Correction, Domain, Energy, Fitted, Layout, Observed, Outline, Part, Physics, Rows, Tabulated, Uses, Validity};
-use super::system::Axis;
-use super::timed::{Speeds, Untimed};
+use super::part::{At, Domain, Energy, Layout, Observed, Part, Physics, Rows, Uses, Validity};
 use laval_num::complex::Complex;
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
+
+pub use super::capability::added_inertia::erased::AddedInertia;
+pub use super::capability::body::erased::BodyPart;
+pub use super::capability::contact::erased::Contacts;
+pub use super::capability::drive::erased::SpinDrive;
+pub use super::capability::filling::erased::Filling;
+pub use super::capability::movable::erased::MovableMasses;
+pub use super::capability::scope::erased::Scope;
+pub use super::capability::time_form::erased::ReplacedInTime;
+pub use super::capability::varying::erased::VaryingInertia;
 
 /// One derivative: with respect to the spin speed or one parameter.
 pub type D1 = Dual<f64, 1>;
@@ -27,35 +37,23 @@ macro_rules! erased {
             fn uses(&self) -> Uses;
             fn memory(&self) -> usize;
             fn slots(&self) -> Vec<ParamSlot>;
-            fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
-            fn refuses_rest(&self, p: &[f64]) -> Option<String>;
-            fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64>;
-            fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>);
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
-            fn tabulated(&self) -> Option<Tabulated>;
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;
-            fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
-            fn lightens(&self, p: &[f64]) -> Option<String>;
-            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)>;
             fn warnings(&self, p: &[f64]) -> Vec<String>;
-            fn drives(&self, p: &[f64], speed: f64) -> Option<f64>;
-            fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
-            fn without_tilt(&self) -> Option<&'static str>;
-            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
-            fn rough(&self) -> Option<Arc<dyn Erased>>;
-            fn places(&self, p: &[f64]) -> Vec<(usize, f64)>;
-            fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>>;
-            fn fitted(&self) -> Option<Fitted>;
-            fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>);
-            fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction>;
-            fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline>;
+            fn body(&self) -> Option<&dyn BodyPart>;
+            fn contacts(&self) -> Option<&dyn Contacts>;
+            fn movable_masses(&self) -> Option<&dyn MovableMasses>;
+            fn varying_inertia(&self) -> Option<&dyn VaryingInertia>;
+            fn added_inertia(&self) -> Option<&dyn AddedInertia>;
+            fn frequency_domain(&self) -> Option<&dyn FrequencyDomain>;
+            fn replaced_in_time(&self) -> Option<&dyn ReplacedInTime>;
+            fn spin_drive(&self) -> Option<&dyn SpinDrive>;
+            fn filling(&self) -> Option<&dyn Filling>;
+            fn scope(&self) -> Option<&dyn Scope>;
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>);
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
-                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
-                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);
-                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar>;
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>>;
             )*
         }
@@ -79,75 +77,47 @@ macro_rules! erased {
             fn slots(&self) -> Vec<ParamSlot> {
                 T::Family::slots()
             }
-            fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]> {
-                Part::shape(self, &T::Family::from_slice(p), position)
-            }
-            fn refuses_rest(&self, p: &[f64]) -> Option<String> {
-                Part::refuses_rest(self, &T::Family::from_slice(p))
-            }
-            fn clearance(&self, p: &[f64], at: &At<f64>) -> Option<f64> {
-                Part::clearance(self, &T::Family::from_slice(p), at)
-            }
-            fn switches(&self, p: &[f64], at: &At<f64>, out: &mut Vec<f64>) {
-                Part::switches(self, &T::Family::from_slice(p), at, out)
-            }
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>) {
                 Part::observe(self, &T::Family::from_slice(p), at, out)
             }
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
                 Part::validity(self, &T::Family::from_slice(p), at, out)
             }
-            fn tabulated(&self) -> Option<Tabulated> {
-                Part::tabulated(self)
-            }
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
                 Part::check(self, &T::Family::from_slice(p))
-            }
-            fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String> {
-                Part::refuses_axis(self, &T::Family::from_slice(p), axis)
-            }
-            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
-                let (part, p) = Part::approximation(self, &T::Family::from_slice(p))?;
-                Some((Arc::new(part), T::Family::to_vec(&p)))
-            }
-            fn lightens(&self, p: &[f64]) -> Option<String> {
-                Part::lightens(self, &T::Family::from_slice(p))
             }
             fn warnings(&self, p: &[f64]) -> Vec<String> {
                 Part::warnings(self, &T::Family::from_slice(p))
             }
-            fn drives(&self, p: &[f64], speed: f64) -> Option<f64> {
-                Part::drives(self, &T::Family::from_slice(p), speed)
+            fn body(&self) -> Option<&dyn BodyPart> {
+                Part::body(self)
             }
-            fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
-                Part::lacks_spin_inertia(self, &T::Family::from_slice(p))
+            fn contacts(&self) -> Option<&dyn Contacts> {
+                Part::contacts(self)
             }
-            fn without_tilt(&self) -> Option<&'static str> {
-                Part::without_tilt(self)
+            fn movable_masses(&self) -> Option<&dyn MovableMasses> {
+                Part::movable_masses(self)
             }
-            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
-                Part::domain(self, &T::Family::from_slice(p), speed)
+            fn varying_inertia(&self) -> Option<&dyn VaryingInertia> {
+                Part::varying_inertia(self)
             }
-            fn rough(&self) -> Option<Arc<dyn Erased>> {
-                Part::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
+            fn added_inertia(&self) -> Option<&dyn AddedInertia> {
+                Part::added_inertia(self)
             }
-            fn places(&self, p: &[f64]) -> Vec<(usize, f64)> {
-                Part::places(self, &T::Family::from_slice(p))
+            fn frequency_domain(&self) -> Option<&dyn FrequencyDomain> {
+                Part::frequency_domain(self)
             }
-            fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>> {
-                Part::timed(self, &T::Family::from_slice(p), speeds, stop).map(|r| r.map(|p| Arc::new(p) as Arc<dyn Erased>))
+            fn replaced_in_time(&self) -> Option<&dyn ReplacedInTime> {
+                Part::replaced_in_time(self)
             }
-            fn fitted(&self) -> Option<Fitted> {
-                Part::fitted(self)
+            fn spin_drive(&self) -> Option<&dyn SpinDrive> {
+                Part::spin_drive(self)
             }
-            fn grip(&self, p: &[f64], at: &At<f64>, out: &mut Vec<(usize, f64)>) {
-                Part::grip(self, &T::Family::from_slice(p), at, out)
+            fn filling(&self) -> Option<&dyn Filling> {
+                Part::filling(self)
             }
-            fn correction(&self, p: &[f64], at: &At<f64>) -> Option<Correction> {
-                Part::correction(self, &T::Family::from_slice(p), at)
-            }
-            fn outlines(&self, p: &[f64], at: &At<f64>) -> Vec<Outline> {
-                Part::outlines(self, &T::Family::from_slice(p), at)
+            fn scope(&self) -> Option<&dyn Scope> {
+                Part::scope(self)
             }
             $(
                 fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>) {
@@ -156,17 +126,45 @@ macro_rules! erased {
                 fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
                     Part::linear(self, &T::Family::from_slice(p), speed, blocks)
                 }
-                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
-                    Part::load(self, &T::Family::from_slice(p), speed, blocks)
-                }
-                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
-                    Part::impedance(self, &T::Family::from_slice(p), s, speed, out)
-                }
-                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar> {
-                    Part::regular(self, &T::Family::from_slice(p), s, speed)
-                }
                 fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>> {
                     Part::energy(self, &T::Family::from_slice(p), at)
+                }
+            )*
+        }
+
+        /// See the [trait of the author](capability::FrequencyDomain).
+        #[allow(missing_docs)]
+        pub trait FrequencyDomain {
+            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain>;
+            fn rough(&self) -> Option<Arc<dyn Erased>>;
+            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)>;
+            $(
+                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>);
+                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]);
+                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar>;
+            )*
+        }
+
+        impl<T: capability::FrequencyDomain> FrequencyDomain for T {
+            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
+                capability::FrequencyDomain::domain(self, &T::Family::from_slice(p), speed)
+            }
+            fn rough(&self) -> Option<Arc<dyn Erased>> {
+                capability::FrequencyDomain::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
+            }
+            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
+                let (part, p) = capability::FrequencyDomain::approximation(self, &T::Family::from_slice(p))?;
+                Some((Arc::new(part), T::Family::to_vec(&p)))
+            }
+            $(
+                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
+                    capability::FrequencyDomain::load(self, &T::Family::from_slice(p), speed, blocks)
+                }
+                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
+                    capability::FrequencyDomain::impedance(self, &T::Family::from_slice(p), s, speed, out)
+                }
+                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar> {
+                    capability::FrequencyDomain::regular(self, &T::Family::from_slice(p), s, speed)
                 }
             )*
         }
@@ -179,13 +177,13 @@ macro_rules! erased {
                 fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
                     part.$linear(p, speed, blocks)
                 }
-                fn load(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
+                fn load(part: &dyn FrequencyDomain, p: &[Self], speed: Self, blocks: &mut Blocks<Self>) {
                     part.$load(p, speed, blocks)
                 }
-                fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]) {
+                fn impedance(part: &dyn FrequencyDomain, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]) {
                     part.$impedance(p, s, speed, out)
                 }
-                fn regular(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self> {
+                fn regular(part: &dyn FrequencyDomain, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self> {
                     part.$regular(p, s, speed)
                 }
                 fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>> {
@@ -202,12 +200,12 @@ pub trait Evaluate: Scalar {
     fn residual(part: &dyn Erased, p: &[Self], at: &At<Self>, out: &mut Rows<Self>, blocks: &mut Blocks<Self>);
     /// [`Part::linear`]; the caller has reset the blocks to the part's size.
     fn linear(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
-    /// [`Part::load`]; the caller has reset the blocks to the part's size, without states.
-    fn load(part: &dyn Erased, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
-    /// [`Part::impedance`].
-    fn impedance(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]);
-    /// [`Part::regular`].
-    fn regular(part: &dyn Erased, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self>;
+    /// [`capability::FrequencyDomain::load`]; the caller has reset the blocks to the part's size, without states.
+    fn load(part: &dyn FrequencyDomain, p: &[Self], speed: Self, blocks: &mut Blocks<Self>);
+    /// [`capability::FrequencyDomain::impedance`].
+    fn impedance(part: &dyn FrequencyDomain, p: &[Self], s: Complex<Self>, speed: Self, out: &mut [Complex<Self>]);
+    /// [`capability::FrequencyDomain::regular`].
+    fn regular(part: &dyn FrequencyDomain, p: &[Self], s: Complex<Self>, speed: Self) -> Complex<Self>;
     /// [`Part::energy`].
     fn energy(part: &dyn Erased, p: &[Self], at: &At<Self>) -> Option<Energy<Self>>;
 }

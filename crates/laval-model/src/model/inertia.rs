@@ -12,7 +12,7 @@ const LEAST: f64 = 1e-9;
 /// Reports parts that leave the mass matrix of the machine indefinite: it would run away by itself, faster than any motion that is meant.
 pub(super) fn check(system: &System, diagnostics: &mut Diagnostics) {
     let lightening: Vec<_> =
-        system.slots().iter().filter_map(|s| s.part.lightens(&system.params()[s.params.clone()]).map(|why| (s, why))).collect();
+        system.slots().iter().filter_map(|s| Some((s, s.part.added_inertia()?.removed(&system.params()[s.params.clone()])?))).collect();
     if lightening.is_empty() {
         return;
     }
@@ -22,12 +22,12 @@ pub(super) fn check(system: &System, diagnostics: &mut Diagnostics) {
     let (mut t, mut scratch) = (Tangent::default(), TangentScratch::default());
     system.tangent(&at, false, &mut t, &mut scratch, |_| true);
     let Some(lost) = indefinite(&t.a) else { return };
-    for (slot, why) in lightening {
+    for (slot, removed) in lightening {
         let name = &system.coordinates()[lost].name;
         diagnostics.push(
-            Diagnostic::error("part.inertia", format!("\"{}\": {why}, and no inertia is left for {name}", slot.name))
+            Diagnostic::error("part.inertia", format!("\"{}\": {}, and no inertia is left for {name}", slot.name, removed.what))
                 .at(slot.span.clone())
-                .help("give model = \"strip\" or \"spatial\"; or the body more diametral_inertia"),
+                .help(removed.help),
         );
     }
 }

@@ -3,6 +3,7 @@
 //! Generic code holding a `&dyn Erased` and a lane scalar calls [`Entry::enter`](laval_num::lanes::Entry::enter) with one of the markers below.
 
 use super::blocks::Blocks;
+use super::capability::VaryingInertia;
 use super::params::Family as _;
 use super::part::{At, Part, Physics, Rows};
 use laval_num::lanes::{Apply, Family, Slots};
@@ -34,7 +35,7 @@ impl<P: Part> Apply<P> for Residual {
     }
 }
 
-/// Arguments of [`Part::inertial`].
+/// Arguments of [`VaryingInertia::inertial`].
 pub struct InertialArgs<'a, S> {
     /// Parameters.
     pub p: &'a [S],
@@ -44,19 +45,17 @@ pub struct InertialArgs<'a, S> {
     pub out: Rows<'a, S>,
     /// Where the masses are added.
     pub mass: &'a mut [S],
-    /// What the part answered.
-    pub known: bool,
 }
 
-/// The residual of a nonlinear part with its masses.
+/// The residual of a nonlinear part with its masses, where it gives them.
 pub struct Inertial;
 impl Family for Inertial {
     type Args<'a, S: Scalar> = InertialArgs<'a, S>;
 }
-impl<P: Part> Apply<P> for Inertial {
+impl<P: VaryingInertia> Apply<P> for Inertial {
     #[inline(always)]
     fn apply<S: Scalar>(part: &P, args: &mut InertialArgs<'_, S>) {
-        args.known = part.inertial(&P::Family::from_slice(args.p), &args.at, &mut args.out, args.mass);
+        part.inertial(&P::Family::from_slice(args.p), &args.at, &mut args.out, args.mass);
     }
 }
 
@@ -83,5 +82,5 @@ impl<P: Part> Apply<P> for Linear {
 }
 
 /// A part that can be called in lanes: every [`Part`] can.
-pub trait InLanes: Slots<Residual> + Slots<Inertial> + Slots<Linear> {}
+pub trait InLanes: Slots<Residual> + Slots<Linear> {}
 impl<P: Part> InLanes for P {}

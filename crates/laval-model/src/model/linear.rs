@@ -1,7 +1,7 @@
 //! The linear parts of a machine at one spin speed: blocks in time, dynamic stiffness in frequency.
 
 use super::blocks::{Axes, Blocks, Grid};
-use super::erased::Evaluate;
+use super::erased::{Evaluate, FrequencyDomain};
 use super::part::{Domain, Physics};
 use super::system::{Slot, System, scatter};
 use laval_num::complex::{Complex, c};
@@ -149,7 +149,9 @@ impl System {
     fn add_loads<S: Evaluate>(&self, params: &[S], speed: S, out: &mut Blocks<S>, local: &mut Blocks<S>) {
         for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
             local.reset(slot.map.len(), 0, speed);
-            S::load(&*slot.part, &params[slot.params.clone()], speed, local);
+            if let Some(part) = slot.part.frequency_domain() {
+                S::load(part, &params[slot.params.clone()], speed, local);
+            }
             for (i, &w) in slot.weight.iter().enumerate() {
                 for j in 0..slot.map.len() {
                     local.force[j] -= local.mass[(j, i)].scale(w);
@@ -230,11 +232,11 @@ impl System {
             }
         }
         if form == Form::Frequency {
-            for slot in self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_))) {
+            for (slot, part) in self.in_frequency_domain() {
                 let k = slot.map.len();
                 scratch.impedance.clear();
                 scratch.impedance.resize(k * k, Complex::zero());
-                S::impedance(&*slot.part, &params[slot.params.clone()], s, b.speed, &mut scratch.impedance);
+                S::impedance(part, &params[slot.params.clone()], s, b.speed, &mut scratch.impedance);
                 for (i, rows) in slot.map.iter().enumerate() {
                     for (j, cols) in slot.map.iter().enumerate() {
                         for &(gi, ci) in rows {
@@ -255,18 +257,18 @@ impl System {
     pub fn domains(&self, speed: f64) -> Vec<Domain> {
         let params = self.params();
         let one = |s: &Slot| match s.physics {
-            Physics::Frequency(_) => s.part.domain(&params[s.params.clone()], speed),
+            Physics::Frequency(_) => s.part.frequency_domain()?.domain(&params[s.params.clone()], speed),
             _ => (s.memory > 0).then(Domain::passive),
         };
         self.slots().iter().filter_map(one).collect()
     }
 
-    /// The machine with the parts that have a cheaper form for counting ([`rough`](super::part::Part::rough)); `None` where no part has one.
+    /// The machine with the parts that have a cheaper form for counting ([`rough`](super::capability::FrequencyDomain::rough)); `None` where no part has one.
     pub fn rough(&self) -> Option<System> {
         let mut inputs = self.inputs();
         let mut any = false;
         for input in &mut inputs {
-            if let Some(rough) = input.part.rough() {
+            if let Some(rough) = input.part.frequency_domain().and_then(|f| f.rough()) {
                 input.part = rough;
                 any = true;
             }
@@ -277,14 +279,20 @@ impl System {
     /// The first part given in the frequency domain that does not say where it is analytic.
     pub fn undeclared(&self) -> Option<&Slot> {
         let params = self.params();
-        let silent = |s: &&Slot| matches!(s.physics, Physics::Frequency(_)) && s.part.domain(&params[s.params.clone()], 1.0).is_none();
+        let declared = |s: &Slot| s.part.frequency_domain().is_some_and(|f| f.domain(&params[s.params.clone()], 1.0).is_some());
+        let silent = |s: &&Slot| matches!(s.physics, Physics::Frequency(_)) && !declared(s);
         self.slots().iter().find(silent)
     }
 
-    /// The product of [`regular`](super::part::Part::regular) of the parts given in the frequency domain.
+    /// The product of [`regular`](super::capability::FrequencyDomain::regular) of the parts given in the frequency domain.
     pub fn regular<S: Evaluate>(&self, params: &[S], s: Complex<S>, speed: S) -> Complex<S> {
-        let frequency = self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_)));
-        frequency.fold(Complex::one(), |product, slot| product * S::regular(&*slot.part, &params[slot.params.clone()], s, speed))
+        let all = self.in_frequency_domain();
+        all.fold(Complex::one(), |product, (slot, part)| product * S::regular(part, &params[slot.params.clone()], s, speed))
+    }
+
+    fn in_frequency_domain(&self) -> impl Iterator<Item = (&Slot, &dyn FrequencyDomain)> {
+        let all = self.slots().iter().filter(|s| matches!(s.physics, Physics::Frequency(_)));
+        all.filter_map(|s| Some((s, s.part.frequency_domain()?)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a machine is: parts, their parameters and ports, and the system they form.
 pub mod blocks;
 pub mod builder;
+pub mod capability;
 pub mod conformance;
 pub mod erased;
 pub mod field;

@@ -1,7 +1,7 @@
 //! The assembled machine: parts mapped onto global coordinates. Immutable; scratch lives in a [`Workspace`].
 
 use super::blocks::Blocks;
-use super::erased::{Erased, Evaluate};
+use super::erased::{Erased, Evaluate, MovableMasses};
 use super::field::{Attach, Extra};
 use super::params::ParamSlot;
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
@@ -12,15 +12,7 @@ use laval_num::work::spend;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-/// Direction of the shaft.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Axis {
-    /// Weight acts along the shaft.
-    #[default]
-    Vertical,
-    /// Weight acts along -y.
-    Horizontal,
-}
+pub use super::capability::scope::Axis;
 
 /// Standard gravity, m/s^2.
 pub const GRAVITY: f64 = 9.80665;
@@ -240,7 +232,7 @@ impl System {
             for (_, message) in part.check(&input.params) {
                 diagnostics.push(Diagnostic::error("part.check", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
             }
-            if let Some(message) = part.refuses_axis(&input.params, self.machine.axis) {
+            if let Some(message) = part.scope().and_then(|s| s.refuses_axis(&input.params, self.machine.axis)) {
                 diagnostics.push(Diagnostic::error("part.axis", format!("\"{}\": {message}", input.name)).at(input.span.clone()));
             }
         }
@@ -285,7 +277,8 @@ impl System {
             ));
         }
         let first = self.coordinates.iter().position(|c| c.slot == body).unwrap_or(0);
-        for (j, column) in b.part.shape(&self.params[b.params.clone()], attach.position).iter().enumerate() {
+        let shape = b.part.body().map_or_else(Vec::new, |body| body.shape(&self.params[b.params.clone()], attach.position));
+        for (j, column) in shape.iter().enumerate() {
             for (row, &x) in rows.iter_mut().zip(column) {
                 if x != 0.0 {
                     row.push((first + j, x));
@@ -416,7 +409,7 @@ impl System {
     pub fn with_extras(&self, extras: Vec<Extra>) -> Result<System, Diagnostics> {
         System::assemble(Machine { extras, ..self.machine.clone() }, self.inputs())
     }
-    /// The machine with the approximations of its parts in their places ([`Part::approximation`](super::part::Part::approximation)); `None` where no part has one.
+    /// The machine with the approximations of its parts in their places ([`approximation`](super::capability::FrequencyDomain::approximation)); `None` where no part has one.
     ///
     /// # Errors
     /// As [`System::assemble`].
@@ -424,7 +417,7 @@ impl System {
         let mut inputs = self.inputs();
         let mut any = false;
         for input in &mut inputs {
-            if let Some((part, params)) = input.part.approximation(&input.params) {
+            if let Some((part, params)) = input.part.frequency_domain().and_then(|f| f.approximation(&input.params)) {
                 (input.part, input.params) = (part, params);
                 any = true;
             }
@@ -518,12 +511,16 @@ impl System {
     }
     /// Torque of all drives at a speed, N m; `None` without a drive.
     pub fn drive_torque(&self, speed: f64) -> Option<f64> {
-        self.slots.iter().filter_map(|s| s.part.drives(&self.params[s.params.clone()], speed)).reduce(|a, b| a + b)
+        self.slots.iter().filter_map(|s| Some(s.part.spin_drive()?.torque(&self.params[s.params.clone()], speed))).reduce(|a, b| a + b)
     }
     /// Parameters of parts that spin without inertia about the axis although they have mass, by path.
     pub fn without_spin_inertia(&self) -> Vec<String> {
-        let lacks = |s: &Slot| Some(format!("{}.{}", s.name, s.part.lacks_spin_inertia(&self.params[s.params.clone()])?));
+        let lacks = |s: &Slot| Some(format!("{}.{}", s.name, s.part.body()?.lacks_spin_inertia(&self.params[s.params.clone()])?));
         self.slots.iter().filter_map(lacks).collect()
+    }
+    /// What damps the waves of the liquids of the machine, in brackets with a leading space; empty without liquid.
+    pub fn damping_of_waves(&self) -> String {
+        self.slots.iter().find_map(|s| s.part.filling()).map_or_else(String::new, |f| format!(" ({})", f.damping()))
     }
     /// What keeps parts from doing what they are there for, as (part, sentence).
     pub fn warnings(&self) -> Vec<(usize, String)> {
@@ -532,17 +529,18 @@ impl System {
     }
     /// What the parts that balance by themselves do at a point, as (part, correction).
     pub fn corrections(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Correction)> {
-        self.each(at, ws, |slot, l, out| out.extend(slot.part.correction(&self.params[slot.params.clone()], l)))
+        self.each_movable(at, ws, |masses, p, l, out| out.extend(masses.correction(p, l)))
     }
     /// Coordinates that dry friction holds where they rest, as (coordinate, largest force): own coordinates of parts.
     pub fn grips(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, f64)> {
-        let held = self.each(at, ws, |slot, l, out| slot.part.grip(&self.params[slot.params.clone()], l, out));
+        let held = self.each_movable(at, ws, |masses, p, l, out| masses.grip(p, l, out));
         held.into_iter().filter(|h| h.1.1 > 0.0).filter_map(|(k, h)| self.own(k, h)).collect()
     }
     /// Where coordinates are when a motion begins and nothing is said of them, as (coordinate, value): own coordinates of parts.
     pub fn places(&self) -> Vec<(usize, f64)> {
-        let all = self.slots.iter().enumerate();
-        all.flat_map(|(k, s)| s.part.places(&self.params[s.params.clone()]).into_iter().filter_map(move |x| self.own(k, x))).collect()
+        let all =
+            self.slots.iter().enumerate().filter_map(|(k, s)| Some((k, s.part.movable_masses()?.places(&self.params[s.params.clone()]))));
+        all.flat_map(|(k, places)| places.into_iter().filter_map(move |x| self.own(k, x))).collect()
     }
     /// What a part says of a local coordinate, said of the machine's; `None` of a coordinate that is not its own.
     fn own(&self, slot: usize, (local, value): (usize, f64)) -> Option<(usize, f64)> {
@@ -553,7 +551,19 @@ impl System {
     }
     /// What the parts with movable masses look like at a point, as (part, circle).
     pub fn outlines(&self, at: &At<f64>, ws: &mut Workspace<f64>) -> Vec<(usize, Outline)> {
-        self.each(at, ws, |slot, l, out| out.extend(slot.part.outlines(&self.params[slot.params.clone()], l)))
+        self.each_movable(at, ws, |masses, p, l, out| out.extend(masses.outlines(p, l)))
+    }
+    fn each_movable<T>(
+        &self,
+        at: &At<f64>,
+        ws: &mut Workspace<f64>,
+        f: impl Fn(&dyn MovableMasses, &[f64], &At<f64>, &mut Vec<T>),
+    ) -> Vec<(usize, T)> {
+        self.each(at, ws, |slot, l, out| {
+            if let Some(masses) = slot.part.movable_masses() {
+                f(masses, &self.params[slot.params.clone()], l, out);
+            }
+        })
     }
     fn each<T>(&self, at: &At<f64>, ws: &mut Workspace<f64>, f: impl Fn(&Slot, &At<f64>, &mut Vec<T>)) -> Vec<(usize, T)> {
         let mut out = Vec::new();

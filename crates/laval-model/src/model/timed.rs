@@ -5,36 +5,7 @@ use super::system::{Slot, System};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use std::ops::Deref;
 
-/// The spin speeds, rad/s, of motions in time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Speeds {
-    /// This one.
-    One(f64),
-    /// Several, each constant.
-    Several,
-    /// It changes.
-    Changing,
-}
-
-/// Why there is no time form.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Untimed {
-    /// There is none.
-    No {
-        /// Why.
-        why: String,
-        /// What may be done about it; studies in the frequency domain unless given.
-        help: Option<&'static str>,
-    },
-    /// It was not made: asked to stop.
-    Stopped,
-}
-
-impl From<String> for Untimed {
-    fn from(why: String) -> Self {
-        Untimed::No { why, help: None }
-    }
-}
+pub use super::capability::time_form::{Speeds, Untimed};
 
 /// A machine of which every part has a time form.
 pub enum Timed<'a> {
@@ -82,7 +53,8 @@ impl System {
                     .at(slot.span.clone())
                     .help(help.unwrap_or("use a study in the frequency domain, such as forced_response"))
             };
-            input.part = match slot.part.timed(&input.params, speeds, stop).ok_or_else(|| no(why, None))? {
+            let form = slot.part.replaced_in_time().and_then(|r| r.timed(&input.params, speeds, stop));
+            input.part = match form.ok_or_else(|| no(why, None))? {
                 Ok(part) => part,
                 Err(Untimed::No { why, help }) => return Err(no(&why, help)),
                 Err(Untimed::Stopped) => return Ok(None),

@@ -21,6 +21,8 @@
 //! Sources: H. Hertz (1882); `000_a291f7ede1484e56` section 1.1 for the law and its cubic approximation, [`cubic_fit`].
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::capability::Contacts;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
@@ -124,6 +126,23 @@ clearance = "10 um"
         };
         Some(Energy { stored: (p.coefficient * sum).scale(0.4), ..Energy::zero() })
     }
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        let f = self.force(p, at.q);
+        out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
+        out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        if self.radial && p.clearance < 0.0 {
+            return vec![("clearance", "a radial law has no preload: its clearance cannot be negative".into())];
+        }
+        Vec::new()
+    }
+    fn contacts(&self) -> Option<&dyn erased::Contacts> {
+        Some(self)
+    }
+}
+
+impl Contacts for BearingHertz {
     fn clearance(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<f64> {
         let deflection = if self.radial { at.q[0].hypot(at.q[1]) } else { at.q[0].abs().max(at.q[1].abs()) };
         Some(p.clearance - deflection)
@@ -136,7 +155,7 @@ clearance = "10 um"
                 .to_string()
         })
     }
-    fn switches<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Vec<S>) {
+    fn switches(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<f64>) {
         if self.radial {
             out.push(at.q[0].norm2(at.q[1]) - p.clearance);
         } else {
@@ -144,17 +163,6 @@ clearance = "10 um"
                 out.extend([d - p.clearance, -d - p.clearance]);
             }
         }
-    }
-    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
-        let f = self.force(p, at.q);
-        out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
-        out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
-    }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
-        if self.radial && p.clearance < 0.0 {
-            return vec![("clearance", "a radial law has no preload: its clearance cannot be negative".into())];
-        }
-        Vec::new()
     }
 }
 

@@ -24,6 +24,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
+use crate::model::capability::Scope;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
 use crate::model::part::{At, Beyond, Energy, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
@@ -314,17 +316,23 @@ cyy = "3e4 N s/m"
             out.push(Validity { what: RANGE, ratio: (at.speed - middle).abs() / half });
         }
     }
-    fn tabulated(&self) -> Option<Tabulated> {
-        let table = self.table.as_ref()?;
-        let (from, to) = table.range();
-        Some(Tabulated { from, to, beyond: table.beyond, statement: RANGE })
-    }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let constants = BearingLinearFamily::to_vec(p);
         if self.table.is_some() && constants.iter().any(|x| *x != 0.0) {
             return vec![("table", "the coefficients come from the table: a constant beside it has no effect".into())];
         }
         Vec::new()
+    }
+    fn scope(&self) -> Option<&dyn erased::Scope> {
+        Some(self)
+    }
+}
+
+impl Scope for BearingLinear {
+    fn tabulated(&self) -> Option<Tabulated> {
+        let table = self.table.as_ref()?;
+        let (from, to) = table.range();
+        Some(Tabulated { from, to, beyond: table.beyond, statement: RANGE })
     }
 }
 

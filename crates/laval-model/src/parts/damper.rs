@@ -138,7 +138,7 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
         out.push(Observed { name: "force", unit: "N", value: (p.damping[0] * slip.re).hypot(p.damping[1] * slip.im) });
         if self.tilts {
             let slip = self.slip(at, 2);
-            out.push(Observed { name: "moment", unit: "N m", value: p.tilt_damping * slip.re.hypot(slip.im) });
+            out.push(Observed { name: Observed::MOMENT, unit: "N m", value: p.tilt_damping * slip.re.hypot(slip.im) });
         }
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {

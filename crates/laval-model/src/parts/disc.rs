@@ -28,6 +28,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Blocks, rotating};
+use crate::model::capability::body::{BodyParameters, BodyPart};
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
@@ -235,30 +237,15 @@ skew = "0.1 mrad"                   # dynamic unbalance
         Some(Energy { stored: t, ..Energy::zero() })
     }
 
-    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
-        let mut columns = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
-        if self.tilts {
-            // x + z beta, y - z alpha
-            columns.extend([[0.0, -z, 1.0, 0.0], [z, 0.0, 0.0, 1.0]]);
-        }
-        columns
-    }
-
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
-        out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
+        out.push(Observed { name: Observed::DISPLACEMENT, unit: "m", value: at.q[0].hypot(at.q[1]) });
         if self.tilts {
-            out.push(Observed { name: "tilt", unit: "rad", value: at.q[2].hypot(at.q[3]) });
+            out.push(Observed { name: Observed::TILT, unit: "rad", value: at.q[2].hypot(at.q[3]) });
         }
         let centre = self.centre(p.centre_of_mass, at.q) + self.turning(p, at.phase).scale(1.0 / p.mass);
         out.push(Observed { name: "centre of mass", unit: "m", value: centre.re.hypot(centre.im) });
     }
 
-    fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
-        (p.polar_inertia == 0.0).then_some("polar_inertia")
-    }
-    fn without_tilt(&self) -> Option<&'static str> {
-        (!self.tilts).then_some("diametral_inertia")
-    }
     fn validity(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Validity>) {
         if self.tilts {
             out.push(Validity { what: "tilt over 0.1 rad", ratio: at.q[2].hypot(at.q[3]) / SMALL });
@@ -281,6 +268,29 @@ skew = "0.1 mrad"                   # dynamic unbalance
             wrong.push((field, format!("{field} acts on the tilt, and this disc does not tilt: give diametral_inertia as well")));
         }
         wrong
+    }
+    fn body(&self) -> Option<&dyn erased::BodyPart> {
+        Some(self)
+    }
+}
+
+impl BodyPart for Disc {
+    fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
+        let mut columns = vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]];
+        if self.tilts {
+            // x + z beta, y - z alpha
+            columns.extend([[0.0, -z, 1.0, 0.0], [z, 0.0, 0.0, 1.0]]);
+        }
+        columns
+    }
+    fn lacks_spin_inertia(&self, p: &Params<Self, f64>) -> Option<&'static str> {
+        (p.polar_inertia == 0.0).then_some("polar_inertia")
+    }
+    fn without_tilt(&self) -> Option<&'static str> {
+        (!self.tilts).then_some("diametral_inertia")
+    }
+    fn parameters(&self) -> BodyParameters {
+        BodyParameters { mass: Some("mass"), unbalance: Some("unbalance"), stiffness: None }
     }
 }
 

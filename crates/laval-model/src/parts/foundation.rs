@@ -12,6 +12,8 @@
 
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
+use crate::model::capability::body::{BodyParameters, BodyPart};
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
 use crate::params;
@@ -65,13 +67,22 @@ damping = "900 N s/m"
         }
         Some(e)
     }
+    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
+        let force = |i: usize| p.stiffness[i] * at.q[i] + p.damping[i] * at.v[i];
+        out.push(Observed { name: Observed::DISPLACEMENT, unit: "m", value: at.q[0].hypot(at.q[1]) });
+        out.push(Observed { name: "ground force", unit: "N", value: force(0).hypot(force(1)) });
+    }
+    fn body(&self) -> Option<&dyn erased::BodyPart> {
+        Some(self)
+    }
+}
+
+impl BodyPart for Foundation {
     fn shape(&self, _: &Params<Self, f64>, _: f64) -> Vec<[f64; 4]> {
         vec![[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]]
     }
-    fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
-        let force = |i: usize| p.stiffness[i] * at.q[i] + p.damping[i] * at.v[i];
-        out.push(Observed { name: "displacement", unit: "m", value: at.q[0].hypot(at.q[1]) });
-        out.push(Observed { name: "ground force", unit: "N", value: force(0).hypot(force(1)) });
+    fn parameters(&self) -> BodyParameters {
+        BodyParameters { mass: Some("mass"), unbalance: None, stiffness: Some("stiffness") }
     }
 }
 

@@ -26,6 +26,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
+use crate::model::capability::SpinDrive;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
@@ -184,9 +186,6 @@ inertia = "0.02 kg m^2"
         let w = at.speed;
         Some(Energy { stored: (p.inertia * w * w).scale(0.5), dissipated: p.drag * w * w, supplied: self.torque(p, w) * w })
     }
-    fn drives(&self, p: &Params<Self, f64>, speed: f64) -> Option<f64> {
-        Some(self.torque(p, speed))
-    }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "torque", unit: "N m", value: self.torque(p, at.speed) });
         out.push(Observed { name: "power", unit: "W", value: self.torque(p, at.speed) * at.speed });
@@ -212,6 +211,15 @@ inertia = "0.02 kg m^2"
             wrong.push(("power", "limited power needs a torque and a power above 0".into()));
         }
         wrong
+    }
+    fn spin_drive(&self) -> Option<&dyn erased::SpinDrive> {
+        Some(self)
+    }
+}
+
+impl SpinDrive for Motor {
+    fn torque(&self, p: &Params<Self, f64>, speed: f64) -> f64 {
+        Motor::torque(self, p, speed)
     }
 }
 

@@ -299,7 +299,7 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
         out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
         out.push(Observed { name: "force", unit: "N", value: total[0].hypot(total[1]) });
         if self.tilts {
-            out.push(Observed { name: "moment", unit: "N m", value: total[2].hypot(total[3]) });
+            out.push(Observed { name: Observed::MOMENT, unit: "N m", value: total[2].hypot(total[3]) });
         }
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {

@@ -126,7 +126,7 @@ modulus = "206 GPa"
         let f = Self::force(p, at.q);
         out.push(Observed { name: "deflection", unit: "m", value: at.q[0].hypot(at.q[1]) });
         out.push(Observed { name: "force", unit: "N", value: f[0].hypot(f[1]) });
-        out.push(Observed { name: "moment", unit: "N m", value: f[2].hypot(f[3]) });
+        out.push(Observed { name: Observed::MOMENT, unit: "N m", value: f[2].hypot(f[3]) });
     }
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
         let hollow = p.inner_diameter < p.diameter;

@@ -95,7 +95,7 @@ pub(super) mod tests {
     fn resists_either_way() {
         let torque = |w: f64| SpinLoad.resists(&params(), w);
         assert!((torque(500.0) - 2.0).abs() < 1e-14 && torque(-500.0) == -torque(500.0));
-        assert_eq!(SpinLoad.drives(&params(), 500.0), None);
+        assert!(SpinLoad.spin_drive().is_none());
         assert_eq!(SpinLoad.check(&SpinLoadParams { inertia: 0.0, drag: 0.0, windage: 0.0 })[0].0, "inertia");
     }
 }

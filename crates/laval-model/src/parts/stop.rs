@@ -17,6 +17,8 @@
 //! Sources: Kelvin-Voigt contact without tension, as in S. W. Shaw, P. J. Holmes, J. Sound Vib. 90 (1983) 129, taken radially.
 
 use crate::diagnostic::Diagnostics;
+use crate::model::capability::Contacts;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
@@ -100,18 +102,24 @@ damping = "200 N s/m"
         let spring = p.stiffness * c.penetration;
         Some(Energy { stored: (spring * c.penetration).scale(0.5), dissipated: (c.force - spring) * c.rate, ..Energy::zero() })
     }
-    fn switches<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Vec<S>) {
-        let c = Self::contact(p, at);
-        out.push(at.q[0].norm2(at.q[1]) - p.gap);
-        out.push(p.stiffness * c.penetration + p.damping * c.rate);
-    }
-    fn clearance(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<f64> {
-        Some(p.gap - at.q[0].hypot(at.q[1]))
-    }
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         let c = Self::contact(p, at);
         out.push(Observed { name: "penetration", unit: "m", value: c.penetration });
         out.push(Observed { name: "force", unit: "N", value: c.force });
+    }
+    fn contacts(&self) -> Option<&dyn erased::Contacts> {
+        Some(self)
+    }
+}
+
+impl Contacts for Stop {
+    fn clearance(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<f64> {
+        Some(p.gap - at.q[0].hypot(at.q[1]))
+    }
+    fn switches(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<f64>) {
+        let c = Self::contact(p, at);
+        out.push(at.q[0].norm2(at.q[1]) - p.gap);
+        out.push(p.stiffness * c.penetration + p.damping * c.rate);
     }
 }
 

@@ -140,7 +140,8 @@ impl<'a, S: LaneScalar> LaneCrew<'a, S> {
         let at = At { q: &y[..n], v: &y[n..2 * n], a: &self.zero, z: &y[2 * n..2 * n + m], phase, speed, spin_accel: 0.0, t };
         let (workspace, out) = &mut self.scratch;
         out.clear();
-        system.with_local(slot, &at, workspace, |l| slot.part.switches(&system.params()[slot.params.clone()], l, out));
+        let Some(contacts) = slot.part.contacts() else { return };
+        system.with_local(slot, &at, workspace, |l| contacts.switches(&system.params()[slot.params.clone()], l, out));
     }
 }
 

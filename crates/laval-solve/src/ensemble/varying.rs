@@ -7,20 +7,21 @@
 //!
 //! M is symmetric and, for machines, positive definite: it is eliminated without pivoting.
 
-use crate::model::erased::Erased;
+use crate::model::erased::{Erased, VaryingInertia};
 use crate::model::lanes::{Inertial, InertialArgs, Residual, ResidualArgs};
 use crate::model::linear::{Form, LinearModel, LinearScratch};
 use crate::model::part::{At, Rows};
 use crate::model::system::{Drive, Slot, System};
 use laval_num::dense::Mat;
-use laval_num::lanes::{Entry, Routine, Slots, Sparse};
+use laval_num::lanes::{Entry, Routine, Sparse};
 use std::f64::consts::FRAC_2_PI;
 
 /// A nonlinear part in its place.
 struct Law<'a, S> {
     slot: usize,
     part: &'a dyn Erased,
-    inertial: bool,
+    /// Gives its masses with its residual.
+    inertial: Option<&'a dyn VaryingInertia>,
     params: Vec<S>,
     map: Sparse<S>,
     /// Coordinates of the machine, where each of the part is one of them for every member.
@@ -49,17 +50,6 @@ pub(super) struct Varying<'a, S> {
     sine: (S, S),
 }
 
-/// The part gives its masses with its residual.
-fn gives_masses(system: &System, slot: &Slot) -> bool {
-    let local = slot.map.len();
-    let (zero, mut force, mut mass) = (vec![0.0; local], vec![0.0; local], vec![0.0; local * local]);
-    let at = At { q: &zero, v: &zero, a: &zero, z: &[], phase: 0.0, speed: 0.0, spin_accel: 0.0, t: 0.0 };
-    let out = Rows { force: &mut force, rate: &mut [], spin: &mut 0.0 };
-    let mut args = InertialArgs { p: &system.params()[slot.params.clone()], at, out, mass: &mut mass, known: false };
-    Slots::<Inertial>::scalar(&*slot.part, &mut args);
-    args.known
-}
-
 /// The coordinates of the machine that a part's are, where each is one of them, none twice.
 fn picks(slot: &Slot) -> Option<Vec<usize>> {
     let one = |row: &Vec<(usize, f64)>| if let [(g, 1.0)] = row[..] { Some(g) } else { None };
@@ -70,7 +60,7 @@ fn picks(slot: &Slot) -> Option<Vec<usize>> {
 /// The machine can be evaluated in this form at constant speeds.
 pub(super) fn serves(system: &System) -> bool {
     let plain = system.m() == 0 && system.machine.drive == Drive::Prescribed;
-    plain && system.slots().iter().all(|s| s.is_linear() || !s.uses.acceleration || gives_masses(system, s))
+    plain && system.slots().iter().all(|s| s.is_linear() || !s.uses.acceleration || s.part.varying_inertia().is_some())
 }
 
 impl<'a, S: Entry> Varying<'a, S> {
@@ -79,7 +69,7 @@ impl<'a, S: Entry> Varying<'a, S> {
         let zeros = |len: usize| vec![S::zero(); len];
         let law = |(k, slot): (usize, &'a Slot)| {
             let local = slot.map.len();
-            let inertial = slot.uses.acceleration;
+            let inertial = slot.part.varying_inertia().filter(|_| slot.uses.acceleration);
             Law {
                 slot: k,
                 part: &*slot.part,
@@ -91,7 +81,7 @@ impl<'a, S: Entry> Varying<'a, S> {
                 v: zeros(local),
                 weight: zeros(local),
                 force: zeros(local),
-                mass: zeros(if inertial { local * local } else { 0 }),
+                mass: zeros(if inertial.is_some() { local * local } else { 0 }),
             }
         };
         let zero = S::zero();
@@ -185,16 +175,16 @@ impl<'a, S: Entry> Varying<'a, S> {
             let mut spin = S::zero();
             let at = At { q: &law.q, v: &law.v, a: &law.weight, z: &[], phase: self.now, speed: self.speed, spin_accel: S::zero(), t };
             let out = Rows { force: &mut law.force, rate: &mut [], spin: &mut spin };
-            if law.inertial {
-                let mut args = InertialArgs { p: &law.params, at, out, mass: &mut law.mass, known: false };
-                S::enter::<Inertial, _>(law.part, &mut args);
+            if let Some(part) = law.inertial {
+                let mut args = InertialArgs { p: &law.params, at, out, mass: &mut law.mass };
+                S::enter::<Inertial, _>(part, &mut args);
             } else {
                 S::enter::<Residual, _>(law.part, &mut ResidualArgs { p: &law.params, at, out });
             }
             if let Some(picked) = &law.picked {
                 for (i, &gi) in picked.iter().enumerate() {
                     self.force[gi] -= law.force[i];
-                    if law.inertial {
+                    if law.inertial.is_some() {
                         // of equals above and below the diagonal one is read
                         for (j, &gj) in picked.iter().enumerate().filter(|(_, gj)| **gj >= gi) {
                             self.mass[gi * n + gj] += law.mass[i * local + j];
@@ -207,7 +197,7 @@ impl<'a, S: Entry> Varying<'a, S> {
                 for k in law.map.span(i) {
                     let (gi, ci) = law.map.at(k);
                     self.force[gi] -= ci * law.force[i];
-                    if !law.inertial {
+                    if law.inertial.is_none() {
                         continue;
                     }
                     for j in 0..local {

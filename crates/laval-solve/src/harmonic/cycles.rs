@@ -199,7 +199,7 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
         "limit_cycles.undamped",
         "nothing damps this machine: its free whirls form families of every amplitude, and none of them is a limit cycle",
     )
-    .help("ask backbone for the families, or give the machine damping (of the liquid's wave: wave_damping)"))
+    .help(format!("ask backbone for the families, or give the machine damping{}", system.damping_of_waves())))
 }
 
 /// Computes all families.

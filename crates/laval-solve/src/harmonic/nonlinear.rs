@@ -112,7 +112,9 @@ impl Sampled {
         let [q, v, a] = &self.local;
         let at = At { q, v, a, z: &self.u[0][member.states.clone()], phase, speed: pace.speed, spin_accel: 0.0, t };
         out.clear();
-        slot.part.switches(&system.params()[slot.params.clone()], &at, out);
+        if let Some(contacts) = slot.part.contacts() {
+            contacts.switches(&system.params()[slot.params.clone()], &at, out);
+        }
     }
 
     fn place(&mut self, u: [&[f64]; 3]) {

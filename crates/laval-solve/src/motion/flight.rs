@@ -1,7 +1,7 @@
 //! Integration of a [`Motion`] with what a study wants to know of it: outputs, peaks and envelope of the bodies, contacts, use of validity.
 //!
 //! The integration restarts where the spin programme changes its law, at a kick, and where a part's law switches
-//! ([`Part::switches`](crate::model::part::Part::switches)), so that no step spans a jump of any derivative.
+//! ([`Contacts::switches`](crate::model::capability::Contacts::switches)), so that no step spans a jump of any derivative.
 
 use super::envelope::{Peak, Window};
 use super::{ACCOUNT, Motion, SpinLaw, point};
@@ -408,7 +408,8 @@ impl<'a> Surfaces<'a> {
         let at = point(self.system, t, spin_of(self.system, &self.law, t, y), y, &self.zero);
         let (workspace, out) = &mut *self.scratch.borrow_mut();
         out.clear();
-        self.system.with_local(slot, &at, workspace, |l| slot.part.switches(&self.system.params()[slot.params.clone()], l, out));
+        let Some(contacts) = slot.part.contacts() else { return };
+        self.system.with_local(slot, &at, workspace, |l| contacts.switches(&self.system.params()[slot.params.clone()], l, out));
     }
 }
 

@@ -78,7 +78,7 @@ fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
         };
         let stiff = |a: &&Attach| {
             let body = system.slot(a.body.as_deref()?)?;
-            Some((body.name.as_str(), body.part.without_tilt()?))
+            Some((body.name.as_str(), body.part.body()?.without_tilt()?))
         };
         for (body, lets) in ends.iter().filter_map(stiff) {
             let message = match &port.link {

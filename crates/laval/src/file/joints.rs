@@ -37,7 +37,8 @@ pub(super) fn check(parts: &[Block], built: &[Option<PartInput>], strange: &[Str
             return;
         }
         let Some(body) = &built[i] else { return };
-        if attach.position != 0.0 && body.part.shape(&body.params, attach.position) == body.part.shape(&body.params, 0.0) {
+        let shape = |position: f64| body.part.body().map(|b| b.shape(&body.params, position));
+        if attach.position != 0.0 && shape(attach.position) == shape(0.0) {
             let message = format!("the position on \"{name}\" has no effect: that {} does not tilt", parts[i].kind);
             out.push(
                 Diagnostic::warning("body.position", message)

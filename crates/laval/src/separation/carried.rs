@@ -25,6 +25,8 @@
 use super::load::{Load, Ring, Sums};
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
+use crate::model::capability::Scope;
+use crate::model::erased;
 use crate::model::field::{Attach, Field, ParamValues, Values};
 use crate::model::params::NoParams;
 use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
@@ -177,7 +179,12 @@ impl Part for Cups {
     fn observe(&self, _: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
         out.push(Observed { name: "swing", unit: "rad", value: self.ring.loading(&self.sums, at.speed).tilt });
     }
+    fn scope(&self) -> Option<&dyn erased::Scope> {
+        Some(self)
+    }
+}
 
+impl Scope for Cups {
     fn refuses_axis(&self, _: &Params<Self, f64>, axis: Axis) -> Option<String> {
         let swings = axis == Axis::Horizontal && self.ring.held.is_none();
         swings.then(|| {

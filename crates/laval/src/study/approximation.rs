@@ -1,7 +1,7 @@
 //! A machine whose parts have waves without number beside the same machine with parts in their place that have few: what the approximation gets right.
 //!
 //! Equations: both characteristic equations, `det T(s, W) = 0` of the machine and the eigenvalue problem of finite size that stands for it. Which waves are kept the part says
-//! ([`Part::approximation`](crate::model::part::Part::approximation)).
+//! ([`approximation`](crate::model::capability::FrequencyDomain::approximation)).
 //!
 //! Symbols: W spin speed, rad/s; s = growth + i frequency.
 //!

@@ -87,12 +87,7 @@ impl Criterion {
         let Words { loss, verdict, .. } = domains.iter().find(|d| lossy(d)).map_or(Words::PLAIN, |d| d.words);
         let text = match self {
             Criterion::Growth => {
-                let slow = dense.map_or(String::new(), |w| {
-                    format!(
-                        " With {} and damping outside it the sign of the growth says nothing: its slow waves always grow, most of them too slowly to be felt.",
-                        w.name
-                    )
-                });
+                let slow = dense.map_or("", |w| w.slow);
                 format!("Unstable means: growth above {}.{slow}", quantity(threshold, "1/s"))
             }
             Criterion::Flutter => "Unstable means: two frequencies of the undamped machine have met. Close to the edge growth rises with the square root of the distance.".into(),

@@ -14,7 +14,6 @@ use super::support::{SPEED_RANGE, inconsistent, moves, one_or_range, remarks_bet
 use super::{Context, Study, sights, size};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
-use crate::model::erased::Evaluate;
 use crate::model::field::{Field, RangeValue, Values};
 use crate::model::part::{At, Physics};
 use crate::model::probe::Probe;
@@ -387,7 +386,7 @@ fn observed(
             for (slot, o) in system.observe(&at, &mut ws) {
                 let slot = &system.slots()[slot];
                 // the amplitude of a body is in its own columns; eliminated states are not at hand
-                if slot.physics != Physics::Linear || slot.memory > 0 || ["displacement", "tilt"].contains(&o.name) {
+                if slot.physics != Physics::Linear || slot.memory > 0 || o.is_motion_of_body() {
                     continue;
                 }
                 let column: &mut Vec<f64> = out.entry((slot.name.clone(), o.name, o.unit)).or_insert_with(|| vec![0.0; points.len()]);
@@ -408,9 +407,11 @@ fn exact_forces(system: &System, r: &Response) -> Vec<(String, f64)> {
         let (n, params) = (slot.map.len(), &system.params()[slot.params.clone()]);
         let moved: Vec<C64> = slot.map.iter().map(|row| row.iter().fold(C64::zero(), |sum, &(g, x)| sum + r.x[g].scale(x))).collect();
         let (mut reaction, mut load) = (vec![C64::zero(); n * n], Blocks::default());
-        f64::impedance(&*slot.part, params, c(0.0, r.speed), r.speed, &mut reaction);
         load.reset(n, 0, r.speed);
-        f64::load(&*slot.part, params, r.speed, &mut load);
+        if let Some(part) = slot.part.frequency_domain() {
+            part.impedance_f64(params, c(0.0, r.speed), r.speed, &mut reaction);
+            part.load_f64(params, r.speed, &mut load);
+        }
         let force = |i: usize| (0..n).fold(c(-load.force_cos[i], load.force_sin[i]), |sum, j| sum + reaction[i * n + j] * moved[j]);
         let (forward, backward) = circular(force(0), force(1));
         (slot.name.clone(), forward.abs() + backward.abs())

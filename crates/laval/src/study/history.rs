@@ -433,7 +433,7 @@ pub(super) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Find
 /// What the rational forms that stand for exact parts are worth.
 pub(super) fn time_forms(system: &System, mut outcome: Outcome) -> Outcome {
     for slot in system.slots() {
-        let Some(f) = slot.part.fitted() else { continue };
+        let Some(f) = slot.part.replaced_in_time().and_then(|r| r.fitted()) else { continue };
         let text = format!(
             "\"{}\" is integrated by a rational form of {} states, with a relative error of at most {{}} {}.",
             slot.name, f.states, f.scope

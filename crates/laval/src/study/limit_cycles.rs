@@ -202,7 +202,8 @@ impl Shown<'_> {
                     "no_edge_unstable",
                     format!(
                         "Rest is unstable at each of {count} speeds {between}, growing at up to {{}}: no cycle begins in this range. Widen it, or give the machine the damping \
-                         that bounds the range (of the liquid's wave: wave_damping)."
+                         that bounds the range{}.",
+                        self.system.damping_of_waves()
                     ),
                 )
                 .value(most, "1/s")

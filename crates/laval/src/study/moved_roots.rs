@@ -14,9 +14,10 @@ const MOST: usize = 24;
 /// Roots of the form compared with those of the exact characteristic function beside them, where the error of the form holds.
 pub(super) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &Context) -> Option<Finding> {
     let Timed::Fitted(form) = timed else { return None };
-    let margin = form.slots().iter().filter_map(|s| s.part.fitted()).map(|f| f.margin * speed.abs()).fold(0.0, f64::max);
+    let margin =
+        form.slots().iter().filter_map(|s| s.part.replaced_in_time()?.fitted()).map(|f| f.margin * speed.abs()).fold(0.0, f64::max);
     let spectrum = Linearised::new(form, &rest(form, speed).ok()?).ok()?.spectrum().ok()?;
-    // a layer at the wall dies out on a ladder of roots that the machine has not
+    // a form may have a ladder of decaying roots in place of a branch cut
     let holds = |growth: f64| if margin > 0.0 { growth.abs() >= margin } else { growth > 0.0 };
     let mut modes: Vec<_> = spectrum.modes.iter().filter(|m| holds(m.value.re) && m.value.im.abs() <= 5.0 * speed.abs()).collect();
     // the fastest growing first: they are what a motion shows

@@ -79,10 +79,9 @@ pub(super) fn findings(system: &System, speed: f64, roots: &Roots) -> Vec<Findin
 /// What the domain of the parts leaves out.
 pub(super) fn limits(domains: &[Domain], speed: f64) -> Vec<Finding> {
     let mut out = Vec::new();
-    if let Some(([a, b], Words { name, waves, decides, .. })) = domains.iter().find_map(|d| Some((d.dense?, d.words))) {
+    if let Some(([a, b], Words { dense, .. })) = domains.iter().find_map(|d| Some((d.dense?, d.words))) {
         let text = format!(
-            "At {} forward frequencies from {} to {} are the dense range of {waves} of {name}: on the imaginary axis there are roots without number, and with \
-             damping outside it some of them always grow, slowly. What counts is growth above a threshold; {decides} decides about the rest.",
+            "At {} forward frequencies from {} to {} {dense}",
             quantity(speed, "rad/s"),
             quantity(a, "rad/s"),
             quantity(b, "rad/s")

@@ -93,7 +93,7 @@ impl Ranged {
 }
 
 fn tabulated(system: &System) -> impl Iterator<Item = (&str, Tabulated)> {
-    system.slots().iter().filter_map(|s| Some((s.name.as_str(), s.part.tabulated()?)))
+    system.slots().iter().filter_map(|s| Some((s.name.as_str(), s.part.scope()?.tabulated()?)))
 }
 
 impl ErasedStudy for Ranged {

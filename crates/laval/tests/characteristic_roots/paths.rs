@@ -6,6 +6,8 @@ use laval::cavity::Cavity;
 use laval::diagnostic::Diagnostics;
 use laval::file::load;
 use laval::model::builder::Builder;
+use laval::model::capability::FrequencyDomain;
+use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, Values};
 use laval::model::params::NoParams;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
@@ -42,6 +44,12 @@ impl Part for ByImpedance {
     fn physics(&self) -> Physics {
         Physics::Frequency(TimeForm::None("for comparison"))
     }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        Some(self)
+    }
+}
+
+impl FrequencyDomain for ByImpedance {
     fn impedance<S: Scalar>(&self, _: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
         let cavity = Cavity {
             radius: S::cst(self.0.radius),

@@ -6,6 +6,8 @@ use crate::common::base::defect;
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;
+use laval::model::capability::BodyPart;
+use laval::model::erased;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
 use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, Rows, Uses};
 use laval::params;
@@ -66,6 +68,12 @@ impl Part for Chain {
         b.force_cos[N] = p.unbalance * w * w;
         b.force_sin[N + 1] = p.unbalance * w * w;
     }
+    fn body(&self) -> Option<&dyn erased::BodyPart> {
+        Some(self)
+    }
+}
+
+impl BodyPart for Chain {
     fn shape(&self, _: &Params<Self, f64>, z: f64) -> Vec<[f64; 4]> {
         let step = LENGTH / N as f64;
         // link k stands at (k + 1) step

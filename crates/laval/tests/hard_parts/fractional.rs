@@ -4,7 +4,8 @@ use super::tools::{orbits, response};
 use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;
-use laval::model::erased::Erased;
+use laval::model::capability::FrequencyDomain;
+use laval::model::erased;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Value, Values};
 use laval::model::params::Family;
 use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
@@ -60,15 +61,6 @@ impl Part for Fractional {
     fn physics(&self) -> Physics {
         Physics::Frequency(self.time)
     }
-    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, _: S, out: &mut [Complex<S>]) {
-        for i in 0..2 {
-            out[3 * i] += power(s, p.order).scale(p.strength[i]);
-        }
-    }
-    /// A branch cut to the left from 0.
-    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
-        self.declared.then(|| Domain { waves: vec![0.0], gap: 0.0, ..Domain::passive() })
-    }
     /// Stiffness and damping that agree with it at 500 rad/s.
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let w = 500.0;
@@ -77,6 +69,21 @@ impl Part for Fractional {
             b.stiffness[(i, i)] = p.strength[i] * z.re;
             b.damping[(i, i)] = (p.strength[i] * z.im).scale(1.0 / w);
         }
+    }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        Some(self)
+    }
+}
+
+impl FrequencyDomain for Fractional {
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, _: S, out: &mut [Complex<S>]) {
+        for i in 0..2 {
+            out[3 * i] += power(s, p.order).scale(p.strength[i]);
+        }
+    }
+    /// A branch cut to the left from 0.
+    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
+        self.declared.then(|| Domain { waves: vec![0.0], gap: 0.0, ..Domain::passive() })
     }
 }
 
@@ -106,8 +113,8 @@ fn impedance_is_that_of_a_real_force() {
     for s in [c(0.0, 300.0), c(-20.0, 40.0), c(5.0, -700.0), c(0.0, 0.0)] {
         let (mut z, mut zc) = ([C64::zero(); 4], [C64::zero(); 4]);
         let p = FractionalFamily::to_vec(&FractionalParams { strength: [2.0, 3.0], order: 0.4 });
-        part.impedance_f64(&p, s, 100.0, &mut z);
-        part.impedance_f64(&p, s.conj(), 100.0, &mut zc);
+        erased::FrequencyDomain::impedance_f64(&part, &p, s, 100.0, &mut z);
+        erased::FrequencyDomain::impedance_f64(&part, &p, s.conj(), 100.0, &mut zc);
         for (z, zc) in z.iter().zip(zc) {
             assert!((*z - zc.conj()).abs() <= 1e-15 * z.abs() && z.is_finite());
         }

@@ -5,6 +5,8 @@ use crate::common;
 use common::Planar;
 use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;
+use laval::model::capability::{Contacts, FrequencyDomain};
+use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, RangeValue, Values};
 use laval::model::params::{Family, NoParams};
 use laval::model::part::{At, Dof, DofKind, Domain, Layout, Link, Params, Part, Physics, Rows, TimeForm, Uses};
@@ -56,9 +58,6 @@ impl Part for Relaxing {
     fn physics(&self) -> Physics {
         if self.impedance { Physics::Frequency(TimeForm::None("it is a formula in s")) } else { Physics::Linear }
     }
-    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
-        Some(Domain { gap: RATE, ..Domain::passive() })
-    }
     fn linear<S: Scalar>(&self, _: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         for i in 0..2 {
             b.stiffness[(i, i)] = S::cst(K);
@@ -70,11 +69,20 @@ impl Part for Relaxing {
             }
         }
     }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        Some(self)
+    }
+}
+
+impl FrequencyDomain for Relaxing {
     fn impedance<S: Scalar>(&self, _: &Params<Self, S>, s: Complex<S>, _: S, out: &mut [Complex<S>]) {
         let branch = |rate: f64, gain: f64| (s + Complex::real(S::cst(rate))).recip().scale(S::cst(gain));
         let z = Complex::real(S::cst(K)) + branch(RATE, GAIN) + branch(FAST, -1e12);
         out[0] += z;
         out[3] += z;
+    }
+    fn domain(&self, _: &Params<Self, f64>, _: f64) -> Option<Domain> {
+        Some(Domain { gap: RATE, ..Domain::passive() })
     }
 }
 
@@ -179,6 +187,12 @@ impl Part for Loose {
         out.force[0] += r * at.q[0];
         out.force[1] += r * at.q[1];
     }
+    fn contacts(&self) -> Option<&dyn erased::Contacts> {
+        Some(self)
+    }
+}
+
+impl Contacts for Loose {
     fn refuses_rest(&self, _: &Params<Self, f64>) -> Option<String> {
         Some("give a preload".into())
     }

@@ -5,6 +5,8 @@ use crate::common;
 use common::Base;
 use laval::diagnostic::Diagnostics;
 use laval::model::builder::Builder;
+use laval::model::capability::Contacts;
+use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, Value, Values};
 use laval::model::params::{Family, NoParams};
 use laval::model::part::*;
@@ -254,8 +256,14 @@ impl Part for Stop {
     fn energy<S: Scalar>(&self, _: &(), at: &At<S>) -> Option<Energy<S>> {
         Some(Energy { stored: (at.q[0] - S::cst(GAP)).pos().square().scale(0.5 * STOP), ..Energy::zero() })
     }
-    fn switches<S: Scalar>(&self, _: &(), at: &At<S>, out: &mut Vec<S>) {
-        out.push(at.q[0] - S::cst(GAP));
+    fn contacts(&self) -> Option<&dyn erased::Contacts> {
+        Some(self)
+    }
+}
+
+impl Contacts for Stop {
+    fn switches(&self, _: &(), at: &At<f64>, out: &mut Vec<f64>) {
+        out.push(at.q[0] - GAP);
     }
 }
 

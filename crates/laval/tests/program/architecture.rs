@@ -160,6 +160,27 @@ fn named<'a>(line: &str, kinds: &[&'a str]) -> Option<&'a str> {
     kinds.iter().copied().find(|k| line.contains(&format!("\"{k}\"")))
 }
 
+/// An analysis finds what it needs of a part through a capability, not by the name of a parameter. Names that blocks and studies have too are left out, unless they stand in a path.
+#[test]
+fn parameters_of_parts_are_named_by_no_analysis() {
+    let catalog = laval::file::catalog();
+    let of_parts = || laval::parts::registry().into_iter().flat_map(|k| k.info.fields.into_iter().map(|f| f.name));
+    let others =
+        || catalog.studies.iter().chain(catalog.blocks.iter().flat_map(|b| &b.kinds)).flat_map(|k| k.fields.iter().map(|f| f.name));
+    let own: Vec<&str> = of_parts().filter(|n| n.contains('_') && !others().any(|o| o == *n)).collect();
+    let paths: Vec<String> = of_parts().map(|n| format!("}}.{n}\"")).collect();
+    assert!(own.contains(&"cavity_radius") && paths.iter().any(|p| p == "}.density\""));
+    let mut wrong = Vec::new();
+    for source in sources().iter().filter(|s| matches!(s.module.as_str(), "study" | "solve")) {
+        for (number, line) in &source.lines {
+            if let Some(name) = named(line, &own).or_else(|| paths.iter().find(|p| line.contains(*p)).map(String::as_str)) {
+                wrong.push(format!("{}:{number}: {name}", source.path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 /// Every part's file runs the conformance suite.
 #[test]
 fn every_part_runs_the_conformance_suite() {

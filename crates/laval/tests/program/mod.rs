@@ -1,5 +1,6 @@
 //! What the program says and shows: mistakes, texts, figures, documents, the structure of the code.
 
+mod add_a_part;
 mod all_mistakes;
 mod architecture;
 mod docs;

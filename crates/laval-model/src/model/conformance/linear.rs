@@ -64,10 +64,13 @@ impl<P: Part> Bench<'_, P> {
 
     pub(super) fn impedance(&mut self) {
         let Physics::Frequency(form) = Part::physics(self.part) else { return };
+        let Some(part) = Part::frequency_domain(self.part) else {
+            return self.fail(Promise::Impedance, "a part in the frequency domain that declares no impedance".into());
+        };
         let n = self.n;
         let z = |s: C64, speed: f64| {
             let mut out = vec![C64::zero(); n * n];
-            f64::impedance(self.part, &self.params, s, speed, &mut out);
+            f64::impedance(part, &self.params, s, speed, &mut out);
             out
         };
         let largest = |z: &[C64]| max_abs(&z.iter().map(|z| z.abs()).collect::<Vec<_>>());
@@ -87,7 +90,7 @@ impl<P: Part> Bench<'_, P> {
             }
             let mut dual = vec![Complex::<D1>::zero(); n * n];
             let p: Vec<D1> = self.params.iter().map(|&x| D1::lift(x)).collect();
-            D1::impedance(self.part, &p, Complex::cst(s), D1::seed(speed, 0), &mut dual);
+            D1::impedance(part, &p, Complex::cst(s), D1::seed(speed, 0), &mut dual);
             let exact: Vec<C64> = dual.iter().map(|z| c(z.re.eps[0], z.im.eps[0]).scale(speed)).collect();
             // a narrow resonance wants a small step, a flat curve a large one
             let agrees = [1e-3, 1e-4, 1e-5, 1e-6].into_iter().any(|step| {

@@ -3,6 +3,8 @@
 use super::*;
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::{Axes, Memory};
+use crate::model::capability::{FrequencyDomain, VaryingInertia};
+use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{Dof, Energy, Link, TimeForm, Uses, Validity};
 use crate::params;
@@ -64,15 +66,8 @@ impl Part for Toy {
             spin: self.0 == ProductWithSpinAcceleration,
         }
     }
-    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) -> bool {
-        let tiny = S::cst(1e-9);
-        match self.0 {
-            Wrong::HeavierThanSaid => mass[3] += tiny,
-            Wrong::OtherBesideMasses => out.force[1] += tiny * p.stiffness * at.q[1],
-            _ => return false,
-        }
-        self.residual(p, at, out);
-        true
+    fn varying_inertia(&self) -> Option<&dyn erased::VaryingInertia> {
+        matches!(self.0, Wrong::HeavierThanSaid | Wrong::OtherBesideMasses).then_some(self as _)
     }
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         let k = p.stiffness;
@@ -106,6 +101,18 @@ impl Part for Toy {
         if self.0 == Wrong::PassesNan {
             out.push(Validity { what: "deflection over range", ratio: f64::max(0.0, at.q[0]) });
         }
+    }
+}
+
+impl VaryingInertia for Toy {
+    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) {
+        let tiny = S::cst(1e-9);
+        if self.0 == Wrong::HeavierThanSaid {
+            mass[3] += tiny;
+        } else {
+            out.force[1] += tiny * p.stiffness * at.q[1];
+        }
+        self.residual(p, at, out);
     }
 }
 
@@ -145,6 +152,15 @@ fn every_wrong_part_is_caught_by_its_own_check() {
 }
 
 #[test]
+fn a_capability_that_is_implemented_must_be_declared() {
+    let (plain, heavy) = (declared(&Toy(Wrong::Nothing)), declared(&Toy(Wrong::HeavierThanSaid)));
+    assert_eq!(undeclared(crate::implemented!(Toy), &[plain.clone()]), ["varying_inertia"]);
+    assert!(undeclared(crate::implemented!(Toy), &[plain, heavy]).is_empty());
+    assert_eq!(undeclared(crate::implemented!(Linear), &[declared(&Linear(Form::WithoutImpedance))]), ["frequency_domain"]);
+    assert!(undeclared(crate::implemented!(Bad), &[declared(&Bad)]).is_empty());
+}
+
+#[test]
 fn isotropy_must_be_claimed_when_it_is_there() {
     let failures = check(&Toy(Wrong::Nothing), &ToyParams { stiffness: 1e5 }, &Options::anisotropic());
     assert!(failures.iter().any(|f| f.promise == Promise::Isotropy));
@@ -168,6 +184,7 @@ enum Form {
     GyroscopicNotSkew,
     Memory,
     Frequency { conjugate: bool, stated: f64 },
+    WithoutImpedance,
 }
 
 struct Linear(Form);
@@ -193,6 +210,7 @@ impl Part for Linear {
     fn physics(&self) -> Physics {
         match self.0 {
             Form::Frequency { stated, .. } => Physics::Frequency(TimeForm::Fit(stated)),
+            Form::WithoutImpedance => Physics::Frequency(TimeForm::Fit(1.0)),
             _ => Physics::Linear,
         }
     }
@@ -216,6 +234,12 @@ impl Part for Linear {
             out.force[0] += p.stiffness * at.q[0];
         }
     }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        (self.0 != Form::WithoutImpedance).then_some(self as _)
+    }
+}
+
+impl FrequencyDomain for Linear {
     fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
         let Form::Frequency { conjugate, .. } = self.0 else { return };
         let damping = (S::one() + speed.square().scale(1e-6)).scale(1e-3);
@@ -241,6 +265,7 @@ fn wrong_linear_and_frequency_parts_are_caught() {
         (Form::GyroscopicNotSkew, Some(Promise::Blocks)),
         (Form::Frequency { conjugate: false, stated: 0.2 }, Some(Promise::Impedance)),
         (exact(1e-4), Some(Promise::Impedance)),
+        (Form::WithoutImpedance, Some(Promise::Impedance)),
     ] {
         let options = Options { energy: false, isotropic: form != Form::GyroscopicNotSkew, ..Options::default() };
         let found: Vec<Promise> = check(&Linear(form), &ToyParams { stiffness: 1e5 }, &options).iter().map(|f| f.promise).collect();

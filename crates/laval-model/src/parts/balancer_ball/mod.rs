@@ -43,6 +43,8 @@ mod tests;
 mod tilt;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::capability::{Contacts, MovableMasses, Scope, VaryingInertia};
+use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Correction, Dof, Energy, Layout, Link, Observed, Outline, Params, Part, Physics, Rows, Validity};
 use crate::model::system::Axis;
@@ -369,11 +371,6 @@ body_tilt = false                   # the drum moves in its plane
     fn residual<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>) {
         self.rows(p, at, out, None);
     }
-    #[inline(always)]
-    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) -> bool {
-        self.rows(p, at, out, Some(&mut Masses { n: at.q.len(), all: mass }));
-        true
-    }
 
     fn energy<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> Option<Energy<S>> {
         let mut e = Energy { stored: self.inertial_energy(p, at), ..Energy::zero() };
@@ -399,22 +396,6 @@ body_tilt = false                   # the drum moves in its plane
             }
         }
         Some(e)
-    }
-
-    fn switches<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Vec<S>) {
-        if !self.contact {
-            return;
-        }
-        for (k, track) in self.tracks.iter().enumerate() {
-            let ring = self.ring(p, at, k);
-            for i in track.balls.clone() {
-                for j in i + 1..track.balls.end {
-                    let c = laws::Contact::between(p, &ring, at, self.row(i), self.row(j));
-                    out.push(c.overlap);
-                    out.push(S::one() + p.contact_damping * c.rate);
-                }
-            }
-        }
     }
 
     fn observe(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<Observed>) {
@@ -462,12 +443,6 @@ body_tilt = false                   # the drum moves in its plane
         out.push(Validity { what, ratio });
     }
 
-    fn refuses_axis(&self, p: &Params<Self, f64>, axis: Axis) -> Option<String> {
-        let level = !self.body_tilt && !self.free && self.tracks.iter().all(|t| p.tilt + t.tilt == 0.0);
-        (axis == Axis::Horizontal && p.gravity != 0.0 && !level)
-            .then(|| "weight acts across a horizontal axis, not along it: give gravity = 0 (the weight across the axis is known from the machine)".into())
-    }
-
     fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
         let steepest = |t: &Track| p.track_radius * t.radius * (p.tilt + t.tilt).sin().powi(2);
         let locking = self.tracks.iter().map(steepest).fold(0.0, f64::max);
@@ -480,68 +455,6 @@ body_tilt = false                   # the drum moves in its plane
             format_si(0.1 * p.eccentricity, "m")
         );
         vec![text]
-    }
-
-    fn correction(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<Correction> {
-        let m = self.moment(p, at);
-        let mut contact = 0.0;
-        for (k, track) in self.tracks.iter().enumerate().filter(|_| self.contact) {
-            let ring = self.ring(p, at, k);
-            for i in track.balls.clone() {
-                for j in i + 1..track.balls.end {
-                    let force = laws::Contact::between(p, &ring, at, self.row(i), self.row(j)).force;
-                    // not f64::max: what is not a number must show
-                    if !(force <= contact) {
-                        contact = force;
-                    }
-                }
-            }
-        }
-        Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p), contact })
-    }
-
-    fn places(&self, p: &Params<Self, f64>) -> Vec<(usize, f64)> {
-        let beside = |track: &Track| {
-            let angle = 2.0 * (p.ball_radius / (p.track_radius * track.radius)).asin();
-            let first = track.balls.start;
-            track.balls.clone().map(move |i| (self.row(i), (i - first) as f64 * angle)).collect::<Vec<_>>()
-        };
-        if self.contact { self.tracks.iter().flat_map(beside).collect() } else { Vec::new() }
-    }
-
-    fn grip(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<(usize, f64)>) {
-        for (k, track) in self.tracks.iter().enumerate() {
-            let ring = self.ring(p, at, k);
-            for i in track.balls.clone() {
-                let inertia = p.ball_mass * self.masses[i] * ring.radius * ring.radius;
-                out.push((self.row(i), laws::grip(p, inertia, at.speed)));
-            }
-        }
-    }
-
-    fn outlines(&self, p: &Params<Self, f64>, at: &At<f64>) -> Vec<Outline> {
-        let flat = |z: Complex<f64>| [z.re, z.im];
-        let turn = Complex::cis(at.phase);
-        let centre = turn * Self::centre(p);
-        let displacement = [at.q[0] + centre.re, at.q[1] + centre.im];
-        let mut out = Vec::new();
-        for (k, track) in self.tracks.iter().enumerate() {
-            let ring = self.ring(p, at, k);
-            out.push(Outline { name: format!("track {}", k + 1), displacement, place: [0.0; 2], radius: ring.radius, movable: false });
-            for i in track.balls.clone() {
-                let (s, co) = at.q[self.row(i)].sin_cos();
-                let u = turn * ring.line * Complex { re: co, im: ring.cos * s };
-                let radius = if p.ball_radius > 0.0 { p.ball_radius } else { DRAWN * ring.radius };
-                out.push(Outline {
-                    name: format!("ball {}", i + 1),
-                    displacement,
-                    place: flat(u.scale(ring.radius)),
-                    radius,
-                    movable: true,
-                });
-            }
-        }
-        out
     }
 
     fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
@@ -580,6 +493,112 @@ body_tilt = false                   # the drum moves in its plane
             wrong.push(("ball_radius", "balls that touch need their size: give ball_radius".into()));
         }
         wrong
+    }
+    fn contacts(&self) -> Option<&dyn erased::Contacts> {
+        Some(self)
+    }
+    fn varying_inertia(&self) -> Option<&dyn erased::VaryingInertia> {
+        Some(self)
+    }
+    fn movable_masses(&self) -> Option<&dyn erased::MovableMasses> {
+        Some(self)
+    }
+    fn scope(&self) -> Option<&dyn erased::Scope> {
+        Some(self)
+    }
+}
+
+impl Contacts for BallBalancer {
+    fn switches(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<f64>) {
+        if !self.contact {
+            return;
+        }
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            for i in track.balls.clone() {
+                for j in i + 1..track.balls.end {
+                    let c = laws::Contact::between(p, &ring, at, self.row(i), self.row(j));
+                    out.push(c.overlap);
+                    out.push(1.0 + p.contact_damping * c.rate);
+                }
+            }
+        }
+    }
+}
+
+impl VaryingInertia for BallBalancer {
+    #[inline(always)]
+    fn inertial<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>, out: &mut Rows<S>, mass: &mut [S]) {
+        self.rows(p, at, out, Some(&mut Masses { n: at.q.len(), all: mass }));
+    }
+}
+
+impl MovableMasses for BallBalancer {
+    fn correction(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<Correction> {
+        let m = self.moment(p, at);
+        let mut contact = 0.0;
+        for (k, track) in self.tracks.iter().enumerate().filter(|_| self.contact) {
+            let ring = self.ring(p, at, k);
+            for i in track.balls.clone() {
+                for j in i + 1..track.balls.end {
+                    let force = laws::Contact::between(p, &ring, at, self.row(i), self.row(j)).force;
+                    // not f64::max: what is not a number must show
+                    if !(force <= contact) {
+                        contact = force;
+                    }
+                }
+            }
+        }
+        Some(Correction { moment: [m.re, m.im], capacity: self.capacity(p), contact })
+    }
+    fn places(&self, p: &Params<Self, f64>) -> Vec<(usize, f64)> {
+        let beside = |track: &Track| {
+            let angle = 2.0 * (p.ball_radius / (p.track_radius * track.radius)).asin();
+            let first = track.balls.start;
+            track.balls.clone().map(move |i| (self.row(i), (i - first) as f64 * angle)).collect::<Vec<_>>()
+        };
+        if self.contact { self.tracks.iter().flat_map(beside).collect() } else { Vec::new() }
+    }
+    fn grip(&self, p: &Params<Self, f64>, at: &At<f64>, out: &mut Vec<(usize, f64)>) {
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            for i in track.balls.clone() {
+                let inertia = p.ball_mass * self.masses[i] * ring.radius * ring.radius;
+                out.push((self.row(i), laws::grip(p, inertia, at.speed)));
+            }
+        }
+    }
+    fn outlines(&self, p: &Params<Self, f64>, at: &At<f64>) -> Vec<Outline> {
+        let flat = |z: Complex<f64>| [z.re, z.im];
+        let turn = Complex::cis(at.phase);
+        let centre = turn * Self::centre(p);
+        let displacement = [at.q[0] + centre.re, at.q[1] + centre.im];
+        let mut out = Vec::new();
+        for (k, track) in self.tracks.iter().enumerate() {
+            let ring = self.ring(p, at, k);
+            out.push(Outline { name: format!("track {}", k + 1), displacement, place: [0.0; 2], radius: ring.radius, movable: false });
+            for i in track.balls.clone() {
+                let (s, co) = at.q[self.row(i)].sin_cos();
+                let u = turn * ring.line * Complex { re: co, im: ring.cos * s };
+                let radius = if p.ball_radius > 0.0 { p.ball_radius } else { DRAWN * ring.radius };
+                out.push(Outline {
+                    name: format!("ball {}", i + 1),
+                    displacement,
+                    place: flat(u.scale(ring.radius)),
+                    radius,
+                    movable: true,
+                });
+            }
+        }
+        out
+    }
+}
+
+impl Scope for BallBalancer {
+    fn refuses_axis(&self, p: &Params<Self, f64>, axis: Axis) -> Option<String> {
+        let level = !self.body_tilt && !self.free && self.tracks.iter().all(|t| p.tilt + t.tilt == 0.0);
+        (axis == Axis::Horizontal && p.gravity != 0.0 && !level)
+            .then(|| "weight acts across a horizontal axis, not along it: give gravity = 0 (the weight across the axis is known from the machine)".into())
     }
 }
 

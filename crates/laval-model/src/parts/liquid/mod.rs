@@ -41,6 +41,9 @@ use crate::cavity::line::{Line, Lines};
 use crate::cavity::{Cavity, Tilt, Truncation};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
+use crate::model::capability::added_inertia::{AddedInertia, Removed};
+use crate::model::capability::{Filling, FrequencyDomain, ReplacedInTime};
+use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Value, Values};
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, Fitted, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
 use crate::model::timed::{Speeds, Untimed};
@@ -406,50 +409,6 @@ wave_damping = "4 1/s"
         self.add_offsets(p, b);
     }
 
-    fn load<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
-        let Coefficients { full, void, .. } = Self::coefficients(p);
-        for i in 0..2 {
-            b.mass[(i, i)] = full - void;
-        }
-        self.add_offsets(p, b);
-    }
-
-    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
-        let forward = self.forward(p, s, speed);
-        // the conjugate coordinates see the reaction at -conj w
-        let backward = self.forward(p, s.conj(), speed).map(Complex::conj);
-        let n = if self.model == Model::Planar { 2 } else { 4 };
-        for (i, (f, b)) in forward.into_iter().zip(backward).enumerate().take(n / 2) {
-            let (mean, skew) = ((f + b).scale(S::cst(0.5)), (f - b).mul_i().scale(S::cst(0.5)));
-            let (x, y) = (2 * i * (n + 1), (2 * i + 1) * n + 2 * i);
-            out[x] += mean;
-            out[x + 1] += skew;
-            out[y] += -skew;
-            out[y + 1] += mean;
-        }
-    }
-
-    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
-        Some(self.analytic(p, speed))
-    }
-    fn rough(&self) -> Option<Self> {
-        let whole = self.model == Model::Spatial && self.harmonics == Truncation::None;
-        whole.then(|| Liquid { harmonics: Truncation::Rough, ..self.clone() })
-    }
-    fn regular<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S) -> Complex<S> {
-        match self.harmonics {
-            Truncation::At(last) if !self.viscous => Self::cavity(p).regular(c(s.im, -s.re), speed, last),
-            _ => Complex::one(),
-        }
-    }
-
-    fn timed(&self, p: &Params<Self, f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Self, Untimed>> {
-        matches!(self.physics(), Physics::Frequency(_)).then(|| self.for_motions(p, speeds, stop))
-    }
-    fn fitted(&self) -> Option<Fitted> {
-        self.fit()
-    }
-
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
         let mut r = self.polar_inertia(p) * at.spin_accel;
@@ -540,20 +499,93 @@ wave_damping = "4 1/s"
             out.push(Validity { what: "wall acceleration over centrifugal acceleration of the layer", ratio });
         }
     }
+    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
+        self.removed(p).map(|r| r.what).into_iter().collect()
+    }
+    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
+        self.wrong(p)
+    }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        Some(self)
+    }
+    fn replaced_in_time(&self) -> Option<&dyn erased::ReplacedInTime> {
+        Some(self)
+    }
+    fn added_inertia(&self) -> Option<&dyn erased::AddedInertia> {
+        Some(self)
+    }
+    fn filling(&self) -> Option<&dyn erased::Filling> {
+        Some(self)
+    }
+}
+
+impl Filling for Liquid {
+    fn density(&self) -> &'static str {
+        "density"
+    }
+    fn damping(&self) -> &'static str {
+        "of the liquid's wave: wave_damping"
+    }
+}
+
+impl FrequencyDomain for Liquid {
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
+        let forward = self.forward(p, s, speed);
+        // the conjugate coordinates see the reaction at -conj w
+        let backward = self.forward(p, s.conj(), speed).map(Complex::conj);
+        let n = if self.model == Model::Planar { 2 } else { 4 };
+        for (i, (f, b)) in forward.into_iter().zip(backward).enumerate().take(n / 2) {
+            let (mean, skew) = ((f + b).scale(S::cst(0.5)), (f - b).mul_i().scale(S::cst(0.5)));
+            let (x, y) = (2 * i * (n + 1), (2 * i + 1) * n + 2 * i);
+            out[x] += mean;
+            out[x + 1] += skew;
+            out[y] += -skew;
+            out[y + 1] += mean;
+        }
+    }
+    fn load<S: Scalar>(&self, p: &Params<Self, S>, _speed: S, b: &mut Blocks<S>) {
+        let Coefficients { full, void, .. } = Self::coefficients(p);
+        for i in 0..2 {
+            b.mass[(i, i)] = full - void;
+        }
+        self.add_offsets(p, b);
+    }
+    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
+        Some(self.analytic(p, speed))
+    }
+    fn rough(&self) -> Option<Self> {
+        let whole = self.model == Model::Spatial && self.harmonics == Truncation::None;
+        whole.then(|| Liquid { harmonics: Truncation::Rough, ..self.clone() })
+    }
+    fn regular<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S) -> Complex<S> {
+        match self.harmonics {
+            Truncation::At(last) if !self.viscous => Self::cavity(p).regular(c(s.im, -s.re), speed, last),
+            _ => Complex::one(),
+        }
+    }
     fn approximation(&self, p: &Params<Self, f64>) -> Option<(Self, Params<Self, f64>)> {
         let plain = Liquid { model: Model::PlanarTilt, viscous: false, harmonics: Truncation::None, ..self.clone() };
         (self.model == Model::Spatial).then_some((plain, LiquidParams { viscosity: 0.0, ..*p }))
     }
-    fn lightens(&self, p: &Params<Self, f64>) -> Option<String> {
+}
+
+impl ReplacedInTime for Liquid {
+    fn timed(&self, p: &Params<Self, f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Self, Untimed>> {
+        matches!(self.physics(), Physics::Frequency(_)).then(|| self.for_motions(p, speeds, stop))
+    }
+    fn fitted(&self) -> Option<Fitted> {
+        self.fit()
+    }
+}
+
+impl AddedInertia for Liquid {
+    fn removed(&self, p: &Params<Self, f64>) -> Option<Removed> {
         let (Model::PlanarTilt, Some([a, _])) = (self.model, self.rigid(p)) else { return None };
         let taken = format_si(-a, "kg m^2");
-        (a < 0.0).then(|| format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"))
-    }
-    fn warnings(&self, p: &Params<Self, f64>) -> Vec<String> {
-        self.lightens(p).into_iter().collect()
-    }
-    fn check(&self, p: &Params<Self, f64>) -> Vec<(&'static str, String)> {
-        self.wrong(p)
+        (a < 0.0).then(|| Removed {
+            what: format!("planar_tilt takes {taken} from the tilt inertia of a cavity as tall as this: strip and spatial do not"),
+            help: "give model = \"strip\" or \"spatial\"; or the body more diametral_inertia",
+        })
     }
 }
 

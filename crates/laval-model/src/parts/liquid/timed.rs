@@ -187,8 +187,8 @@ impl Liquid {
     }
 
     /// Error, and for which motions it is that.
-    pub(super) fn fit(&self) -> Option<crate::model::part::Fitted> {
-        self.time.as_ref().map(|t| crate::model::part::Fitted {
+    pub(super) fn fit(&self) -> Option<crate::model::capability::time_form::Fitted> {
+        self.time.as_ref().map(|t| crate::model::capability::time_form::Fitted {
             error: t.error,
             scope: t.scope,
             margin: t.margin,

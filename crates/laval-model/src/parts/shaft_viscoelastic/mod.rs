@@ -41,6 +41,8 @@ mod tests;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::{Axes, Blocks, Memory};
+use crate::model::capability::FrequencyDomain;
+use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
 use crate::model::params::Family;
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm};
@@ -450,14 +452,6 @@ decay = "0.05 1/s"                  # b
     fn memory(&self) -> usize {
         2 * self.exponentials()
     }
-    /// A branch of `(s - i W + decay)^-exponent`, cut to the left, for each term.
-    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
-        let Law::Weak(w) = &self.law else { return None };
-        let own = if w.own { p.decay } else { f64::INFINITY };
-        let gap = w.terms.iter().skip(usize::from(w.own)).map(|t| t.decay).fold(own, f64::min);
-        let place = if self.frame == Frame::Rotor { speed } else { 0.0 };
-        Some(Domain { waves: vec![place], gap, terms: w.terms.len(), ..Domain::passive() })
-    }
     #[inline(always)]
     fn linear<S: Scalar>(&self, p: &Params<Self, S>, _: S, b: &mut Blocks<S>) {
         let k = self.stiffness(p);
@@ -471,18 +465,6 @@ decay = "0.05 1/s"                  # b
         for i in 0..2 {
             b.stiffness[(i, i)] = k * (S::one() - self.constant(p));
         }
-    }
-    #[inline(always)]
-    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
-        let turn = if self.frame == Frame::Rotor { speed } else { S::zero() };
-        let k = self.stiffness(p);
-        let forward = (Complex::one() - self.transform(p, c(s.re, s.im - turn))).scale(k);
-        let backward = (Complex::one() - self.transform(p, c(s.re, s.im + turn))).scale(k);
-        let (mean, skew) = ((forward + backward).scale(S::cst(0.5)), (forward - backward).mul_i().scale(S::cst(0.5)));
-        out[0] += mean;
-        out[1] += skew;
-        out[2] += -skew;
-        out[3] += mean;
     }
     #[inline(always)]
     fn spin_row<S: Scalar>(&self, p: &Params<Self, S>, at: &At<S>) -> S {
@@ -557,6 +539,32 @@ decay = "0.05 1/s"                  # b
             wrong.push(("exponentials", "amplitude, exponent and decay have no effect beside exponentials".into()));
         }
         wrong
+    }
+    fn frequency_domain(&self) -> Option<&dyn erased::FrequencyDomain> {
+        Some(self)
+    }
+}
+
+impl FrequencyDomain for ShaftViscoelastic {
+    #[inline(always)]
+    fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]) {
+        let turn = if self.frame == Frame::Rotor { speed } else { S::zero() };
+        let k = self.stiffness(p);
+        let forward = (Complex::one() - self.transform(p, c(s.re, s.im - turn))).scale(k);
+        let backward = (Complex::one() - self.transform(p, c(s.re, s.im + turn))).scale(k);
+        let (mean, skew) = ((forward + backward).scale(S::cst(0.5)), (forward - backward).mul_i().scale(S::cst(0.5)));
+        out[0] += mean;
+        out[1] += skew;
+        out[2] += -skew;
+        out[3] += mean;
+    }
+    /// A branch of `(s - i W + decay)^-exponent`, cut to the left, for each term.
+    fn domain(&self, p: &Params<Self, f64>, speed: f64) -> Option<Domain> {
+        let Law::Weak(w) = &self.law else { return None };
+        let own = if w.own { p.decay } else { f64::INFINITY };
+        let gap = w.terms.iter().skip(usize::from(w.own)).map(|t| t.decay).fold(own, f64::min);
+        let place = if self.frame == Frame::Rotor { speed } else { 0.0 };
+        Some(Domain { waves: vec![place], gap, terms: w.terms.len(), ..Domain::passive() })
     }
 }
 

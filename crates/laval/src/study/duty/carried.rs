@@ -59,8 +59,8 @@ pub fn exchanged(system: &System, cups: &[Carried]) -> Result<System, Diagnostic
 /// vessels or of those with this name.
 pub fn uncarried(system: &System, name: Option<&str>) -> Vec<Finding> {
     let asked = |e: &&Extra| e.word == "cup" && name.is_none_or(|n| e.name == n);
-    let holds_liquid = system.slots().iter().any(|s| system.param(&format!("{}.cavity_radius", s.name)).is_some());
-    let body = system.slots().iter().find(|s| s.layout.body && system.param(&format!("{}.mass", s.name)).is_some());
+    let holds_liquid = system.slots().iter().any(|s| s.part.filling().is_some());
+    let body = system.slots().iter().find(|s| s.part.body().is_some_and(|b| b.parameters().mass.is_some()));
     let body = body.map_or("the body that carries them", |s| s.name.as_str());
     let told = |e: &Extra| {
         let name = &e.name;

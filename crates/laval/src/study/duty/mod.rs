@@ -248,8 +248,9 @@ fn load(extra: &Extra, separator: &Separator, system: &System, out: &mut Diagnos
         out.push(Diagnostic::error("body.missing", message).at(v.span_of("on")).about(name).help(help));
         return None;
     }
-    for what in ["mass", "unbalance"] {
-        if system.param(&format!("{name}.{what}")).is_none() {
+    let parameters = system.slot(&name).and_then(|s| s.part.body()).map(|b| b.parameters()).unwrap_or_default();
+    for (what, parameter) in [("mass", parameters.mass), ("unbalance", parameters.unbalance)] {
+        if parameter.is_none() {
             let message = format!("\"{name}\" has no {what} of its own that cups could add to");
             wrong(out, v, "on", "cup.body", message, "attach the cups to a disc");
             return None;

@@ -244,7 +244,7 @@ impl<'a> Shown<'a> {
                 uses.see(system, &at, &mut ws);
             }
             // displacements of bodies have columns of their own
-            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != "displacement").collect();
+            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != Observed::DISPLACEMENT).collect();
             (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
         };
         let h = TAU / (samples * parts) as f64;

@@ -4,6 +4,7 @@
 //! damping chi0 of the foundation the force that remains is about `chi0 W |z|`.
 
 use super::shown::Shown;
+use crate::model::capability::body::BodyParameters;
 use crate::model::system::System;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::floquet::Stability;
@@ -60,12 +61,14 @@ impl Shown<'_> {
         let d = response.discretisation.whole();
         let mut out = Vec::new();
         for (body, x) in &self.bodies {
+            let Some(carrier) = system.slot(body).and_then(|s| s.part.body()) else { continue };
+            let BodyParameters { mass: Some(mass), stiffness: Some(support), .. } = carrier.parameters() else { continue };
             let value = |path: &str| {
                 let at = system.param(&format!("{body}.{path}"))?;
                 let all: Vec<f64> = at.iter().map(|&i| system.params()[i]).collect();
                 all.windows(2).all(|p| p[0] == p[1]).then(|| all[0])
             };
-            let (Some(mass), Some(stiffness)) = (value("mass"), value("stiffness")) else { continue };
+            let (Some(mass), Some(stiffness)) = (value(mass), value(support)) else { continue };
             let tuned = mass * speed * speed;
             for slot in Measure::forces(system) {
                 let part = &system.slots()[slot];
@@ -73,7 +76,7 @@ impl Shown<'_> {
                 if part.is_linear() || !(joins(0) && joins(1)) {
                     continue;
                 }
-                let Ok(changed) = system.with(&[(&format!("{body}.stiffness"), tuned)]) else { continue };
+                let Ok(changed) = system.with(&[(&format!("{body}.{support}"), tuned)]) else { continue };
                 let (Some(before), Some(after)) = (state(system, d, request, speed, slot), state(&changed, d, request, speed, slot)) else {
                     continue;
                 };

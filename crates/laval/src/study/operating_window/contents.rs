@@ -49,11 +49,10 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[Carried], own: Optio
         _ => {
             let clear = medium.density / (medium.density + excess);
             for slot in system.slots() {
-                let get =
-                    |field: &str| system.param(&format!("{}.{field}", slot.name)).and_then(|i| system.params().get(*i.first()?).copied());
-                // what fills a cavity
-                if let (Some(_), Some(rho)) = (get("cavity_radius"), get("density")) {
-                    out.overrides.push((format!("{}.density", slot.name), rho * clear));
+                let Some(liquid) = slot.part.filling() else { continue };
+                let path = format!("{}.{}", slot.name, liquid.density());
+                if let Some(&rho) = system.param(&path).and_then(|i| system.params().get(*i.first()?)) {
+                    out.overrides.push((path, rho * clear));
                 }
             }
             if out.overrides.is_empty() {

@@ -1,7 +1,7 @@
 //! All stable steady states of the machine at a speed: linear response, or every branch of the nonlinear one.
 
 use crate::diagnostic::Diagnostic;
-use crate::model::part::At;
+use crate::model::part::{At, Observed};
 use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::harmonic::floquet::Stability;
@@ -90,7 +90,7 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         for (slot, o) in system.observe(&at, &mut ws) {
             let of = match (o.unit, o.name) {
                 ("N", _) => &mut out.force,
-                ("N m", "moment") => &mut out.moment,
+                ("N m", Observed::MOMENT) => &mut out.moment,
                 _ => continue,
             };
             raise(of.entry(system.slots()[slot].name.clone()).or_insert(0.0), o.value.abs());

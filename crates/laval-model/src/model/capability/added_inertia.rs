@@ -1,0 +1,36 @@
+//! Inertia that a part adds to its body or takes from it.
+
+use super::super::part::{Params, Part};
+
+/// Inertia that a part takes from its body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Removed {
+    /// How much of what, as a sentence without its stop.
+    pub what: String,
+    /// What to change where too little is left.
+    pub help: &'static str,
+}
+
+/// A part whose added inertia may be negative.
+pub trait AddedInertia: Part {
+    /// What it takes away; the machine is refused where too little inertia is left.
+    fn removed(&self, p: &Params<Self, f64>) -> Option<Removed>;
+}
+
+/// The object-safe face.
+pub mod erased {
+    use super::super::super::params::Family;
+    use super::Removed;
+
+    /// See the [trait of the author](super::AddedInertia).
+    #[allow(missing_docs)]
+    pub trait AddedInertia {
+        fn removed(&self, p: &[f64]) -> Option<Removed>;
+    }
+
+    impl<T: super::AddedInertia> AddedInertia for T {
+        fn removed(&self, p: &[f64]) -> Option<Removed> {
+            super::AddedInertia::removed(self, &T::Family::from_slice(p))
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Bodies: parts that other parts attach to.
+
+use super::super::part::{Params, Part};
+
+/// Names of parameters of a body, where it has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BodyParameters {
+    /// Its mass.
+    pub mass: Option<&'static str>,
+    /// Its static unbalance.
+    pub unbalance: Option<&'static str>,
+    /// Stiffness of its own support to the ground.
+    pub stiffness: Option<&'static str>,
+}
+
+/// A part that other parts attach to; its layout says so too ([`Layout::body`](super::super::part::Layout::body)).
+pub trait BodyPart: Part {
+    /// Rows of the map from the own coordinates to x, y, tilt_x, tilt_y of the point at `position` (m): 4 entries for each own coordinate.
+    fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]>;
+    /// Of a body that spins with the rotor and has mass: the parameter for its inertia about the axis, while that is 0.
+    fn lacks_spin_inertia(&self, _p: &Params<Self, f64>) -> Option<&'static str> {
+        None
+    }
+    /// Of a body that does not tilt and could: the parameter that lets it.
+    fn without_tilt(&self) -> Option<&'static str> {
+        None
+    }
+    /// Parameters by meaning.
+    fn parameters(&self) -> BodyParameters {
+        BodyParameters::default()
+    }
+}
+
+/// The object-safe face.
+pub mod erased {
+    use super::super::super::params::Family;
+    use super::BodyParameters;
+
+    /// See the [trait of the author](super::BodyPart).
+    #[allow(missing_docs)]
+    pub trait BodyPart {
+        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]>;
+        fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str>;
+        fn without_tilt(&self) -> Option<&'static str>;
+        fn parameters(&self) -> BodyParameters;
+    }
+
+    impl<T: super::BodyPart> BodyPart for T {
+        fn shape(&self, p: &[f64], position: f64) -> Vec<[f64; 4]> {
+            super::BodyPart::shape(self, &T::Family::from_slice(p), position)
+        }
+        fn lacks_spin_inertia(&self, p: &[f64]) -> Option<&'static str> {
+            super::BodyPart::lacks_spin_inertia(self, &T::Family::from_slice(p))
+        }
+        fn without_tilt(&self) -> Option<&'static str> {
+            super::BodyPart::without_tilt(self)
+        }
+        fn parameters(&self) -> BodyParameters {
+            super::BodyPart::parameters(self)
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! Liquid that fills a cavity of a body.
+
+use super::super::part::Part;
+
+/// A part that is a liquid in a cavity.
+pub trait Filling: Part {
+    /// The parameter that is its density.
+    fn density(&self) -> &'static str;
+    /// What damps its waves, as an instruction: `of the liquid's wave: wave_damping`.
+    fn damping(&self) -> &'static str;
+}
+
+/// The object-safe face.
+pub mod erased {
+    /// See the [trait of the author](super::Filling).
+    #[allow(missing_docs)]
+    pub trait Filling {
+        fn density(&self) -> &'static str;
+        fn damping(&self) -> &'static str;
+    }
+
+    impl<T: super::Filling> Filling for T {
+        fn density(&self) -> &'static str {
+            super::Filling::density(self)
+        }
+        fn damping(&self) -> &'static str {
+            super::Filling::damping(self)
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Machines and speeds that a part is made for.
+
+use super::super::part::{Params, Part};
+
+/// Direction of the shaft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Axis {
+    /// Weight acts along the shaft.
+    #[default]
+    Vertical,
+    /// Weight acts along -y.
+    Horizontal,
+}
+
+/// How a part that is known at some spin speeds only goes on at others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// Not at all: a study there is refused.
+    Refuse,
+    /// As at the end.
+    Hold,
+    /// Along the tangent at the end.
+    Linear,
+}
+
+/// The spin speeds at which a part is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tabulated {
+    /// First and last speed, rad/s.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+    /// Outside.
+    pub beyond: Beyond,
+    /// The [`Validity`](super::super::part::Validity) that states the same of a motion.
+    pub statement: &'static str,
+}
+
+/// A part that does not serve every machine or every speed.
+pub trait Scope: Part {
+    /// The spin speeds at which it is known, of a part given in a table over them.
+    fn tabulated(&self) -> Option<Tabulated> {
+        None
+    }
+    /// Why it does not fit a machine with this axis, and what to change.
+    fn refuses_axis(&self, _p: &Params<Self, f64>, _axis: Axis) -> Option<String> {
+        None
+    }
+}
+
+/// The object-safe face.
+pub mod erased {
+    use super::super::super::params::Family;
+    use super::{Axis, Tabulated};
+
+    /// See the [trait of the author](super::Scope).
+    #[allow(missing_docs)]
+    pub trait Scope {
+        fn tabulated(&self) -> Option<Tabulated>;
+        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String>;
+    }
+
+    impl<T: super::Scope> Scope for T {
+        fn tabulated(&self) -> Option<Tabulated> {
+            super::Scope::tabulated(self)
+        }
+        fn refuses_axis(&self, p: &[f64], axis: Axis) -> Option<String> {
+            super::Scope::refuses_axis(self, &T::Family::from_slice(p), axis)
+        }
+    }
+}
