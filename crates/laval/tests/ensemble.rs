@@ -1,7 +1,10 @@
 //! Ensembles against single motions: every form of the equations, other parameters in every lane, neighbours that fail, threads and levels.
 
-use crate::common::Planar;
-use crate::hard_parts::pendulum::*;
+mod common;
+#[path = "hard_parts/pendulum.rs"]
+mod pendulum;
+
+use common::Planar;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::params::Family;
@@ -13,6 +16,7 @@ use laval::solve::motion::flight::{Choice, Plan, fly};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::{Programme, Shape};
 use laval_num::lanes::Level;
+use pendulum::*;
 use std::sync::Arc;
 
 /// A member: machine, spin, start, duration.

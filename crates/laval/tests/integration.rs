@@ -1,9 +1,9 @@
-//! Integration tests of the crate, by subject. Tests that need a process of their own stand beside: `fuzz` and `transient_allocation`.
+//! Integration tests of the crate, by subject. Beside them, in a process of their own: `ensemble` (it reads the machine code of its program),
+//! `fuzz` and `transient_allocation`.
 
 mod balancer;
 mod characteristic_roots;
 mod common;
-mod ensemble;
 mod hard_parts;
 mod harmonic;
 mod linear;

@@ -63,28 +63,22 @@ fn tilt_without_effect(system: &System, slot: &Slot, out: &mut Diagnostics) {
     }
 }
 
-/// A part that acts on tilt, at a body that does not tilt and could: what acts there holds nothing, or holds against a clamp.
+/// A part between two points that acts on tilt, at a body that does not tilt and could: it holds against a clamp. What is carried by one body may be planar.
 fn clamped(system: &System, slot: &Slot, out: &mut Diagnostics) {
     let mut first = 0;
     for port in &slot.layout.ports {
         let tilts = first + 2..first + port.kind.size();
         first += port.kind.size();
+        let Link::Between(a, b) = &port.link else { continue };
         if port.kind != PortKind::PointAndTilt || !tilts.clone().any(|i| acts(system, slot, i)) {
             continue;
         }
-        let ends = match &port.link {
-            Link::On(a) => vec![a],
-            Link::Between(a, b) => vec![a, b],
-        };
         let stiff = |a: &&Attach| {
             let body = system.slot(a.body.as_deref()?)?;
             Some((body.name.as_str(), body.part.body()?.without_tilt()?))
         };
-        for (body, lets) in ends.iter().filter_map(stiff) {
-            let message = match &port.link {
-                Link::On(_) => format!("\"{}\" acts on the tilt of \"{body}\", which does not tilt: that has no effect", slot.name),
-                Link::Between(..) => format!("\"{}\" is clamped at \"{body}\", which does not tilt", slot.name),
-            };
+        for (body, lets) in [a, b].iter().filter_map(stiff) {
+            let message = format!("\"{}\" is clamped at \"{body}\", which does not tilt", slot.name);
             let help = format!("give \"{body}\" its {lets} to let it tilt");
             out.push(Diagnostic::warning("part.clamped", message).at(slot.span.clone()).help(help));
         }

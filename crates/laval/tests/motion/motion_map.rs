@@ -146,7 +146,7 @@ fn mistakes_are_told() {
     assert!(map(Y).contains("needs a range of speeds"));
     let speed = "speed = { from = 100, to = 200, points = 3 }";
     assert!(map(&format!("{Y}\n{speed}\nx = {{ parameter = \"drum.mass\", from = 1, to = 2 }}")).contains("both a range of speeds"));
-    assert!(map(&format!("{Y}\nx = {{ parameter = \"drum.mass\", from = 1, to = 2 }}")).contains("the machine's speed"));
+    assert!(map(&format!("{Y}\nx = {{ parameter = \"drum.mass\", from = 1, to = 2 }}")).contains("needs a speed above zero"));
     assert!(map(&format!("{speed}\ny = {{ parameter = \"drum.mas\", from = 1, to = 2 }}")).contains("drum.mas"));
     assert!(map(&format!("{Y}\nspeed = {{ from = 0, to = 200, points = 3 }}")).contains("no period at rest"));
     let long = Y.replace("points = 2", "points = 600");

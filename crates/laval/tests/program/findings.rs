@@ -58,6 +58,7 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
         ],
     ),
     ("transient.rs", 1, &["largest_displacement", "largest_tilt"]),
+    ("validity.rs", 2, &["outside_validity", "validity"]),
 ];
 
 fn sources(folder: &Path, out: &mut Vec<PathBuf>) {

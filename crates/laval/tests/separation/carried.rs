@@ -150,7 +150,8 @@ const ASIDE: [&str; 11] =
 const ROUNDING: f64 = 1e-9;
 
 fn numbers(o: &Outcome) -> Numbers {
-    let answers = o.findings.iter().filter(|f| f.id != "energy_balance");
+    // cups have a validity of their own
+    let answers = o.findings.iter().filter(|f| f.id != "energy_balance" && !(f.id.contains("validity") && f.subject == "buckets"));
     let findings = answers.map(|f| (f.id.clone(), f.subject.clone(), f.value.unwrap_or(0.0))).collect();
     let columns = o.tables.iter().flat_map(|t| t.columns().iter().map(move |c| (format!("{}.{}", t.name(), c.name), c)));
     let motions =

@@ -110,7 +110,7 @@ pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], (ways, probes)
         let amplitude = amplitude.iter().map(|(typical, c)| c.number(row) / typical).collect();
         let is = |verdict: Verdict| motion.and_then(|m| m.word(row)) == Some(verdict.word());
         let (wanders, repeats) = (is(Verdict::NotPeriodic), is(Verdict::Period(1)));
-        y.iter().all(|x| x.is_finite()).then(|| Followed { y, amplitude, wanders, repeats })
+        y.iter().all(|x| x.is_finite()).then_some(Followed { y, amplitude, wanders, repeats })
     };
     (0..ways).map(last).collect()
 }

@@ -120,8 +120,11 @@ pub const CASES: &[Case] = &[
     Case { machine: "drive = \"free\"\n", ..case("free_load", "spin_load", "windage = 1e-5") },
 ];
 
-/// The lines of a block by key, comments left out.
-fn lines(text: &str) -> Vec<(String, String)> {
+/// Lines of a block by key.
+type Lines = Vec<(String, String)>;
+
+/// The lines of a block, comments left out.
+fn lines(text: &str) -> Lines {
     let line = |l: &str| {
         let l = l.split('#').next().unwrap_or_default();
         l.split_once('=').map(|(k, v)| (k.trim().to_string(), v.trim().to_string()))
@@ -134,13 +137,13 @@ fn lines(text: &str) -> Vec<(String, String)> {
 pub struct Machine {
     pub machine: String,
     /// Kind, name, lines.
-    pub parts: Vec<(&'static str, String, Vec<(String, String)>)>,
+    pub parts: Vec<(&'static str, String, Lines)>,
     pub beside: String,
 }
 
 impl Case {
     /// The typical block with the lines of the case.
-    pub fn block(&self, catalog: &Catalog) -> Vec<(String, String)> {
+    pub fn block(&self, catalog: &Catalog) -> Lines {
         let mut out = lines(catalog.part(self.kind).expect("a kind of part").example);
         for (key, value) in lines(self.lines) {
             match out.iter_mut().find(|l| l.0 == key) {

@@ -20,7 +20,7 @@ fn of(case: &str, kind: &str, list: &[(&str, &[&str])]) -> bool {
 /// Nothing is to be expected of a changed property in a study.
 fn without_influence(case: &str, what: &str, kind: &str) -> bool {
     let key = |k: &&str| *k == format!("{case}.{what}") || *k == format!("{case}.*");
-    NOTHING.iter().any(|(keys, kinds, _)| keys.iter().any(|k| key(&k)) && (kinds.is_empty() || kinds.contains(&kind)))
+    NOTHING.iter().any(|(keys, kinds, _)| keys.iter().any(key) && (kinds.is_empty() || kinds.contains(&kind)))
 }
 
 /// What is wrong with a study of a case: every changed property is seen, or the part is named in a refusal.
