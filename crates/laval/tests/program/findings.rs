@@ -7,15 +7,15 @@ use std::path::{Path, PathBuf};
 
 /// Names that are put together where a finding is made: file, number of such places, names.
 const COMPOSED: &[(&str, usize, &[&str])] = &[
-    ("forced_response.rs", 2, &["amplitude", "tilt", "largest_resonance", "largest_tilt_resonance"]),
-    ("history.rs", 2, &["largest_displacement", "largest_tilt"]),
-    ("motion_map/report.rs", 1, &["largest_displacement", "largest_tilt"]),
-    ("nonlinear_response/findings.rs", 1, &["largest_displacement_not_reached", "unbounded_displacement"]),
-    ("nonlinear_response/one.rs", 1, &["steady_motion", "steady_tilt"]),
-    ("nonlinear_response/orders.rs", 1, &["superharmonic_range", "subharmonic_range"]),
-    ("nonlinear_response/stability.rs", 1, &["stability_lost", "stability_gained"]),
+    ("linear/forced_response.rs", 2, &["amplitude", "tilt", "largest_resonance", "largest_tilt_resonance"]),
+    ("motion/history.rs", 2, &["largest_displacement", "largest_tilt"]),
+    ("motion/motion_map/report.rs", 1, &["largest_displacement", "largest_tilt"]),
+    ("nonlinear/nonlinear_response/findings.rs", 1, &["largest_displacement_not_reached", "unbounded_displacement"]),
+    ("nonlinear/nonlinear_response/one.rs", 1, &["steady_motion", "steady_tilt"]),
+    ("nonlinear/nonlinear_response/orders.rs", 1, &["superharmonic_range", "subharmonic_range"]),
+    ("nonlinear/nonlinear_response/stability.rs", 1, &["stability_lost", "stability_gained"]),
     (
-        "nonlinear_response/sweeps.rs",
+        "nonlinear/nonlinear_response/sweeps.rs",
         7,
         &[
             "no_jump_up",
@@ -30,18 +30,18 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
             "sweep_down_unknown",
         ],
     ),
-    ("optimum/report.rs", 1, &["limit_reached", "limit_kept"]),
+    ("parameters/optimum/report.rs", 1, &["limit_reached", "limit_kept"]),
     (
-        "response_map/report.rs",
+        "nonlinear/response_map/report.rs",
         2,
         &["largest_peak", "smallest_peak", "neimark_sacker_machines", "symmetry_breaking_machines", "period_doubling_machines"],
     ),
-    ("sensitivity/report.rs", 1, &["peak", "jump_up", "jump_down"]),
-    ("separation/report.rs", 2, &["validity_..."]),
-    ("spectra/report.rs", 1, &["superharmonic", "subharmonic", "component", "asynchronous"]),
-    ("stationary/findings.rs", 2, &["balanced_stable", "stable_states", "continuum"]),
+    ("parameters/sensitivity/report.rs", 1, &["peak", "jump_up", "jump_down"]),
+    ("centrifuge/separation/report.rs", 2, &["validity_..."]),
+    ("motion/spectra/report.rs", 1, &["superharmonic", "subharmonic", "component", "asynchronous"]),
+    ("nonlinear/stationary/findings.rs", 2, &["balanced_stable", "stable_states", "continuum"]),
     (
-        "sweep/report.rs",
+        "motion/sweep/report.rs",
         4,
         &[
             "largest_displacement",
@@ -57,8 +57,8 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
             "not_settled",
         ],
     ),
-    ("transient.rs", 1, &["largest_displacement", "largest_tilt"]),
-    ("validity.rs", 2, &["outside_validity", "validity"]),
+    ("motion/transient.rs", 1, &["largest_displacement", "largest_tilt"]),
+    ("shared/validity.rs", 2, &["outside_validity", "validity"]),
 ];
 
 fn sources(folder: &Path, out: &mut Vec<PathBuf>) {
@@ -103,8 +103,7 @@ fn all(src: &Path) -> BTreeMap<String, BTreeSet<String>> {
             seen.insert(place.clone());
             names.extend(own.iter().map(|n| n.to_string()));
         }
-        let first = place.split(['/', '.']).next().unwrap();
-        let section = if kinds.contains(first) { first } else { "" };
+        let section = place.split(['/', '.']).find(|name| kinds.contains(name)).unwrap_or_default();
         out.entry(section.into()).or_default().extend(names);
     }
     assert_eq!(seen.len(), COMPOSED.len(), "a file that makes no such finding: {seen:?}");

@@ -1,0 +1,168 @@
+//! One machine over the range of speeds: scan, ends of the windows, best speed.
+
+use super::borders::{Borders, stable};
+use super::margins::{Asked, Judge, Point, radial_guess};
+use super::passage::Passage;
+use super::request::fitting;
+use super::steady::Branches;
+use super::window::{Interval, dips, intervals, scan};
+use super::{Objective, OperatingWindow, Policy, SPEEDS};
+use crate::diagnostic::Diagnostic;
+use crate::model::field::RangeValue;
+use crate::model::system::System;
+use crate::solve::extrema::seeds;
+use crate::solve::rest::rest;
+use crate::study::Context;
+use crate::study::shared::limits::Limit;
+use laval_num::univariate::maximum;
+
+/// How carefully a range is looked at.
+pub(super) enum Care<'a> {
+    /// Ends, narrow places, the best speed.
+    Full,
+    /// The ends of the windows.
+    Ends,
+    /// These speeds alone.
+    Only(&'a [f64]),
+}
+
+/// One machine evaluated over the range.
+pub(super) struct Evaluated {
+    pub asked: Asked,
+    pub points: Vec<Point>,
+    pub intervals: Vec<Interval>,
+    /// Where everything but the separation is kept.
+    pub mechanical: Vec<Interval>,
+    pub best: Option<Point>,
+    /// Bodies whose tilt no limit sees.
+    pub unseen: Vec<Unseen>,
+    pub folds: Vec<f64>,
+    pub harmonics: Option<usize>,
+    pub passage: Option<Passage>,
+}
+
+/// A body that tilts, forced to do so or not, without a limit that its tilt could break.
+pub(super) struct Unseen {
+    /// Index among the bodies.
+    pub index: usize,
+    pub name: String,
+}
+
+/// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
+fn unseen(system: &System, asked: &Asked) -> Vec<Unseen> {
+    let apart = |k: usize| system.probes().iter().any(|p| p.body == k && !p.is_tilt() && !p.is_reference());
+    let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.body == name);
+    let l = &asked.limits;
+    let seen = |k: usize, name: &str| limited(&l.tilt, name) || (apart(k) && limited(&l.displacement, name)) || !l.moment.is_empty();
+    let bodies = system.bodies().into_iter().enumerate();
+    bodies.filter(|(k, b)| b.tilt.is_some() && !seen(*k, &b.name)).map(|(index, b)| Unseen { index, name: b.name }).collect()
+}
+
+impl OperatingWindow {
+    /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
+    pub(super) fn evaluate(
+        &self,
+        system: &System,
+        context: &Context,
+        care: Care,
+        known: Option<&Passage>,
+    ) -> Result<Option<Evaluated>, Diagnostic> {
+        let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
+        let asked = fitting(self, system, only)?;
+        let (from, to) = (self.speed.from, self.speed.to);
+        let count = if careful { self.speed.points.unwrap_or(SPEEDS) } else { SPEEDS / 2 };
+        let mut speeds = match care {
+            Care::Only(grid) => grid.to_vec(),
+            _ => RangeValue { points: Some(count), ..self.speed }.linspace(count),
+        };
+        let branches = self.branches(system, context)?;
+        let folds: Vec<f64> = branches.iter().flat_map(Branches::folds).collect();
+        let folds = if only { vec![] } else { folds };
+        speeds.extend(folds.iter().flat_map(|w| [w * (1.0 - 1e-4), w * (1.0 + 1e-4)]));
+        if careful {
+            let mut each = |_| !context.cancelled();
+            speeds.extend(seeds(system, &|w| rest(system, w), from, to, &mut each)?.speeds.into_iter().step_by(2));
+        }
+        if let Some(w) = asked.duty.as_ref().filter(|_| !only).and_then(radial_guess) {
+            speeds.extend([0.5 * w, 0.8 * w, w]);
+        }
+        speeds.retain(|w| *w >= from && *w <= to);
+        speeds.sort_by(f64::total_cmp);
+        speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
+        let limited =
+            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && branches.is_some());
+        let passage = match asked.ramp.filter(|_| limited) {
+            Some(_) if known.is_some() => known.cloned(),
+            Some(duration) => Some(Passage::simulate(system, to, duration, context)?),
+            None => None,
+        };
+        let judge = Judge { system, asked: &asked, branches: branches.as_ref(), passage: passage.as_ref() };
+        let total = speeds.len() as u64;
+        let go_on = |done: u64| {
+            context.progress.report(done.min(total), total);
+            !context.cancelled() && done < context.work_limit
+        };
+        let Some(mut points) = scan(&judge, &speeds, go_on)? else { return Ok(None) };
+        if careful {
+            let more = dips(&points);
+            points.extend(scan(&judge, &more, |_| !context.cancelled())?.unwrap_or_default());
+            points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        }
+        let found = if only { vec![] } else { intervals(&judge, &mut points, Point::feasible)? };
+        let mechanical = if careful && asked.duty.is_some() { intervals(&judge, &mut points, |p| p.feasible_without(0))? } else { vec![] };
+        let borders = if careful { Borders::located(&intervals(&judge, &mut points, stable)?) } else { Borders::between(&points) };
+        points.iter_mut().for_each(|p| borders.measure(p));
+        let best = if careful { self.best(&judge, &borders, &points)? } else { None };
+        let harmonics = branches.as_ref().map(Branches::harmonics);
+        drop(branches);
+        let unseen = unseen(system, &asked);
+        Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, unseen, folds, harmonics, passage }))
+    }
+
+    /// Branches of a nonlinear machine; none when it is linear.
+    fn branches(&self, system: &System, context: &Context) -> Result<Option<Branches>, Diagnostic> {
+        if system.slots().iter().all(|s| s.is_linear()) {
+            return Ok(None);
+        }
+        // the branch begins where it is easy to begin: below the range
+        let range = (0.2 * self.speed.from, self.speed.to * (1.0 + 1e-9));
+        Branches::follow(system, range, context.cancel).map(Some)
+    }
+
+    /// The recommended speed.
+    fn best(&self, judge: &Judge, borders: &Borders, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
+        let at = |w: f64| {
+            judge.at(w).map(|mut p| {
+                borders.measure(&mut p);
+                p
+            })
+        };
+        let value = |p: &Point| match self.objective {
+            Objective::Margin => p.room(),
+            Objective::Time => -p.needed,
+            Objective::Energy => -p.energy,
+            Objective::Amplitude => p.margin(1).unwrap_or(f64::NEG_INFINITY),
+        };
+        let feasible: Vec<usize> = (0..points.len()).filter(|&i| points[i].feasible()).collect();
+        // ties go to the lowest speed
+        let mut top: Option<usize> = None;
+        for &i in &feasible {
+            if top.is_none_or(|t| value(&points[i]) > value(&points[t])) {
+                top = Some(i);
+            }
+        }
+        let Some(i) = top else { return Ok(None) };
+        let (a, b) = (i.saturating_sub(1), (i + 1).min(points.len() - 1));
+        let found = maximum(
+            |w| at(w).ok().map(|p| if p.feasible() { value(&p).max(-1e300) } else { -1e300 }),
+            points[a].speed,
+            points[b].speed,
+            1e-7 * points[i].speed,
+        );
+        let polished = match found {
+            Some((w, _)) => Some(at(w)?).filter(|p| p.feasible() && value(p) > value(&points[i])),
+            None => None,
+        };
+        Ok(Some(polished.unwrap_or_else(|| points[i].clone())))
+    }
+}

@@ -1,0 +1,385 @@
+//! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
+
+use super::Policy;
+use super::passage::Passage;
+use super::steady::{Branches, State, linear, spectrum};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::{Body, Slot, System};
+use crate::separation::load::Load;
+use crate::separation::machine::Separator;
+use crate::separation::measures::derated;
+use crate::separation::particle::Particle;
+use crate::study::centrifuge::duty::Carried;
+use crate::study::centrifuge::duty::task::{Task, needed};
+use crate::study::shared::limits::{Limit, Limits};
+use crate::study::shared::support::largest;
+use laval_num::complex::{C64, c};
+use std::sync::Arc;
+
+/// Names of the requirements, in the order they are shown.
+pub(super) const NAMES: [&str; 8] = ["separation", "vibration", "self_centred", "stable", "clear", "passage", "strength", "valid"];
+/// Index of the requirement on stability.
+pub(super) const STABLE: usize = 3;
+
+/// Index of the requirement that every part is inside its model: what is outside is not known. How far inside does not matter.
+pub(super) const VALID: usize = 7;
+
+/// Weight of the next margin beside the least when speeds are compared: a requirement that the speed hardly changes does not choose it.
+const NEXT: f64 = 1e-3;
+
+/// A requirement at a speed.
+#[derive(Clone, Debug)]
+pub(super) struct Margin {
+    /// Index in [`NAMES`].
+    pub name: usize,
+    /// Margin; NaN where it is not defined, which counts as not kept.
+    pub value: f64,
+    /// What binds in it.
+    pub detail: String,
+}
+
+impl Margin {
+    /// It is compared with others.
+    fn counts(&self) -> bool {
+        self.name != VALID || !(self.value >= 0.0)
+    }
+}
+
+/// Everything at one speed.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub speed: f64,
+    pub margins: Vec<Margin>,
+    /// Time to reach the recovery, run-up counted as asked, s.
+    pub needed: f64,
+    pub tilt: f64,
+    pub unbalance: f64,
+    /// Number of stable steady states.
+    pub states: usize,
+    /// Energy of a batch: kinetic energy of the spin and work of the drive at speed, J.
+    pub energy: f64,
+    pub growth: f64,
+    /// Largest tilt of each body, rad.
+    pub leans: Vec<f64>,
+}
+
+impl Point {
+    /// All requirements are kept.
+    pub fn feasible(&self) -> bool {
+        self.margins.iter().all(|m| m.value >= 0.0)
+    }
+    /// All but one.
+    pub fn feasible_without(&self, name: usize) -> bool {
+        self.margins.iter().all(|m| m.name == name || m.value >= 0.0)
+    }
+    /// The requirement with the least margin; an undefined one binds before all.
+    pub fn binding(&self) -> Option<&Margin> {
+        let key = |m: &Margin| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value };
+        self.margins.iter().filter(|m| m.counts()).min_by(|a, b| key(a).total_cmp(&key(b)))
+    }
+    /// The least margin; minus infinity when one is undefined.
+    pub fn least(&self) -> f64 {
+        self.binding().map_or(f64::INFINITY, |m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value })
+    }
+    /// For comparison by the least margin: where it hardly differs the next decides, and so on; minus infinity when one is undefined.
+    pub fn room(&self) -> f64 {
+        let mut all: Vec<f64> =
+            self.margins.iter().filter(|m| m.counts()).map(|m| if m.value.is_nan() { f64::NEG_INFINITY } else { m.value }).collect();
+        all.sort_by(f64::total_cmp);
+        all.iter().rev().fold(0.0, |rest, m| m + NEXT * rest)
+    }
+    /// The margin of a requirement.
+    pub fn margin(&self, name: usize) -> Option<f64> {
+        self.margins.iter().find(|m| m.name == name).map(|m| m.value)
+    }
+}
+
+/// What is asked of the machine.
+#[derive(Clone)]
+pub(super) struct Asked {
+    pub duty: Option<Task>,
+    pub limits: Limits,
+    pub cups: Vec<Carried>,
+    /// The machine after the separation, where that changes it.
+    pub after: Option<Arc<System>>,
+    /// Time of the run-up to the top of the range, s.
+    pub ramp: Option<f64>,
+    pub policy: Policy,
+    pub top: f64,
+}
+
+/// Evaluates the requirements of one machine.
+pub(super) struct Judge<'a> {
+    pub system: &'a System,
+    pub asked: &'a Asked,
+    /// Branches of the response; none of a linear machine.
+    pub branches: Option<&'a Branches>,
+    pub passage: Option<&'a Passage>,
+}
+
+/// Which state of the contents decides.
+const BEFORE: &str = " before the separation";
+const AFTER: &str = " after the separation";
+
+fn margin(name: usize, value: f64, detail: impl Into<String>) -> Margin {
+    Margin { name, value, detail: detail.into() }
+}
+
+/// The least of several margins, NaN before all.
+fn least(name: usize, all: impl Iterator<Item = (f64, String)>) -> Option<Margin> {
+    all.reduce(|a, b| if b.0 < a.0 || b.0.is_nan() { b } else { a }).map(|(v, d)| margin(name, v, d))
+}
+
+impl Judge<'_> {
+    /// All requirements at a speed.
+    ///
+    /// # Errors
+    /// When the machine cannot be evaluated at all.
+    pub fn at(&self, speed: f64) -> Result<Point, Diagnostic> {
+        let mut point = self.mechanical(speed)?;
+        self.separated(&mut point);
+        Ok(point)
+    }
+
+    /// Adds the requirement on the separation, or replaces it.
+    pub fn separated(&self, point: &mut Point) {
+        let Some(duty) = &self.asked.duty else { return };
+        // a path that cannot be computed leaves the margin undefined
+        let found = needed(&duty.batch, point.speed, duty.recovery, &|| true);
+        let time = found.as_ref().map_or(f64::NAN, |t| *t);
+        let value = 1.0 - time / duty.time;
+        let detail = found.map_or_else(|d| d.message, |_| "time".into());
+        point.needed = time;
+        point.margins.retain(|m| m.name != 0);
+        point.margins.insert(0, margin(0, if value.is_finite() { value } else { f64::NAN }, detail));
+    }
+
+    /// Steady states of a machine with its load at a speed, and the growth rate about rest.
+    fn states(&self, system: &System, speed: f64, eigen: f64) -> Result<Vec<State>, Diagnostic> {
+        match self.branches {
+            None => Ok(linear(system, speed, eigen)?.into_iter().collect()),
+            Some(branches) => branches.at(system, speed),
+        }
+    }
+
+    /// Largest growth rate of the machine whose contents have separated; `None` where they weigh as before.
+    fn growth_after(&self, speed: f64) -> Result<Option<f64>, Diagnostic> {
+        let Some(system) = self.asked.after.as_deref() else { return Ok(None) };
+        let eigen = spectrum(system, speed)?.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        if self.branches.is_none() {
+            return Ok(Some(eigen));
+        }
+        let states = self.states(system, speed, eigen)?;
+        let met = self.judged(system, states.iter().filter(|s| s.stable).collect(), speed);
+        Ok(Some(worst_growth(&met, &states)))
+    }
+
+    /// All requirements but that on the separation.
+    fn mechanical(&self, speed: f64) -> Result<Point, Diagnostic> {
+        let asked = self.asked;
+        let (system, loads) = (self.system, asked.cups.iter().map(|c| c.ring.at(speed)).collect::<Vec<Load>>());
+        let spectrum = spectrum(system, speed)?;
+        let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        let states = self.states(system, speed, eigen)?;
+        let nonlinear = self.branches.is_some();
+        // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
+        let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
+        let met = self.judged(system, met, speed);
+        let before = if nonlinear { worst_growth(&met, &states) } else { eigen };
+        // stable before and after the separation; NaN stays
+        let (growth, when) = match self.growth_after(speed)? {
+            None => (before, ""),
+            Some(after) if !(after <= before) => (after, AFTER),
+            Some(_) => (before, BEFORE),
+        };
+        let mut margins = Vec::new();
+        margins.extend(self.vibration(system, &met));
+        margins.extend(self.self_centred(system, speed, &met));
+        let limit = asked.limits.growth;
+        // by the growth rate while borders are sought, then a distance in speed
+        margins.push(margin(
+            STABLE,
+            if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() },
+            format!("growth rate{when}"),
+        ));
+        if let Some(clearance) = asked.limits.clearance {
+            let mut all: Vec<(f64, String)> = Vec::new();
+            for h in &asked.limits.orders {
+                let near = |p: f64| (p - h * speed).abs() / speed.abs() - clearance;
+                let own = spectrum.modes.iter().map(|m| m.frequency()).filter(|p| *p > 0.0);
+                all.extend(own.map(|p| (near(p), format!("mode at {p:.4} rad/s, order {h}"))));
+                for (cup, load) in asked.cups.iter().zip(&loads).filter(|c| c.0.ring.held.is_none()) {
+                    let swing = cup.ring.cup.swing_frequency(speed, load.tilt);
+                    let both = [speed.abs() + swing, (speed.abs() - swing).abs()];
+                    all.extend(both.map(|p| (near(p), format!("swing of the cups, order {h}"))));
+                }
+            }
+            margins.extend(least(4, all.into_iter()));
+        }
+        if let Some(p) = self.passage {
+            let (value, detail) = p.margin(speed, &asked.limits);
+            margins.push(margin(5, value, detail));
+        }
+        if let Some(highest) = asked.limits.speed {
+            let density = asked.duty.as_ref().map(|d| {
+                let (m, rho) = (&d.suspension.medium, d.suspension.powder.density.quantile(0.5));
+                m.density + m.volume_fraction * (rho - m.density)
+            });
+            let allowed = match (asked.limits.rated_density, density) {
+                (Some(rated), Some(density)) => derated(highest, rated, density),
+                _ => highest,
+            };
+            margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
+        }
+        let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
+        margins.extend(least(VALID, outside));
+        let leans = (0..system.bodies().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
+        let duration = asked.duty.as_ref().map_or(0.0, |d| d.time);
+        let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
+        let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
+        let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
+        let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
+        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth, leans })
+    }
+
+    /// Of the stable states that exist at a speed those that are judged.
+    fn judged<'s>(&self, system: &System, met: Vec<&'s State>, speed: f64) -> Vec<&'s State> {
+        if met.len() < 2 {
+            return met;
+        }
+        let chosen = match self.asked.policy {
+            Policy::All => return met,
+            Policy::Highest => {
+                let margin = |s: &&&State| self.vibration(system, &[**s]).map_or(0.0, |m| m.value);
+                met.iter().min_by(|a, b| margin(a).total_cmp(&margin(b)))
+            }
+            Policy::Reached => {
+                let Some(moved) = self.passage.and_then(|p| p.reached(speed)) else { return met };
+                let far = |s: &&&State| s.displacement.iter().zip(&moved).map(|(a, b)| (a / b).ln().abs()).fold(0.0, f64::max);
+                met.iter().min_by(|a, b| far(a).total_cmp(&far(b)))
+            }
+        };
+        chosen.copied().into_iter().collect()
+    }
+
+    fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
+        let l = &self.asked.limits;
+        if !l.vibration() {
+            return None;
+        }
+        if met.is_empty() {
+            return Some(margin(1, f64::NAN, "no steady state"));
+        }
+        let bodies = system.bodies();
+        let place = |name: &str| bodies.iter().position(|b| b.name == name);
+        let mut all = Vec::new();
+        for s in met {
+            // a point of a body that does not tilt moves as the body does
+            let point = |limit: &Limit| system.probes().iter().position(|p| limit.is_at(p));
+            let of_body = |list: &[f64], which: Option<usize>, limit: &Limit| match (point(limit), which) {
+                (Some(k), Some(i)) => s.points.get(k).map(|p| p[i]),
+                _ => place(&limit.body).and_then(|k| list.get(k).copied()),
+            };
+            let of_bodies = [
+                (&l.displacement, "displacement", &s.displacement, Some(0)),
+                (&l.velocity, "velocity", &s.velocity, Some(1)),
+                (&l.tilt, "tilt", &s.tilt, None),
+            ];
+            for (limits, what, list, which) in of_bodies {
+                for limit in limits {
+                    all.extend(of_body(list, which, limit).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                }
+            }
+            for (limits, what, of) in [(&l.force, "force", &s.force), (&l.moment, "moment", &s.moment)] {
+                for limit in limits {
+                    all.extend(of.get(&limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                }
+            }
+        }
+        least(1, all.into_iter())
+    }
+
+    /// Distance of the centre of mass of every eccentric body, with the cups it carries, from the axis, over its eccentricity.
+    fn self_centred(&self, system: &System, speed: f64, met: &[&State]) -> Option<Margin> {
+        let c0 = self.asked.limits.self_centring?;
+        if met.is_empty() {
+            return Some(margin(2, f64::NAN, "no steady state"));
+        }
+        let mut all = Vec::new();
+        for (k, b) in system.bodies().iter().enumerate() {
+            let carried: Vec<&str> =
+                self.asked.cups.iter().filter(|c| c.on.body.as_deref() == Some(b.name.as_str())).map(|c| c.name.as_str()).collect();
+            let (e, height) = centre_of_mass(system, b, &carried, speed);
+            let size = e.abs();
+            if size > 0.0 && size.is_finite() {
+                let centre = |s: &State| s.forward[k] - (s.lean[k] * c(0.0, height)) + e;
+                all.extend(met.iter().map(|s| (1.0 - centre(s).abs() / size / c0, format!("centre of mass of {}", b.name))));
+            }
+        }
+        least(2, all.into_iter())
+    }
+}
+
+/// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.
+fn worst_growth(judged: &[&State], states: &[State]) -> f64 {
+    match judged.iter().map(|s| s.growth).reduce(f64::max) {
+        Some(g) => g,
+        None => states.iter().filter(|s| !s.stable).map(|s| s.growth).reduce(f64::min).unwrap_or(f64::NAN),
+    }
+}
+
+/// Where the centre of mass of a body with what it carries lies in rotor axes, and its height, m: from the force with which they turn and their inertia.
+fn centre_of_mass(system: &System, body: &Body, carried: &[&str], speed: f64) -> (C64, f64) {
+    use crate::model::part::{At, Rows};
+    let (n, m) = (system.n(), system.m());
+    let (zero, z) = (vec![0.0; n], vec![0.0; m]);
+    let row = |speed: f64, a: &[f64]| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let at = At { q: &zero, v: &zero, a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        let own = |s: &Slot| s.name == body.name || carried.contains(&s.name.as_str());
+        system.residual(system.params(), &at, &mut rows, &mut Default::default(), own);
+        force
+    };
+    let mut one = zero.clone();
+    one[body.x] = 1.0;
+    let (still, turning, inertia) = (row(0.0, &zero), row(speed, &zero), row(speed, &one));
+    let lateral = |f: &[f64]| c(f[body.x], f[body.x + 1]);
+    let mass = inertia[body.x] - turning[body.x];
+    // of a point at the height h: x + h beta
+    let height = body.tilt.map_or(0.0, |t| (inertia[t + 1] - turning[t + 1]) / mass);
+    ((lateral(&still) - lateral(&turning)).scale(1.0 / (speed * speed * mass)), height)
+}
+
+/// Energy that a run-up of the undeflected machine takes, J: its moment of inertia about the spin axis, from the spin row, times the speed, summed over the way.
+fn spin_energy(system: &System, speed: f64) -> f64 {
+    use crate::model::part::{At, Rows};
+    let (n, m) = (system.n(), system.m());
+    let (q, z) = (vec![0.0; n], vec![0.0; m]);
+    let mut ws = Default::default();
+    let mut row = |speed: f64, accel: f64| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: accel, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut ws, |_| true);
+        spin
+    };
+    let mut work = |speed: f64| (row(speed, 1.0) - row(speed, 0.0)) * speed;
+    // exact for an inertia that does not depend on the speed
+    const STEPS: usize = 200;
+    let width = speed / STEPS as f64;
+    (0..STEPS).map(|k| work((k as f64 + 0.5) * width) * width).sum()
+}
+
+/// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.
+pub(super) fn radial_guess(duty: &Task) -> Option<f64> {
+    let (r1, r2) = match &duty.vessel.separator {
+        Separator::Cup(c) => (c.hanging.hinge + c.vessel.top, c.hanging.hinge + c.vessel.bottom),
+        other => other.at(100.0).radii(),
+    };
+    let p = &duty.suspension.powder;
+    let radius = 0.5 * duty.batch.from.unwrap_or_else(|| p.size.quantile(1.0 - duty.recovery));
+    let s = duty.suspension.medium.rates(&Particle { radius, density: p.density.quantile(0.5) }).sedimentation.abs();
+    let w = ((r2 / r1).ln() / (s * duty.time)).sqrt();
+    w.is_finite().then_some(w)
+}

@@ -1,0 +1,187 @@
+//! The speeds at which a machine is stable, keeps its limits, survives the run-up, and separates what it should in the time it has.
+//!
+//! Equations: every requirement is a margin, kept when 0 or more:
+//!
+//! ```text
+//! separation    1 - t_q(w)/t            vibration    1 - max(amplitude/limit) over all stable steady states
+//! self_centred  1 - (|z + e|/|e|)/c0    passage      1 - worst of peak/limit and torque/available on the way up and down
+//! strength      1 - w/w_max(density)    stable       1 - min(w, w_s)/max(w, w_s), negative where unstable
+//! clear         min |p - h w|/w - dlt
+//! ```
+//!
+//! All are shares of a limit that are left: of a time, an amplitude or a torque, or (`strength`, `stable`, `clear`) of the speed, as its distance from the speed that is not
+//! allowed. `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin, the next larger ones deciding with a thousandth of the weight each (or serves another
+//! objective). At every speed the machine carries its cups at the tilt of that speed.
+//!
+//! Symbols: w spin speed; w_s nearest speed at which the largest growth rate passes -sig0 ([`borders`]); p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
+//!
+//! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
+//! parameters, which bounds it where margins depend on them monotonically.
+//!
+//! Sources: `docs/theory/operating-window.md#margins`.
+
+mod borders;
+mod contents;
+mod evaluate;
+mod margins;
+mod passage;
+mod report;
+mod request;
+mod steady;
+mod vary;
+mod window;
+
+use super::duty::task::{DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
+use super::duty::{CUP, uncarried};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::system::System;
+use crate::outcome::{End, Outcome};
+use crate::study::shared::support::SPEED_RANGE;
+use crate::study::{Context, Study};
+use evaluate::Care;
+
+/// What the best speed is best for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Objective {
+    /// Largest least margin.
+    Margin,
+    /// Shortest time.
+    Time,
+    /// Least energy.
+    Energy,
+    /// Smallest vibration.
+    Amplitude,
+}
+
+/// Which of several stable steady states of a nonlinear machine is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::study) enum Policy {
+    /// All of them.
+    All,
+    /// The one nearest to the motion of the simulated run-up as it passes the speed.
+    Reached,
+    /// The one with the least margin of vibration.
+    Highest,
+}
+
+/// See the [module](self).
+pub struct OperatingWindow {
+    speed: RangeValue,
+    values: Values,
+    objective: Objective,
+    tolerance: f64,
+    uncertain: Vec<(String, f64)>,
+    map: Option<(String, RangeValue)>,
+}
+
+/// Speeds of the scan unless given, and of a map.
+const SPEEDS: usize = 120;
+/// Values of the parameter of a map unless given.
+const MAP_POINTS: usize = 12;
+/// Most places where particles start in a map.
+const MAP_PLACES: usize = 256;
+
+impl Study for OperatingWindow {
+    const KIND: &'static str = "operating_window";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "3000 rpm" }
+time = "10 min"
+recovery = "95 %"
+ramp = "60 s"
+"#;
+    const DOC: &'static str = "At which speeds the machine may run: stable, its limits kept, the way up survived, and the suspension separated in the time at \
+        hand; what binds at each end, the recommended speed, the shortest time, and what to relax when nothing fits. Uses the blocks \
+        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is judged with the contents as they are before and after the \
+        separation: particles spread over the cups and all at their bottoms, bowls full of suspension and of clear liquid.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds looked at; points (120 unless given) are added where something happens"),
+        CUP,
+        Field::optional(
+            "time",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e9) },
+            "",
+            "time in which cups and tubes must have separated; where liquid flows through, throughput says it",
+        ),
+        THROUGHPUT,
+        RECOVERY,
+        DIAMETER,
+        PARTICLES,
+        MODEL,
+        START,
+        Field::optional(
+            "ramp",
+            FieldKind::Quantity { unit: "s", bounds: Bounds::positive(1e7) },
+            "",
+            "time of the run-up to the top of the range, at constant acceleration; it is then simulated",
+        ),
+        Field::optional(
+            "count_ramp",
+            FieldKind::Flag,
+            "true",
+            "the run-up takes its time from the time at hand, and is no longer than it; cups separate on the way, the liquid of fixed-angle tubes by an estimate (field at mean \
+             radius), and machines that liquid flows through are fed at speed",
+        ),
+        Field::optional(
+            "objective",
+            FieldKind::Choice(&[
+                ("margin", "largest least margin; where it is nearly the same, the largest next one"),
+                ("time", "shortest separation, or largest throughput"),
+                ("energy", "least kinetic energy and work of the drive"),
+                ("amplitude", "smallest vibration against its limits"),
+            ]),
+            "margin",
+            "what the recommended speed is best for",
+        ),
+        Field::optional(
+            "branch_policy",
+            FieldKind::Choice(&[
+                ("all", "every stable steady state must keep the limits"),
+                ("reached", "the one that the run-up of the file leads to, and valid for that run-up only"),
+                ("highest", "the one with the largest vibration against its limits"),
+            ]),
+            "all",
+            "which of several steady states of a nonlinear machine is judged",
+        ),
+        Field::optional(
+            "speed_tolerance",
+            FieldKind::Quantity { unit: "", bounds: Bounds::closed(0.0, 0.5) },
+            "0",
+            "relative error of the speed that the robust window leaves room for",
+        ),
+        Field::optional(
+            "uncertain",
+            FieldKind::Named { unit: "", bounds: Bounds { min: 0.0, max: 0.9, min_open: true } },
+            "",
+            "relative uncertainty of parameters by path, as { suspension.viscosity = \"20 %\" }; the robust window holds at every corner",
+        ),
+        Field::optional(
+            "map",
+            FieldKind::ParameterRange,
+            "",
+            "a parameter (of a part, a cup or the suspension) to vary against the speed; 12 points unless given",
+        ),
+    ];
+
+    /// A run-up begins at rest.
+    fn speeds(values: &Values, _: &System) -> Option<(f64, f64)> {
+        values.number("ramp").and(values.range("speed")).map(|r| (0.0, r.to))
+    }
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        request::read(values, system, diagnostics)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        let corners = if self.uncertain.is_empty() { 0 } else { 1usize << self.uncertain.len() };
+        let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
+        let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
+        context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
+        let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
+            let end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
+            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end));
+        };
+        let robust = self.robust(system, context, &main)?;
+        let map = self.mapped(system, context, &main)?;
+        report::Found { study: self, main, robust, map, uncarried: uncarried(system, None) }.outcome(context)
+    }
+}

@@ -1,0 +1,104 @@
+//! What a kind of study is: its word, its fields, and how a machine is studied with it.
+
+use super::Context;
+use super::shared::speed_range::Ranged;
+use super::shared::{size, watch};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, KindInfo, Values};
+use crate::model::system::System;
+use crate::outcome::Outcome;
+
+/// A kind of study: its struct is the `[[study]]` block.
+pub trait Study: Send + Sync + Sized + 'static {
+    /// The word in the file.
+    const KIND: &'static str;
+    /// One paragraph for the documentation.
+    const DOC: &'static str;
+    /// Lines of a typical block beside a body named `drum`, for the documentation; where it is empty they follow from the fields.
+    const EXAMPLE: &'static str = "";
+    /// What may be said of it.
+    const FIELDS: &'static [Field];
+    /// It rests on the motion of the machine at its spin speeds, and so on parts that are known at some speeds only.
+    const TURNS: bool = true;
+
+    /// Lowest and highest spin speed of a request, rad/s, where they are not those of its fields `speed`, `from`, `to` and `programme`.
+    fn speeds(_: &Values, _: &System) -> Option<(f64, f64)> {
+        None
+    }
+
+    /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
+    /// Whether this machine can answer the question at all, found out in a few milliseconds: `laval check` asks it, and so does a run before it begins.
+    ///
+    /// # Errors
+    /// Why it cannot, naming the part.
+    fn admit(&self, _: &System) -> Result<(), Diagnostic> {
+        Ok(())
+    }
+    /// What a run keeps in memory, where that depends on the request alone and can be much.
+    fn size(&self, _: &System) -> Option<size::Size> {
+        None
+    }
+    /// The same before a run. What takes longer ends with the context, and is then not known: no refusal.
+    ///
+    /// # Errors
+    /// As [`admit`](Self::admit).
+    fn prepare(&self, system: &System, _: &Context) -> Result<(), Diagnostic> {
+        self.admit(system)
+    }
+    /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
+}
+
+/// A study with its type forgotten; it ends when its context says so, wherever it is.
+pub trait ErasedStudy: Send + Sync {
+    /// The word in the file.
+    fn kind(&self) -> &'static str;
+    /// Whether this machine can answer it.
+    ///
+    /// # Errors
+    /// As [`Study::admit`].
+    fn admit(&self, system: &System) -> Result<(), Diagnostic>;
+    /// Whether this machine can answer it, before a run.
+    ///
+    /// # Errors
+    /// As [`Study::prepare`].
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic>;
+    /// Runs it.
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
+}
+
+impl<T: Study> ErasedStudy for T {
+    fn kind(&self) -> &'static str {
+        T::KIND
+    }
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        watch::admit(self, system)
+    }
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        watch::prepare(self, system, context)
+    }
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        watch::run(self, system, context)
+    }
+}
+
+/// A kind of study: what may be said of it, and how it is built.
+#[derive(Clone)]
+pub struct StudyKind {
+    /// Fields and documentation.
+    pub info: KindInfo,
+    /// Builds one from its fields; says all that is wrong.
+    pub build: fn(&Values, &System, &mut Diagnostics) -> Option<Box<dyn ErasedStudy>>,
+}
+
+/// The registry entry of a study.
+pub fn kind<T: Study>() -> StudyKind {
+    StudyKind {
+        info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec() },
+        build: |values, system, diagnostics| {
+            let study = T::build(values, system, diagnostics)?;
+            Some(Box::new(Ranged::new(study, values, system)) as Box<dyn ErasedStudy>)
+        },
+    }
+}

@@ -1,0 +1,338 @@
+//! Campbell diagram: frequencies and growth rates of all modes over the spin speed, with excitation lines and the speeds where they meet.
+//!
+//! Equations: `det T(s, W) = 0` followed over W by modal assurance; a critical speed of order k solves `det T(growth + i k W, W) = 0`.
+//!
+//! Symbols: W spin speed, rad/s; s = growth + i frequency.
+//!
+//! Validity: small motions about the equilibrium at each speed; constant speed.
+//!
+//! Theory: `docs/theory/linear-vibration.md#critical-speeds`.
+//!
+//! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
+
+use super::approximation;
+use super::modes::{THRESHOLD, WHIRLS};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::part::Domain;
+use crate::model::system::System;
+use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::solve::criticals::{Critical, criticals};
+use crate::solve::pencil::Whirl;
+use crate::solve::rest::rest;
+use crate::solve::roots::{LEAST, transcendental};
+use crate::solve::sweep::{Branch, Sweep, sweep};
+use crate::study::shared::region;
+use crate::study::shared::size;
+use crate::study::shared::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or, remarks_between};
+use crate::study::{Context, Study};
+use laval_num::work::piece;
+
+/// Field: multiples of the spin speed.
+pub(in crate::study) const ORDERS: Field = Field::optional(
+    "orders",
+    FieldKind::List { unit: "", bounds: Bounds::positive(1e3) },
+    "[1]",
+    "multiples of the spin speed that excite: 1 is unbalance",
+);
+
+/// The orders asked for, ascending and different; 1 when none are.
+pub(in crate::study) fn orders(values: &Values) -> Vec<f64> {
+    let mut orders = values.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec);
+    orders.sort_by(f64::total_cmp);
+    orders.dedup();
+    if orders.is_empty() { vec![1.0] } else { orders }
+}
+
+/// A crossing as a special point.
+pub(in crate::study) fn special(c: &Critical) -> SpecialPoint {
+    let status = if c.located() { Status::Located } else { Status::Bracketed };
+    SpecialPoint::new("critical_speed", c.speed, c.bracket)
+        .status(status)
+        .evidence("order", c.order, "")
+        .evidence("growth", c.growth, "1/s")
+        .evidence("relative defect of the dynamic stiffness", c.defect, "")
+        .evidence(if c.located() { "last Newton step" } else { "width of the bracket" }, c.step, "rad/s")
+}
+
+/// That a crossing lies between two speeds, and could not be located.
+pub(in crate::study) fn bracketed(c: &Critical) -> Finding {
+    let text = format!(
+        "Between {{}} and {} the frequency of a mode crosses order {}; the place could not be located: give a range with more points there.",
+        quantity(c.bracket.1, "rad/s"),
+        c.order
+    );
+    Finding::warning("critical_speed_not_located", text).of(format!("order {}", c.order)).value(c.bracket.0, "rad/s")
+}
+
+/// Damping ratio of a mode at its critical speed.
+pub(in crate::study) fn damping(c: &Critical) -> f64 {
+    let size = c.growth.hypot(c.order * c.speed);
+    // what Newton's method leaves of a mode without damping is no damping
+    if c.growth.abs() > 1e-10 * size { -c.growth / size } else { 0.0 }
+}
+
+/// Damping of a crossing in words.
+pub(in crate::study) fn damping_words(c: &Critical) -> String {
+    match damping(c) {
+        0.0 => "undamped".into(),
+        d => format!("damping ratio {}", quantity(d, "")),
+    }
+}
+
+/// Table of critical speeds.
+pub(in crate::study) fn critical_table(found: &[Critical]) -> Result<Table, Diagnostic> {
+    let column = |f: fn(&Critical) -> f64| found.iter().map(f).collect::<Vec<f64>>();
+    Table::new("critical_speeds", "Speeds at which a frequency is a multiple of the spin speed")
+        .float("speed", "rad/s", "spin speed", column(|c| c.speed))
+        .float("speed_rpm", "rpm", "spin speed", column(|c| c.speed * crate::study::shared::support::RPM))
+        .float("order", "", "frequency over spin speed", column(|c| c.order))
+        .float("frequency", "rad/s", "frequency", column(|c| c.order * c.speed.abs()))
+        .float("growth", "1/s", "growth rate of the mode", column(|c| c.growth))
+        .float("damping_ratio", "", "damping ratio of the mode", column(damping))
+        .text("whirl", "direction of whirl", found.iter().map(|c| c.whirl.word().into()).collect())
+        .int("mode", "", "branch of the Campbell diagram", found.iter().map(|c| c.branch as i64 + 1).collect())
+        .float("uncertainty", "rad/s", "last Newton step; the width of the bracket where it is not located", column(|c| c.step))
+        .flag(
+            "located",
+            "solved for on the characteristic function; otherwise read between two speeds",
+            found.iter().map(Critical::located).collect(),
+        )
+        .build()
+        .map_err(inconsistent)
+}
+
+/// See the [module](self).
+pub struct Campbell {
+    /// Speeds, rad/s.
+    pub speed: RangeValue,
+    /// Multiples of the spin speed.
+    pub orders: Vec<f64>,
+    /// Growth above which a mode counts as unstable, 1/s.
+    pub threshold: f64,
+    /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
+    pub frequency: Option<f64>,
+    /// Draw the machine beside its approximation with few waves.
+    pub compare: bool,
+}
+
+/// Modes with frequencies up to `limit` followed over the speeds of a range, and how the work ended.
+pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64], limit: f64) -> Result<(Sweep, End), Diagnostic> {
+    let total = speeds.len() as u64;
+    if transcendental(system) {
+        context.announce(total as f64, COUNTS, "speeds at which roots are counted, one after another");
+    } else {
+        context.announce(total as f64, 10_000.0, "eigenvalue problems to solve");
+    }
+    let found = sweep(system, &|w| rest(system, w), speeds, limit, |k, solved| {
+        context.progress.report(k as u64, total);
+        context.goes_on(solved)
+    })?;
+    let whole = found.points.last().map(|p| p.0) == speeds.last().copied();
+    Ok((found, context.end(whole)))
+}
+
+/// Modes that have a name and a colour of their own in the figure, at most.
+const MOST_NAMED: usize = 8;
+
+impl Study for Campbell {
+    const KIND: &'static str = "campbell";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 60 }
+orders = [1, 2]
+"#;
+    const DOC: &'static str = "Frequencies and growth rates of all modes over the spin speed, each mode followed by its shape, with excitation lines \
+        and the critical speeds where they cross.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds; 120 points unless given"),
+        ORDERS,
+        THRESHOLD,
+        region::FREQUENCY_LIMIT,
+        approximation::COMPARE,
+    ];
+
+    fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let one = "; modes shows the modes at one speed";
+        let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics)?;
+        let threshold = values.number("growth_threshold").unwrap_or(0.0);
+        Some(Campbell {
+            speed,
+            orders: orders(values),
+            threshold,
+            frequency: values.number("frequency_limit"),
+            compare: approximation::wanted(values),
+        })
+    }
+
+    fn size(&self, system: &System) -> Option<size::Size> {
+        Some(size::Size::of_spectra(self.speed.points.unwrap_or(120), system))
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if self.compare {
+            approximation::admit(system)?;
+        }
+        admit_roots(system, About::Rest, self.speed.from)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        // other machines have finitely many modes, which are all followed
+        let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
+        let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
+        let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
+        // of a study that has to end those that there is no time for are left out
+        let crossings = if end == End::Reached { locate() } else { piece(locate).unwrap_or_default() };
+        let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
+        let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
+        let label = |k: usize| {
+            // a mode may change its direction on the way
+            let mut words: Vec<&str> =
+                found.branches[k].points.iter().map(|p| p.1.whirl.at(p.0)).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
+            words.dedup();
+            let words = match words.as_slice() {
+                [] => "aperiodic".to_string(),
+                [one] => one.to_string(),
+                [first, .., last] if first != last => format!("{first} to {last}"),
+                [first, ..] => format!("mostly {first}"),
+            };
+            format!("{} {words}", k + 1)
+        };
+        // waves that nothing inside a part damps grow slowly with any damping outside it: one limit for all speeds
+        let fastest = self.speed.from.abs().max(self.speed.to.abs());
+        let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
+        let threshold = if slow { self.threshold.max(LEAST * fastest) } else { self.threshold };
+        // beside the largest eigenvalue, what is smaller than this is rounding
+        let rounding = ROUNDING * rows.iter().map(|r| r.1.1.value.abs()).fold(0.0, f64::max);
+        let within = |m: &crate::solve::pencil::MachineMode, limit: f64| {
+            m.growth() <= limit + rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
+        };
+        let limit = |m: &crate::solve::pencil::MachineMode| within(m, threshold);
+        let table = Table::new("modes", "Modes followed over the spin speed")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1.0).collect())
+            .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| label(r.0)).collect())
+            .float("frequency", "rad/s", "frequency", column(&|m| m.frequency()))
+            .float("growth", "1/s", "growth rate", column(&|m| m.growth()))
+            .float("damping_ratio", "", "damping ratio", column(&|m| m.damping_ratio()))
+            .text(
+                "whirl",
+                "direction of whirl; none without oscillation across the axis, and at standstill",
+                rows.iter().map(|r| r.1.1.whirl.at(r.1.0).word().into()).collect(),
+            )
+            .flag("stable", "growth rate not above growth_threshold", rows.iter().map(|r| within(&r.1.1, self.threshold)).collect())
+            .build()
+            .map_err(inconsistent)?;
+        let (from, to) = (self.speed.from, self.speed.to);
+        let mut lines =
+            Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", vec![from, 0f64.clamp(from, to), to]);
+        for k in &self.orders {
+            lines = lines.float(
+                format!("{k}x"),
+                "rad/s",
+                "frequency of this order",
+                [from, 0f64.clamp(from, to), to].map(|w| k * w.abs()).to_vec(),
+            );
+        }
+        let mut outcome =
+            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
+        let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
+        if let Some((k, (w, m))) = worst {
+            let text =
+                format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
+            outcome = outcome.finding(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"));
+        }
+        for c in &crossings {
+            let finding = if c.located() {
+                let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
+                Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
+            } else {
+                bracketed(c)
+            };
+            outcome = outcome
+                .finding(finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence("growth", c.growth, "1/s"))
+                .special_point(special(c));
+        }
+        if crossings.is_empty() {
+            let text = if end == End::Reached {
+                "No crossing of a frequency with an excitation line was found in this range."
+            } else {
+                "No frequency met an excitation line before the study stopped."
+            };
+            outcome = outcome.finding(Finding::info("no_critical_speed", text));
+        }
+        if !found.ambiguous.is_empty() {
+            let (a, b) = found.ambiguous[0];
+            let text = format!(
+                "Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.",
+                found.ambiguous.len(),
+                quantity(b, "rad/s")
+            );
+            outcome = outcome.finding(Finding::warning("ambiguous", text).value(a, "rad/s").evidence(
+                "smallest assurance",
+                found.worst_assurance,
+                "",
+            ));
+        }
+        if transcendental(system) {
+            let domains = system.domains(from);
+            for f in region::limits(&domains, from).into_iter().chain(region::accumulation(&domains, from)) {
+                outcome = outcome.finding(f);
+            }
+            if domains.iter().any(|d| d.dense.is_some()) {
+                outcome = outcome.finding(Finding::warning(
+                    "slow_roots",
+                    "Roots close to the imaginary axis are followed from where they were met, and not all of them are: critical speeds may be missing. forced_response meets \
+                     every resonance.",
+                ));
+            }
+        }
+        for f in remarks_between(system, &rest(system, from)?, rest(system, to)) {
+            outcome = outcome.finding(f);
+        }
+        let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));
+        let axis = Axis::new("frequency", "rad/s");
+        let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
+        // a legend of more lines is a wall: then the direction of whirl names and colours them
+        let line = |y: &str| {
+            let line = Line::new("modes", "speed", y).group("mode").solid_where("stable");
+            if found.branches.len() > MOST_NAMED { line.classes("whirl", WHIRLS) } else { line }
+        };
+        let mut frequency = Panel::new(axis).mark(line("frequency"));
+        for k in &self.orders {
+            frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
+        }
+        frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
+        let growth = Panel::new(Axis::new("growth rate", "1/s")).mark(line("growth")).mark(Rule::y(threshold, "threshold"));
+        let alt = format!(
+            "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
+            found.branches.len(),
+            crossings.len(),
+            beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
+        );
+        let speeds = Axis::new("spin speed", "rad/s");
+        let figure = Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth);
+        outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
+        if self.compare {
+            outcome = approximation::add(outcome, system, &found, context)?;
+        }
+        outcome.checked().map_err(inconsistent)
+    }
+}
+
+/// Top of the frequency axis, rad/s, and the branches that lie above it: the excitation lines end at `excited`, and what lies far above them is met by none
+/// but would press the others together. The lowest mode is always shown.
+fn shown(branches: &[Branch], excited: f64) -> (f64, Vec<usize>) {
+    let over = |pick: fn(f64, f64) -> f64, from: f64, b: &Branch| b.points.iter().map(|p| p.1.frequency()).fold(from, pick);
+    let lowest = branches.iter().map(|b| over(f64::max, 0.0, b)).filter(|f| *f > 0.0).fold(f64::INFINITY, f64::min);
+    let top = 1.25 * if lowest.is_finite() { excited.max(lowest) } else { excited };
+    let above = |k: &usize| over(f64::min, f64::INFINITY, &branches[*k]) > top && !branches[*k].points.is_empty();
+    (top, (0..branches.len()).filter(above).collect())
+}
+
+/// What the axis leaves out, in words.
+fn beyond(top: f64, modes: &[String]) -> String {
+    match modes {
+        [] => String::new(),
+        [one] => format!(" Above the axis, beyond {}: mode {one}.", quantity(top, "rad/s")),
+        many if many.len() > MOST_NAMED => format!(" Above the axis, beyond {}: {} modes.", quantity(top, "rad/s"), many.len()),
+        many => format!(" Above the axis, beyond {}: modes {}.", quantity(top, "rad/s"), many.join(", ")),
+    }
+}

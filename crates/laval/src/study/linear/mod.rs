@@ -1,0 +1,10 @@
+//! Studies of the machine linearised about its equilibrium.
+
+pub(in crate::study) mod approximation;
+pub mod campbell;
+pub mod criterion;
+pub mod critical_speeds;
+pub mod forced_response;
+pub(in crate::study) mod growing;
+pub mod modes;
+pub mod stability_map;

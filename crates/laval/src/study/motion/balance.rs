@@ -1,0 +1,214 @@
+//! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
+
+use super::history::{Columns, end_in_words, sound};
+use super::play;
+use crate::diagnostic::Diagnostic;
+use crate::model::part::DofKind;
+use crate::model::system::{System, Workspace};
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity, significant};
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::Flight;
+use crate::solve::pencil::modes_about;
+use crate::solve::rest::rest;
+use crate::solve::unbalance::{Unbalance, unbalance};
+use laval_num::complex::C64;
+use std::f64::consts::TAU;
+
+/// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
+const SETTLED: f64 = 0.05;
+/// Drift over a part of the record, over the unbalance without balancing, that counts as none.
+const STILL: f64 = 1e-4;
+/// Fewest outputs from which a drift is told.
+const FEWEST: usize = 75;
+
+/// Unbalance at the outputs of a flight.
+struct Series {
+    at: Vec<Unbalance>,
+    speed: Vec<f64>,
+}
+
+fn series(motion: &mut Motion, flight: &Flight) -> Option<Series> {
+    let system = motion.system();
+    let dim = flight.state.len().max(1);
+    let mut ws = Workspace::default();
+    let mut out = Series { at: Vec::new(), speed: Vec::new() };
+    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+        let seen = motion.with_point(t, y, |s, at| (!s.corrections(at, &mut ws).is_empty()).then(|| unbalance(system, at, &mut ws)));
+        out.at.push(seen.ok()??);
+        out.speed.push(motion.spin(t, y).speed);
+    }
+    (!out.at.is_empty()).then_some(out)
+}
+
+/// Appends the warnings of parts; for a machine with parts that balance by themselves the findings, a table and figures.
+///
+/// # Errors
+/// An outcome that does not hold together.
+pub(in crate::study) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let system = motion.system();
+    for (slot, text) in system.warnings() {
+        let name = &system.slots()[slot].name;
+        outcome = outcome.finding(Finding::warning("purpose", format!("\"{name}\": {text}.")).of(name));
+    }
+    if flight.left.is_some() {
+        return Ok(outcome);
+    }
+    let Some(series) = series(motion, flight) else { return Ok(outcome) };
+    let caught = caught(motion, flight);
+    for finding in findings(&series, flight, caught.is_some()).into_iter().chain(caught) {
+        outcome = outcome.finding(finding);
+    }
+    let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
+    let mut c = Columns::default();
+    c.add("t", "s", "time", flight.times.clone());
+    c.add("unbalance", "kg m", "unbalance with the balls where they are", column(&|i| series.at[i].moment.abs()));
+    c.add("without", "kg m", "unbalance without the balls", column(&|i| series.at[i].without()));
+    c.add("capacity", "kg m", "the most the balls can cancel", column(&|i| series.at[i].capacity));
+    c.add(
+        "grade",
+        "m/s",
+        "spin speed times unbalance over mass (ISO 21940-11)",
+        column(&|i| series.at[i].grade(series.at[i].moment.abs(), series.speed[i])),
+    );
+    let line = |column: &str| Line::new("balance", "t", column).name(column);
+    let figure = Figure::new(
+        "balance",
+        "Unbalance",
+        "Unbalance with and without the balls, what they can cancel, and the balancing grade against time.",
+    )
+    .x(Axis::new("time", "s"))
+    .panel(Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance")).mark(line("without")).mark(line("capacity")))
+    .panel(Panel::new(Axis::new("grade", "mm/s").factor(1e3)).mark(line("grade")));
+    outcome = outcome.table(c.table("balance", "Unbalance against time")?).figure(figure);
+    outcome = match angles(system) {
+        Some(figure) => outcome.figure(figure),
+        None => outcome,
+    };
+    sound(play::report(motion, flight, outcome)?.checked())
+}
+
+/// Share of an unbalance that is rounding.
+const NOTHING: f64 = 1e-9;
+/// Share of the flight at its end over which rates are averaged.
+const LATE: usize = 5;
+/// Mean rate in the rotor over its speed from which masses do not follow it.
+const SLIPS: f64 = 0.01;
+/// Distance of their rate from a natural frequency, over it, at which that is named.
+const HELD: f64 = 0.1;
+
+/// That masses do not follow the rotor at the end, and the natural frequency near which they go round.
+fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
+    let system = motion.system();
+    let (dim, count) = (flight.state.len().max(1), flight.times.len());
+    let from = count.checked_sub(1 + count / LATE)?;
+    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let (begin, end) = (state(from), state(count - 1));
+    let span = flight.times[count - 1] - flight.times[from];
+    let speed = (motion.spin(flight.times[count - 1], end).phase - motion.spin(flight.times[from], begin).phase) / span;
+    let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+    let slips: Vec<f64> = inside.map(|(i, _)| (end[i] - begin[i]) / span).filter(|s| s.abs() > SLIPS * speed.abs()).collect();
+    let most = slips.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).filter(|s| s.is_finite())?;
+    let rate = speed + most;
+    let own = rest(system, speed).ok().and_then(|at| modes_about(system, &at, false).ok());
+    let near =
+        own.iter().flat_map(|s| &s.modes).map(|m| m.frequency()).min_by(|a, b| (a - rate.abs()).abs().total_cmp(&(b - rate.abs()).abs()));
+    let near = near.filter(|f| *f > 0.0 && (f - rate.abs()).abs() <= HELD * f);
+    let held = near.map_or(String::new(), |f| format!(", near the natural frequency of {}", quantity(f, "rad/s")));
+    let text = format!(
+        "Of the masses {} did not follow the rotor: in the end going round at {{}} on average, the rotor at {}{held}.",
+        slips.len(),
+        quantity(speed, "rad/s")
+    );
+    Some(Finding::warning("masses_caught", text).value(rate, "rad/s").evidence("mean slip", most, "rad/s").evidence(
+        "averaged over",
+        span,
+        "s",
+    ))
+}
+
+/// Turns of the rotor on either side of a time over which masses are watched, and turns in it that they make meanwhile when they go round.
+const WATCHED: f64 = 8.0;
+const ROUND: f64 = 0.5;
+
+/// Whether masses go round in the rotor about a time, which turns by `phase` (rad).
+pub(in crate::study) fn slips(system: &System, flight: &Flight, t: f64, phase: &dyn Fn(f64) -> f64) -> bool {
+    let dim = flight.state.len().max(1);
+    let mut near = (0..flight.times.len()).filter(|&k| (phase(flight.times[k]) - phase(t)).abs() <= TAU * WATCHED);
+    let (Some(first), Some(last)) = (near.next(), near.next_back()) else { return false };
+    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+    inside.map(|(i, _)| (state(last)[i] - state(first)[i]).abs()).any(|turned| turned > TAU * ROUND)
+}
+
+/// Unwrapped angles of what moves in the rotor, against time.
+fn angles(system: &System) -> Option<Figure> {
+    let inside: Vec<&str> =
+        system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad").map(|c| c.name.as_str()).collect();
+    let mut panel = Panel::new(Axis::new("angle", "rad"));
+    for name in &inside {
+        panel = panel.mark(Line::new("motion", "t", *name).name(*name));
+    }
+    let text = "Angles inside the rotor against time, turns counted: balls from the node line, tilts of free rings.";
+    (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
+}
+
+/// What is said of the unbalance; `slips` where masses do not follow the rotor in the end.
+fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
+    let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
+    let (left, without) = (last.moment.abs(), last.without());
+    let mut out = Vec::new();
+    let harm = left > (1.0 + NOTHING) * without;
+    let [_, at] = end_in_words(flight);
+    let text = if harm {
+        format!("{at} the balls make the unbalance larger: it is {{}}.")
+    } else {
+        format!("{at} the balls leave an unbalance of {{}}.")
+    };
+    let make = if harm { Finding::warning } else { Finding::info };
+    out.push(
+        make("residual_unbalance", text)
+            .value(left, "kg m")
+            .evidence("without the balls", without, "kg m")
+            .evidence("grade number (ISO 21940-11)", last.grade(left, speed), "m/s")
+            .evidence("grade number without the balls", last.grade(without, speed), "m/s"),
+    );
+    if !(last.capacity >= (1.0 - NOTHING) * without) {
+        let text = format!("The balls can cancel {{}} at most, less than the unbalance of {}.", quantity(without, "kg m"));
+        out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
+    }
+    let away = |u: &Unbalance| !((u.moment.abs() - left).abs() <= SETTLED * without);
+    let (count, since) = (series.at.len(), series.at.iter().rposition(away));
+    // for a fifth of the time at least
+    let lasting = since.is_none_or(|i| i + count / LATE < count);
+    if slips || !lasting || !(remaining(&series.at) <= SETTLED * without) {
+        out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled.")));
+    } else if let (Some(i), false) = (since, harm) {
+        let share = significant(100.0 * SETTLED, 2);
+        let text = format!(
+            "The balls reduce the unbalance. After {{}} it has its last value, to within {share} % of the unbalance without the balls."
+        );
+        let finding = Finding::info("time_to_balance", text).value(flight.times[i + 1], "s");
+        out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
+    }
+    out
+}
+
+/// How far an unbalance may still go from where it is at the end of the record, kg m: what its means over the thirds of the last part of the record differ by, summed like a
+/// geometric series. Infinite where it drifts on at an undiminished rate.
+fn remaining(at: &[Unbalance]) -> f64 {
+    let (Some(last), part) = (at.last(), at.len() / LATE / 3) else { return f64::INFINITY };
+    if at.len() < FEWEST {
+        return f64::INFINITY;
+    }
+    let mean = |k: usize| {
+        let range = &at[at.len() - (k + 1) * part..at.len() - k * part];
+        range.iter().fold(C64::zero(), |sum, u| sum + u.moment).scale(1.0 / part as f64)
+    };
+    let [first, second, third] = [2, 1, 0].map(mean);
+    let (before, late) = ((second - first).abs(), (third - second).abs());
+    if late <= STILL * last.without() {
+        return late;
+    }
+    // NaN goes on
+    if late < before { late * late / (before - late) + late } else { f64::INFINITY }
+}

@@ -1,0 +1,127 @@
+//! The two initial values that are varied.
+
+use super::super::start::{self, Entry, state_names};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{RangeValue, Values};
+use crate::model::part::DofKind;
+use crate::model::system::System;
+use crate::study::shared::support::{apart, range};
+
+/// Points along an axis that says none.
+pub(super) const DEFAULT_POINTS: usize = 50;
+/// Most points along an axis.
+pub(super) const MOST_POINTS: f64 = 10_000.0;
+
+/// One initial value, or the duration of the run-up, from end to end.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Axis {
+    /// Name of the state.
+    pub name: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Its place in the state (q, v, z); none of the run-up.
+    pub index: Option<usize>,
+    range: RangeValue,
+}
+
+impl Axis {
+    /// Its values, rising.
+    pub fn values(&self) -> Vec<f64> {
+        self.range.linspace(DEFAULT_POINTS)
+    }
+    /// Distance of neighbouring values.
+    pub fn step(&self) -> f64 {
+        (self.range.to - self.range.from) / (self.range.points.unwrap_or(DEFAULT_POINTS).max(2) - 1) as f64
+    }
+    /// What its values are.
+    pub fn meaning(&self) -> String {
+        if self.index.is_some() { format!("initial value of {}", self.name) } else { "duration of the run-up".into() }
+    }
+    /// A value lies between its ends.
+    pub fn holds(&self, x: f64) -> bool {
+        self.range.from <= x && x <= self.range.to
+    }
+}
+
+/// Reads `from`, `to` and `points`, of which there may be so many cells; says all that is wrong.
+pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &mut Diagnostics) -> Option<[Axis; 2]> {
+    let before = diagnostics.0.len();
+    let run_up = values.range("run_up").and_then(|r| range("run_up", r, 2, values, diagnostics));
+    let wanted = if values.get("run_up").is_some() { 1 } else { 2 };
+    let mut ends = ["from", "to"].map(|field| {
+        let mut found: Vec<(usize, f64)> =
+            start::state_map(values, field, system, diagnostics).into_iter().map(|(e, x): (Entry, f64)| (e.index(system), x)).collect();
+        let given = values.state_map(field).map_or(0, <[_]>::len);
+        if given != wanted {
+            let number = if wanted == 1 { "one initial value beside the run-up" } else { "two initial values" };
+            let message = format!("{field} must name {number}; it names {given}");
+            // names of this machine
+            let masses = system.coordinates().iter().filter(|c| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
+            let body = system.bodies().into_iter().next().map_or_else(|| "rotor".to_string(), |b| b.name);
+            let help = match masses.map(|c| &c.name).next() {
+                Some(mass) if wanted == 1 => format!("write {field} = {{ \"{mass}\" = \"1 rad\" }}"),
+                _ if wanted == 1 => format!("write {field} = {{ \"{body}.x\" = \"1 mm\" }}"),
+                _ => format!("write {field} = {{ \"{body}.x\" = \"1 mm\", \"{body}.y\" = \"1 mm\" }}"),
+            };
+            diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of(field)).help(help));
+        }
+        found.sort_by_key(|f| f.0);
+        found
+    });
+    if diagnostics.0.len() > before {
+        return None;
+    }
+    let (to, from) = (std::mem::take(&mut ends[1]), std::mem::take(&mut ends[0]));
+    let names = state_names(system);
+    if !from.iter().map(|f| f.0).eq(to.iter().map(|t| t.0)) {
+        let list = |ends: &[(usize, f64)]| ends.iter().map(|e| format!("\"{}\"", names[e.0].0)).collect::<Vec<_>>().join(" and ");
+        let message = format!("to names {}, but from names {}", list(&to), list(&from));
+        diagnostics.push(Diagnostic::error("basins.axes", message).at(values.span_of("to")).help("both name the same"));
+        return None;
+    }
+    let points = points(values, &from.iter().map(|f| names[f.0].0.as_str()).collect::<Vec<_>>(), diagnostics);
+    let mut axes = Vec::new();
+    for (k, ((index, from), (_, to))) in from.into_iter().zip(to).enumerate() {
+        let (name, unit) = names[index].clone();
+        if !(from < to) {
+            let message = format!("\"{name}\" must go from a lower to a higher value");
+            diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help(apart(from, to)));
+        }
+        axes.push(Axis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
+    }
+    if let Some(run_up) = run_up {
+        let count = run_up.points.unwrap_or(points[1]);
+        axes.push(Axis { name: "run-up".into(), unit: "s".into(), index: None, range: RangeValue { points: Some(count), ..run_up } });
+    }
+    let points: Vec<usize> = axes.iter().filter_map(|a| a.range.points).collect();
+    let cells = points.iter().fold(1usize, |n, p| n.saturating_mul(*p));
+    if cells > most {
+        let message = format!("a grid of {} by {} points is too large", points[0], points[1]);
+        let help = format!("at most {most} points in all");
+        diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("points")).help(help));
+    }
+    if diagnostics.0.len() > before { None } else { axes.try_into().ok() }
+}
+
+/// Points along each of two axes.
+fn points(values: &Values, names: &[&str], diagnostics: &mut Diagnostics) -> [usize; 2] {
+    let mut out = [DEFAULT_POINTS; 2];
+    for (name, x) in values.named("points") {
+        let whole = x.fract() == 0.0 && (2.0..=MOST_POINTS).contains(&x);
+        if !whole {
+            let message = format!("points must be whole numbers from 2 to {MOST_POINTS}, not {x}");
+            diagnostics.push(Diagnostic::error("basins.points", message).at(values.span_of("points")));
+        }
+        let count = if whole { x as usize } else { DEFAULT_POINTS };
+        match name.map(|n| (n, names.iter().position(|o| *o == n))) {
+            None => out = [count; 2],
+            Some((_, Some(k))) => out[k] = count,
+            Some((n, None)) => {
+                let message = format!("points names \"{n}\", which is not varied");
+                let help = format!("varied are {}", names.iter().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(" and "));
+                diagnostics.push(Diagnostic::error("basins.points", message).at(values.span_of("points")).about(n).help(help));
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,127 @@
+//! What motions of a machine with movable masses end in, and how near a motion must come to be told by it.
+
+use super::space::Space;
+use crate::study::nonlinear::stationary::classify::Class;
+
+/// Slip rates over the speed that differ by less belong to one motion.
+const SAME_SLIP: f64 = 0.03;
+/// Points of a motion nearer to each other than this add nothing.
+const APART: f64 = 0.1;
+/// Most points kept of a motion, images not counted.
+const MOST_POINTS: usize = 300;
+/// Farthest distance at which a motion may be told by an attractor.
+const FARTHEST: f64 = 1.0;
+/// Share of the nearest approach of a motion that went elsewhere within which motions are told.
+const SHARE: f64 = 0.5;
+/// Share of its size and stir within which motions that swing are one.
+const ALIKE: f64 = 0.1;
+
+/// What it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Kind {
+    /// A state at rest in turning axes: class, largest growth rate (1/s), coordinates.
+    Rest { class: Class, growth: f64, stable: bool, q: Vec<f64> },
+    /// Masses that go round or swing: mean slip rates over the speed, in rising order within each group; mean size and largest stir of its windows.
+    Moving { slip: Vec<f64>, size: f64, stir: f64 },
+}
+
+pub(super) struct Attractor {
+    pub kind: Kind,
+    /// States on it, with their images.
+    points: Vec<Vec<f64>>,
+    /// Distance within which a motion is told by it; zero where none is.
+    pub radius: f64,
+    /// Nearest approach of a motion that ended elsewhere; infinite where there was none.
+    pub approach: f64,
+}
+
+impl Attractor {
+    pub fn rest(space: &Space, q: &[f64], class: Class, growth: f64, stable: bool) -> Self {
+        let points = space.images(&space.resting(q));
+        Attractor { kind: Kind::Rest { class, growth, stable, q: q.to_vec() }, points, radius: 0.0, approach: f64::INFINITY }
+    }
+
+    /// It may be ended in.
+    pub fn attracts(&self) -> bool {
+        !matches!(self.kind, Kind::Rest { stable: false, .. })
+    }
+
+    pub fn distance(&self, space: &Space, at: &[f64]) -> f64 {
+        self.points.iter().map(|p| space.distance(p, at)).filter(|d| !d.is_nan()).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[derive(Default)]
+pub(super) struct Atlas {
+    pub attractors: Vec<Attractor>,
+}
+
+impl Atlas {
+    /// The motion with these slip rates.
+    pub fn moving(&self, slip: &[f64]) -> Option<usize> {
+        let off = |own: &[f64]| own.iter().zip(slip).map(|(a, b)| (a - b).abs()).fold(0.0, crate::study::shared::support::larger);
+        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip: own, .. } if off(own) <= SAME_SLIP))
+    }
+
+    /// The motion without slip above `round` like which all these windows are (slip rates, size, stir).
+    pub fn swinging(&self, windows: &[(Vec<f64>, f64, f64)], round: f64) -> Option<usize> {
+        let near = |a: f64, b: f64| (a - b).abs() <= ALIKE * b;
+        let like = |own: &[f64], size: f64, stir: f64| {
+            let one = |w: &(Vec<f64>, f64, f64)| {
+                let slip = w.0.iter().zip(own).all(|(a, b)| (a - b).abs() <= round);
+                slip && near(w.1, size) && near(w.2, stir)
+            };
+            own.iter().all(|s| s.abs() <= round) && windows.iter().all(one)
+        };
+        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip, size, stir } if like(slip, *size, *stir)))
+    }
+
+    /// Adds what a motion that was followed to its end shows of what it moves on.
+    pub fn learn(&mut self, space: &Space, slip: &[f64], (size, stir): (f64, f64), tail: &[Vec<f64>]) {
+        let k = self.moving(slip).unwrap_or_else(|| {
+            let kind = Kind::Moving { slip: slip.to_vec(), size, stir };
+            self.attractors.push(Attractor { kind, points: vec![], radius: 0.0, approach: f64::INFINITY });
+            self.attractors.len() - 1
+        });
+        let own = &mut self.attractors[k];
+        for state in tail {
+            if own.distance(space, state) > APART {
+                let images = space.images(state);
+                if own.points.len() < MOST_POINTS * images.len() {
+                    own.points.extend(images);
+                }
+            }
+        }
+    }
+
+    /// Distances of a state; where only `near` ones count, those of motions are infinite beyond the radius.
+    pub fn distances(&self, space: &Space, at: &[f64], near: bool) -> Vec<f64> {
+        let of = |a: &Attractor| match &a.kind {
+            Kind::Moving { .. } if near => {
+                if a.points.iter().any(|p| space.nearer(p, at, a.radius)) {
+                    a.radius
+                } else {
+                    f64::INFINITY
+                }
+            }
+            _ => a.distance(space, at),
+        };
+        self.attractors.iter().map(of).collect()
+    }
+
+    /// A motion that ended in `end` (none of these where `None`) came as near as this.
+    pub fn witness(&mut self, end: Option<usize>, nearest: &[f64]) {
+        for (k, (a, &d)) in self.attractors.iter_mut().zip(nearest).enumerate() {
+            if end != Some(k) {
+                a.approach = a.approach.min(d);
+            }
+        }
+    }
+
+    /// Sets the distances within which motions are told, from what was witnessed.
+    pub fn trust(&mut self) {
+        for a in &mut self.attractors {
+            a.radius = if a.attracts() { (SHARE * a.approach).min(FARTHEST) } else { 0.0 };
+        }
+    }
+}

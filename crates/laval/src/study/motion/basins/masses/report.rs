@@ -1,0 +1,244 @@
+//! What is said of the basins of a machine with movable masses.
+
+use super::super::Basins;
+use super::super::report::{share, upper};
+use super::super::rows::PLACE;
+use super::atlas::{Attractor, Kind};
+use super::check;
+use super::{EARLY, FAILURE, Fleet, GOAL, Rehearsal, STATE, STEPS, TURNS};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::store::Results;
+use crate::study::Study;
+use crate::study::motion::settled::told;
+use crate::study::shared::support::inconsistent;
+use std::collections::BTreeMap;
+
+/// Mean slip rate over the speed above which masses go round.
+const ROUND: f64 = 1e-2;
+/// Word of cells that came to nothing in the time given.
+const UNSETTLED: &str = "not settled";
+
+/// What an attractor is called; several of a kind are numbered.
+fn names(all: &[Attractor]) -> Vec<String> {
+    let kind = |a: &Attractor| match &a.kind {
+        Kind::Rest { class, stable: true, .. } => class.words().to_string(),
+        Kind::Rest { class, .. } => format!("{}, unstable", class.words()),
+        Kind::Moving { slip, .. } if slip.iter().all(|s| s.abs() > ROUND) => "masses go round".into(),
+        Kind::Moving { slip, .. } if slip.iter().any(|s| s.abs() > ROUND) => "some masses go round".into(),
+        Kind::Moving { .. } => "masses swing".into(),
+    };
+    let kinds: Vec<String> = all.iter().map(kind).collect();
+    let name = |(k, word): (usize, &String)| {
+        let same = kinds.iter().filter(|w| *w == word).count();
+        if same == 1 { word.clone() } else { format!("{word} ({})", kinds[..=k].iter().filter(|w| *w == word).count()) }
+    };
+    kinds.iter().enumerate().map(name).collect()
+}
+
+pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Result<Outcome, Diagnostic> {
+    let context = fleet.context;
+    let complete = results.end() == End::Reached;
+    let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
+    for f in results.remark_of("motions").into_iter().chain(fleet.start.finding.clone()) {
+        outcome = outcome.finding(f);
+    }
+    let all = &fleet.atlas.attractors;
+    let names = names(all);
+    let states = results.numbers(STATE)?;
+    let goals = told::words(results, GOAL)?;
+    let words: Vec<String> =
+        states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
+    let checked = if fleet.early && complete { check::check(fleet, &names, &words) } else { None };
+    if fleet.early && complete && fleet.study.check > 0 && checked.is_none() {
+        outcome = outcome.end(context.end(false));
+    }
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
+    outcome = shares(fleet, &counts, &names, words.len(), outcome);
+    outcome = undecided(&counts, words.len(), results, outcome)?;
+    outcome = early(fleet, seen, &results.numbers(EARLY)?, outcome);
+    if let Some(checked) = &checked {
+        outcome = checked.told(fleet, outcome)?;
+    }
+    let turns = results.numbers(TURNS)?;
+    let steps = results.numbers(STEPS)?.iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done()).work("steps", steps as u64).work("turns", turns.iter().sum::<f64>() as u64);
+    outcome = tables(fleet, results, &names, &counts, &words, outcome)?;
+    figure(fleet, &names, words, outcome).checked().map_err(inconsistent)
+}
+
+fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells: usize, mut outcome: Outcome) -> Outcome {
+    if cells == 0 {
+        return outcome;
+    }
+    let speed = quantity(fleet.study.speed, "rad/s");
+    let mut order: Vec<(&str, usize)> = counts.iter().map(|(w, n)| (*w, *n)).filter(|x| x.0 != UNSETTLED && x.0 != "failed").collect();
+    order.sort_by_key(|x| (std::cmp::Reverse(x.1), x.0));
+    let text = match order.len() {
+        1 => format!("All motions that settle end alike, at {speed}: {{}} end is reached from the grid."),
+        _ => format!("{{}} different ends are reached from the grid, at {speed}."),
+    };
+    outcome = outcome.finding(Finding::info("attractors", text).value(order.len() as f64, "").evidence("cells", cells as f64, ""));
+    for (word, count) in order {
+        let (p, error) = share(count, cells);
+        let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
+        let mut balances = false;
+        if let Some(k) = names.iter().position(|n| n == word) {
+            match &fleet.atlas.attractors[k].kind {
+                Kind::Rest { class, stable, .. } => {
+                    balances = class.balances();
+                    if !stable {
+                        text = format!(
+                            "{}: motions from {{}} of the cells end there although it is unstable, as those of masses that start together and stay so.",
+                            upper(word)
+                        );
+                    }
+                }
+                Kind::Moving { slip, .. } => {
+                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * fleet.study.speed, "rad/s")).collect();
+                    text = format!("{} at mean rates of {}: reached from {{}} of the cells.", upper(word), rates.join(" and "));
+                }
+            }
+        }
+        let make = if balances || word.starts_with("at rest") { Finding::info } else { Finding::warning };
+        let finding = make("share", text).of(word).value(p, "").shown_as(100.0 * p, "%");
+        outcome = outcome.finding(finding.evidence("sampling error", error, "").evidence("cells", count as f64, ""));
+    }
+    outcome
+}
+
+fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    if let Some(&n) = counts.get(UNSETTLED) {
+        let text = format!("{{}} of {cells} cells did not settle within the largest number of turns: they belong to no attractor here.");
+        outcome = outcome.finding(Finding::warning("not_settled", text).value(n as f64, ""));
+    }
+    let mut causes: BTreeMap<String, usize> = BTreeMap::new();
+    for why in told::words(results, FAILURE)?.into_iter().filter(|w| !w.is_empty()) {
+        *causes.entry(why).or_default() += 1;
+    }
+    for (why, count) in causes {
+        let text = format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.");
+        outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
+    }
+    Ok(outcome)
+}
+
+/// How motions were told before their end, and how often that was wrong.
+fn early(fleet: &Fleet, seen: &Rehearsal, told: &[f64], outcome: Outcome) -> Outcome {
+    if !fleet.early {
+        return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
+    }
+    let count = told.iter().filter(|t| **t == 1.0).count();
+    let text = format!(
+        "The end of {{}} of {} cells was concluded before it was reached, from a distance to an attractor half as large as the nearest approach of {} motions that ended \
+         elsewhere; of {} other starts followed to the end {} would have been concluded so, {} of them wrongly.",
+        told.len(),
+        seen.witnessed,
+        seen.tried,
+        seen.told,
+        seen.wrong
+    );
+    let make = if 100 * seen.wrong > seen.tried { Finding::warning } else { Finding::info };
+    outcome.finding(
+        make("recognition", text)
+            .value(count as f64, "")
+            .evidence("concluded wrongly", seen.wrong as f64, "")
+            .evidence("starts followed to the end to see", seen.tried as f64, "")
+            .evidence("starts that showed what motions there are", seen.learned as f64, ""),
+    )
+}
+
+fn tables(
+    fleet: &Fleet,
+    results: &Results,
+    names: &[String],
+    counts: &BTreeMap<&str, usize>,
+    words: &[String],
+    outcome: Outcome,
+) -> Result<Outcome, Diagnostic> {
+    let axes = &fleet.study.axes;
+    let whole =
+        |name: &str| results.numbers(name).map(|v| v.into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>());
+    let mut cells = Table::new("cells", "What the motion from every cell of the grid ends in");
+    for (k, axis) in axes.iter().enumerate() {
+        cells = cells.float(PLACE[k], &axis.unit, axis.meaning(), results.numbers(PLACE[k])?);
+    }
+    let cells = cells
+        .int("attractor", "", "number in the table of attractors; 0 where the motion ends in none of them", whole(STATE)?)
+        .text("end", "what the cell ends in", words.to_vec())
+        .int("told", "", "1 where that was told before its end", whole(EARLY)?)
+        .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
+        .text("failure", "why there is no motion", told::words(results, FAILURE)?);
+    let all = &fleet.atlas.attractors;
+    let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
+    let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);
+    let mut table = Table::new("attractors", "States at rest in turning axes, and motions with masses that go round")
+        .int("attractor", "", "number", (1..=all.len() as i64).collect())
+        .text("what", "what it is", names.to_vec())
+        .flag("stable", "small disturbances decay; true for motions, which were reached", all.iter().map(Attractor::attracts).collect())
+        .float(
+            "growth",
+            "1/s",
+            "largest growth rate of small disturbances; NaN for motions",
+            column(&|a| if let Kind::Rest { growth, .. } = a.kind { growth } else { f64::NAN }),
+        )
+        .int("cells", "", "cells of the grid that end in it", names.iter().map(|n| count(n) as i64).collect())
+        .float("share", "", "share of all cells", names.iter().map(|n| share(count(n), words.len().max(1)).0).collect())
+        .float("radius", "", "distance within which motions are told by it; zero where none is", column(&|a| a.radius))
+        .float(
+            "approach",
+            "",
+            "nearest a motion came that ended elsewhere; infinite where none was followed",
+            column(&|a| if a.approach.is_finite() { a.approach } else { f64::NAN }),
+        );
+    for b in fleet.system.bodies() {
+        let radius = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[b.x].hypot(q[b.x + 1]) } else { f64::NAN };
+        table = table.float(format!("displacement.{}", b.name), "m", "distance from the axis; NaN for motions", column(&radius));
+    }
+    let angles = fleet.space.images.groups.iter().flatten();
+    for (k, &i) in angles.enumerate() {
+        let name = &fleet.system.coordinates()[i].name;
+        let slip = |a: &Attractor| match &a.kind {
+            Kind::Rest { .. } => 0.0,
+            Kind::Moving { slip, .. } => slip[k] * fleet.study.speed,
+        };
+        let place = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[i] } else { f64::NAN };
+        table = table.float(format!("angle.{name}"), "rad", "where it rests; NaN for motions", column(&place)).float(
+            format!("slip.{name}"),
+            "rad/s",
+            "mean rate; of masses that may be exchanged in rising order",
+            column(&slip),
+        );
+    }
+    let outcome = outcome.table(cells.build().map_err(inconsistent)?);
+    Ok(outcome.table(table.build().map_err(inconsistent)?))
+}
+
+/// Words of the map that have colours of their own.
+const FIRST: [&str; 5] = ["balanced", "masses go round", "masses together", "unbalance reduced", "partly balanced"];
+
+fn figure(fleet: &Fleet, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
+    if words.is_empty() {
+        return outcome;
+    }
+    let axes = &fleet.study.axes;
+    let drawn = |k: usize| Axis::new(&axes[k].name, &axes[k].unit);
+    // words that many maps have first: they have the same colours in all
+    let mut classes: Vec<String> = FIRST.map(String::from).to_vec();
+    let mut others: Vec<String> = words.iter().filter(|w| !names.contains(w)).cloned().collect();
+    others.sort();
+    for word in names.iter().chain(&others) {
+        if words.contains(word) && !classes.contains(word) {
+            classes.push(word.clone());
+        }
+    }
+    let heat = Heat::new("cells", PLACE[0], PLACE[1], "end", Axis::new("ends in", "")).of_classes(classes);
+    let speed = quantity(fleet.study.speed, "rad/s");
+    let alt = format!("What each start ends in at {speed}, over {} and {}.", axes[0].meaning(), axes[1].meaning());
+    let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(Panel::new(drawn(1)).mark(heat));
+    if axes[0].unit == axes[1].unit {
+        figure = figure.equal();
+    }
+    outcome.figure(figure)
+}

@@ -1,0 +1,133 @@
+//! What drives do: whether a free spin is caught by a vibration (Sommerfeld effect) before the speed it could reach, and whether they could follow a programme.
+//!
+//! Theory: `docs/theory/motors-and-run-up.md#speed-capture`.
+
+use crate::model::part::{At, Rows};
+use crate::model::system::{System, Workspace};
+use crate::outcome::{Finding, SpecialPoint, Status, quantity};
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::Flight;
+use laval_num::univariate::root;
+
+/// The speed rests when what still accelerates is below this share of the torque the vibration takes.
+const RESTING: f64 = 0.05;
+/// A speed below the one without vibration by less than this share is no capture.
+const BELOW: f64 = 0.05;
+/// A speed this close to the last one counts as caught.
+const NEAR: f64 = 0.02;
+
+/// Torques on a machine whose bodies do not move.
+struct Quiet<'a> {
+    system: &'a System,
+    q: Vec<f64>,
+    z: Vec<f64>,
+    ws: Workspace<f64>,
+}
+
+impl Quiet<'_> {
+    /// Torque of the drives left at a speed, N m, at a spin acceleration.
+    fn surplus(&mut self, speed: f64, accel: f64) -> f64 {
+        let (n, m) = (self.system.n(), self.system.m());
+        let zero = vec![0.0; n];
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let at = At { q: &self.q, v: &zero, a: &zero, z: &self.z, phase: 0.0, speed, spin_accel: accel, t: 0.0 };
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        self.system.residual(self.system.params(), &at, &mut rows, &mut self.ws, |_| true);
+        -spin
+    }
+    /// The next higher speed where nothing is left; infinite when there is none.
+    fn reachable(&mut self, speed: f64) -> f64 {
+        let (mut a, mut fa) = (speed, self.surplus(speed, 0.0));
+        for _ in 0..400 {
+            let b = 1.03 * a;
+            let fb = self.surplus(b, 0.0);
+            if fa > 0.0 && fb <= 0.0 {
+                return root(|w| Some(self.surplus(w, 0.0)), (a, fa), (b, fb), 1e-9 * b).unwrap_or(b);
+            }
+            (a, fa) = (b, fb);
+        }
+        f64::INFINITY
+    }
+}
+
+/// Findings of a motion with a free spin, and where its speed was caught.
+pub(in crate::study) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Finding>, Option<SpecialPoint>) {
+    let system = motion.system();
+    let count = flight.times.len();
+    if !motion.is_free() || flight.left.is_some() || count < 20 {
+        return (Vec::new(), None);
+    }
+    let dim = flight.state.len();
+    let speeds: Vec<f64> = flight.times.iter().zip(flight.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y).speed).collect();
+    // the trend of a speed that swings about its mean: means over the last two tenths
+    let tenth = count / 10;
+    let mean = |range: std::ops::Range<usize>, x: &[f64]| x[range.clone()].iter().sum::<f64>() / range.len() as f64;
+    let (late, before) = (count - tenth..count, count - 2 * tenth..count - tenth);
+    let speed = mean(late.clone(), &speeds);
+    let accel = (speed - mean(before.clone(), &speeds)) / (mean(late, &flight.times) - mean(before, &flight.times));
+    let kinds = system.coordinates().iter().map(|c| c.dof.kind);
+    let last = flight.states.chunks_exact(dim).next_back().unwrap_or(&flight.state);
+    let q = kinds.zip(last).map(|(k, &q)| if k.leads_pair() || k.ends_pair() { 0.0 } else { q }).collect();
+    let mut quiet = Quiet { system, q, z: vec![0.0; system.m()], ws: Workspace::default() };
+    let (surplus, inertia) = (quiet.surplus(speed, 0.0), quiet.surplus(speed, 0.0) - quiet.surplus(speed, 1.0));
+    let reachable = quiet.reachable(speed);
+    let caught = speed > 0.0 && surplus > 0.0 && (inertia * accel).abs() < RESTING * surplus && speed < (1.0 - BELOW) * reachable;
+    if !caught {
+        return (Vec::new(), None);
+    }
+    let instead = if reachable.is_finite() {
+        format!("without vibration it would run at {}", quantity(reachable, "rad/s"))
+    } else {
+        "without vibration it would rise on and on".into()
+    };
+    let text = format!("The drive is caught at {{}}: the vibration takes its torque, and the speed hardly changes any more; {instead}.");
+    let mut finding = Finding::warning("capture", text)
+        .value(speed, "rad/s")
+        .evidence("torque the vibration takes", surplus, "N m")
+        .evidence("power the vibration takes", surplus * speed, "W")
+        .evidence("speed still changes at", accel, "rad/s^2");
+    if reachable.is_finite() {
+        finding = finding.evidence("speed without vibration", reachable, "rad/s");
+    }
+    let first = speeds.iter().rposition(|w| !((w - speed).abs() <= NEAR * speed)).map_or(0, |i| i + 1).min(count - 1);
+    let bracket = (flight.times[first.saturating_sub(1)], flight.times[first]);
+    let point = SpecialPoint::new("capture", flight.times[first], bracket).status(Status::Bracketed).evidence("speed", speed, "rad/s");
+    (vec![finding.evidence("caught since", flight.times[first], "s")], Some(point))
+}
+
+/// Share of a flight over which torques are averaged: the unbalance makes them swing.
+const WINDOW: f64 = 0.02;
+
+/// Whether the drives among the parts can follow a programme: where `torque` (N m) is missing beside theirs on average. Nothing without drives, nor where the inertia that
+/// a change of speed takes is not known.
+pub(in crate::study) fn short(system: &System, speeds: &[f64], torque: &[f64], accelerates: bool) -> Option<Finding> {
+    let count = torque.len();
+    let half = (0.5 * WINDOW * count as f64) as usize;
+    let first = *speeds.first()?;
+    if system.drive_torque(first).is_none() || (accelerates && !system.without_spin_inertia().is_empty()) {
+        return None;
+    }
+    let mean = |i: usize| {
+        let range = i.saturating_sub(half)..(i + half + 1).min(count);
+        torque[range.clone()].iter().sum::<f64>() / range.len() as f64
+    };
+    let lacks: Vec<f64> = (0..count).map(mean).collect();
+    let (at, most) = lacks.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    if most <= 0.0 {
+        let text = "The motor can follow this programme: at least {} is left to spare.";
+        return Some(Finding::info("drive_suffices", text).value(-most, "N m"));
+    }
+    let first = lacks.iter().position(|x| *x > 0.0).unwrap_or(at);
+    let text =
+        format!("The motor cannot follow this programme: from {} on torque is missing, up to {{}}.", quantity(speeds[first], "rad/s"));
+    let finding = Finding::warning("drive_short", text).value(most, "N m").evidence("first at speed", speeds[first], "rad/s");
+    Some(finding.evidence("most at speed", speeds[at], "rad/s"))
+}
+
+/// That changes of the speed leave out parts whose inertia about the axis is 0.
+pub(in crate::study) fn without_inertia(system: &System, what: &str) -> Option<Finding> {
+    let missing = system.without_spin_inertia();
+    let list = missing.iter().map(|path| format!("\"{path}\"")).collect::<Vec<_>>().join(", ");
+    let text = format!("{what} without the inertia about the axis of what has none in the file: give {list}.");
+    (!missing.is_empty()).then(|| Finding::warning("spin_inertia", text))
+}

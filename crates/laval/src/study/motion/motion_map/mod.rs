@@ -1,0 +1,328 @@
+//! Maps of settled motion: the same start at every point of a grid of two parameters, or of the spin speed and one parameter, integrated in time.
+//!
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: as in [`sweep`](super::sweep).
+//!
+//! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats.
+//!
+//! Validity: constant speed; machines whose spin is prescribed. Each point shows the motion reached from its start, of which there may be others.
+//!
+//! Sources: `docs/theory/motion-in-time.md#steady-state-motion`.
+
+mod report;
+
+use super::history::{METHOD, time_forms};
+use super::settled::columns::{self, RowColumn, body, cells, number, word};
+use super::settled::fields::{self, SLOWEST};
+use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
+use super::start::{self, Entry, INITIAL, Start};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, FieldKind, RangeValue, Values};
+use crate::model::system::{Drive, System};
+use crate::model::timed::Speeds;
+use crate::outcome::Outcome;
+use crate::solve::ensemble::{self, Form, Method, Settings};
+use crate::store::{self, Rows};
+use crate::study::shared::sights;
+use crate::study::shared::support::{SPEED_RANGE, range, range_or};
+use crate::study::{Context, Study};
+use laval_num::work::Here;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Points along an axis that says none.
+const DEFAULT_POINTS: usize = 50;
+/// Most points of a map.
+const MOST_CELLS: usize = 250_000;
+/// Most forcing periods of settling where the file says nothing: a map has many motions.
+const MOST_PERIODS: i64 = 10_000;
+/// Speeds unless given, over that of the machine.
+const ABOUT: (f64, f64) = (0.5, 1.5);
+
+/// What varies along one side.
+#[derive(Clone, Debug, PartialEq)]
+struct Axis {
+    /// Path of the parameter; `None` is the spin speed.
+    path: Option<String>,
+    unit: &'static str,
+    range: RangeValue,
+}
+
+impl Axis {
+    fn name(&self) -> &str {
+        self.path.as_deref().unwrap_or("speed")
+    }
+    fn values(&self) -> Vec<f64> {
+        self.range.linspace(DEFAULT_POINTS)
+    }
+}
+
+/// See the [module](self).
+pub struct MotionMap {
+    axes: [Axis; 2],
+    /// Spin speed where no axis is, rad/s.
+    speed: f64,
+    rules: Rules,
+    initial: Vec<(Entry, f64)>,
+}
+
+impl Study for MotionMap {
+    const KIND: &'static str = "motion_map";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 60 }
+y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 20 }
+"#;
+    const DOC: &'static str = "Settled motion over the spin speed and a parameter, or over two parameters, by integration in time from the same start at every point: \
+        largest displacements, and where the motion repeats every turn, after several turns, or not at all. response_map follows all states of every machine; \
+        a motion map shows what a start leads to.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("y", FieldKind::ParameterRange, "the parameter along y; 50 points unless given"),
+        Field::optional(
+            "speed",
+            SPEED_RANGE,
+            "",
+            "spin speeds along x, above zero, 50 points unless given; half to one and a half times that of the machine when left out. One speed beside x: that of all motions",
+        ),
+        Field::optional(
+            "x",
+            FieldKind::ParameterRange,
+            "",
+            "a second parameter along x in place of the speed, which is then one: speed, or that of the machine",
+        ),
+        INITIAL,
+        METHOD,
+        fields::SETTLING,
+        fields::TOLERANCE,
+        Field { default: "10000", ..fields::MOST_PERIODS },
+        fields::PERIODS,
+        fields::RELATIVE,
+        fields::ABSOLUTE,
+    ];
+
+    fn speeds(values: &Values, system: &System) -> Option<(f64, f64)> {
+        let given = values.range("speed").is_some() || values.parameter_range("x").is_some();
+        system.machine.speed.filter(|_| !given).map(|w| (ABOUT.0 * w, ABOUT.1 * w))
+    }
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let y = parameter("y", values, system, diagnostics);
+        let x = match values.get("x") {
+            Some(_) if values.range("speed").is_some_and(|r| !r.is_one()) => {
+                let message = "both a range of speeds and a parameter along x are given";
+                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("x")).help("say one or the other"));
+                None
+            }
+            Some(_) => parameter("x", values, system, diagnostics),
+            None => speeds(values, system, diagnostics),
+        };
+        let one = values.range("speed").filter(RangeValue::is_one).map(|r| r.from);
+        let speed = one.or(system.machine.speed).unwrap_or(f64::NAN);
+        if x.as_ref().is_some_and(|x| x.path.is_some()) && !(speed >= SLOWEST) {
+            let message = "a map of two parameters needs a speed above zero";
+            let help = "add speed = \"3000 rpm\" here or to [machine]";
+            let place = if one.is_some() { values.span_of("speed") } else { values.span.clone() };
+            diagnostics.push(Diagnostic::error("motion_map.speed", message).at(place).help(help));
+        }
+        if system.bodies().is_empty() {
+            diagnostics.push(Diagnostic::error("motion_map.no_body", "no body of this machine moves across the axis"));
+        }
+        if let (Some(x), Some(y)) = (&x, &y) {
+            let indices = |a: &Axis| a.path.as_deref().and_then(|p| system.param(p)).unwrap_or_default();
+            if indices(x).iter().any(|i| indices(y).contains(i)) {
+                let message = format!("\"{}\" and \"{}\" are the same parameter", x.name(), y.name());
+                diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("y")).help("vary two parameters"));
+            }
+            let [a, b] = [x, y].map(|a| a.range.points.unwrap_or(DEFAULT_POINTS));
+            if a.saturating_mul(b) > MOST_CELLS {
+                let message = format!("a map of {a} by {b} motions is too large");
+                let help = format!("at most {MOST_CELLS} motions in all");
+                diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("y")).help(help));
+            }
+        }
+        let initial = start::state_map(values, "initial", system, diagnostics);
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        Some(MotionMap { axes: [x?, y?], speed, rules: Rules::read(values, MOST_PERIODS, None)?, initial })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error(
+                "motion_map.free_spin",
+                "the spin of this machine is free: it has no speed at which motions settle",
+            )
+            .help("leave drive = \"free\" out, or follow its motion with transient"));
+        }
+        let timed = system.timed(Speeds::Several)?;
+        ensemble::admit(&timed, self.method(&timed))
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
+        let initial = start::renumbered(&self.initial, system, &own);
+        let fleet = Fleet {
+            budget: Budget::new(context.work_limit),
+            study: self,
+            initial,
+            method: self.method(&own),
+            values: self.axes.each_ref().map(Axis::values),
+            system: Arc::new(own),
+        };
+        let columns = fleet.columns();
+        let count = fleet.values[0].len() * fleet.values[1].len();
+        let plan = store::Plan {
+            study: Self::KIND.into(),
+            columns: columns.iter().map(|c| c.column.clone()).collect(),
+            rows: count,
+            chunk: count.div_ceil(50).clamp(64, 1024),
+        };
+        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
+        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
+    }
+}
+
+/// The speeds along x.
+fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Axis> {
+    let about = |speed: f64| RangeValue { from: ABOUT.0 * speed, to: ABOUT.1 * speed, points: None };
+    let Some(given) = values.range("speed").or(system.machine.speed.map(f64::abs).map(about)) else {
+        diagnostics.push(
+            Diagnostic::error("motion_map.speed", "this study needs a range of speeds")
+                .at(values.span.clone())
+                .help("add speed = { from = \"1000 rpm\", to = \"5000 rpm\" }, or a speed to [machine]"),
+        );
+        return None;
+    };
+    let one = ", or give x a second parameter: the speed is then the same everywhere";
+    let range = range_or("speed", (given, one), 2, values, diagnostics)?;
+    if !(range.from >= SLOWEST) {
+        let message = "a map needs speeds above 1e-6 rad/s: there is no period at rest";
+        diagnostics.push(Diagnostic::error("motion_map.speed", message).at(values.span_of("speed")));
+        return None;
+    }
+    Some(Axis { path: None, unit: "rad/s", range })
+}
+
+/// A parameter and its values.
+fn parameter(field: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Axis> {
+    let (path, given) = values.parameter_range(field)?;
+    let range = range(field, given, 2, values, diagnostics);
+    let slot = system.param(path).and_then(|i| system.param_slots().get(*i.first()?));
+    if slot.is_none() {
+        diagnostics.push(system.unknown_param(path).at(values.span_of(field)));
+    }
+    Some(Axis { path: Some(path.to_string()), unit: slot?.unit, range: range? })
+}
+
+impl MotionMap {
+    /// The implicit method where a corner of the map asks for it.
+    fn method(&self, system: &System) -> Method {
+        let ends = |k: usize| [self.axes[k].range.from, self.axes[k].range.to];
+        let corners = ends(0).into_iter().flat_map(|x| ends(1).map(|y| [x, y]));
+        let stiff = |at: [f64; 2]| {
+            let machine = self.machine(system, at);
+            method(machine.as_ref().unwrap_or(system), self.rules.method, self.speed_at(at)) == Method::Stiff
+        };
+        if corners.into_iter().any(stiff) { Method::Stiff } else { Method::Explicit }
+    }
+
+    /// Speed of a point, rad/s.
+    fn speed_at(&self, at: [f64; 2]) -> f64 {
+        if self.axes[0].path.is_none() { at[0] } else { self.speed }
+    }
+
+    /// The machine of a point, or why there is none.
+    fn machine(&self, system: &System, at: [f64; 2]) -> Result<System, String> {
+        let changes: Vec<(&str, f64)> = self.axes.iter().zip(at).filter_map(|(a, x)| Some((a.path.as_deref()?, x))).collect();
+        let machine = system.with(&changes).map_err(|d| d.into_error().message)?;
+        if (machine.n(), machine.m()) == (system.n(), system.m()) { Ok(machine) } else { Err("it has other states".into()) }
+    }
+}
+
+/// The study on its machine.
+struct Fleet<'a> {
+    budget: Budget,
+    study: &'a MotionMap,
+    /// Start, by entries of the machine in time.
+    initial: Vec<(Entry, f64)>,
+    system: Arc<System>,
+    method: Method,
+    /// Values along both axes.
+    values: [Vec<f64>; 2],
+}
+
+/// One point.
+struct Row {
+    at: [f64; 2],
+    /// Why there is no machine.
+    refused: Option<String>,
+    settled: Settled,
+}
+
+impl columns::Row for Row {
+    fn settled(&self) -> &Settled {
+        &self.settled
+    }
+}
+
+/// Name of the column that tells why there is no machine.
+const REFUSED: &str = "refused";
+
+impl Fleet<'_> {
+    /// The place of a row: along x first.
+    fn at(&self, row: usize) -> [f64; 2] {
+        let width = self.values[0].len();
+        [self.values[0][row % width], self.values[1][row / width]]
+    }
+
+    fn columns(&self) -> Vec<RowColumn<Row>> {
+        let mut out: Vec<RowColumn<Row>> = Vec::new();
+        for (k, a) in self.study.axes.iter().enumerate() {
+            out.push(number(a.name(), a.unit, "value along this side of the map", move |r: &Row| r.at[k]));
+        }
+        out.extend(columns::judged(&self.study.rules));
+        for (b, own) in self.system.bodies().iter().enumerate() {
+            out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
+            out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
+        }
+        out.extend(columns::others(&self.system));
+        out.push(word(REFUSED, "why there is no machine with these values", |r: &Row| r.refused.clone()));
+        out
+    }
+
+    /// The member of a point, or why there is none.
+    fn member(&self, at: [f64; 2]) -> Result<Member, String> {
+        let speed = self.study.speed_at(at);
+        let system = Arc::new(self.study.machine(&self.system, at)?);
+        let start = Start::new(&system, speed);
+        let mut y = vec![0.0; 2 * system.n() + system.m()];
+        start.write(&self.initial, &mut y);
+        Ok(Member { speed, y, rest: start.rest, rate: slowest_decay(&system, speed), system })
+    }
+
+    fn rows(&self, range: Range<usize>, counter: &Rows) -> Option<Vec<Row>> {
+        let here = Here::now();
+        let member = |row| {
+            let _counted = here.enter();
+            self.member(self.at(row))
+        };
+        let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(member).collect();
+        let refused: Vec<Option<String>> = found.iter().map(|m| m.as_ref().err().cloned()).collect();
+        let members: Vec<Member> = found.into_iter().flatten().collect();
+        let voyage =
+            Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes: sights::probes(&self.system) };
+        let settings = Settings { method: self.method, ..Settings::default() };
+        let settled = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
+        let mut settled = settled.into_iter();
+        let mut row = |(row, refused): (usize, Option<String>)| {
+            let none = || Settled::none("is that of no machine");
+            let settled = if refused.is_some() { none() } else { settled.next().unwrap_or_else(none) };
+            Row { at: self.at(row), refused, settled }
+        };
+        let list = range.zip(refused).map(&mut row).collect();
+        // a motion that the budget cut short is none
+        (!self.budget.used_up()).then_some(list)
+    }
+}

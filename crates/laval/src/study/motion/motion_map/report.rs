@@ -1,0 +1,199 @@
+//! From points to findings, the table and the figures.
+
+use super::{Fleet, MotionMap, REFUSED};
+use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::store::{Kind, Results};
+use crate::study::motion::settled::period::LONGEST;
+use crate::study::motion::settled::told;
+use crate::study::shared::sights;
+use crate::study::shared::support::inconsistent;
+use crate::study::{Context, Study};
+use std::collections::BTreeMap;
+
+/// Repetitions that have a word of their own.
+const NAMED: usize = 4;
+/// A ratio of values from which colours go by powers of ten.
+const WIDE: f64 = 30.0;
+
+/// All points.
+struct Map<'a> {
+    fleet: &'a Fleet<'a>,
+    /// What the motion of each is, in a word of the legend.
+    classes: Vec<String>,
+    /// Largest values of every probe, but of displacements that are not resolved beside the tilt of their body.
+    sizes: Vec<(Probe, Vec<f64>)>,
+}
+
+impl Map<'_> {
+    /// "speed = 300 rad/s, drum.eccentricity = 50 µm"
+    fn place(&self, row: usize) -> String {
+        let (at, axes) = (self.fleet.at(row), &self.fleet.study.axes);
+        [0, 1].map(|k| format!("{} = {}", axes[k].name(), quantity(at[k], axes[k].unit))).join(", ")
+    }
+
+    fn with_place(&self, f: Finding, row: usize) -> Finding {
+        let (at, axes) = (self.fleet.at(row), &self.fleet.study.axes);
+        (0..2).fold(f, |f, k| f.evidence(axes[k].name(), at[k], axes[k].unit))
+    }
+
+    fn count(&self, of: impl Fn(&str) -> bool) -> usize {
+        self.classes.iter().filter(|c| of(c)).count()
+    }
+}
+
+/// The legend's word for a motion.
+fn class(motion: &str, period: f64) -> String {
+    match motion {
+        "periodic" if period == 1.0 => "every turn".into(),
+        "periodic" if period <= NAMED as f64 => format!("every {period} turns"),
+        "periodic" => format!("after more than {NAMED} turns"),
+        other => other.into(),
+    }
+}
+
+/// All words, in the order of the legend.
+fn all_classes() -> Vec<String> {
+    let repeating = (1..=NAMED + 1).map(|k| class("periodic", k as f64));
+    repeating.chain(["not periodic", "not settled", "failed"].map(String::from)).collect()
+}
+
+pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let periods = results.numbers("period")?;
+    let classes: Vec<String> = told::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
+    let mut sizes = Vec::new();
+    for p in sights::probes(&fleet.system) {
+        let own = results.numbers(&sights::column(&p))?;
+        sizes.push((p, own));
+    }
+    let map = Map { fleet, classes, sizes: sights::resolved(sizes, fleet.study.rules.tolerance) };
+    let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
+    if let Some(f) = results.remark() {
+        outcome = outcome.finding(f);
+    }
+    for f in largest(&map).into_iter().chain(repetition(&map)).chain(without(&map, results)?) {
+        outcome = outcome.finding(f);
+    }
+    outcome = told::limits(results, |row, f| map.with_place(f, row), outcome)?;
+    let steps = results.numbers("steps")?.iter().filter(|s| s.is_finite()).sum::<f64>();
+    outcome = outcome.work("motions", results.done()).work("steps", steps as u64).table(table(&map, results)?);
+    figures(&map, outcome).checked().map_err(inconsistent)
+}
+
+/// The largest displacement of every body and point, and the largest tilt.
+fn largest(map: &Map) -> Vec<Finding> {
+    let one = |(probe, sizes): &(Probe, Vec<f64>)| {
+        let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
+        let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+        let (what, owner) = (sights::quality(probe), sights::owner(probe));
+        let text = format!("The largest {what} of \"{owner}\" is {{}}, at {}.", map.place(row));
+        Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(owner).value(size, probe.unit()), row))
+    };
+    map.sizes.iter().filter_map(one).collect()
+}
+
+/// How the motions repeat.
+fn repetition(map: &Map) -> Vec<Finding> {
+    let all = map.classes.len();
+    let known = map.count(|c| c != "failed" && c != "not settled");
+    let every = map.count(|c| c == "every turn");
+    if every == known && known > 0 {
+        let text = format!("All {{}} motions that settle repeat every turn, of {all} points.");
+        return vec![Finding::info("every_turn", text).value(known as f64, "")];
+    }
+    let mut out = Vec::new();
+    for class in all_classes().into_iter().filter(|c| c != "every turn" && c != "failed" && c != "not settled") {
+        let count = map.count(|c| c == class);
+        let Some(first) = map.classes.iter().position(|c| *c == class) else { continue };
+        let how = if class == "not periodic" { format!("do not repeat within {LONGEST} turns") } else { format!("repeat {class}") };
+        let text = format!("{{}} of {all} motions {how}, for instance at {}.", map.place(first));
+        out.push(map.with_place(Finding::info("other_motions", text).of(class).value(count as f64, ""), first));
+    }
+    out
+}
+
+/// Points without a settled motion, by cause.
+fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+    let all = map.classes.len();
+    let mut out = Vec::new();
+    let unsettled = map.count(|c| c == "not settled");
+    if unsettled > 0 {
+        let text = format!("{{}} of {all} motions did not settle within the largest number of periods.");
+        out.push(Finding::warning("not_settled", text).value(unsettled as f64, ""));
+    }
+    let mut causes: BTreeMap<String, (usize, usize)> = BTreeMap::new();
+    let refused = told::words(results, REFUSED)?;
+    for (row, why) in refused.iter().enumerate().filter(|w| !w.1.is_empty()) {
+        causes.entry(crate::study::parameters::uncertainty::cause(why)).or_insert((0, row)).0 += 1;
+    }
+    for (cause, (count, row)) in causes {
+        let text = format!("{{}} of {all} points are no machine, for instance {}: {}.", map.place(row), refused[row].trim_end_matches('.'));
+        out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), row));
+    }
+    let mut motions: BTreeMap<String, (usize, usize)> = BTreeMap::new();
+    for (row, why) in told::words(results, "failure")?.into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
+        motions.entry(why).or_insert((0, row)).0 += 1;
+    }
+    for (why, (count, row)) in motions {
+        let text = format!("{{}} of {all} motions could not be followed, for instance at {}: it {why}.", map.place(row));
+        out.push(map.with_place(Finding::warning("failed_motions", text).of(why).value(count as f64, ""), row));
+    }
+    Ok(out)
+}
+
+fn table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
+    let mut t = Table::new("map", "Motions, along x and then along y").leading();
+    for (i, c) in results.columns().iter().enumerate() {
+        if c.kind == Kind::Text {
+            t = t.text(&c.name, &c.doc, told::words(results, &c.name)?);
+        } else {
+            let finite = results.numbers(&c.name)?.into_iter().map(|x| if x.is_finite() { x } else { f64::NAN }).collect();
+            let doc = if i < 2 { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
+            t = t.float(&c.name, &c.unit, doc, finite);
+        }
+    }
+    t.text("class", "how the motion repeats", map.classes.clone()).build().map_err(inconsistent)
+}
+
+/// Lengths in units that people read.
+fn drawn(label: &str, unit: &str, largest: f64, log: bool) -> Axis {
+    let (unit, factor) = match unit {
+        "m" if largest < 1e-3 => ("µm", 1e6),
+        "m" => ("mm", 1e3),
+        other => (other, 1.0),
+    };
+    let axis = if log { Axis::log(label, unit) } else { Axis::new(label, unit) };
+    axis.factor(factor)
+}
+
+fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
+    if map.classes.is_empty() {
+        return outcome;
+    }
+    let axes = &map.fleet.study.axes;
+    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.fleet.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
+    let [x, y] = [0, 1].map(|k| axes[k].name());
+    let figure = |name: String, title: String, heat: Heat| {
+        let alt = format!("{title} over {x} and {y}.");
+        Figure::new(name, title, alt).x(side(0)).panel(Panel::new(side(1)).mark(heat))
+    };
+    for (probe, sizes) in &map.sizes {
+        let known = sizes.iter().filter(|a| a.is_finite());
+        let (least, most) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+        if least <= most {
+            let (column, what, owner) = (sights::column(probe), sights::quality(probe), sights::owner(probe));
+            let label = format!("largest {what}");
+            let log = least > 0.0 && most > WIDE * least;
+            let colours = if probe.is_tilt() { sights::axis(label, probe, most) } else { drawn(&label, "m", most, log) };
+            let heat = Heat::new("map", x, y, &column, colours);
+            outcome = outcome.figure(figure(column.replace('.', "-"), format!("Largest {what} of {owner}"), heat));
+        }
+    }
+    let classes = all_classes();
+    if classes.iter().filter(|c| map.classes.contains(c)).count() < 2 {
+        return outcome;
+    }
+    let heat = Heat::new("map", x, y, "class", Axis::new("the motion repeats", "")).of_classes(classes);
+    outcome.figure(figure("motions".into(), "How motions repeat".into(), heat))
+}

@@ -1,0 +1,55 @@
+//! How far rational time forms move the roots of a machine: what motions with them are worth.
+
+use crate::model::system::System;
+use crate::model::timed::Timed;
+use crate::outcome::{Finding, significant};
+use crate::solve::characteristic::Characteristic;
+use crate::solve::pencil::Linearised;
+use crate::solve::rest::rest;
+use crate::study::Context;
+
+/// Most roots that are compared: those that grow or decay fastest.
+const MOST: usize = 24;
+
+/// Roots of the form compared with those of the exact characteristic function beside them, where the error of the form holds.
+pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &Context) -> Option<Finding> {
+    let Timed::Fitted(form) = timed else { return None };
+    let margin =
+        form.slots().iter().filter_map(|s| s.part.replaced_in_time()?.fitted()).map(|f| f.margin * speed.abs()).fold(0.0, f64::max);
+    let spectrum = Linearised::new(form, &rest(form, speed).ok()?).ok()?.spectrum().ok()?;
+    // a form may have a ladder of decaying roots in place of a branch cut
+    let holds = |growth: f64| if margin > 0.0 { growth.abs() >= margin } else { growth > 0.0 };
+    let mut modes: Vec<_> = spectrum.modes.iter().filter(|m| holds(m.value.re) && m.value.im.abs() <= 5.0 * speed.abs()).collect();
+    // the fastest growing first: they are what a motion shows
+    modes.sort_by(|a, b| b.value.re.total_cmp(&a.value.re));
+    let about = rest(exact, speed).ok()?;
+    let mut t = Characteristic::new(exact, &about);
+    let (mut compared, mut worst, mut lost) = (0, (0.0, 0.0), 0);
+    for mode in modes.iter().take(MOST) {
+        if context.cancelled() {
+            return None;
+        }
+        match t.polish(mode.value, mode.sector) {
+            Some(p) if (p.value - mode.value).abs() <= 0.1 * mode.value.re.abs().max(0.01 * speed.abs()) => {
+                compared += 1;
+                let moved = (p.value - mode.value).abs();
+                if !(moved <= worst.0) {
+                    worst = (moved, p.value.im.abs());
+                }
+            }
+            _ => lost += 1,
+        }
+    }
+    let growing = modes.iter().filter(|m| m.value.re > 0.0).count();
+    let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
+    if compared == 0 && lost == 0 {
+        let text =
+            format!("With its rational time forms the machine has no roots {which}, so that none was compared with the exact machine's.");
+        return Some(Finding::info("time_form_roots", text));
+    }
+    let make = if lost == 0 { Finding::info } else { Finding::warning };
+    let more = if lost > 0 { format!("; beside {lost} of them the exact machine has no root") } else { String::new() };
+    let text = format!("Rational time forms move the roots {which} by at most {{}}{more}.");
+    let finding = make("time_form_roots", text).value(worst.0, "1/s").evidence("at frequency", worst.1, "rad/s");
+    Some(finding.evidence("roots compared", compared as f64, "").evidence("of the form, growing", growing as f64, ""))
+}

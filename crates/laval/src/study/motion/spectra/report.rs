@@ -1,0 +1,236 @@
+//! Spectra in tables, figures and words.
+
+use super::Spectra;
+use super::analyse::{Part, Window};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity, significant};
+use crate::study::shared::support::inconsistent;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Lowest amplitude drawn over the highest.
+const DEPTH: f64 = 1e-4;
+/// Parts are told from this share of the highest line on, unless a threshold is given.
+const SHARE: f64 = 0.01;
+/// Largest denominator of an order that is called by its fraction.
+const DENOMINATORS: usize = 4;
+/// Classes of parts told at most.
+const MOST: usize = 8;
+
+/// What a part is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    /// Order p/q in lowest terms, backward if negative.
+    Fraction(i32, i32),
+    /// No simple fraction: forward or backward.
+    Free(bool),
+}
+
+/// The class of a part seen over so many turns.
+fn class(p: Part, turns: f64) -> Class {
+    let size = p.order.abs();
+    let near = |q: usize| {
+        let whole = (size * q as f64).round();
+        (whole >= 1.0 && (size - whole / q as f64).abs() <= 0.25 / turns).then_some((whole as i32, q as i32))
+    };
+    let sign = if p.order < 0.0 { -1 } else { 1 };
+    match (1..=DENOMINATORS).find_map(near) {
+        Some((p, q)) => Class::Fraction(sign * p, q),
+        None => Class::Free(p.order > 0.0),
+    }
+}
+
+fn words(class: Class) -> String {
+    let way = |forward| if forward { "forward" } else { "backward" };
+    match class {
+        Class::Fraction(p, 1) if p.abs() > 1 => format!("superharmonic of order {}, {}", p.abs(), way(p > 0)),
+        Class::Fraction(p, 1) => format!("part of the spin frequency, {}", way(p > 0)),
+        Class::Fraction(p, q) if p.abs() == 1 => format!("subharmonic of order 1/{q}, {}", way(p > 0)),
+        Class::Fraction(p, q) => format!("part of order {}/{q}, {}", p.abs(), way(p > 0)),
+        Class::Free(forward) => {
+            format!("part whose frequency is no fraction of the spin frequency with a denominator up to {DENOMINATORS}, {}", way(forward))
+        }
+    }
+}
+
+/// Windows in which parts of one class exceed the threshold.
+struct Seen {
+    first: usize,
+    last: usize,
+    /// Number of windows.
+    count: usize,
+    largest: Part,
+    at: usize,
+}
+
+pub(super) fn report(spectra: &Spectra, windows: &[Window], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    if windows.is_empty() {
+        let text = "The motion ended before the first window of the waterfall: there are no spectra.";
+        return Ok(outcome.finding(Finding::info("no_spectra", text)));
+    }
+    for f in findings(spectra, windows) {
+        outcome = outcome.finding(f);
+    }
+    // along the speed where it only rises or only falls from window to window
+    let steps = || windows.windows(2).map(|w| w[1].speed - w[0].speed);
+    let along_speed = windows.len() > 1 && (steps().all(|d| d > 0.0) || steps().all(|d| d < 0.0));
+    for (name, title, y, lines) in [
+        ("waterfall", "Spectra along the motion, over frequency", ("frequency", "rad/s"), frequency_lines as fn(&Window) -> &[(f64, f64)]),
+        ("order_spectra", "Spectra along the motion, over orders of the spin frequency", ("order", ""), order_lines),
+    ] {
+        let rows: Vec<(&Window, (f64, f64))> = windows.iter().flat_map(|w| lines(w).iter().map(move |l| (w, *l))).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let doc = if y.1.is_empty() {
+            "frequency over spin frequency; negative turns against the rotor"
+        } else {
+            "negative turns against the rotor"
+        };
+        let table = Table::new(name, title)
+            .float("t", "s", "time at the middle of the window", rows.iter().map(|r| r.0.t).collect())
+            .float("speed", "rad/s", "spin speed there", rows.iter().map(|r| r.0.speed).collect())
+            .float(y.0, y.1, doc, rows.iter().map(|r| r.1.0).collect())
+            .float("amplitude", "m", "radius of the circular part of this line", rows.iter().map(|r| r.1.1).collect())
+            .build()
+            .map_err(inconsistent)?;
+        outcome = outcome.table(table).figure(figure(spectra, name, y.0, along_speed, rows.iter().map(|r| r.1.1)));
+    }
+    Ok(outcome)
+}
+
+fn frequency_lines(w: &Window) -> &[(f64, f64)] {
+    &w.frequencies
+}
+fn order_lines(w: &Window) -> &[(f64, f64)] {
+    &w.orders
+}
+
+fn figure(spectra: &Spectra, name: &str, y: &str, along_speed: bool, amplitudes: impl Iterator<Item = f64>) -> Figure {
+    let top = amplitudes.fold(0.0, f64::max);
+    let (unit, factor) = if top < 1e-3 { ("µm", 1e6) } else { ("mm", 1e3) };
+    let top = factor * if top > 0.0 { top } else { 1e-6 };
+    let colours = Axis::log("amplitude", unit).factor(factor).range(DEPTH * top, top);
+    let (x, label) = if along_speed { ("speed", Axis::new("spin speed", "rad/s")) } else { ("t", Axis::new("time", "s")) };
+    let axis = if y == "order" { Axis::new("order", "") } else { Axis::new("frequency", "Hz").factor(1.0 / TAU) };
+    let title = if y == "order" { "Order spectra" } else { "Waterfall" };
+    let alt = format!(
+        "Amplitudes of \"{}\" over {} and {y}; positive turns with the rotor, negative against it.",
+        spectra.body.name,
+        if along_speed { "spin speed" } else { "time" }
+    );
+    Figure::new(name, title, alt).x(label).panel(Panel::new(axis).mark(Heat::new(name, x, y, "amplitude", colours)))
+}
+
+fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
+    let name = &spectra.body.name;
+    let judged: Vec<usize> = (0..windows.len()).filter(|&k| !windows[k].orders.is_empty()).collect();
+    if judged.is_empty() {
+        let text = "The windows of the waterfall hold fewer than four turns of the rotor: there are no orders. Ask for fewer spectra.";
+        return vec![Finding::info("no_orders", text)];
+    }
+    let top = judged.iter().flat_map(|&k| &windows[k].orders).map(|l| l.1).fold(0.0, f64::max);
+    let threshold = spectra.threshold.unwrap_or(SHARE * top);
+    if !(top > 0.0) {
+        return vec![Finding::info("no_components", format!("\"{name}\" does not move: its spectra are zero.")).of(name)];
+    }
+    let mut classes: BTreeMap<Class, Seen> = BTreeMap::new();
+    for &k in &judged {
+        for &p in windows[k].parts.iter().filter(|p| p.amplitude >= threshold) {
+            let seen = classes.entry(class(p, windows[k].turns)).or_insert(Seen { first: k, last: k, count: 0, largest: p, at: k });
+            seen.count += usize::from(seen.count == 0 || seen.last != k);
+            seen.last = k;
+            if p.amplitude > seen.largest.amplitude {
+                (seen.largest, seen.at) = (p, k);
+            }
+        }
+    }
+    // seen once, a free vibration that dies out may pass for any fraction
+    let mut once: Option<Seen> = None;
+    classes.retain(|class, seen| {
+        let fleeting = judged.len() > 2 && seen.count == 1 && !matches!(class, Class::Fraction(_, 1));
+        if fleeting && once.as_ref().is_none_or(|o| seen.largest.amplitude > o.largest.amplitude) {
+            once = Some(Seen { ..*seen });
+        }
+        !fleeting
+    });
+    let limit = quantity(threshold, "m");
+    let fleeting = once.map(|o| {
+        let text = format!(
+            "\"{name}\" has parts above {limit} in single windows only, as of a free vibration that dies out: up to {{}} at {} rad/s ({}).",
+            significant(windows[o.at].speed, 5),
+            quantity(windows[o.at].t, "s")
+        );
+        Finding::info("fleeting_components", text).of(name).value(o.largest.amplitude, "m").evidence("order", o.largest.order, "")
+    });
+    if classes.is_empty() {
+        let short = windows.len() - judged.len();
+        let except = if short > 0 { format!(", {short} windows of fewer than four turns left out") } else { String::new() };
+        let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}{except}.");
+        let none = Finding::info("no_components", if fleeting.is_some() { text.replace("no part", "no lasting part") } else { text });
+        return std::iter::once(none.of(name).evidence("highest line", top, "m")).chain(fleeting).collect();
+    }
+    let mut sorted: Vec<(Class, Seen)> = classes.into_iter().collect();
+    sorted.sort_by(|a, b| b.1.largest.amplitude.total_cmp(&a.1.largest.amplitude));
+    let speed = |k: usize| windows[k].speed;
+    let one = |(class, seen): &(Class, Seen)| {
+        let at = &windows[seen.at];
+        // the part exceeds the threshold somewhere between the window before and this one
+        let before = seen.first.checked_sub(1).map_or(f64::NAN, |k| (speed(seen.first) - speed(k)).abs());
+        let what = words(*class);
+        let between = judged.iter().filter(|k| (seen.first..=seen.last).contains(k)).count();
+        // not throughout: a part that comes and goes
+        let share = if seen.count < between { format!("in {} of {between} windows ", seen.count) } else { String::new() };
+        let times = format!("{} to {}", quantity(windows[seen.first].t, "s"), quantity(windows[seen.last].t, "s"));
+        let (largest, order) = (quantity(seen.largest.amplitude, "m"), significant(seen.largest.order, 4));
+        let text = if speed(seen.first) == speed(seen.last) {
+            format!("\"{name}\" has a {what}: above {limit} {share}at {{}} (from {times}), up to {largest}, where its order is {order}.")
+        } else {
+            format!(
+                "\"{name}\" has a {what}: above {limit} {share}from {{}} to {} rad/s ({times}), up to {largest} at {} rad/s, where its order is {order}.",
+                significant(speed(seen.last), 5),
+                significant(at.speed, 5),
+            )
+        };
+        let id = match class {
+            Class::Fraction(p, 1) if p.abs() > 1 => "superharmonic",
+            Class::Fraction(1 | -1, q) if *q > 1 => "subharmonic",
+            Class::Fraction(..) => "component",
+            Class::Free(_) => "asynchronous",
+        };
+        Finding::info(id, text)
+            .of(format!("{name} {what}"))
+            .value(speed(seen.first), "rad/s")
+            .evidence("difference of speed to the window before", before, "rad/s")
+            .evidence("largest amplitude", seen.largest.amplitude, "m")
+            .evidence("order there", seen.largest.order, "")
+            .evidence("orders told apart there", 4.0 / at.turns, "")
+            .evidence("frequency there", seen.largest.order.abs() * at.speed.abs(), "rad/s")
+            .evidence("speed there", at.speed, "rad/s")
+    };
+    let mut out: Vec<Finding> = sorted.iter().take(MOST).map(one).collect();
+    if sorted.len() > MOST {
+        let text = format!("{} more parts of \"{name}\" exceed {limit}.", sorted.len() - MOST);
+        out.push(Finding::info("more_components", text));
+    }
+    out.extend(fleeting);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_have_their_names() {
+        let of = |order: f64| class(Part { order, amplitude: 1.0 }, 32.0);
+        assert_eq!(of(-3.001), Class::Fraction(-3, 1));
+        assert_eq!(of(0.502), Class::Fraction(1, 2));
+        assert_eq!(of(1.0 / 3.0), Class::Fraction(1, 3));
+        assert_eq!(of(1.5), Class::Fraction(3, 2));
+        assert_eq!((of(0.46), of(-0.88)), (Class::Free(true), Class::Free(false)));
+        assert!(
+            words(of(-3.0)).contains("superharmonic of order 3, backward") && words(of(0.5)).contains("subharmonic of order 1/2, forward")
+        );
+    }
+}

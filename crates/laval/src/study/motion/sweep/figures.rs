@@ -1,0 +1,66 @@
+//! A sweep drawn.
+
+use super::Fleet;
+use super::report::Path;
+use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
+use crate::study::shared::sights;
+
+/// Classes of figures.
+const WAYS: &[&str] = &["rest", "up", "down"];
+/// Panels of a figure.
+const MOST_BODIES: usize = 4;
+/// Lowest amplitude of a waterfall over its highest.
+const DEPTH: f64 = 1e-6;
+
+pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
+    if !any {
+        return outcome;
+    }
+    let speed = || Axis::new("spin speed", "rad/s");
+    let ways = paths.iter().map(|p| p.way.word()).collect::<Vec<_>>().join(", ");
+    let largest = |k: usize| paths.iter().flat_map(|p| &p.amplitude[k]).fold(0.0f64, |m, a| if *a > m { *a } else { m });
+    let alt = format!("Largest displacement or tilt of each body over spin speed (start: {ways}).");
+    let mut figure = Figure::new("amplitude", "Amplitude", alt).x(speed());
+    let resolved = |k: &usize| !fleet.tilts(&fleet.probes[*k]) || paths.iter().any(|p| largest(*k) > p.unresolved[*k]);
+    let drawn: Vec<usize> = (0..fleet.probes.len()).filter(resolved).collect();
+    for tilt in [false, true] {
+        for &k in drawn.iter().filter(|&&k| fleet.probes[k].is_tilt() == tilt).take(MOST_BODIES) {
+            let probe = &fleet.probes[k];
+            let axis = sights::axis(crate::study::shared::support::sight(probe), probe, largest(k));
+            figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", sights::column(probe)).group("start").nested()));
+        }
+    }
+    outcome = outcome.figure(figure);
+    let study = fleet.study;
+    let probe = &fleet.probes[study.section.0];
+    let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| fleet.system.coordinates()[r.0].name.as_str());
+    let axis = sights::axis(name, probe, largest(study.section.0));
+    let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
+    let panel = Panel::new(axis).mark(Points::new("poincare", "speed", sights::quality(probe)).classes("start", WAYS));
+    outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
+    if let Some(b) = study.waterfall {
+        let tallest = outcome
+            .find_table("waterfall")
+            .and_then(|t| t.column("amplitude"))
+            .map_or(0.0, |c| (0..c.data.len()).filter_map(|i| c.number(i)).filter(|x| x.is_finite()).fold(0.0, f64::max));
+        let top = 1e6 * if tallest > 0.0 { tallest } else { 1e-6 };
+        // what lies further below is what the integration tolerates
+        let colours = Axis::log("amplitude", "µm").factor(1e6).range(DEPTH * top, top);
+        let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
+        let alt = format!(
+            "Order spectra of {} over spin speed (start: {}); negative orders turn backward.",
+            fleet.bodies[b].name,
+            study.ways[0].word()
+        );
+        outcome =
+            outcome.figure(Figure::new("waterfall", "Order spectra", alt).x(speed()).panel(Panel::new(Axis::new("order", "")).mark(heat)));
+    }
+    if study.lyapunov.is_some() {
+        let alt = format!("Largest Lyapunov exponent over spin speed (start: {ways}).");
+        let panel = Panel::new(Axis::new("Lyapunov exponent", "1/s"))
+            .mark(Line::new("sweep", "speed", "lyapunov").group("start").nested())
+            .mark(Rule::y(0.0, ""));
+        outcome = outcome.figure(Figure::new("lyapunov", "Largest Lyapunov exponent", alt).x(speed()).panel(panel));
+    }
+    outcome
+}

@@ -1,0 +1,362 @@
+//! Settled motion at many speeds, by integration in time: from the same start at every speed, or followed from one speed to the next.
+//!
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: the rotor is followed for
+//! `ln(1/tolerance)/a` seconds, a the slowest decay rate of the machine linearised at rest, and as long again up to four times while the states at whole
+//! periods do not repeat; or Newton's method finds `y = P^k(y)` on the Poincare map P.
+//!
+//! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats; order: frequency over W; lambda largest Lyapunov exponent.
+//!
+//! Validity: constant speed at every step; machines whose spin is prescribed. Followed motions change speed in steps at phase zero, with position and velocity kept:
+//! the limit of a slow sweep as the step becomes small.
+//!
+//! Sources: `docs/theory/motion-in-time.md#sweeps-and-jumps`; Benettin et al., Meccanica 15 (1980) 9; Das et al., Nonlinearity 30 (2017) 4111.
+
+mod figures;
+mod lyapunov;
+mod refine;
+mod report;
+mod rows;
+
+use super::history::{METHOD, time_forms};
+use super::settled::columns::cells;
+use super::settled::fields::{self, SLOWEST};
+use super::settled::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
+use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
+use super::start::{self, Entry, INITIAL, Start};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
+use crate::model::probe::{Probe, Sight};
+use crate::model::system::{Body, Drive, System};
+use crate::model::timed::Speeds;
+use crate::outcome::Outcome;
+use crate::solve::ensemble::{self, Form, Method, Settings};
+use crate::store::{self, Rows};
+use crate::study::shared::sights;
+use crate::study::shared::size::{KEPT, LISTED, Size};
+use crate::study::shared::support::{SPEED_RANGE, range_or};
+use crate::study::{Context, Study};
+use laval_num::work::Here;
+use lyapunov::Pairs;
+use rayon::prelude::*;
+use refine::{Followed, Found};
+use rows::Row;
+use std::ops::Range;
+use std::sync::Arc;
+
+const STARTS: &[Word] = &[
+    ("rest", "from the same state at every speed: which motion is reached depends on it"),
+    ("up", "from each speed to the next higher one"),
+    ("down", "from each speed to the next lower one"),
+    ("up_and_down", "both, side by side"),
+    ("all", "all three"),
+];
+/// Points of a range that says none.
+const DEFAULT_POINTS: usize = 200;
+
+/// How motions begin at each speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The same state at every speed.
+    Rest,
+    /// The motion at the speed below.
+    Up,
+    /// The motion at the speed above.
+    Down,
+}
+
+impl Way {
+    fn word(self) -> &'static str {
+        match self {
+            Way::Rest => "rest",
+            Way::Up => "up",
+            Way::Down => "down",
+        }
+    }
+}
+
+/// See the [module](self).
+pub struct Sweep {
+    speed: RangeValue,
+    ways: Vec<Way>,
+    rules: Rules,
+    initial: Vec<(Entry, f64)>,
+    /// Coordinate of the bifurcation diagram: probe among those recorded, 0 for x and 1 for y.
+    section: (usize, usize),
+    /// Body of the waterfall.
+    waterfall: Option<usize>,
+    /// Periods of the Lyapunov exponent.
+    lyapunov: Option<usize>,
+}
+
+impl Study for Sweep {
+    const KIND: &'static str = "sweep";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 200 }
+start = "up_and_down"
+"#;
+    const DOC: &'static str = "Settled motion over the spin speed by integration in time, from the same start at every speed or followed up and down: amplitudes, \
+        orders, jumps and hysteresis, period doubling and motions that do not repeat, bifurcation diagram, order spectra, largest Lyapunov exponent. \
+        nonlinear_response follows branches of periodic motions, unstable ones too; a sweep shows which of them a machine reaches.";
+    const FIELDS: &'static [Field] = &[
+        Field::required("speed", SPEED_RANGE, "spin speeds, above zero; 200 points unless given"),
+        Field::optional("start", FieldKind::Choice(STARTS), "up_and_down", "how the motion begins at each speed"),
+        INITIAL,
+        METHOD,
+        fields::SETTLING,
+        fields::TOLERANCE,
+        fields::MOST_PERIODS,
+        fields::PERIODS,
+        Field::optional(
+            "section",
+            FieldKind::Coordinate,
+            "",
+            "coordinate of the bifurcation diagram, such as \"drum.x\"; x of the first body unless given",
+        ),
+        Field::optional(
+            "waterfall",
+            FieldKind::Text,
+            "",
+            "body whose order spectra are wanted, orders -4 (backward) to 4 in steps of 1/16",
+        ),
+        Field::optional("lyapunov", FieldKind::Flag, "false", "compute the largest Lyapunov exponent"),
+        Field::optional(
+            "lyapunov_periods",
+            FieldKind::Integer { min: 16, max: 10_000_000 },
+            "2000",
+            "forcing periods over which the exponent is taken; a quarter as many before them",
+        ),
+        fields::RELATIVE,
+        fields::ABSOLUTE,
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let one = "; at one speed nonlinear_response finds the steady motions, basins and transient where a start leads";
+        let speed = range_or("speed", (values.range("speed")?, one), 2, values, diagnostics);
+        if let Some(s) = speed
+            && !(s.from >= SLOWEST)
+        {
+            let message = "a sweep needs speeds above 1e-6 rad/s: there is no period at rest";
+            diagnostics.push(Diagnostic::error("sweep.speed", message).at(values.span_of("speed")));
+        }
+        let bodies = system.bodies();
+        if bodies.is_empty() {
+            diagnostics.push(Diagnostic::error("sweep.no_body", "no body of this machine moves across the axis"));
+        }
+        let initial = start::state_map(values, "initial", system, diagnostics);
+        let section = section(values, system, diagnostics);
+        let named = values.text("waterfall").filter(|n| !n.is_empty());
+        let waterfall = named.and_then(|n| bodies.iter().position(|b| b.name == n));
+        if let (Some(name), None) = (named, waterfall) {
+            let known = bodies.iter().map(|b| format!("\"{}\"", b.name)).collect::<Vec<_>>().join(", ");
+            let message = format!("there is no body \"{name}\"");
+            diagnostics.push(
+                Diagnostic::error("sweep.waterfall", message).at(values.span_of("waterfall")).about(name).help(format!("there is {known}")),
+            );
+        }
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        Some(Sweep {
+            speed: speed?,
+            ways: match values.choice("start") {
+                Some("rest") => vec![Way::Rest],
+                Some("up") => vec![Way::Up],
+                Some("down") => vec![Way::Down],
+                Some("all") => vec![Way::Rest, Way::Up, Way::Down],
+                _ => vec![Way::Up, Way::Down],
+            },
+            rules: Rules::read(values, 50_000, waterfall.map(|b| bodies[b].x))?,
+            initial,
+            section: section?,
+            waterfall,
+            lyapunov: if values.flag("lyapunov").unwrap_or(false) {
+                Some(usize::try_from(values.integer("lyapunov_periods").unwrap_or(2000)).ok()?)
+            } else {
+                None
+            },
+        })
+    }
+
+    fn size(&self, system: &System) -> Option<Size> {
+        let rows = self.speed.points.unwrap_or(DEFAULT_POINTS) * self.ways.len();
+        let spectrum = self.waterfall.map_or(0, |_| 2 * LINES * HIGHEST);
+        let columns = 16 + 11 * system.bodies().len() + system.probes().len() + KEPT_POINTS + spectrum + 2 * system.n() + system.m();
+        Some(Size {
+            bytes: rows as f64 * columns as f64 * (KEPT + LISTED),
+            of: format!("{rows} motions with {columns} numbers each"),
+            fewer: "give the range fewer points, or leave out the waterfall",
+        })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error("sweep.free_spin", "the spin of this machine is free: it has no speed of its own to be swept")
+                .help("leave drive = \"free\" out, or follow its motion with transient"));
+        }
+        let timed = system.timed(Speeds::Several)?;
+        ensemble::admit(&timed, method(&timed, self.rules.method, self.fastest()))
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
+        let initial = start::renumbered(&self.initial, system, &own);
+        let fleet = Fleet {
+            budget: Budget::new(context.work_limit),
+            study: self,
+            initial,
+            method: method(&own, self.rules.method, self.fastest()),
+            system: Arc::new(own),
+            speeds: self.speed.linspace(DEFAULT_POINTS),
+            bodies: system.bodies(),
+            probes: sights::probes(system),
+        };
+        let (steps, ways) = (fleet.speeds.len(), self.ways.len());
+        let followed = self.ways.iter().any(|w| *w != Way::Rest);
+        // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
+        let chunk = if followed { steps.div_ceil(50).clamp(4, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
+        let rows = rows::columns(self, &fleet);
+        let plan = store::Plan {
+            study: Self::KIND.into(),
+            columns: rows.iter().map(|r| r.column.clone()).collect(),
+            rows: steps * ways,
+            chunk: chunk * ways,
+        };
+        context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
+        let results = store::run_on(plan, context, |range, counter, before| {
+            let carried = before()?.map(|cells| rows::states(&rows, &cells, (ways, &fleet.probes)));
+            let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
+            Ok(computed.map(|list| cells(&rows, &list)))
+        })?;
+        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
+    }
+}
+
+fn section(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<(usize, usize)> {
+    let Some(name) = values.text("section").filter(|n| !n.is_empty()) else { return Some((0, 0)) };
+    let own = |p: &Probe, i: usize| {
+        [0, 1].into_iter().find(|&k| !matches!(p.sight, Sight::Displacement(z) if z != 0.0) && p.rows[k] == [(i, 1.0)])
+    };
+    let find = |i: usize| sights::probes(system).iter().enumerate().find_map(|(k, p)| Some((k, own(p, i)?)));
+    let found = system.coordinate(name).and_then(find);
+    if found.is_none() {
+        let known: Vec<String> = system.bodies().iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
+        let message = format!("\"{name}\" is no displacement or tilt of a body");
+        let help = format!("name one such as {}", known.join(", "));
+        diagnostics.push(Diagnostic::error("sweep.section", message).at(values.span_of("section")).about(name).help(help));
+    }
+    found
+}
+
+impl Sweep {
+    /// Largest speed, where motions are the least stiff, rad/s.
+    fn fastest(&self) -> f64 {
+        self.speed.from.abs().max(self.speed.to.abs())
+    }
+}
+
+/// A sweep on its machine.
+struct Fleet<'a> {
+    budget: Budget,
+    study: &'a Sweep,
+    /// Start, by entries of the machine in time.
+    initial: Vec<(Entry, f64)>,
+    system: Arc<System>,
+    method: Method,
+    speeds: Vec<f64>,
+    bodies: Vec<Body>,
+    /// What is recorded of every motion.
+    probes: Vec<Probe>,
+}
+
+impl Fleet<'_> {
+    /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
+    fn unresolved(&self) -> f64 {
+        sights::UNRESOLVED * self.study.rules.tolerance
+    }
+
+    /// The body of a probe has a tilt beside it.
+    fn tilts(&self, probe: &Probe) -> bool {
+        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.body == probe.body)
+    }
+}
+
+/// State a followed motion brings along, for each way; none where it failed.
+type Carried = Vec<Option<Followed>>;
+
+impl Fleet<'_> {
+    /// The speed of a step: downward sweeps begin at the top.
+    fn speed(&self, way: Way, step: usize) -> f64 {
+        if way == Way::Down { self.speeds[self.speeds.len() - 1 - step] } else { self.speeds[step] }
+    }
+
+    /// A member, from its own start or the state it brings along.
+    fn member_at(&self, speed: f64, carried: Option<&Vec<f64>>) -> Member {
+        let start = Start::new(&self.system, speed);
+        let y = carried.cloned().unwrap_or_else(|| {
+            let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
+            start.write(&self.initial, &mut y);
+            y
+        });
+        Member { speed, y, rest: start.rest, rate: slowest_decay(&self.system, speed), system: self.system.clone() }
+    }
+
+    /// Settled motions of members, with their exponents; none when stopped.
+    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<Found>> {
+        let form = Form::of(&self.system, true);
+        let probes = self.probes.clone();
+        let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let all = 0..members.len();
+        let settings = Settings { method: self.method, ..Settings::default() };
+        let settled = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
+        let exponents = match self.study.lyapunov {
+            None => vec![None; members.len()],
+            Some(periods) => {
+                let one = |(m, s): (&Member, &Settled)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
+                let members = members.iter().zip(&settled).map(one).collect();
+                let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
+                ensemble::run(&pairs, &self.system, form, all, settings)?
+            }
+        };
+        // a motion that the budget cut short is none
+        (!self.budget.used_up()).then(|| settled.into_iter().zip(exponents).collect())
+    }
+
+    /// Rows of the steps of a chunk, step by step and way by way.
+    fn rows(&self, steps: Range<usize>, carried: Option<Carried>, counter: &Rows) -> Option<Vec<Row>> {
+        let ways = &self.study.ways;
+        let mut out: Vec<Vec<Row>> = ways.iter().map(|_| Vec::with_capacity(steps.len())).collect();
+        let row = |way: Way, m: &Member, found: Found, jump: Option<(f64, f64)>| Row {
+            way,
+            speed: m.speed,
+            rate: m.rate,
+            settled: found.0,
+            exponent: found.1,
+            jump,
+        };
+        if let Some(w) = ways.iter().position(|w| *w == Way::Rest) {
+            let here = Here::now();
+            let member = |step| {
+                let _counted = here.enter();
+                self.member_at(self.speed(Way::Rest, step), None)
+            };
+            let members: Vec<Member> = steps.clone().into_par_iter().map(member).collect();
+            let found = self.settle(&members, counter)?;
+            out[w] = members.iter().zip(found).map(|(m, f)| row(Way::Rest, m, f, None)).collect();
+        }
+        let followed: Vec<usize> = (0..ways.len()).filter(|&w| ways[w] != Way::Rest).collect();
+        let mut carried = carried.unwrap_or_else(|| vec![None; ways.len()]);
+        for step in steps.clone().filter(|_| !followed.is_empty()) {
+            let member = |&w: &usize| self.member_at(self.speed(ways[w], step), carried[w].as_ref().map(|c| &c.y));
+            let members: Vec<Member> = followed.iter().map(member).collect();
+            for ((&w, m), found) in followed.iter().zip(&members).zip(self.settle(&members, counter)?) {
+                let from = self.speed(ways[w], step.saturating_sub(1));
+                let (found, jump) = self.step(ways[w], (from, carried[w].as_ref()), m.speed, found, counter)?;
+                carried[w] = self.followed(&found.0);
+                out[w].push(row(ways[w], m, found, jump));
+            }
+        }
+        let mut each: Vec<_> = out.into_iter().map(Vec::into_iter).collect();
+        Some(steps.flat_map(|_| each.iter_mut().filter_map(Iterator::next).collect::<Vec<_>>()).collect())
+    }
+}

@@ -1,0 +1,501 @@
+//! What is said of a sweep.
+
+use super::super::settled::measure::{HIGHEST, LINES, POINTS};
+use super::super::settled::period::LONGEST;
+use super::super::settled::told::{limits, words};
+use super::super::start::Start;
+use super::refine::JUMP;
+use super::rows::{STATE, point, spectrum};
+use super::{Fleet, Sweep, Way, figures};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
+use crate::store::{Kind, Results};
+use crate::study::shared::sights;
+use crate::study::shared::support::inconsistent;
+use crate::study::{Context, Study};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// Times the changes on both sides that a jump is, at least: a resonance between two speeds is none.
+const BEYOND: f64 = 4.0;
+/// Share of the larger amplitude by which motions of both directions differ where there is hysteresis.
+const APART: f64 = 0.01;
+
+/// Rows of one way, in the order of their steps.
+pub(super) struct Path {
+    pub way: Way,
+    pub speed: Vec<f64>,
+    pub motion: Vec<String>,
+    pub period: Vec<f64>,
+    pub bounded: Vec<bool>,
+    /// By probe.
+    pub amplitude: Vec<Vec<f64>>,
+    /// By probe the size below which it is not resolved beside the rest of the motions of this way.
+    pub unresolved: Vec<f64>,
+    /// By probe: jumps are told by a reference point first, then by another point, then by a tilt.
+    pub rank: Vec<u8>,
+    /// Speeds between which smaller steps place a jump on the way to each row; NaN where there is none.
+    pub placed: Vec<(f64, f64)>,
+}
+
+/// A change between two neighbouring speeds that the motion on either side does not announce.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Jump {
+    pub way: Way,
+    pub before: f64,
+    pub after: f64,
+    /// The same in smaller steps.
+    pub placed: (f64, f64),
+    pub probe: usize,
+    pub amplitudes: (f64, f64),
+}
+
+fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
+    let ways = &fleet.study.ways;
+    let motion = words(results, "motion")?;
+    let own = |column: &str, w: usize| {
+        Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
+    };
+    let one = |(w, way): (usize, &Way)| {
+        let amplitude = fleet.probes.iter().map(|p| own(&sights::column(p), w)).collect::<Result<Vec<_>, _>>()?;
+        let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
+        let loudest = sights::loudest(fleet.probes.iter().zip(amplitude.iter().map(largest)));
+        Ok(Path {
+            way: *way,
+            speed: own("speed", w)?,
+            motion: motion.iter().skip(w).step_by(ways.len()).cloned().collect(),
+            period: own("period", w)?,
+            bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
+            placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
+            amplitude,
+            rank: fleet.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
+            unresolved: fleet.probes.iter().map(|p| fleet.unresolved() * loudest * p.typical()).collect(),
+        })
+    };
+    ways.iter().enumerate().map(one).collect()
+}
+
+/// Jumps of a path.
+fn jumps(path: &Path) -> Vec<Jump> {
+    let change = |a: &[f64], i: usize| if i + 1 < a.len() { (a[i + 1] - a[i]).abs() } else { f64::NAN };
+    let mut out = Vec::new();
+    for i in 0..path.speed.len().saturating_sub(1) {
+        let share = |a: &Vec<f64>| change(a, i) / a[i].max(a[i + 1]);
+        let resolved = |k: usize, a: &[f64]| a[i].max(a[i + 1]) > path.unresolved[k];
+        let clear = |a: &Vec<f64>| {
+            let sides = [if i > 0 { change(a, i - 1) } else { f64::NAN }, change(a, i + 1)];
+            let known: Vec<f64> = sides.into_iter().filter(|x| x.is_finite()).collect();
+            share(a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
+        };
+        let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite());
+        // in smaller steps the motion went on from one to the other
+        if path.way != Way::Rest && placed.is_none() && [i, i + 1].iter().all(|&k| path.motion[k] == "periodic") {
+            continue;
+        }
+        let all = path.amplitude.iter().enumerate().filter(|(k, a)| clear(a) && resolved(*k, a));
+        let found = all.max_by(|a, b| path.rank[b.0].cmp(&path.rank[a.0]).then(change(a.1, i).total_cmp(&change(b.1, i))));
+        if let Some((probe, a)) = found {
+            let (before, after) = (path.speed[i], path.speed[i + 1]);
+            out.push(Jump { way: path.way, before, after, placed: placed.unwrap_or((before, after)), probe, amplitudes: (a[i], a[i + 1]) });
+        }
+    }
+    out
+}
+
+/// Longest stretches of rows for which something holds.
+fn stretches(len: usize, holds: impl Fn(usize) -> bool) -> Vec<RangeInclusive<usize>> {
+    let mut out: Vec<RangeInclusive<usize>> = Vec::new();
+    for i in (0..len).filter(|&i| holds(i)) {
+        match out.last_mut() {
+            Some(r) if *r.end() + 1 == i => *r = *r.start()..=i,
+            _ => out.push(i..=i),
+        }
+    }
+    out
+}
+
+/// "at a" or "from a to b", rising.
+fn place(speed: &[f64], range: &RangeInclusive<usize>) -> String {
+    let (a, b) = (speed[*range.start()], speed[*range.end()]);
+    let say = |x: f64| quantity(x, "rad/s");
+    if a == b { format!("at {}", say(a)) } else { format!("from {} to {}", say(a.min(b)), say(a.max(b))) }
+}
+
+/// "between a and b", with as many digits as tell them apart.
+fn between((a, b): (f64, f64)) -> String {
+    let words = |digits: usize| (significant(a, digits), significant(b, digits));
+    let (a, b) = (4..12).map(words).find(|(a, b)| a != b).unwrap_or_else(|| words(12));
+    format!("between {a} rad/s and {b} rad/s")
+}
+
+fn begun(way: Way) -> &'static str {
+    match way {
+        Way::Rest => "started anew",
+        Way::Up => "followed up",
+        Way::Down => "followed down",
+    }
+}
+
+pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let paths = paths(fleet, results)?;
+    let end = context.end(results.end() == End::Reached);
+    let mut outcome = Outcome::new(Sweep::KIND, context.name).over("speed", "rad/s").end(end);
+    let jumps: Vec<Jump> = paths.iter().flat_map(jumps).collect();
+    for f in results.remark().into_iter().chain(Start::new(&fleet.system, fleet.speeds[0]).finding) {
+        outcome = outcome.finding(f);
+    }
+    outcome = undamped(results, outcome)?;
+    outcome = largest(fleet, &paths, outcome);
+    outcome = told_jumps(fleet, &paths, &jumps, outcome);
+    outcome = hysteresis(&paths, outcome);
+    outcome = motions(&paths, outcome);
+    outcome = failures(results, outcome)?;
+    let speeds = results.numbers("speed")?;
+    outcome = limits(results, |row, f| f.evidence("at", speeds[row], "rad/s"), outcome)?;
+    outcome = exponents(fleet.study, results, outcome)?;
+    let steps = results.numbers("steps")?.iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
+    outcome = tables(fleet, results, &jumps, outcome)?;
+    figures::figures(fleet, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
+}
+
+/// That settling has no end where a mode at rest does not decay.
+fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let decay = results.numbers("decay")?;
+    let none = decay.iter().filter(|x| !x.is_finite()).count();
+    if none == 0 {
+        return Ok(outcome);
+    }
+    let text = format!(
+        "At {{}} of {} speeds a mode of the machine at rest does not decay: nothing says how long settling takes there, and what is shown, jumps and \
+         hysteresis included, may be what is left of the start.",
+        decay.len()
+    );
+    Ok(outcome.finding(Finding::warning("no_decay", text).value(none as f64, "")))
+}
+
+fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for (k, probe) in fleet.probes.iter().enumerate() {
+        let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[k][i], p.motion[i] == "periodic");
+        let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));
+        let Some((way, speed, a, repeats)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
+        // of a body that only tilts its tilt is told
+        if fleet.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
+            continue;
+        }
+        // of a motion that does not repeat the largest of the periods recorded
+        let what = if repeats { "settled" } else { "recorded" };
+        let open = if repeats { "" } else { ", where the motion does not repeat" };
+        let (place, quality, owner) = (quantity(speed, "rad/s"), sights::quality(probe), sights::owner(probe));
+        let text = format!("The largest {what} {quality} of \"{owner}\" is {{}}, at {place} ({}){open}.", begun(way));
+        let finding = Finding::info(format!("largest_{quality}"), text).of(owner);
+        outcome = outcome.finding(finding.value(a, probe.unit()).evidence("speed", speed, "rad/s"));
+    }
+    outcome
+}
+
+fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
+    for j in jumps {
+        let probe = &fleet.probes[j.probe];
+        let (who, unit) = (sights::subject(probe), probe.unit());
+        let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
+        let between = between(j.placed);
+        let (id, text) = match j.way {
+            Way::Rest => (
+                "start_jump",
+                format!(
+                    "Started anew, {who} reaches {from} and then {to} {between}: there the start passes from one motion's basin to another's, which is no fold."
+                ),
+            ),
+            way => (
+                if way == Way::Up { "jump_up" } else { "jump_down" },
+                format!("A slow sweep {} jumps {between}: {who} goes from {from} to {to}.", way.word()),
+            ),
+        };
+        let finding = Finding::info(id, text).value(j.placed.1, "rad/s").evidence("last speed before", j.placed.0, "rad/s");
+        let finding = finding.evidence("amplitude before", j.amplitudes.0, unit).evidence("amplitude after", j.amplitudes.1, unit);
+        let special = SpecialPoint::new(id, j.placed.1, j.placed).status(Status::Bracketed);
+        outcome = outcome.finding(finding).special_point(special);
+    }
+    // nothing is said of speeds that could not be computed, nor of motions without one amplitude
+    let whole =
+        |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite()) && p.motion.iter().all(|m| m == "periodic");
+    for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
+        let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
+        let (range, way) = (format!("from {} to {}", quantity(from, "rad/s"), quantity(to, "rad/s")), p.way.word());
+        let (id, text) = match joined(paths, p.way) {
+            // a step that the ratio of amplitudes does not show
+            Some((a, b)) => {
+                let place = format!("between {} and {}", quantity(a, "rad/s"), quantity(b, "rad/s"));
+                let text = format!(
+                    "A slow sweep {way} {range} joins the motion of the sweep the other way {place}: it jumps or turns steeply there, which more speeds would tell."
+                );
+                (format!("joins_{way}"), text)
+            }
+            None => (format!("no_jump_{way}"), format!("A slow sweep {way} {range} shows no jump between its {} speeds.", p.speed.len())),
+        };
+        outcome = outcome.finding(Finding::info(id, text));
+    }
+    outcome
+}
+
+/// The two speeds between which a way leaves the stretch where it differs from the other way, in the order it meets them.
+fn joined(paths: &[Path], way: Way) -> Option<(f64, f64)> {
+    let (up, differing) = differing(paths)?;
+    let speeds = &up.speed;
+    differing.iter().find_map(|r| match way {
+        Way::Up => Some((speeds[*r.end()], *speeds.get(r.end() + 1)?)),
+        Way::Down => Some((speeds[*r.start()], *speeds.get(r.start().checked_sub(1)?)?)),
+        Way::Rest => None,
+    })
+}
+
+/// The way up, and the stretches of its speeds at which the way down ends in another motion.
+fn differing(paths: &[Path]) -> Option<(&Path, Vec<RangeInclusive<usize>>)> {
+    let find = |way: Way| paths.iter().find(|p| p.way == way);
+    let (up, down) = (find(Way::Up)?, find(Way::Down)?);
+    let n = up.speed.len();
+    let differ = |i: usize| {
+        let Some(j) = down.speed.iter().position(|w| *w == up.speed[i]) else { return false };
+        // what never repeats has no one amplitude
+        let repeat = [&up.motion[i], &down.motion[j]].iter().all(|m| m.as_str() == "periodic");
+        let apart = |b: usize| {
+            let (u, d) = (up.amplitude[b][i], down.amplitude[b][j]);
+            (u - d).abs() > APART * u.max(d) && u.max(d) > up.unresolved[b].max(down.unresolved[b])
+        };
+        repeat && (0..up.amplitude.len()).any(apart)
+    };
+    Some((up, stretches(n, differ)))
+}
+
+/// Speeds at which the way up and the way down end in different motions.
+fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
+    let Some((up, differing)) = differing(paths) else { return outcome };
+    for r in differing {
+        let (a, b) = (up.speed[*r.start()], up.speed[*r.end()]);
+        let text = format!("Hysteresis {}: the motion depends on the direction of the sweep, over {{}}.", place(&up.speed, &r));
+        outcome = outcome
+            .finding(Finding::info("hysteresis", text).value(b - a, "rad/s").evidence("from", a, "rad/s").evidence("to", b, "rad/s"));
+    }
+    outcome
+}
+
+/// Motions of longer period, without period, unsettled.
+fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for p in paths {
+        let n = p.speed.len();
+        for k in 2..=LONGEST {
+            for r in stretches(n, |i| p.period[i] == k as f64) {
+                let text = format!("{}, the motion ({}) repeats only after {{}} turns.", upper(&place(&p.speed, &r)), begun(p.way));
+                outcome = outcome.finding(spanned(Finding::info("longer_period", text).value(k as f64, ""), p, &r));
+            }
+        }
+        for (id, wanted, what) in [
+            ("not_periodic", "not periodic", "does not repeat within 16 turns: quasi-periodic, chaotic or of a longer period"),
+            ("not_settled", "not settled", "still changes slowly where the largest number of periods ended its settling"),
+        ] {
+            for r in stretches(n, |i| p.motion[i] == wanted) {
+                let count = r.end() - r.start() + 1;
+                let text = format!("{}, the motion ({}) {what}: {{}} speeds.", upper(&place(&p.speed, &r)), begun(p.way));
+                outcome = outcome.finding(spanned(Finding::warning(id, text).value(count as f64, ""), p, &r));
+            }
+        }
+        let cut = (0..n).filter(|&i| p.bounded[i] && p.motion[i] == "periodic").count();
+        if cut > 0 {
+            let text = format!(
+                "At {{}} of {n} speeds ({}) the largest number of periods cut the settling short of what the slowest mode asks for; the motion repeats within the tolerance all the same.",
+                begun(p.way)
+            );
+            outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
+        }
+    }
+    outcome
+}
+
+fn spanned(finding: Finding, p: &Path, r: &RangeInclusive<usize>) -> Finding {
+    let (a, b) = (p.speed[*r.start()], p.speed[*r.end()]);
+    finding.evidence("from", a.min(b), "rad/s").evidence("to", a.max(b), "rad/s")
+}
+
+fn upper(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
+}
+
+fn failures(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let speeds = results.numbers("speed")?;
+    let mut causes: BTreeMap<String, (usize, f64)> = BTreeMap::new();
+    for (why, speed) in words(results, "failure")?.into_iter().zip(&speeds).filter(|x| !x.0.is_empty()) {
+        causes.entry(why).or_insert((0, *speed)).0 += 1;
+    }
+    for (why, (count, first)) in causes {
+        let text =
+            format!("{{}} of {} motions could not be followed: each {why}. A sweep that loses its motion starts anew.", speeds.len());
+        outcome =
+            outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, "").evidence("first at", first, "rad/s"));
+    }
+    Ok(outcome)
+}
+
+fn exponents(study: &Sweep, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    if study.lyapunov.is_none() {
+        return Ok(outcome);
+    }
+    let (speed, value, halves) = (results.numbers("speed")?, results.numbers("lyapunov")?, results.numbers("lyapunov_halves")?);
+    let clear: Vec<usize> = (0..value.len()).filter(|&i| value[i] > 3.0 * halves[i]).collect();
+    let Some(&top) = clear.iter().max_by(|&&a, &&b| value[a].total_cmp(&value[b])) else {
+        return Ok(outcome.finding(Finding::info("no_chaos", "No Lyapunov exponent is clearly positive: no motion found is chaotic.")));
+    };
+    let text = format!("{} motions have a clearly positive Lyapunov exponent: they are chaotic. The largest is {{}}.", clear.len());
+    let finding = Finding::warning("chaos", text).value(value[top], "1/s").evidence("at", speed[top], "rad/s");
+    Ok(outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s")))
+}
+
+fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
+    let mut table = Table::new("sweep", "Settled motion at every speed");
+    for c in results.columns().iter().filter(|c| !skipped(&c.name)) {
+        table = match c.kind {
+            Kind::Text => table.text(&c.name, &c.doc, words(results, &c.name)?),
+            _ => {
+                // infinity marks what has no bound
+                let values: Vec<f64> = results.numbers(&c.name)?.iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect();
+                let none = if values.iter().any(|x| x.is_nan()) { "; NaN where there is none" } else { "" };
+                table.float(&c.name, &c.unit, format!("{}{none}", c.doc), values)
+            }
+        };
+    }
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
+    let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
+    let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
+    let section = &fleet.probes[fleet.study.section.0];
+    let (quality, unit) = (sights::quality(section), section.unit());
+    // a motion of period k has k points, the last ones
+    let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
+    let rows: Vec<(usize, f64)> =
+        (0..speed.len()).flat_map(|r| points[kept(r)..].iter().map(move |p| (r, p[r]))).filter(|x| x.1.is_finite()).collect();
+    let poincare =
+        Table::new("poincare", "Value of the section at phase zero: one point for every period of a motion, 32 where it does not repeat")
+            .text("start", "how the motion began", rows.iter().map(|r| start[r.0].clone()).collect())
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
+            .float(quality, unit, quality, rows.iter().map(|r| r.1).collect());
+    outcome = outcome.table(poincare.build().map_err(inconsistent)?);
+    if fleet.study.waterfall.is_some() {
+        let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
+        let first = fleet.study.ways[0].word();
+        let rows: Vec<(usize, usize)> =
+            (0..speed.len()).filter(|&r| start[r] == first).flat_map(|r| (0..lines.len()).map(move |l| (r, l))).collect();
+        let table = Table::new("waterfall", "Circular parts of the motion over speed and order")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
+            .float(
+                "order",
+                "",
+                "frequency over spin speed; negative turns backward",
+                rows.iter().map(|r| r.1 as f64 / LINES as f64 - HIGHEST as f64).collect(),
+            )
+            .float(
+                "amplitude",
+                "m",
+                "radius of the circular part, root mean square over stretches of 16 periods; NaN where the motion failed",
+                rows.iter().map(|r| lines[r.1][r.0]).collect(),
+            );
+        outcome = outcome.table(table.build().map_err(inconsistent)?);
+    }
+    outcome = outcome.table(end_states(results)?);
+    let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
+    let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if fleet.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
+    let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
+        .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| sights::owner(&fleet.probes[j.probe])).collect())
+        .float("before", "rad/s", "last speed before", column(&|j| j.before))
+        .float("after", "rad/s", "first speed after", column(&|j| j.after))
+        .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
+        .float("placed_after", "rad/s", "first speed after, in smaller steps", column(&|j| j.placed.1))
+        .float("amplitude_before", "m", "largest displacement before; NaN of a tilt", size(false, &|j| j.amplitudes.0))
+        .float("amplitude_after", "m", "largest displacement after; NaN of a tilt", size(false, &|j| j.amplitudes.1));
+    if jumps.iter().any(|j| fleet.probes[j.probe].is_tilt()) {
+        table = table.float("tilt_before", "rad", "largest tilt before; NaN of a displacement", size(true, &|j| j.amplitudes.0)).float(
+            "tilt_after",
+            "rad",
+            "largest tilt after; NaN of a displacement",
+            size(true, &|j| j.amplitudes.1),
+        );
+    }
+    Ok(outcome.table(table.build().map_err(inconsistent)?))
+}
+
+/// States at the last speed computed, from which another sweep can go on.
+fn end_states(results: &Results) -> Result<Table, Diagnostic> {
+    let start = words(results, "start")?;
+    let mut rows: Vec<(&str, &str, &str, f64)> = Vec::new();
+    for c in results.columns() {
+        let Some(name) = c.name.strip_prefix(STATE) else { continue };
+        let values = results.numbers(&c.name)?;
+        for way in [Way::Rest, Way::Up, Way::Down] {
+            if let Some(i) = start.iter().rposition(|s| s == way.word()) {
+                rows.push((way.word(), name, c.unit.as_str(), values[i]));
+            }
+        }
+    }
+    Table::new("end_states", "State at the last speed of each way, at phase zero: what `initial` of another sweep may be given")
+        .text("start", "how the motion began", rows.iter().map(|r| r.0.into()).collect())
+        .text("state", "coordinate, rate or internal state", rows.iter().map(|r| r.1.into()).collect())
+        .text("unit", "unit of the value", rows.iter().map(|r| r.2.into()).collect())
+        .float("value", "", "value; NaN where the motion failed", rows.iter().map(|r| r.3).collect())
+        .build()
+        .map_err(inconsistent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(amplitude: &[f64]) -> Path {
+        let n = amplitude.len();
+        Path {
+            way: Way::Up,
+            speed: (0..n).map(|i| i as f64).collect(),
+            motion: vec!["periodic".into(); n],
+            period: vec![1.0; n],
+            bounded: vec![false; n],
+            amplitude: vec![amplitude.to_vec()],
+            unresolved: vec![1e-5],
+            rank: vec![0],
+            placed: vec![(f64::NAN, f64::NAN); n],
+        }
+    }
+
+    #[test]
+    fn a_step_without_a_jump_joins_the_other_way() {
+        let up = path(&[1.0, 1.2, 1.4, 1.6, 1.8]);
+        let mut down = path(&[1.8, 1.6, 1.2, 1.1, 1.0]);
+        down.way = Way::Down;
+        down.speed.reverse();
+        // at speed 2 the ways differ: 1.4 up, 1.2 down
+        let paths = [up, down];
+        assert_eq!(joined(&paths, Way::Up), Some((2.0, 3.0)));
+        assert_eq!(joined(&paths, Way::Down), Some((1.0, 0.0)));
+        assert_eq!(joined(&paths, Way::Rest), None);
+        assert_eq!(joined(&paths[..1], Way::Up), None);
+    }
+
+    #[test]
+    fn a_jump_is_no_resonance() {
+        let mut falls = path(&[5.0, 5.2, 5.3, 1.0, 0.9]);
+        // smaller steps go on
+        assert_eq!(jumps(&falls), []);
+        falls.placed[3] = (2.25, 2.5);
+        let fold = jumps(&falls);
+        assert_eq!((fold.len(), fold[0].before, fold[0].after, fold[0].placed), (1, 2.0, 3.0, (2.25, 2.5)));
+        // started anew there are no steps
+        falls.placed[3] = (f64::NAN, f64::NAN);
+        falls.way = Way::Rest;
+        assert_eq!(jumps(&falls).len(), 1);
+        assert_eq!(between((2.25, 2.5)), "between 2.25 rad/s and 2.5 rad/s");
+        assert_eq!(between((2395.7, 2395.9)), "between 2395.7 rad/s and 2395.9 rad/s");
+        // narrow resonances, sampled once or twice
+        assert_eq!(jumps(&path(&[1.0, 1.1, 9.0, 1.1, 1.0])), []);
+        assert_eq!(jumps(&path(&[1.0, 2.0, 8.0, 2.5, 1.0])), []);
+        assert_eq!(jumps(&path(&[1.0, f64::NAN, 8.0, 2.5, 1.0])), []);
+    }
+}

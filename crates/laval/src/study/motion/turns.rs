@@ -1,0 +1,97 @@
+//! The path of the bodies over the last turns of the rotor, where the outputs asked for are too far apart to draw it.
+
+use super::history::Columns;
+use crate::diagnostic::Diagnostic;
+use crate::outcome::Table;
+use crate::solve::motion::Motion;
+use crate::solve::motion::flight::Flight;
+use crate::solve::programme::Spin;
+use std::f64::consts::TAU;
+
+/// Fewer outputs a turn draw polygons.
+const COARSE: f64 = 16.0;
+/// Turns shown, and samples in each.
+const TURNS: usize = 12;
+const SAMPLES: usize = 48;
+
+/// The rotor turns too far between outputs for lines through them to be the motion.
+pub(in crate::study) fn coarse(motion: &Motion, flight: &Flight) -> bool {
+    let dim = flight.state.len().max(1);
+    let spins: Vec<Spin> = flight.times.iter().zip(flight.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y)).collect();
+    spins.windows(2).any(|w| (w[1].phase - w[0].phase).abs() > TAU / COARSE)
+}
+
+/// Times of the samples of the last turns.
+pub(in crate::study) struct Turns(Vec<f64>);
+
+impl Turns {
+    /// `None` where the outputs resolve the motion. `end` is the spin at the end of the programme, `fastest` its largest speed (rad/s).
+    pub fn beside(outputs: &[f64], end: Spin, fastest: f64) -> Option<Turns> {
+        let widest = outputs.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        let t_end = *outputs.last()?;
+        let first = t_end - TURNS as f64 * TAU / end.speed.abs();
+        if !(widest * fastest.abs() > TAU / COARSE) || !(first >= 0.0) {
+            return None;
+        }
+        let count = TURNS * SAMPLES;
+        Some(Turns((0..=count).map(|k| if k == count { t_end } else { first + (t_end - first) * k as f64 / count as f64 }).collect()))
+    }
+
+    /// The times of these outputs and of the samples, each once, rising.
+    pub fn with_outputs(&self, outputs: &[f64]) -> Vec<f64> {
+        merged(self.0.iter().copied(), outputs)
+    }
+
+    /// Takes the samples out of a flight, which keeps the outputs asked for besides: a table of the path, if the flight came so far.
+    ///
+    /// # Errors
+    /// A table that contradicts itself.
+    pub fn taken(&self, motion: &Motion, flight: &mut Flight, outputs: &[f64]) -> Result<Option<Table>, Diagnostic> {
+        let coordinates = motion.system().coordinates();
+        let places: Vec<usize> = motion.system().bodies().iter().flat_map(|b| [b.x, b.x + 1]).collect();
+        let (mut times, mut path) = (Vec::new(), vec![Vec::new(); places.len()]);
+        separated(flight, self.0.iter().copied(), outputs, |t, y| {
+            times.push(t);
+            path.iter_mut().zip(&places).for_each(|(p, &i)| p.push(y[i]));
+        });
+        if times.len() != self.0.len() || places.is_empty() {
+            return Ok(None);
+        }
+        let mut columns = Columns::default();
+        columns.add("t", "s", "time", times);
+        for (&i, values) in places.iter().zip(path) {
+            columns.add(&coordinates[i].name, coordinates[i].dof.unit, "coordinate", values);
+        }
+        columns.table("last turns", &format!("Motion of the bodies over the last {TURNS} turns, {SAMPLES} samples in each")).map(Some)
+    }
+}
+
+/// Two rising lists of times as one, each time once.
+pub(in crate::study) fn merged(samples: impl Iterator<Item = f64>, outputs: &[f64]) -> Vec<f64> {
+    let mut all: Vec<f64> = samples.chain(outputs.iter().copied()).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+/// Shows the samples of a flight and leaves it the outputs asked for.
+pub(in crate::study) fn separated(
+    flight: &mut Flight,
+    samples: impl Iterator<Item = f64>,
+    outputs: &[f64],
+    mut sample: impl FnMut(f64, &[f64]),
+) {
+    let dim = flight.state.len().max(1);
+    let (mut times, mut states) = (Vec::with_capacity(outputs.len()), Vec::with_capacity(outputs.len() * dim));
+    let (mut next, mut output) = (samples.peekable(), outputs.iter().peekable());
+    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+        if next.next_if(|s| *s == t).is_some() {
+            sample(t, y);
+        }
+        if output.next_if(|o| **o == t).is_some() {
+            times.push(t);
+            states.extend_from_slice(y);
+        }
+    }
+    (flight.times, flight.states) = (times, states);
+}

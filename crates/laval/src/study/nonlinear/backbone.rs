@@ -1,0 +1,370 @@
+//! Free whirls of a machine at fixed spin speed: frequency against amplitude.
+//!
+//! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
+//! [`crate::solve::harmonic::free`]. Amplitudes become infinite where the machine can whirl without deflecting its nonlinear parts
+//! (`det(B Z(i w)^-1 B^T) = 0`; for a rotor with liquid on a foundation `(M + m + mL G) w^2 = c2`).
+//!
+//! Symbols: w whirl frequency, rad/s; W spin speed, rad/s; xi drive, 1/s, a force `xi M q'` that makes up for the losses.
+//!
+//! Validity: constant speed, no unbalance. Of a damped machine these are motions with exactly that much excitation; without damping xi is zero.
+//!
+//! Sources: `docs/theory/free-motions.md#backbone-curves`; R. M. Rosenberg, Adv. Appl. Mech. 9 (1966) 155; M. Krack, Comput. Struct. 154 (2015) 59.
+
+use super::free_motion::{
+    FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
+    trust_columns, unfinished,
+};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
+use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
+use crate::solve::symmetry::Symmetry;
+use crate::study::shared::support::{SPEED, largest, speed};
+use crate::study::{Context, Study};
+use laval_num::continuation::End;
+
+/// See the [module](self).
+pub struct Backbone {
+    request: Request,
+}
+
+impl Backbone {
+    /// The study that answers this request.
+    pub fn new(request: Request) -> Self {
+        Backbone { request }
+    }
+}
+
+/// A whirl whose frequency falls below this share of its first one has no restoring force left.
+const VANISHED: f64 = 0.05;
+
+/// Where a frequency turns back before its last value, by more than this share, that is said.
+const TURNS: f64 = 1e-3;
+
+/// The motion at which the frequency is farthest from that at both ends of a family, where it is not monotonic.
+fn turning(motions: &[Motion]) -> Option<&Motion> {
+    let (first, last) = (motions.first()?.frequency.abs(), motions.last()?.frequency.abs());
+    let (low, high) = (first.min(last), first.max(last));
+    let outside = |m: &Motion| (low - m.frequency.abs()).max(m.frequency.abs() - high) / high;
+    motions.iter().max_by(|a, b| outside(a).total_cmp(&outside(b))).filter(|m| outside(m) > TURNS)
+}
+
+/// Relative change of a frequency that is none.
+const STEADY: f64 = 1e-7;
+
+/// Drive over frequency that is rounding: the machine is undamped.
+const ROUNDING: f64 = 1e-10;
+
+impl Study for Backbone {
+    const KIND: &'static str = "backbone";
+    const EXAMPLE: &'static str = r#"speed = "3000 rpm"
+amplitude = { from = "1 um", to = "1 mm" }
+"#;
+    const DOC: &'static str = "Free whirls at one spin speed, mode by mode: how the whirl frequency depends on the amplitude, from the linear mode \
+        upwards, and the frequencies at which the amplitude has no bound. Unbalance is left out. A damped machine is kept whirling by a drive \
+        proportional to mass, whose size is told; without damping it is zero.";
+    const FIELDS: &'static [Field] = &[
+        Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),
+        Field::optional(
+            "amplitude",
+            FieldKind::Range { unit: "m", bounds: Bounds::closed(1e-12, 1.0) },
+            "",
+            "amplitudes of the deflection of the nonlinear parts, first order; from a thousandth to four times the one at which their force is half as \
+             much again as its tangent when left out",
+        ),
+        HARMONICS,
+        TRUNCATION,
+        MAX_POINTS,
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = speed(values, system, diagnostics);
+        let mut amplitudes = None;
+        if let Some(range) = values.range("amplitude") {
+            if !(range.from < range.to) {
+                diagnostics.push(
+                    Diagnostic::error("backbone.amplitude", "amplitude must go from a lower to a higher value")
+                        .at(values.span_of("amplitude"))
+                        .help("exchange from and to"),
+                );
+                return None;
+            }
+            amplitudes = Some((range.from, range.to));
+        }
+        let (harmonics, truncation, max_points) = read(values);
+        Some(Backbone { request: Request { speed: speed?, amplitudes, harmonics, truncation, max_points, work: u64::MAX } })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        constant_speed(system)?;
+        admit(system, self.request.speed)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let request = Request { work: context.work_limit, ..self.request };
+        let found = backbone(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let fastest = found.modes.iter().map(|m| m.value.im.abs()).fold(1.0, f64::max);
+        let mut measure = Measure::new(system, found.discretisation, fastest)?;
+        let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
+        let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
+        let shown = Shown { system, request: &request, found: &found, measured, probes: measure.probes };
+        shown.outcome(context).map_err(Diagnostic::from)
+    }
+}
+
+struct Shown<'a> {
+    system: &'a System,
+    request: &'a Request,
+    found: &'a crate::solve::harmonic::backbone::Backbone,
+    measured: Vec<Vec<Measured>>,
+    probes: Vec<Probe>,
+}
+
+impl Shown<'_> {
+    fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+        let found = self.found;
+        let mut out = Outcome::new(Backbone::KIND, context.name)
+            .over("amplitude", "m")
+            .end(if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) })
+            .work("Newton iterations", found.iterations)
+            .work("points", found.families.iter().map(|f| f.motions.len() as u64).sum());
+        for f in self.findings() {
+            out = out.finding(f);
+        }
+        let points: usize = found.families.iter().map(|f| f.motions.len()).sum();
+        if points > 0 {
+            out = out.table(self.table()?).figure(self.figure());
+        }
+        for t in [self.modes()?, self.asymptotes()?] {
+            if t.rows() > 0 {
+                out = out.table(t);
+            }
+        }
+        for (k, f) in found.families.iter().enumerate() {
+            for &a in &f.folds {
+                out = out.special_point(SpecialPoint::new("fold", a, (a, a)).of(format!("family {}", k + 1)));
+            }
+            for &(a, bracket) in &f.synchronous {
+                out = out.special_point(SpecialPoint::new("synchronous", a, bracket).of(format!("family {}", k + 1)).evidence(
+                    "frequency",
+                    self.request.speed,
+                    "rad/s",
+                ));
+            }
+        }
+        out.checked()
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let found = self.found;
+        let mut out = Vec::new();
+        for (k, f) in found.families.iter().enumerate() {
+            out.extend(self.family(k, f));
+        }
+        if found.families.is_empty() {
+            out.push(Finding::warning("no_family", "No free whirl of the nonlinear machine was found at this speed."));
+        }
+        let motions = || found.families.iter().flat_map(|f| &f.motions);
+        let driven = motions().map(|m| (m.drive.abs(), m.frequency.abs())).max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+        if let Some((drive, w)) = driven {
+            out.push(if drive <= ROUNDING * w {
+                Finding::info("undamped", "Nothing damps these whirls: they go on by themselves, at all amplitudes computed.")
+                    .evidence("largest drive over frequency", drive / w, "")
+            } else {
+                Finding::info(
+                    "driven",
+                    "The machine is damped: these whirls are those a drive proportional to mass keeps up, of {} at most (as much negative damping per \
+                     mass).",
+                )
+                .value(drive, "1/s")
+                .evidence("frequency", w, "rad/s")
+            });
+        }
+        for m in &found.modes {
+            if let Some(why) = m.left.filter(|w| w.starts_with("inside")) {
+                let text =
+                    format!("No family begins at the linear mode of {{}}: it is {why}, growing at {} 1/s.", significant(m.value.re, 4));
+                out.push(Finding::warning("merged_modes", text).value(m.value.im, "rad/s"));
+            }
+        }
+        let asymptotes: Vec<String> = found.asymptotes.iter().map(|a| significant(a.value.im, 6)).collect();
+        if !asymptotes.is_empty() {
+            out.push(
+                Finding::info(
+                    "asymptotes",
+                    format!(
+                        "With the nonlinear parts rigid the machine whirls at {} rad/s: there amplitudes of a hardening machine have no bound.",
+                        asymptotes.join(", ")
+                    ),
+                )
+                .value(asymptotes.len() as f64, ""),
+            );
+        }
+        let kept = found.discretisation.harmonics;
+        out.extend(short(self.request.harmonics, self.request.truncation, motions().map(|m| m.truncation), kept));
+        out.extend(invalid(self.system, &self.measured.iter().flatten().collect::<Vec<_>>(), "free whirls"));
+        out
+    }
+
+    fn family(&self, k: usize, f: &Family) -> Vec<Finding> {
+        let mut out = Vec::new();
+        let (Some(first), Some(last)) = (f.motions.first(), f.motions.last()) else { return out };
+        let name = format!("family {}", k + 1);
+        let named = self.named(f);
+        let turns = if self.directed() { if named < 0.0 { " backward" } else { " forward" } } else { "" };
+        let six = |w: f64| format!("{} rad/s", significant(w, 6));
+        let word = match last.frequency.abs() / first.frequency.abs() - 1.0 {
+            change if change.abs() <= STEADY => "keeps its frequency",
+            change if change > 0.0 => "hardens",
+            _ => "softens",
+        };
+        let turning = turning(&f.motions).map_or_else(String::new, |m| {
+            let before = if m.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
+            format!(" It first {before}, to {} at {}.", six(m.frequency), quantity(m.amplitude, "m"))
+        });
+        let text = match f.origin {
+            Origin::Mode(_) => format!(
+                "The{turns} whirl of {{}} {word}{}: {} at {}, {} at {}.{turning}",
+                if word.starts_with("keeps") { " at all amplitudes computed" } else { " with its amplitude" },
+                six(first.frequency),
+                quantity(first.amplitude, "m"),
+                six(last.frequency),
+                quantity(last.amplitude, "m"),
+            ),
+            Origin::Asymptote(a) => {
+                let least = f.motions.iter().map(|m| m.amplitude).fold(f64::INFINITY, f64::min);
+                format!(
+                    "A family of{turns} whirls beside the asymptote at {} rad/s begins at no linear mode: from {{}} at {} it goes down to {} and ends at {} \
+                     with {}.",
+                    significant(self.found.asymptotes.get(a).map_or(f64::NAN, |a| a.value.im), 6),
+                    quantity(first.amplitude, "m"),
+                    quantity(least, "m"),
+                    quantity(last.frequency, "rad/s"),
+                    quantity(last.amplitude, "m"),
+                )
+            }
+        };
+        let residual = largest(f.motions.iter().map(|m| m.residual));
+        out.push(
+            Finding::info("family", text).of(&name).value(named, "rad/s").evidence("scaled residual, worst point", residual, "").evidence(
+                "orders kept",
+                self.found.discretisation.harmonics as f64,
+                "",
+            ),
+        );
+        for (a, bracket) in &f.synchronous {
+            out.push(
+                Finding::info(
+                    "synchronous",
+                    "At an amplitude of {} this whirl has the frequency of the spin: unbalance would meet it there.",
+                )
+                .of(&name)
+                .value(*a, "m")
+                .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
+            );
+        }
+        if last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
+            let text = format!(
+                "The whirl of {} could be followed to an amplitude of {{}}, where its frequency has fallen to {}: next to no restoring force is left.",
+                quantity(named, "rad/s"),
+                quantity(last.frequency, "rad/s")
+            );
+            out.push(Finding::warning("whirl_ends", text).of(&name).value(last.amplitude, "m").evidence(
+                "frequency",
+                last.frequency,
+                "rad/s",
+            ));
+        } else if let Some(why) = unfinished(&f.end) {
+            let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(named, "rad/s"));
+            out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
+        }
+        out
+    }
+
+    /// The frequency that names a family: of the linear mode it begins at, else of its first motion.
+    fn named(&self, f: &Family) -> f64 {
+        match f.origin {
+            Origin::Mode(k) => self.found.modes.get(k).map_or(f64::NAN, |m| m.value.im),
+            Origin::Asymptote(_) => f.motions.first().map_or(f64::NAN, |m| m.frequency),
+        }
+    }
+
+    /// Where a family begins, in words.
+    fn begins(&self, k: usize) -> String {
+        let f = &self.found.families[k];
+        match f.origin {
+            Origin::Mode(_) => format!("from {}", quantity(self.named(f), "rad/s")),
+            Origin::Asymptote(a) => {
+                format!("beside {}", self.found.asymptotes.get(a).map_or(String::new(), |a| quantity(a.value.im, "rad/s")))
+            }
+        }
+    }
+
+    /// Frequencies have a sign.
+    fn directed(&self) -> bool {
+        matches!(self.found.discretisation.symmetry, Symmetry::Circular | Symmetry::Quarter)
+    }
+
+    fn table(&self) -> Result<Table, OutcomeError> {
+        let all = in_order(self.found.families.iter().map(|f| &f.motions[..]), &self.measured);
+        let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
+        let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
+        let t = Table::new("backbone", "Free whirls, family by family in order along each")
+            .int("family", "", "number of the family", all.iter().map(|a| a.0 as i64 + 1).collect())
+            .text("begins", "where the family begins", all.iter().map(|a| self.begins(a.0)).collect())
+            .float("amplitude", "m", "first-order amplitude of the deflection of the nonlinear parts", column(&|m| m.amplitude))
+            .float("frequency", "rad/s", FREQUENCY, column(&|m| m.frequency))
+            .float("drive", "1/s", "excitation per mass and velocity that makes up for the losses", column(&|m| m.drive));
+        let t = body_columns(t, &self.probes, &measured);
+        trust_columns(t, self.system, column(&|m| m.truncation), column(&|m| m.residual), &measured).build()
+    }
+
+    fn modes(&self) -> Result<Table, OutcomeError> {
+        let modes = &self.found.modes;
+        let family = |k: usize| self.found.families.iter().position(|f| f.origin == Origin::Mode(k)).map_or(0, |f| f as i64 + 1);
+        Table::new("modes", "Linear modes: free whirls of vanishing amplitude")
+            .float("frequency", "rad/s", FREQUENCY, modes.iter().map(|m| m.value.im).collect())
+            .float("growth", "1/s", "growth rate", modes.iter().map(|m| m.value.re).collect())
+            .text("whirl", "direction", modes.iter().map(|m| m.whirl.word().to_string()).collect())
+            .int("family", "", "number of the family that begins here; 0: none", (0..modes.len()).map(family).collect())
+            .text("why none", "why no family begins here", modes.iter().map(|m| m.left.unwrap_or("").to_string()).collect())
+            .build()
+    }
+
+    fn asymptotes(&self) -> Result<Table, OutcomeError> {
+        let all = &self.found.asymptotes;
+        Table::new("asymptotes", "Modes with the nonlinear parts rigid: free whirls of unbounded amplitude of a hardening machine")
+            .float("frequency", "rad/s", FREQUENCY, all.iter().map(|m| m.value.im).collect())
+            .float("growth", "1/s", "growth rate", all.iter().map(|m| m.value.re).collect())
+            .build()
+    }
+
+    fn figure(&self) -> Figure {
+        let most = self.found.amplitudes.1;
+        let mut panel = Panel::new(Axis::new("amplitude of the deflection", "m").metres(most))
+            .mark(Line::new("backbone", "frequency", "amplitude").group("begins"));
+        let w = self.request.speed;
+        let shown = self.found.families.iter().flat_map(|f| &f.motions).map(|m| m.frequency);
+        let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+        let mut last = f64::NEG_INFINITY;
+        for a in &self.found.asymptotes {
+            // one line for those that cannot be told apart
+            if a.value.im - last > 1e-3 * (highest - least) {
+                panel = panel.mark(Rule::x(a.value.im, "asymptote"));
+                last = a.value.im;
+            }
+        }
+        if (least..=highest).contains(&w) {
+            panel = panel.mark(Rule::x(w, "spin"));
+        }
+        let alt = format!(
+            "Amplitude of the deflection against whirl frequency at {}, {} families.",
+            quantity(w, "rad/s"),
+            self.found.families.len()
+        );
+        Figure::new("backbone", "Free whirls", alt).x(Axis::new("whirl frequency", "rad/s")).panel(panel)
+    }
+}

@@ -1,0 +1,171 @@
+//! Bifurcations of the steady response in the plane of spin speed and one parameter: loci of folds with their cusps, loci on which stability changes.
+//!
+//! Equations: folds `r = 0, (dr/dx) v = 0`; changes of stability `r = 0, Re lambda = 0` with the Floquet exponent lambda; both continued by arclength in
+//! (harmonics, W, q). See [`crate::solve::harmonic::loci`].
+//!
+//! Symbols: W spin speed, rad/s; q the parameter; r the harmonic balance.
+//!
+//! Validity: as `nonlinear_response`: periodic motion at the spin frequency, reached from an end of the range of speeds at some of the values tried.
+//!
+//! Theory: `docs/theory/harmonic-balance.md#bifurcations`.
+//!
+//! Sources: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM 2000); Y. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004).
+
+use super::free_motion::TRUNCATION;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
+use crate::model::system::{Drive, System};
+use crate::outcome::{Outcome, quantity};
+use crate::solve::harmonic::floquet::Stability;
+use crate::solve::harmonic::loci::{Request, loci};
+use crate::solve::harmonic::response::MOST_HARMONICS;
+use crate::study::shared::support::range;
+use crate::study::{Context, Study};
+
+mod findings;
+mod report;
+
+/// See the [module](self).
+pub struct BifurcationLoci {
+    request: Request,
+}
+
+impl BifurcationLoci {
+    /// The study that answers this request.
+    pub fn new(request: Request) -> Self {
+        BifurcationLoci { request }
+    }
+}
+
+/// Smallest spin speed, rad/s: the unbalance needs a turn to act.
+const SLOWEST: f64 = 1e-3;
+
+/// Most values at which responses are computed.
+const MOST_VALUES: usize = 200;
+
+impl Study for BifurcationLoci {
+    const KIND: &'static str = "bifurcation_loci";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", points = 5 }
+"#;
+    const DOC: &'static str = "Where jumps and other bifurcations of the steady response lie when one parameter changes: loci of folds in the plane of spin \
+        speed and parameter, with the cusps in which jumps begin, and loci on which states lose or regain their stability (Neimark-Sacker, period doubling, \
+        symmetry breaking). They are followed from the bifurcations of the response at some values of the parameter.";
+    const FIELDS: &'static [Field] = &[
+        Field::required(
+            "speed",
+            FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "range of the spin speed; negative speeds turn clockwise",
+        ),
+        Field::required(
+            "parameter",
+            FieldKind::ParameterRange,
+            "the parameter, and its range; points is the number of values at which the response is computed to find starts, 5 unless given",
+        ),
+        Field::optional(
+            "kinds",
+            FieldKind::Choice(&[
+                ("all", "folds and changes of stability"),
+                ("folds", "folds alone"),
+                ("stability", "changes of stability away from folds alone"),
+            ]),
+            "all",
+            "which bifurcations are followed",
+        ),
+        Field::optional(
+            "harmonics",
+            FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
+            "auto",
+            "largest order of the spin frequency kept; auto raises it until the dropped force is below truncation",
+        ),
+        TRUNCATION,
+        Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a locus, and of a branch"),
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let before = diagnostics.0.len();
+        let speeds = values.range("speed").and_then(|r| range("speed", r, 0, values, diagnostics)).map(|s| (s.from, s.to));
+        if speeds.is_some_and(|(lo, hi)| !(lo >= SLOWEST || hi <= -SLOWEST)) {
+            diagnostics.push(
+                Diagnostic::error("loci.standstill", "the range of speeds comes too near to standstill, where no unbalance acts")
+                    .at(values.span_of("speed"))
+                    .help(format!("keep both ends above {SLOWEST} rad/s, or both below -{SLOWEST} rad/s for rotation the other way round")),
+            );
+        }
+        let mut parameter = None;
+        if let Some((path, given)) = values.parameter_range("parameter") {
+            let given = range("parameter", given, 2, values, diagnostics);
+            if system.param(path).is_none() {
+                diagnostics.push(system.unknown_param(path).at(values.span_of("parameter")));
+            }
+            if let Some(points) = given.and_then(|g| g.points).filter(|&p| p > MOST_VALUES) {
+                diagnostics.push(
+                    Diagnostic::error("study.range", format!("the response at {points} values is too much"))
+                        .at(values.span_of("parameter"))
+                        .help(format!("points is the number of values at which loci are started: at most {MOST_VALUES}")),
+                );
+            }
+            parameter = given.map(|g| (path.to_string(), g));
+        }
+        if diagnostics.0.len() > before {
+            return None;
+        }
+        let (parameter, given) = parameter?;
+        let harmonics = match values.get("harmonics") {
+            Some(Value::Integer(h)) => usize::try_from(*h).ok(),
+            _ => None,
+        };
+        let kinds = values.choice("kinds").unwrap_or("all");
+        Some(BifurcationLoci {
+            request: Request {
+                speeds: speeds?,
+                parameter,
+                range: (given.from, given.to),
+                values: given.linspace(5),
+                folds: kinds != "stability",
+                stability: kinds != "folds",
+                harmonics,
+                truncation: values.number("truncation").unwrap_or(1e-7),
+                max_points: values.integer("max_points").and_then(|i| usize::try_from(i).ok()).unwrap_or(2_000),
+                work: u64::MAX,
+            },
+        })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error(
+                "loci.free_drive",
+                "a steady response is computed at constant speed, and the speed of this machine is free",
+            )
+            .help("prescribe the speed of the machine: leave out its free drive"));
+        }
+        let path = &self.request.parameter;
+        if self.request.values.iter().all(|&x| system.with(&[(path, x)]).is_err()) {
+            let x = self.request.range.0;
+            let why = system.with(&[(path, x)]).err().and_then(|d| d.0.into_iter().next()).map(|d| d.message).unwrap_or_default();
+            let message = format!("the machine does not exist at any value tried of {path}; at {}: {why}", quantity(x, unit(system, path)));
+            return Err(Diagnostic::error("loci.parameter", message).help("choose another range of the parameter"));
+        }
+        if !self.request.folds
+            && let Err(why) = Stability::new(system)
+        {
+            return Err(Diagnostic::error("loci.stability", format!("the stability of this machine's motions cannot be judged: {why}"))
+                .help("kinds = \"folds\" needs no stability"));
+        }
+        Ok(())
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let request = Request { work: context.work_limit, ..self.request.clone() };
+        let found = loci(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let shown = report::Shown::new(system, &request, &found)?;
+        shown.outcome(context).map_err(Diagnostic::from)
+    }
+}
+
+/// Unit of a parameter.
+fn unit(system: &System, path: &str) -> &'static str {
+    system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit)
+}

@@ -1,0 +1,259 @@
+//! What a reader sees of loci: displacements and validity of their motions, tables, the figure.
+
+use super::BifurcationLoci;
+use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
+use crate::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
+use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::path::PathEnd;
+use crate::solve::harmonic::problem::Balance;
+use crate::study::shared::sights;
+use crate::study::shared::validity::Uses;
+use crate::study::{Context, Study};
+
+/// Displacements and validity of one motion.
+pub(super) struct Seen {
+    /// Largest value over a period, m or rad, by probe.
+    pub sizes: Vec<f64>,
+    /// Use of the parts' validity; `None` where the motion could not be had.
+    pub uses: Option<Uses>,
+}
+
+/// Everything that is shown.
+pub(super) struct Shown<'a> {
+    pub(super) system: &'a System,
+    pub(super) request: &'a Request,
+    pub(super) found: &'a Loci,
+    pub(super) unit: &'static str,
+    /// Probes that are measured, the reference points of the bodies first.
+    pub(super) probes: Vec<Probe>,
+    /// By locus and point.
+    pub(super) seen: Vec<Vec<Seen>>,
+    /// By locus and corner.
+    pub(super) corners: Vec<Vec<Seen>>,
+}
+
+/// What to call a place where a locus turns back in the parameter.
+pub(super) fn corner_name(locus: &Locus, corner: &Corner) -> &'static str {
+    match (locus.kind, corner.turn.speed_turns) {
+        (LocusKind::Fold, true) => "cusp",
+        (LocusKind::Fold, false) => "folds meet",
+        _ => "extremum",
+    }
+}
+
+impl<'a> Shown<'a> {
+    pub(super) fn new(system: &'a System, request: &'a Request, found: &'a Loci) -> Result<Self, Diagnostic> {
+        let probes = sights::probes(system);
+        let unit = super::unit(system, &request.parameter);
+        let mut shown = Shown { system, request, found, unit, probes, seen: vec![], corners: vec![] };
+        let template = Balance::new(system, found.discretisation, request.speeds, None)?;
+        let see = |value: f64, speed: f64, x: &[f64]| shown.measure(system, &template, value, speed, x);
+        let seen = found.loci.iter().map(|l| l.points.iter().map(|p| see(p.value, p.speed, &p.x)).collect()).collect();
+        let corners = found.loci.iter().map(|l| l.corners.iter().map(|c| see(c.turn.value, c.speed, &c.x)).collect()).collect();
+        (shown.seen, shown.corners) = (seen, corners);
+        Ok(shown)
+    }
+
+    /// Displacements and validity of a motion of the machine at a value of the parameter.
+    fn measure(&self, system: &System, template: &Balance, value: f64, speed: f64, x: &[f64]) -> Seen {
+        let unknown = || Seen { sizes: vec![f64::NAN; self.probes.len()], uses: None };
+        let Ok(machine) = system.with(&[(&self.request.parameter, value)]) else { return unknown() };
+        let Some(mut balance) = template.of_other(&machine) else { return unknown() };
+        let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
+        let turns = template.terms.divisor;
+        let sizes = sights::sizes(&machine, &sights::ordered(&machine), &orbit, turns);
+        Seen { sizes, uses: Some(Uses::over(&machine, &orbit, turns)) }
+    }
+
+    pub(super) fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+        let (found, path) = (self.found, self.request.parameter.as_str());
+        let mut out = Outcome::new(BifurcationLoci::KIND, context.name).over(path, self.unit).end(self.end(context));
+        for f in self.findings() {
+            out = out.finding(f);
+        }
+        if found.loci.iter().any(|l| !l.points.is_empty()) {
+            out = out.table(self.table()?);
+            let corners = self.corner_table()?;
+            let marked = corners.rows() > 0;
+            if marked {
+                out = out.table(corners);
+            }
+            out = out.figure(self.figure(marked));
+        }
+        if !found.samples.is_empty() {
+            out = out.table(self.sample_table()?);
+        }
+        for (k, locus) in found.loci.iter().enumerate() {
+            for c in &locus.corners {
+                let t = &c.turn;
+                let ends = [t.value, t.bracket.0, t.bracket.1];
+                let bracket = ends.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+                let point = SpecialPoint::new(corner_name(locus, c), t.value, bracket)
+                    .of(format!("locus {}", k + 1))
+                    .status(if t.confirmed { Status::Located } else { Status::Bracketed })
+                    .evidence("speed", c.speed, "rad/s")
+                    .evidence("scaled residual", t.residual, "")
+                    .evidence("difference of two methods", t.methods_differ.abs(), self.unit)
+                    .evidence("change with four more orders", c.harmonics_change[1].abs(), self.unit);
+                out = out.special_point(point);
+            }
+        }
+        for &(name, count) in &found.work {
+            out = out.work(name, count);
+        }
+        out.checked()
+    }
+
+    fn end(&self, context: &Context) -> outcome::End {
+        let ends = || self.found.loci.iter().flat_map(|l| &l.ends);
+        match () {
+            () if self.found.stopped => context.end(false),
+            () if ends().any(|e| *e == PathEnd::MaxPoints) => outcome::End::MaxPoints,
+            () => outcome::End::Reached,
+        }
+    }
+
+    /// All points, with the number of their locus and whether they begin it.
+    fn rows(&self) -> Vec<(usize, bool, &Locus, &LocusPoint, &Seen)> {
+        let of = |(k, l): (usize, &'a Locus)| {
+            l.points.iter().zip(&self.seen[k]).enumerate().map(move |(i, (p, s))| (k + 1, i == 0, l, p, s)).collect::<Vec<_>>()
+        };
+        self.found.loci.iter().enumerate().flat_map(of).collect()
+    }
+
+    fn table(&self) -> Result<Table, OutcomeError> {
+        let rows = self.rows();
+        let crossing = |f: &dyn Fn((f64, f64, usize)) -> f64| rows.iter().map(|r| r.3.crossing.map_or(f64::NAN, f)).collect::<Vec<f64>>();
+        let mut t = Table::new("loci", "Bifurcations in the plane of speed and parameter, locus by locus in order along each")
+            .int("locus", "", "number of the locus", rows.iter().map(|r| r.0 as i64).collect())
+            .text("kind", "what happens there", rows.iter().map(|r| r.2.kind.name().to_string()).collect())
+            .flag("begins", "first point of its locus", rows.iter().map(|r| r.1).collect())
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.3.speed).collect())
+            .float(self.request.parameter.clone(), self.unit, "parameter", rows.iter().map(|r| r.3.value).collect());
+        for (k, p) in self.probes.iter().enumerate() {
+            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.4.sizes[k]).collect());
+        }
+        if self.request.stability {
+            let bounds = |r: &(usize, bool, &Locus, &LocusPoint, &Seen)| r.3.crossing.is_none_or(|c| c.2 == 0);
+            t = t
+                .float("frequency", "rad/s", "frequency of the disturbance that starts or ceases to grow; NaN at folds", crossing(&|c| c.1))
+                .float("growth rate", "1/s", "growth rate left there: how well it is located; NaN at folds", crossing(&|c| c.0))
+                .float("growing beside", "", "other exponents that grow there; NaN at folds", crossing(&|c| c.2 as f64))
+                .flag("bounds stability", "stable states end here; of folds not judged", rows.iter().map(bounds).collect());
+        }
+        t.float("truncation", "", "dropped over kept force harmonics", rows.iter().map(|r| r.3.truncation).collect())
+            .float("residual", "", "scaled residual of the extended equations", rows.iter().map(|r| r.3.residual).collect())
+            .float(
+                "validity",
+                "",
+                "largest use of a part's validity; above 1 is outside",
+                rows.iter().map(|r| r.4.uses.as_ref().map_or(f64::NAN, |u| finite(u.worst(self.system).0))).collect(),
+            )
+            .build()
+    }
+
+    fn corner_table(&self) -> Result<Table, OutcomeError> {
+        let loci = self.found.loci.iter().enumerate();
+        let rows: Vec<(usize, &Locus, &Corner, &Seen)> =
+            loci.flat_map(|(k, l)| l.corners.iter().zip(&self.corners[k]).map(move |(c, s)| (k + 1, l, c, s))).collect();
+        let float = |f: &dyn Fn(&Corner) -> f64| rows.iter().map(|r| f(r.2)).collect::<Vec<f64>>();
+        let mut t = Table::new("turns", "Places where a locus turns back in the parameter")
+            .int("locus", "", "number of the locus", rows.iter().map(|r| r.0 as i64).collect())
+            .text(
+                "kind",
+                "cusp: the speed turns back as well, two folds vanish; folds meet: branches exchange their parts, or a detached one begins",
+                rows.iter().map(|r| corner_name(r.1, r.2).to_string()).collect(),
+            )
+            .float("speed", "rad/s", "spin speed", float(&|c| c.speed))
+            .float(self.request.parameter.clone(), self.unit, "parameter", float(&|c| c.turn.value));
+        for (k, p) in self.probes.iter().enumerate() {
+            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.3.sizes[k]).collect());
+        }
+        t.float("residual", "", "scaled residual of the extended equations", float(&|c| c.turn.residual))
+            .float(
+                "methods differ",
+                self.unit,
+                "parameter by the extended equations minus parameter located along the locus; NaN when the first found none",
+                float(&|c| c.turn.methods_differ),
+            )
+            .float(
+                "speed change",
+                "rad/s",
+                "change of the speed when four more orders are kept; NaN when not found",
+                float(&|c| c.harmonics_change[0]),
+            )
+            .float(
+                "parameter change",
+                self.unit,
+                "change of the parameter when four more orders are kept",
+                float(&|c| c.harmonics_change[1]),
+            )
+            .build()
+    }
+
+    fn sample_table(&self) -> Result<Table, OutcomeError> {
+        let samples = &self.found.samples;
+        Table::new("starts", "Values of the parameter at which the response was computed to find starts")
+            .float(self.request.parameter.clone(), self.unit, "parameter", samples.iter().map(|s| s.value).collect())
+            .int("folds", "", "folds of the response", samples.iter().map(|s| s.folds as i64).collect())
+            .int("changes", "", "other places where stable states begin or end", samples.iter().map(|s| s.changes as i64).collect())
+            .build()
+    }
+
+    /// Loci in the plane, folds apart from changes of stability, corners marked.
+    fn figure(&self, corners: bool) -> Figure {
+        let path = self.request.parameter.as_str();
+        let values = self.found.loci.iter().flat_map(|l| &l.points).map(|p| p.value.abs());
+        let largest = values.fold(0.0, f64::max);
+        let (unit, factor) = match self.unit {
+            "m" if largest < 1e-3 => ("µm", 1e6),
+            "m" => ("mm", 1e3),
+            unit => (unit, 1.0),
+        };
+        let line = Line::new("loci", "speed", path).group("kind").begins_where("begins");
+        let line = if self.request.stability {
+            line.solid_where("bounds stability").meaning("folds and bounds of stability", "other growth beside")
+        } else {
+            line
+        };
+        let mut panel = Panel::new(Axis::new(path, unit).factor(factor)).mark(line);
+        if corners {
+            panel = panel.mark(Points::new("turns", "speed", path).group("kind"));
+        }
+        Figure::new("loci", "Loci of bifurcations", self.alt()).x(self.speeds()).panel(panel)
+    }
+
+    /// The axis of the speed, a little wider than the loci.
+    fn speeds(&self) -> Axis {
+        let speeds = || self.found.loci.iter().flat_map(|l| &l.points).map(|p| p.speed);
+        let (lo, hi) = speeds().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(w), b.max(w)));
+        let margin = (0.04 * (hi - lo)).max(2e-3 * lo.abs().max(hi.abs()));
+        let axis = Axis::new("spin speed", "rad/s");
+        if lo <= hi { axis.range(lo - margin, hi + margin) } else { axis }
+    }
+
+    fn alt(&self) -> String {
+        let loci = &self.found.loci;
+        let count = |kind: &dyn Fn(&Locus) -> bool| loci.iter().filter(|l| kind(l)).count();
+        let folds = count(&|l| l.kind == LocusKind::Fold);
+        let cusps: Vec<String> = loci
+            .iter()
+            .flat_map(|l| l.corners.iter().filter(|c| corner_name(l, c) == "cusp"))
+            .map(|c| format!("{} rad/s, {}", significant(c.speed, 5), quantity(c.turn.value, self.unit)))
+            .collect();
+        let cusps = if cusps.is_empty() { "no cusp".to_string() } else { format!("cusps at {}", cusps.join("; ")) };
+        format!(
+            "Loci in the plane of spin speed and {}: {folds} of folds, {} of other changes of stability; {cusps}.",
+            self.request.parameter,
+            loci.len() - folds
+        )
+    }
+}
+
+/// A number, or none where it is without bound.
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { f64::NAN }
+}

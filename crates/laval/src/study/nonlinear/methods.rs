@@ -1,0 +1,285 @@
+//! Approximate methods side by side: how far harmonic balance with few orders, averaging, elliptic balance and integration in time are from
+//! the converged motion under unbalance.
+//!
+//! Equations: see [`crate::solve::harmonic::methods`] and [`crate::solve::harmonic::elliptic`].
+//!
+//! Symbols: k^2 parameter of the elliptic cosine.
+//!
+//! Validity: periodic motion at the spin speed. Elliptic balance applies to one deflection with a hardening cubic law in x and y apart.
+//!
+//! Sources: `000_a291f7ede1484e56` chapters 1 and 2; `docs/theory/approximate-methods.md#averaging`, `docs/theory/approximate-methods.md#elliptic-balance`.
+
+use super::nonlinear_response::around;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
+use crate::model::system::{Drive, System};
+use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
+use crate::solve::harmonic::methods::{Comparison, Method, Value, compare, orders};
+use crate::solve::harmonic::response::{Request, Response, respond, symmetry};
+use crate::solve::symmetry::Symmetry;
+use crate::study::shared::support::one_or_range;
+use crate::study::shared::validity::Uses;
+use crate::study::{Context, Study};
+
+/// See the [module](self).
+pub struct Methods {
+    /// Speeds, rad/s.
+    pub speed: RangeValue,
+    /// Largest order of harmonic balance compared.
+    pub harmonics: usize,
+}
+
+/// A fold by one method.
+struct FoldBy {
+    method: String,
+    speed: f64,
+    /// From the converged one, rad/s; NaN where it has none near.
+    deviation: f64,
+}
+
+/// Relative deviation that is rounding.
+const EXACT: f64 = 1e-12;
+
+impl Study for Methods {
+    const KIND: &'static str = "methods";
+    const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "12000 rpm", points = 12 }
+harmonics = 7
+"#;
+    const DOC: &'static str = "Approximate methods beside the converged motion under unbalance, at some speeds and for every state there: harmonic balance \
+        with orders from 1, averaging (van der Pol; its states are those of one harmonic), elliptic balance in its period-consistent form where the law \
+        allows it, and integration in time. Each with its deviation; folds too.";
+    const FIELDS: &'static [Field] = &[
+        Field::required(
+            "speed",
+            FieldKind::Range { unit: "rad/s", bounds: Bounds::closed(1e-3, 1e7) },
+            "one spin speed, or a range; compared at 25 points unless given",
+        ),
+        Field::optional("harmonics", FieldKind::Integer { min: 1, max: 31 }, "7", "largest order of harmonic balance compared"),
+    ];
+
+    fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = one_or_range("speed", values.range("speed")?, 2, values, diagnostics)?;
+        let harmonics = values.integer("harmonics").and_then(|i| usize::try_from(i).ok()).unwrap_or(7);
+        Some(Methods { speed, harmonics })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        if system.machine.drive == Drive::Free {
+            return Err(Diagnostic::error(
+                "methods.free_drive",
+                "the methods are compared at constant speed, and the speed of this machine is free",
+            )
+            .help("prescribe the speed of the machine (leave out its free drive)"));
+        }
+        symmetry(system, &self.request()).map(drop)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let most = usize::try_from(context.work_limit).unwrap_or(usize::MAX).clamp(2, 20_000);
+        let request = Request { max_points: most, ..self.request() };
+        let converged = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let speeds = if self.speed.is_one() { vec![self.speed.from] } else { self.speed.linspace(25) };
+        let within = usize::try_from(context.work_limit).unwrap_or(usize::MAX).min(speeds.len());
+        let total = speeds.len() as u64;
+        let mut lower: Vec<(usize, Response)> = Vec::new();
+        for h in orders(&converged, self.harmonics) {
+            if context.cancelled() {
+                break;
+            }
+            lower.push((h, respond(system, &Request { harmonics: Some(h), ..request }, context.cancel, &|_| {})?));
+        }
+        let found = compare(system, &converged, request.speeds, &speeds[..within], &lower, context.cancel, &|done| {
+            context.progress.report(done, total);
+        })?;
+        let mut folds: Vec<FoldBy> = Vec::new();
+        let exact: Vec<f64> = speeds_of(&converged);
+        for (h, by) in lower.iter().filter(|_| converged.discretisation.symmetry != Symmetry::Circular) {
+            folds.extend(speeds_of(by).into_iter().map(|speed| {
+                let nearest = exact.iter().copied().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
+                FoldBy { method: Method::Harmonic(*h).to_string(), speed, deviation: nearest.map_or(f64::NAN, |e| speed - e) }
+            }));
+        }
+        folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged.to_string(), speed, deviation: 0.0 }));
+        let complete = within == speeds.len() && found.complete;
+        let outside = Uses::of_response(system, &converged, request.speeds)?.of_states(system);
+        let outcome = self.outcome(system, context, &converged, &found, &folds, context.end(complete)).map_err(Diagnostic::from)?;
+        Ok(outside.into_iter().fold(outcome, Outcome::finding))
+    }
+}
+
+fn speeds_of(r: &Response) -> Vec<f64> {
+    r.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed).collect()
+}
+
+impl Methods {
+    fn request(&self) -> Request {
+        let (from, to) = if self.speed.is_one() { around(self.speed.from) } else { (self.speed.from, self.speed.to) };
+        Request { truncation: 1e-9, stability: false, ..Request::over(from, to) }
+    }
+
+    fn outcome(
+        &self,
+        system: &System,
+        context: &Context,
+        converged: &Response,
+        found: &Comparison,
+        folds: &[FoldBy],
+        end: End,
+    ) -> Result<Outcome, OutcomeError> {
+        let all: Vec<&Value> = found.values.iter().filter(|v| v.method != Method::Converged).collect();
+        let converged_of =
+            |v: &Value| found.values.iter().find(|c| c.method == Method::Converged && c.speed == v.speed && c.state == v.state);
+        let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
+        let column = |f: &dyn Fn(&Value) -> f64| all.iter().map(|v| f(v)).collect::<Vec<f64>>();
+        let mut t = Table::new("methods", "Peaks of every state by every method, beside the converged ones")
+            .float("speed", "rad/s", "spin speed", column(&|v| v.speed))
+            .int("state", "", "number of the state at this speed, by amplitude", all.iter().map(|v| v.state as i64 + 1).collect())
+            .text("method", "method", all.iter().map(|v| v.method.to_string()).collect());
+        for (b, name) in bodies.iter().enumerate() {
+            let peak = |v: &Value| v.peaks.get(b).copied().unwrap_or(f64::NAN);
+            t = t
+                .float(
+                    format!("{name} largest x"),
+                    "m",
+                    "largest |x| over a period; NaN when the method has no state near the converged one",
+                    column(&peak),
+                )
+                .float(
+                    format!("{name} converged"),
+                    "m",
+                    "the same, converged; NaN when there is none",
+                    column(&|v| converged_of(v).map_or(f64::NAN, peak)),
+                );
+        }
+        let t = t
+            .float(
+                "deviation",
+                "",
+                "largest change of a peak from the converged one, over the largest converged peak; NaN where the method has no state, or nothing moves",
+                column(&|v| v.deviation),
+            )
+            .float("growth of slow motion", "1/s", "largest growth rate by averaging; NaN for other methods", column(&|v| v.growth))
+            .float(
+                "growth converged",
+                "1/s",
+                "largest growth rate of any disturbance of the converged state; NaN when not judged",
+                column(&|v| converged_of(v).map_or(f64::NAN, |c| c.growth)),
+            )
+            .float("parameter", "", "k^2 of elliptic balance; NaN for other methods", column(&|v| v.parameter))
+            .build()?;
+        let mut out = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
+        for f in self.findings(converged, found, folds) {
+            out = out.finding(f);
+        }
+        if t.rows() > 0 {
+            out = out.table(t);
+            // one speed makes no curve
+            if all.iter().any(|v| v.deviation > 0.0) && !self.speed.is_one() {
+                let axis = Axis::log("deviation of the peak", "%").factor(100.0);
+                let points = Points::new("methods", "speed", "deviation").classes("method", &["averaging", "harmonic balance to order 1"]);
+                let alt = "Deviation of each method from the converged peak over the spin speed, all states.";
+                out = out.figure(
+                    Figure::new("methods", "Methods side by side", alt)
+                        .x(Axis::new("spin speed", "rad/s"))
+                        .panel(Panel::new(axis).mark(points)),
+                );
+            }
+        }
+        if !folds.is_empty() {
+            out = out.table(
+                Table::new("folds", "Folds of the response by method")
+                    .text("method", "method", folds.iter().map(|f| f.method.clone()).collect())
+                    .float("speed", "rad/s", "spin speed", folds.iter().map(|f| f.speed).collect())
+                    .float(
+                        "deviation",
+                        "rad/s",
+                        "from the nearest converged fold; NaN without one",
+                        folds.iter().map(|f| f.deviation).collect(),
+                    )
+                    .build()?,
+            );
+        }
+        out.checked()
+    }
+
+    fn findings(&self, converged: &Response, found: &Comparison, folds: &[FoldBy]) -> Vec<Finding> {
+        let mut out = Vec::new();
+        let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
+        let (unstable, all) = (states().filter(|v| v.growth > v.growth_error).count(), states().count());
+        if unstable > 0 {
+            let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
+            out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
+        }
+        let mut methods: Vec<Method> = Vec::new();
+        for v in &found.values {
+            if v.method != Method::Converged && !methods.contains(&v.method) {
+                methods.push(v.method);
+            }
+        }
+        for method in methods {
+            let own = || found.values.iter().filter(move |v| v.method == method);
+            let worst = own().filter(|v| v.deviation.is_finite()).max_by(|a, b| a.deviation.total_cmp(&b.deviation));
+            let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
+            let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
+            if let Some(v) = worst {
+                let text = if v.deviation <= EXACT {
+                    format!("By {method}, peaks equal the converged ones to rounding at the speeds compared: off by {{}} at most.{absent}")
+                } else {
+                    let (speed, state) = (significant(v.speed, 5), v.state + 1);
+                    format!("By {method}, peaks at the speeds compared are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
+                };
+                out.push(
+                    Finding::info("deviation", text)
+                        .of(method.to_string())
+                        .value(v.deviation, "")
+                        .shown_as(100.0 * v.deviation, "%")
+                        .evidence("speed", v.speed, "rad/s"),
+                );
+            } else {
+                out.push(Finding::warning("no_states", format!("By {method}, none of the states was found.")).of(method.to_string()));
+            }
+        }
+        let judged = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
+        let (mut wrong, mut count) = (0, 0);
+        for a in judged(Method::Averaging) {
+            // what neither grows nor decays beyond its error has no sign to compare
+            let told = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
+            if let Some(c) = judged(Method::Converged).find(told) {
+                count += 1;
+                wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
+            }
+        }
+        if count > 0 {
+            let text = format!(
+                "For {wrong} of {count} states averaging gives another stability than the Floquet exponents: it holds the mode near the speed only."
+            );
+            out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
+        }
+        if let Some(f) = folds
+            .iter()
+            .filter(|f| f.method == Method::Harmonic(1).to_string() && f.deviation.is_finite())
+            .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
+        {
+            let text = format!(
+                "With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.",
+                significant(f.speed - f.deviation, 6)
+            );
+            out.push(Finding::info("fold_deviation", text).value(f.deviation, "rad/s"));
+        }
+        if let Some(why) = found.no_elliptic {
+            out.push(Finding::info("no_elliptic_balance", format!("Elliptic balance was left out: {why}.")));
+        }
+        if let Some(why) = &found.no_time {
+            out.push(Finding::warning("no_time_integration", format!("Some states were not followed in time: {why}.")));
+        }
+        let d = converged.discretisation;
+        if d.symmetry == Symmetry::Circular {
+            out.push(Finding::info(
+                "one_harmonic_exact",
+                "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact.",
+            ));
+        }
+        out
+    }
+}

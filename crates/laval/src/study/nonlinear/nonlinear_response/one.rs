@@ -1,0 +1,136 @@
+//! The steady motions at one speed.
+//!
+//! They are those of the branches over a narrow range about it, corrected at the speed itself.
+
+use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::{End, Finding, Outcome, Table, quantity};
+use crate::solve::harmonic::floquet::Stability;
+use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::problem::Balance;
+use crate::solve::harmonic::response::{Request, Response, respond};
+use crate::study::Context;
+use crate::study::shared::sights;
+use crate::study::shared::support::inconsistent;
+use laval_num::continuation::Zero;
+use laval_num::dense::Mat;
+use laval_num::newton::{Options, newton};
+
+/// Half the width of the range in which branches are followed, over the speed.
+const ASIDE: f64 = 1e-3;
+/// Relative difference of two motions that are one.
+const SAME: f64 = 1e-7;
+
+/// The range of speeds in which branches are followed.
+pub(in crate::study) fn around(speed: f64) -> (f64, f64) {
+    (speed - ASIDE * speed.abs(), speed + ASIDE * speed.abs())
+}
+
+/// A motion at the speed.
+struct Motion {
+    /// Largest value of each probe over a period, m or rad.
+    amplitudes: Vec<f64>,
+    /// Period in turns.
+    turns: usize,
+    /// Largest growth rate and its error, 1/s; NaN where it was not assessed.
+    growth: (f64, f64),
+}
+
+impl Motion {
+    fn stability(&self) -> &'static str {
+        match self.growth {
+            (g, e) if g <= e => "stable",
+            (g, _) if g.is_nan() => "of unknown stability",
+            _ => "unstable",
+        }
+    }
+}
+
+/// Motions at the speed, by the displacement of the first body.
+fn motions(system: &System, request: &Request, response: &Response, speed: f64, context: &Context) -> Result<Vec<Motion>, Diagnostic> {
+    let (which, probes) = (sights::ordered(system), sights::probes(system));
+    let mut stability = if request.stability { Stability::new(system).ok() } else { None };
+    let mut out: Vec<Motion> = Vec::new();
+    for branch in &response.branches {
+        let mut balance = Balance::new(system, branch.discretisation.whole(), request.speeds, Some(context.cancel))?;
+        let n = balance.dim();
+        let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
+        for w in branch.points.windows(2) {
+            let (a, b) = (w[0].speed, w[1].speed);
+            if (a - speed) * (b - speed) > 0.0 || a == b || w.iter().any(|p| p.x.len() != n) {
+                continue;
+            }
+            let t = (speed - a) / (b - a);
+            let mut x: Vec<f64> = w[0].x.iter().zip(&w[1].x).map(|(p, q)| p + t * (q - p)).collect();
+            let options = Options { to_rounding: true, ..Options::default() };
+            if newton(&mut balance, &mut x, speed, &options).is_err() || balance.eval(&x, speed, &mut r, Some(&mut jac), None).is_err() {
+                continue;
+            }
+            let Ok(orbit) = Orbit::of(&mut balance, &x, speed) else { continue };
+            let turns = branch.turns();
+            let amplitudes = sights::sizes(system, &which, &orbit, turns);
+            // what is rounding beside the rest of a motion tells nothing of it
+            let loud = sights::loudest(probes.iter().zip(amplitudes.iter().copied()));
+            let near = |p: &Probe, a: f64, b: f64| (a - b).abs() <= SAME * a.max(b) || sights::still(p, a.max(b), loud, sights::ROUNDING);
+            let same =
+                |m: &Motion| m.turns == turns && probes.iter().zip(m.amplitudes.iter().zip(&amplitudes)).all(|(p, (a, b))| near(p, *a, *b));
+            if out.iter().any(same) {
+                continue;
+            }
+            let exponents = stability.as_mut().and_then(|s| s.exponents(&mut balance, &x, speed).ok());
+            out.push(Motion { amplitudes, turns, growth: exponents.map_or((f64::NAN, f64::NAN), |e| (e.growth(), e.error)) });
+        }
+    }
+    out.sort_by(|a, b| a.amplitudes.first().unwrap_or(&0.0).total_cmp(b.amplitudes.first().unwrap_or(&0.0)));
+    Ok(out)
+}
+
+/// The study at one speed.
+pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64, context: &Context) -> Result<Outcome, Diagnostic> {
+    let response = respond(system, request, context.cancel, &|done| context.progress.report(done, 0))?;
+    let found = motions(system, request, &response, speed, context)?;
+    let probes = sights::probes(system);
+    let loud = sights::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
+    let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
+    let end = if context.cancelled() { End::Cancelled } else { End::Reached };
+    let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
+    for (name, count) in &response.work {
+        outcome = outcome.work(*name, *count);
+    }
+    let (at, count) = (quantity(speed, "rad/s"), found.len());
+    if found.is_empty() {
+        let text = format!("No periodic motion was found at {at}: a transient shows the motion there.");
+        outcome = outcome.finding(Finding::warning("no_motion", text));
+    } else if found.iter().all(|m| m.stability() == "unstable") {
+        let text = format!(
+            "At {at} {}: a transient shows the motion there.",
+            if count == 1 { "the only motion found is unstable" } else { "all motions found are unstable" }
+        );
+        outcome = outcome.finding(Finding::warning("unstable", text));
+    }
+    for (k, m) in found.iter().enumerate() {
+        let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
+        let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
+        // of a body that only tilts its tilt is told
+        let told = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !sights::still(p, **a, loud, sights::ROUNDING);
+        for (p, a) in probes.iter().zip(&m.amplitudes).filter(told) {
+            let (what, owner) = (sights::quality(p), sights::owner(p));
+            let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.", m.stability());
+            let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
+            let finding = Finding::info(id, text).of(format!("{} {owner}", k + 1)).value(*a, p.unit());
+            outcome = outcome.finding(finding.evidence("largest growth rate", m.growth.0, "1/s").evidence("error", m.growth.1, "1/s"));
+        }
+    }
+    let mut table = Table::new("motions", format!("Steady motions at {at}"))
+        .int("motion", "", "number by the displacement of the first body", (1..=count as i64).collect())
+        .int("turns", "", "period in turns of the rotor", found.iter().map(|m| m.turns as i64).collect());
+    for (i, p) in probes.iter().enumerate() {
+        let doc = format!("largest {} over a period", sights::quality(p));
+        table = table.float(sights::column(p), p.unit(), doc, found.iter().map(|m| m.amplitudes[i]).collect());
+    }
+    let table = table
+        .text("stability", "stable, unstable or of unknown stability", found.iter().map(|m| m.stability().into()).collect())
+        .float_if_any("growth", "1/s", "largest growth rate; NaN where it was not assessed", found.iter().map(|m| m.growth.0).collect());
+    outcome.table(table.build().map_err(inconsistent)?).checked().map_err(Diagnostic::from)
+}

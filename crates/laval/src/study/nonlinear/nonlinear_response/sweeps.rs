@@ -1,0 +1,239 @@
+//! What a slow sweep of the speed meets: the branches it follows, and where it jumps from one state to another.
+
+use super::findings::reason;
+use super::shown::words;
+use super::stretches::{range_words, ranges_of, unstable_runs};
+use crate::model::probe::Probe;
+use crate::outcome::{Finding, significant};
+use crate::solve::harmonic::branch::Origin;
+use crate::solve::harmonic::response::{Fold, Response, Traced};
+use crate::study::shared::sights;
+use laval_num::continuation::End;
+use std::ops::Range;
+
+/// Relative distance beyond a fold at which the states left are looked for.
+const BEYOND: f64 = 1e-6;
+
+/// A jump of a slow sweep.
+pub(super) struct Jump<'r> {
+    /// Where the states it followed end.
+    pub fold: &'r Fold,
+    /// The other branch whose states it goes on with; `None` when it stays on the same.
+    pub onto: Option<&'r Traced>,
+    /// Stable states of the branches from both ends just beyond it; `None` where stability is not known.
+    pub stable: Option<usize>,
+    /// Growth rate, 1/s, of the states next to it where they are unstable: no sweep comes to it.
+    pub unstable: Option<f64>,
+    /// Speeds at which the states that lead to it are unstable, rad/s.
+    pub on_the_way: Vec<(f64, f64)>,
+}
+
+/// States before a fold that are looked at.
+const NEAR: usize = 4;
+
+/// What moves most at a fold, and how far, m or rad.
+type Size<'a> = &'a dyn Fn(&Fold) -> Option<(&'a Probe, f64)>;
+
+/// The branches from both ends of the range.
+fn main_branches(response: &Response) -> impl Iterator<Item = &Traced> {
+    response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High))
+}
+
+/// The branch that a slow sweep starts on: the state a machine brought to an end of the range is on is that of the branch which starts there, else of the
+/// end of the other.
+pub(super) fn swept(response: &Response, up: bool, speeds: (f64, f64)) -> Option<&Traced> {
+    if response.unstarted.contains(&begins(up, speeds)) {
+        return None;
+    }
+    let from = |origin: Origin| response.branches.iter().find(|b| b.origin == origin);
+    let (near, far) = if up { (Origin::Low, Origin::High) } else { (Origin::High, Origin::Low) };
+    from(near).or(from(far))
+}
+
+/// Where a slow sweep that starts on a branch jumps: at the first fold that turns against it, from there to the next states of the branch at that speed, else to
+/// those of the other branch, and on to the next such fold beyond.
+pub(super) fn jumps<'r>(response: &'r Response, start: &'r Traced, up: bool) -> Vec<Jump<'r>> {
+    let further = |speed: f64, than: f64| (speed.abs() > than.abs()) == up && speed != than;
+    let mut out: Vec<Jump> = Vec::new();
+    let mut branch = start;
+    loop {
+        // of a branch that was cut off nothing is known about its folds beyond
+        let mut met: Vec<&Fold> = branch.folds.iter().filter(|f| f.upper == up && f.after < branch.points.len()).collect();
+        if up != branch.from_low() {
+            met.reverse();
+        }
+        for fold in met {
+            if out.last().is_none_or(|last| further(fold.speed, last.fold.speed)) {
+                let since = out.last().map(|last| last.fold.speed);
+                let on_the_way = on_the_way(branch, Some(fold), since, up);
+                let (stable, unstable) = (landings(response, fold.speed, up), before(branch, fold, up));
+                out.push(Jump { fold, onto: None, stable, unstable, on_the_way });
+            }
+        }
+        let Some(last) = out.last_mut() else { break };
+        let at = last.fold.speed;
+        if branch.points.iter().any(|p| further(p.speed, at)) {
+            break;
+        }
+        let Some(other) = main_branches(response).find(|b| segments(b, beyond(at, up)).any(|stable| stable != Some(false))) else { break };
+        last.onto = Some(other);
+        branch = other;
+    }
+    out
+}
+
+/// Speeds at which a slow sweep jumps from states that a machine stays on.
+pub(super) fn reached(response: &Response, up: bool, speeds: (f64, f64)) -> Vec<f64> {
+    let jumps = swept(response, up, speeds).map(|branch| jumps(response, branch, up)).unwrap_or_default();
+    jumps.iter().take_while(|j| j.unstable.is_none()).map(|j| j.fold.speed).collect()
+}
+
+/// Growth rate of the states a sweep meets before a fold, where all of them that are near are unstable; beside the fold one is so by rounding.
+fn before(branch: &Traced, fold: &Fold, up: bool) -> Option<f64> {
+    let onwards = up == branch.from_low();
+    let near: Vec<_> = if onwards {
+        branch.points[..(fold.after + 1).min(branch.points.len())].iter().rev().take(NEAR).collect()
+    } else {
+        branch.points.iter().skip(fold.after + 1).take(NEAR).collect()
+    };
+    let all = !near.is_empty() && near.iter().all(|p| p.unstable());
+    all.then(|| near.iter().map(|p| p.growth()).fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Where the states that a sweep meets on a branch before a fold, or on to its end, are unstable: from the end where it begins, or beyond the speed of the
+/// jump before.
+fn on_the_way(branch: &Traced, fold: Option<&Fold>, since: Option<f64>, up: bool) -> Vec<(f64, f64)> {
+    let count = branch.points.len();
+    let met = match fold {
+        None => 0..count,
+        Some(f) if up == branch.from_low() => 0..(f.after + 1).min(count),
+        Some(f) => f.after + 1..count,
+    };
+    let reached = |i: usize| since.is_none_or(|s| (branch.points[i].speed.abs() > s.abs()) == up);
+    let cut = |r: Range<usize>| {
+        let inside = || r.clone().filter(|i| met.contains(i) && reached(*i));
+        inside().min().unwrap_or(0)..inside().max().map_or(0, |i| i + 1)
+    };
+    ranges_of(branch, unstable_runs(branch).into_iter().map(cut).filter(|r| !r.is_empty()).collect())
+}
+
+fn beyond(speed: f64, up: bool) -> f64 {
+    speed * if up { 1.0 + BEYOND } else { 1.0 - BEYOND }
+}
+
+/// Pieces of a branch from point to point that pass a speed: whether they are stable.
+fn segments(branch: &Traced, speed: f64) -> impl Iterator<Item = Option<bool>> + '_ {
+    let pairs = branch.points.windows(2).filter(move |w| (w[0].speed - speed) * (w[1].speed - speed) < 0.0);
+    pairs.map(|w| w.iter().all(|p| p.exponents.is_some()).then(|| !w[0].unstable() && !w[1].unstable()))
+}
+
+/// Stable states just beyond a speed.
+fn landings(response: &Response, speed: f64, up: bool) -> Option<usize> {
+    let known: Option<Vec<bool>> = main_branches(response).flat_map(|b| segments(b, beyond(speed, up))).collect();
+    known.map(|k| k.into_iter().filter(|stable| *stable).count())
+}
+
+/// Where a slow sweep jumps, that it does not, or that its states are not known.
+pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size: Size) -> Vec<Finding> {
+    let Some(branch) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
+    let way = if up { "up" } else { "down" };
+    let begin = begins(up, (lo, hi));
+    let end = if begin == lo { hi } else { lo };
+    let jumps = jumps(response, branch, up);
+    if !jumps.is_empty() {
+        // what lies behind states that no machine stays on is reached from elsewhere
+        let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
+        let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0, size));
+        let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j, j.unstable?)));
+        return told.chain(lost).collect();
+    }
+    let lost = on_the_way(branch, None, None, up);
+    let none = if branch.end == End::Reached && !lost.is_empty() {
+        let text = format!(
+            "The states of a slow sweep {way} from {} to {} rad/s go on to the end of the range without a fold, but they are unstable {}.",
+            significant(begin, 5),
+            significant(end, 5),
+            range_words(&lost)
+        );
+        Finding::info(format!("no_jump_{way}"), text)
+    } else if branch.end == End::Reached {
+        Finding::info(
+            format!("no_jump_{way}"),
+            format!(
+                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
+                significant(begin, 5),
+                significant(end, 5),
+                if up && response.unclosed.is_some() { ", still growing," } else { "" }
+            ),
+        )
+    } else {
+        let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end));
+        let id = format!("sweep_{way}_unfinished");
+        // where it begins is the end that was cut off
+        let begun = branch.end != End::Cancelled || up == branch.from_low();
+        match branch.points.last().filter(|_| begun) {
+            Some(p) => Finding::warning(id, text("could be followed to {} only")).value(p.speed, "rad/s"),
+            None => Finding::warning(id, text("were not followed")),
+        }
+    };
+    vec![none]
+}
+
+impl Jump<'_> {
+    fn told(&self, way: &str, first: bool, size: Size) -> Finding {
+        let again = if first { "jumps" } else { "jumps again" };
+        let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
+        let which = match self.stable {
+            Some(0) => " None of the states followed is stable just beyond it.".into(),
+            Some(n @ 2..) => format!(" {n} states are stable there: the branches do not decide which of them it comes to."),
+            _ => String::new(),
+        };
+        let f = self.fold;
+        let finding =
+            Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}")).value(f.speed, "rad/s");
+        let finding = match size(f) {
+            Some((p, size)) => {
+                finding.evidence(format!("largest {} of \"{}\" at the fold", sights::quality(p), sights::owner(p)), size, p.unit())
+            }
+            None => finding,
+        };
+        finding
+            .evidence("change with four more orders", f.harmonics_change.abs(), "rad/s")
+            .evidence("difference of two methods", f.methods_differ.abs(), "rad/s")
+            .evidence("width of the bracket", (f.bracket.0 - f.bracket.1).abs(), "rad/s")
+            .evidence("scaled residual", f.residual, "")
+    }
+}
+
+/// Where a slow sweep begins: up is faster, whichever way round the rotor turns.
+fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
+    if up == (lo >= 0.0) { lo } else { hi }
+}
+
+/// That the states before a fold are unstable.
+fn unstable(way: &str, jump: &Jump, growth: f64) -> Finding {
+    let text = format!(
+        "The states of a slow sweep {way} turn back at {{}}, but before it they are unstable {}: a machine is no longer on them, and no jump is reported.",
+        range_words(&jump.on_the_way)
+    );
+    Finding::warning(format!("sweep_{way}_unstable"), text).value(jump.fold.speed, "rad/s").evidence("growth rate before it", growth, "1/s")
+}
+
+/// That states at an end of the range were found there alone.
+pub(super) fn unfollowed(response: &Response) -> Vec<Finding> {
+    let begun = |w: f64| response.branches.iter().any(|b| b.points.first().is_some_and(|p| p.speed == w));
+    let text = "The state at {}, an end of the range, could not be followed from beyond the range: it was found there alone, and a machine brought to this \
+                speed may be on another.";
+    let told = |&w: &f64| Finding::info("start_not_followed", text).value(w, "rad/s");
+    response.unfollowed.iter().filter(|w| begun(**w)).map(told).collect()
+}
+
+/// That the states of a sweep are not known.
+fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
+    let way = if up { "up" } else { "down" };
+    Finding::warning(
+        format!("sweep_{way}_unknown"),
+        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or ask for all states."),
+    )
+    .value(begins(up, speeds), "rad/s")
+}

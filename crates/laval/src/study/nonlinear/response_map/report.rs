@@ -1,0 +1,258 @@
+//! From cells to findings and tables.
+
+use super::border::{Piece, pieces};
+use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
+use super::{ResponseMap, figures};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{End, Finding, Outcome, Table, quantity, significant};
+use crate::store::{Kind, Results};
+use crate::study::motion::settled::told::words;
+use crate::study::shared::support::inconsistent;
+use crate::study::{Context, Study};
+use std::collections::BTreeMap;
+
+/// All cells that are there.
+pub(super) struct Map<'a> {
+    pub study: &'a ResponseMap,
+    /// Values of the parameters along x and y.
+    pub values: &'a [Vec<f64>; 2],
+    /// Numbers, column by column.
+    pub numbers: BTreeMap<String, Vec<f64>>,
+    /// What slow sweeps do.
+    pub sweeps: Vec<String>,
+    pub border: Vec<Piece>,
+}
+
+impl Map<'_> {
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.sweeps.len()
+    }
+    pub fn column(&self, name: &str) -> &[f64] {
+        self.numbers.get(name).map_or(&[], Vec::as_slice)
+    }
+    fn count(&self, of: impl Fn(&str) -> bool) -> usize {
+        self.sweeps.iter().filter(|s| of(s)).count()
+    }
+    /// The cell of the largest number (of the smallest with `sign` -1); NaN is none.
+    fn best(&self, name: &str, sign: f64) -> Option<(usize, f64)> {
+        let known = self.column(name).iter().copied().enumerate().filter(|c| c.1.is_finite());
+        known.reduce(|a, b| if sign * b.1 > sign * a.1 { b } else { a })
+    }
+    fn place(&self, cell: usize) -> [f64; 2] {
+        let width = self.values[0].len();
+        [self.values[0][cell % width], self.values[1][cell / width]]
+    }
+    /// "drum.eccentricity = 50 µm, air.damping = 42 N s/m"
+    fn at(&self, cell: usize) -> String {
+        let (place, axes) = (self.place(cell), &self.study.axes);
+        [0, 1].map(|k| format!("{} = {}", axes[k].path, quantity(place[k], axes[k].unit))).join(", ")
+    }
+    fn with_place(&self, f: Finding, cell: usize) -> Finding {
+        let (place, axes) = (self.place(cell), &self.study.axes);
+        (0..2).fold(f, |f, k| f.evidence(axes[k].path.clone(), place[k], axes[k].unit))
+    }
+}
+
+/// Whether a cell jumps; `None` where that is not known.
+fn jumps(word: &str) -> Option<bool> {
+    match word {
+        NO_JUMP => Some(false),
+        BOTH | DOWN | UP | APART => Some(true),
+        _ => None,
+    }
+}
+
+pub(super) fn report(study: &ResponseMap, values: &[Vec<f64>; 2], results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let mut numbers = BTreeMap::new();
+    for c in results.columns().iter().filter(|c| c.kind == Kind::Float) {
+        numbers.insert(c.name.clone(), results.numbers(&c.name)?);
+    }
+    let sweeps: Vec<String> = words(results, "sweeps")?.into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
+    let known: Vec<Option<bool>> = sweeps.iter().map(|w| jumps(w)).collect();
+    let map = Map { study, values, numbers, border: pieces(&study.axes, values, &known), sweeps };
+    let complete = results.end() == End::Reached;
+    let mut outcome = Outcome::new(ResponseMap::KIND, context.name).end(context.end(complete));
+    if let Some(f) = results.remark() {
+        outcome = outcome.finding(f);
+    }
+    for f in failures(&map, results)? {
+        outcome = outcome.finding(f);
+    }
+    for f in jumping(&map).into_iter().chain(peaks(&map)).chain(instability(&map, results)?).chain(validity(&map, results)?) {
+        outcome = outcome.finding(f);
+    }
+    let points = map.column("points").iter().filter(|p| p.is_finite()).sum::<f64>();
+    outcome = outcome.work("responses", results.done()).work("points", points as u64);
+    outcome = outcome.table(cell_table(&map, results)?).table(border_table(&map)?);
+    figures::add(&map, outcome).checked().map_err(inconsistent)
+}
+
+/// Cells without a response, by cause; branches that were left.
+fn failures(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+    let mut out = Vec::new();
+    let mut causes: BTreeMap<String, (usize, usize, String)> = BTreeMap::new();
+    for (i, why) in words(results, "failure")?.into_iter().enumerate().filter(|w| !w.1.is_empty()) {
+        causes.entry(crate::study::parameters::uncertainty::cause(&why)).or_insert((0, i, why)).0 += 1;
+    }
+    for (cause, (count, first, example)) in causes {
+        let text = format!("{{}} of {} machines have no response, for instance at {}: {example}", map.len(), map.at(first));
+        out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), first));
+    }
+    let left = words(results, "end")?.iter().filter(|w| !w.is_empty()).count();
+    if left > 0 {
+        let text = format!("Of {{}} of {} machines a branch of states was left before its end: see the column `end`.", map.len());
+        out.push(Finding::warning("branches_left", text).value(left as f64, ""));
+    }
+    let rising = map.column("rising").iter().filter(|x| **x == 1.0).count();
+    if rising > 0 {
+        let text = format!(
+            "Of {{}} of {} machines the displacement or tilt still rises where a branch was left: they have no peak here.",
+            map.len()
+        );
+        out.push(Finding::warning("peaks_not_reached", text).value(rising as f64, ""));
+    }
+    Ok(out)
+}
+
+/// How many machines jump, and how wide the hysteresis is.
+fn jumping(map: &Map) -> Vec<Finding> {
+    let known = map.count(|w| jumps(w).is_some());
+    if known == 0 {
+        return Vec::new();
+    }
+    let count = map.count(|w| jumps(w) == Some(true));
+    let text = match count {
+        0 => format!("None of the {known} machines jumps in this range of speeds."),
+        n if n == known => {
+            format!("All {{}} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN))
+        }
+        _ => format!("{{}} of {known} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN)),
+    };
+    let mut out =
+        vec![Finding::info("jumping_machines", text).value(count as f64, "").evidence("machines whose sweeps are known", known as f64, "")];
+    if let Some((cell, width)) = map.best("hysteresis", 1.0).filter(|b| b.1 > 0.0) {
+        let open = map.column("open").get(cell) == Some(&1.0);
+        let more = if open { " and goes on beyond the range of speeds" } else { "" };
+        let text = format!("The widest hysteresis is {{}}{more}, at {}.", map.at(cell));
+        out.push(map.with_place(Finding::info("widest_hysteresis", text).value(width, "rad/s"), cell));
+    }
+    out
+}
+
+/// Columns of the largest displacement and of its speed, and its unit.
+const PEAK: (&str, &str, &str) = ("peak", "peak_speed", "m");
+
+/// The largest and the smallest peak of the map, and the largest tilt.
+fn peaks(map: &Map) -> Vec<Finding> {
+    let one = |id: &str, what: &str, (column, at, unit): (&str, &str, &str), sign: f64| {
+        let (cell, peak) = map.best(column, sign)?;
+        let of = |name: &str| map.column(name).get(cell).copied().unwrap_or(f64::NAN);
+        let end = if column == PEAK.0 && of("peak_at_end") == 1.0 { ", an end of the range" } else { "" };
+        let text = format!("The {what} is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of(at), 4));
+        let f = Finding::info(id, text).value(peak, unit).evidence("speed", of(at), "rad/s");
+        Some(map.with_place(f.evidence("dropped over kept force harmonics, worst point", of("truncation"), ""), cell))
+    };
+    let several = map.column("peak").iter().filter(|p| p.is_finite()).count() > 1;
+    let mut out: Vec<Finding> = one("largest_peak", "largest peak", PEAK, 1.0).into_iter().collect();
+    out.extend(several.then(|| one("smallest_peak", "smallest peak", PEAK, -1.0)).flatten());
+    out.extend(one("largest_tilt", "largest tilt", (TILT, "tilt_speed", "rad"), 1.0));
+    out
+}
+
+/// Machines with unstable states away from the middle of folded curves, and machines whose stability is not known.
+fn instability(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+    let mut out = Vec::new();
+    if !map.study.request.stability {
+        out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."));
+    }
+    let unknown: Vec<String> = words(results, "unjudged")?.into_iter().filter(|w| !w.is_empty()).collect();
+    if let Some(why) = unknown.first() {
+        let text = format!("Stability was not judged for some states of {{}} of {} machines: {why}.", map.len());
+        out.push(Finding::warning("stability_unknown", text).value(unknown.len() as f64, ""));
+    }
+    let unstable = map.column("unstable_from").iter().filter(|x| x.is_finite()).count();
+    if let Some((cell, growth)) = map.best("growth", 1.0).filter(|b| b.1 > 0.0) {
+        let text = format!(
+            "{unstable} of {} machines have states that are unstable without lying between two folds; the fastest growth is {{}}, at {}.",
+            map.len(),
+            map.at(cell)
+        );
+        let f = Finding::warning("unstable_machines", text).value(growth, "1/s").evidence("machines", unstable as f64, "");
+        out.push(map.with_place(f, cell));
+    }
+    let events = [
+        ("neimark_sacker", "neimark_sacker_machines", "lose stability to a motion of two frequencies (Neimark-Sacker)"),
+        ("symmetry_breakings", "symmetry_breaking_machines", "have states that lose their symmetry"),
+        ("period_doublings", "period_doubling_machines", "have states that double their period"),
+    ];
+    for (column, id, what) in events {
+        let count = map.column(column).iter().filter(|x| **x > 0.0).count();
+        if count > 0 {
+            out.push(Finding::warning(id, format!("{{}} of {} machines {what}.", map.len())).value(count as f64, ""));
+        }
+    }
+    Ok(out)
+}
+
+fn validity(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+    let mut worst: BTreeMap<String, (f64, usize, usize)> = BTreeMap::new();
+    for (cell, what) in words(results, "limit")?.into_iter().enumerate() {
+        let ratio = map.column("validity")[cell];
+        if ratio.is_nan() || ratio <= 1.0 {
+            continue;
+        }
+        let entry = worst.entry(what).or_insert((ratio, cell, 0));
+        entry.2 += 1;
+        if ratio > entry.0 {
+            (entry.0, entry.1) = (ratio, cell);
+        }
+    }
+    let one = |(what, (ratio, cell, count)): (String, (f64, usize, usize))| {
+        let text = format!("Some states of {count} of {} machines lie outside the validity of a part ({what})", map.len());
+        let f = if ratio.is_finite() {
+            Finding::invalid("outside_validity", text + ": up to {} times the limit.").value(ratio, "")
+        } else {
+            Finding::invalid("outside_validity", text + ", without bound.")
+        };
+        map.with_place(f.of(what), cell)
+    };
+    Ok(worst.into_iter().map(one).collect())
+}
+
+fn cell_table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
+    let mut t = Table::new("map", "Machines, along x and then along y, and what their response comes to").leading();
+    let finite = |x: &f64| if x.is_finite() { *x } else { f64::NAN };
+    for (i, c) in results.columns().iter().enumerate() {
+        if c.kind == Kind::Float {
+            // both parameters always have a value
+            let doc = if i < 2 || c.doc.contains("NaN") { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
+            t = t.float(&c.name, &c.unit, doc, map.column(&c.name).iter().map(finite).collect());
+        } else if c.name == "sweeps" {
+            t = t.text(&c.name, &c.doc, map.sweeps.clone());
+        } else {
+            t = t.text(&c.name, &c.doc, words(results, &c.name)?);
+        }
+    }
+    debug_assert!(map.sweeps.iter().all(|s| SWEEPS.contains(&s.as_str())));
+    t.build().map_err(inconsistent)
+}
+
+/// Two rows for each piece of the border: its ends.
+fn border_table(map: &Map) -> Result<Table, Diagnostic> {
+    let ends: Vec<(&Piece, usize)> = map.border.iter().flat_map(|p| [(p, 0), (p, 1)]).collect();
+    let axes = &map.study.axes;
+    let column = |f: &dyn Fn(&Piece, usize) -> f64| ends.iter().map(|(p, e)| f(p, *e)).collect::<Vec<f64>>();
+    Table::new(
+        "border",
+        "Border between machines that jump and machines that do not: two rows for each piece, half way between two machines",
+    )
+    .float("x", axes[0].unit, axes[0].path.clone(), column(&|p, e| p.ends[e][0]))
+    .float("y", axes[1].unit, axes[1].path.clone(), column(&|p, e| p.ends[e][1]))
+    .flag("begins", "first end of a piece", ends.iter().map(|e| e.1 == 0).collect())
+    .text("across", "the parameter that differs on both sides", ends.iter().map(|(p, _)| axes[p.across].path.clone()).collect())
+    .float("side_below", "", "its value on one side, SI units: the border lies between", column(&|p, _| p.between[0]))
+    .float("side_above", "", "its value on the other side, SI units", column(&|p, _| p.between[1]))
+    .build()
+    .map_err(inconsistent)
+}

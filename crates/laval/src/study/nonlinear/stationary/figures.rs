@@ -1,0 +1,134 @@
+//! Figures: displacement, unbalance and angles over the speed; the chart; what errors cost.
+
+use super::chart::{Chart, WORDS as CELLS};
+use super::errors::Errors;
+use super::report::{Report, Told, column_of};
+use super::{findings, unit_of, wide};
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Heat, Line, Panel, Points, Rule, Scale, quantity};
+use crate::study::shared::support::largest;
+
+fn scale(wide: bool) -> Scale {
+    if wide { Scale::Log } else { Scale::Linear }
+}
+
+/// A length is shown in mm, an angle in degrees, a mass in g.
+fn axis(label: &str, unit: &str) -> Axis {
+    match unit {
+        "m" => Axis::new(label, "mm").factor(1e3),
+        "rad" => Axis::new(label, "deg").factor(180.0 / std::f64::consts::PI),
+        "kg" => Axis::new(label, "g").factor(1e3),
+        _ => Axis::new(label, unit),
+    }
+}
+
+/// Branches of which the angles can be told from each other.
+const MANY: usize = 4;
+
+impl Report<'_> {
+    pub(super) fn figures(&self, told: &Told) -> Vec<Figure> {
+        let mut out = Vec::new();
+        if !told.points.is_empty() {
+            out.push(self.branches_over_speed(told));
+        }
+        if let (Some(least), Some(asked)) = (&self.least, self.stabilise)
+            && least.growth.iter().any(|g| g.1.is_finite())
+        {
+            let title = format!("Growth of the balanced state at {}", quantity(asked.speed, "rad/s"));
+            let alt = format!("Largest growth rate of the balanced state over {}.", asked.path);
+            let panel = Panel::new(Axis::new("growth rate", "1/s"))
+                .mark(Line::new("stabilised", "value", "growth").name("largest growth rate"))
+                .mark(Rule::y(0.0, ""));
+            let panel = least
+                .edges
+                .iter()
+                .fold(panel, |p, e| p.mark(Rule::x(e.value, if e.gains { "stable from here" } else { "unstable from here" })));
+            let unit = unit_of(self.system, &asked.path);
+            let x = Axis { scale: scale(wide(&asked.range)), ..axis(&asked.path, unit) };
+            out.push(Figure::new("stabilised", title, alt).x(x).panel(panel));
+        }
+        out.extend(self.chart.iter().filter(|c| !c.cells.is_empty()).map(|c| chart(self.system, c)));
+        out.extend(self.errors.iter().enumerate().filter_map(|(k, e)| errors(self.system, e, k)));
+        out
+    }
+
+    fn branches_over_speed(&self, told: &Told) -> Figure {
+        let mut panels = Vec::new();
+        let most = largest(told.points.iter().map(|p| p.seen.radius()));
+        let line = |column: String| {
+            Line::new("branches", "speed", column).group("kind").begins_where("begins").solid_where("stable").meaning("stable", "unstable")
+        };
+        let changes = self.found.paths.iter().any(|p| !p.special.is_empty());
+        // of several bodies the table of continua tells the largest distance only
+        let sheets = !self.continua.sheets.is_empty();
+        let alone = sheets && self.system.bodies().len() == 1;
+        let continua = |column: &str| Points::new("continua", "speed", column).name("continuum, the sample with most");
+        for body in self.system.bodies() {
+            let column = format!("{} radius", body.name);
+            let mut panel =
+                Panel::new(Axis::new(format!("distance of {} from the axis", body.name), "m").metres(most)).mark(line(column.clone()));
+            if changes {
+                panel = panel.mark(Points::new("changes", "speed", column).group("change"));
+            }
+            if alone {
+                panel = panel.mark(continua("radius"));
+            }
+            panels.push(panel);
+        }
+        if told.points.iter().any(|p| p.seen.unbalance.is_some()) {
+            let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance".into()));
+            let panel = panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the masses"));
+            panels.push(if sheets { panel.mark(continua("unbalance")) } else { panel });
+        }
+        if !self.found.images.angles.is_empty() {
+            // where branches are many the angles of those that no machine stays on hide the others
+            let only = self.found.paths.len() > MANY && told.points.iter().any(|p| p.growing == 0);
+            let label = if only { "angles of the masses, stable states only" } else { "angles of the masses" };
+            let mut panel = Panel::new(Axis::new(label, "rad").range(-3.3, 3.3));
+            for &i in self.found.images.groups.iter().flatten() {
+                panel = panel.mark(line(column_of(self.system, i)).solid_only(only));
+            }
+            panels.push(panel);
+        }
+        let alt = findings::alt(&told.ranges, self.found.paths.len());
+        let figure = Figure::new("states", "States that turn with the rotor", alt).x(Axis::new("spin speed", "rad/s"));
+        panels.into_iter().fold(figure, Figure::panel)
+    }
+}
+
+fn chart(system: &System, chart: &Chart) -> Figure {
+    let path = chart.path.as_str();
+    let y = || Axis { scale: scale(chart.wide), ..axis(path, unit_of(system, path)) };
+    let words = CELLS.iter().map(|w| (*w).to_string()).collect();
+    let mut growth = Panel::new(y());
+    if chart.cells.iter().any(|c| c.growth.is_finite()) {
+        growth = growth.mark(Heat::new("chart", "speed", path, "growth", Axis::new("growth of the balanced state", "1/s")).diverging());
+    }
+    let mut verdict = Panel::new(y()).mark(Heat::new("chart", "speed", path, "verdict", Axis::new("stable states", "")).of_classes(words));
+    if !chart.edges.is_empty() {
+        let points = || Points::new("boundary", "speed", path).group("edge");
+        growth = growth.mark(points());
+        verdict = verdict.mark(points());
+    }
+    let alt = format!(
+        "Over spin speed and {path}: growth rate of the balanced state, with its located boundary; below, whether the stable states balance."
+    );
+    let figure = Figure::new("chart", format!("Balanced state over speed and {path}"), alt).x(Axis::new("spin speed", "rad/s"));
+    if growth.marks.is_empty() { figure.panel(verdict) } else { figure.panel(growth).panel(verdict) }
+}
+
+fn errors(system: &System, e: &Errors, k: usize) -> Option<Figure> {
+    let path = &e.asked.path;
+    e.costs.iter().find(|c| c.unbalance.0.is_finite())?;
+    let table = format!("errors_{}", k + 1);
+    let line = |column: &str, name: &str| Line::new(table.clone(), "value", column).name(name);
+    let at = quantity(e.asked.speed, "rad/s");
+    let alt = format!("Unbalance left at {at} by the best and the worst stable state over {path}, and without the masses.");
+    let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6))
+        .mark(line("unbalance_least", "best stable state"))
+        .mark(line("without", "without the masses"));
+    let differ = e.costs.iter().any(|c| c.unbalance.1 > c.unbalance.0 * (1.0 + 1e-6));
+    let panel = if differ { panel.mark(line("unbalance_largest", "worst stable state")) } else { panel };
+    let x = axis(path, unit_of(system, path));
+    Some(Figure::new(table.clone(), format!("Unbalance left at {at}"), alt).x(x).panel(panel))
+}

@@ -1,0 +1,81 @@
+//! How the peaks and folds of the steady response move with every parameter of the machine.
+//!
+//! Equations: implicit function theorem on the harmonic balance, exact first derivatives; see [`crate::solve::harmonic::sensitivity`].
+//!
+//! Symbols: W spin speed, rad/s; a largest displacement of a body over a period, m; p a parameter; relative influence `(p/a) da/dp`, `(p/W) dW/dp`: per cent
+//! for one per cent more of the parameter.
+//!
+//! Validity: small changes; a peak or fold may cease to exist under large ones. That of the response; parts whose force jumps have no derivatives.
+//!
+//! Sources: as there.
+
+mod places;
+mod report;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Bounds, Field, FieldKind, Values};
+use crate::model::system::System;
+use crate::outcome::Outcome;
+use crate::solve::harmonic::response::{MOST_HARMONICS, Request, respond};
+use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::shared::validity::Uses;
+use crate::study::{Context, Study};
+
+/// See the [module](self).
+pub struct Sensitivity {
+    response: NonlinearResponse,
+    bars: usize,
+}
+
+impl Sensitivity {
+    /// The study of the places found by this request.
+    pub fn new(request: Request) -> Self {
+        Sensitivity { response: NonlinearResponse::new(request), bars: BARS }
+    }
+}
+
+/// Parameters drawn unless said.
+const BARS: usize = 10;
+
+impl Study for Sensitivity {
+    const KIND: &'static str = "sensitivity";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
+"#;
+    const DOC: &'static str = "How every peak and every fold (jump) of the steady response moves with every parameter of the machine: exact derivatives of its speed and \
+        its displacement, in order of their relative influence.";
+    const FIELDS: &'static [Field] = &[
+        Field::required(
+            "speed",
+            FieldKind::Range { unit: "rad/s", bounds: Bounds::within(1e7) },
+            "range of the spin speed; negative speeds turn clockwise",
+        ),
+        Field::optional(
+            "harmonics",
+            FieldKind::IntegerOrAuto { min: 1, max: MOST_HARMONICS as i64 },
+            "auto",
+            "largest order of the spin frequency kept; auto raises it until the dropped force is negligible",
+        ),
+        Field::optional("bars", FieldKind::Integer { min: 1, max: 100 }, "10", "parameters drawn for each place, those of most influence"),
+    ];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let response = NonlinearResponse::build(values, system, diagnostics)?;
+        let bars = values.integer("bars").and_then(|b| usize::try_from(b).ok()).unwrap_or(BARS);
+        Some(Sensitivity { response, bars })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        self.response.admit(system)
+    }
+
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        self.admit(system)?;
+        let mut request = *self.response.request();
+        request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
+        let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let found = places::find(system, &response, &request, context)?;
+        let outside = Uses::of_response(system, &response, request.speeds)?.of_states(system);
+        let outcome = report::report(&found, self.bars, context)?;
+        Ok(outside.into_iter().fold(outcome, Outcome::finding))
+    }
+}

@@ -1,0 +1,232 @@
+//! Findings, tables and bars.
+
+use super::Sensitivity;
+use super::places::{Found, Kind, Place};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::study::shared::support::inconsistent;
+use crate::study::{Context, Study};
+
+/// A relative change per unit of a parameter of zero that is rounding.
+const NOTHING: f64 = 1e-9;
+/// Figures at most: jumps and the highest peaks.
+const FIGURES: usize = 6;
+
+impl Place {
+    fn name(&self) -> String {
+        let speed = significant(self.moved.speed, 5);
+        match self.kind {
+            Kind::Peak => format!("peak of {} at {speed} rad/s", self.body),
+            Kind::JumpUp => format!("jump up at {speed} rad/s"),
+            Kind::JumpDown => format!("jump down at {speed} rad/s"),
+        }
+    }
+
+    fn word(&self) -> &'static str {
+        match self.kind {
+            Kind::Peak => "peak",
+            Kind::JumpUp => "jump up",
+            Kind::JumpDown => "jump down",
+        }
+    }
+
+    /// Relative influence of every parameter: on the speed, on the displacement.
+    fn relative(&self, found: &Found) -> Vec<[f64; 2]> {
+        let m = &self.moved;
+        found.parameters.iter().zip(&m.slopes).map(|(p, s)| [s.speed * p.value / m.speed, s.value * p.value / m.value]).collect()
+    }
+
+    /// The parameter moves the place by more than rounding does.
+    fn acts(&self, found: &Found, k: usize) -> bool {
+        let (p, m) = (&found.parameters[k], &self.moved);
+        // of what is zero, as an angle, one unit counts
+        let least = if p.value == 0.0 { NOTHING } else { 0.0 };
+        let share = |slope: f64, of: f64| (slope / of).abs();
+        !(share(m.slopes[k].speed, m.speed) <= least && share(m.slopes[k].value, m.value) <= least)
+    }
+
+    /// Parameters by falling influence; those without any are left out.
+    fn order(&self, found: &Found) -> Vec<usize> {
+        let relative = self.relative(found);
+        // what is unknown comes last
+        let size = |&k: &usize| if relative[k].iter().any(|r| r.is_nan()) { -1.0 } else { relative[k][0].abs().max(relative[k][1].abs()) };
+        let acts = |&k: &usize| self.acts(found, k);
+        let mut order: Vec<usize> = (0..relative.len()).filter(acts).collect();
+        order.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        order
+    }
+}
+
+/// `+0.5 %`.
+fn percent(x: f64) -> String {
+    format!("{}{} %", if x > 0.0 { "+" } else { "" }, significant(x, 3))
+}
+
+fn finding(place: &Place, found: &Found) -> Finding {
+    let relative = place.relative(found);
+    let told = |which: usize| {
+        let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
+        let most = known.max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
+        most.map_or("an unknown share".into(), |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
+    };
+    let m = &place.moved;
+    let (speed, body) = (significant(m.speed, 6), &place.body);
+    let text = match place.kind {
+        Kind::Peak => format!("The peak of \"{body}\", {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0)),
+        Kind::JumpUp | Kind::JumpDown => format!(
+            "The {} at {speed} rad/s moves most by {}; the displacement of \"{body}\" there, {{}}, changes most by {}.",
+            place.word(),
+            told(0),
+            told(1)
+        ),
+    };
+    Finding::info(place.word().replace(' ', "_"), text)
+        .of(body)
+        .value(m.value, "m")
+        .evidence("relative change of the second derivatives at the last narrowing of the step", m.settled, "")
+        .evidence("relative slope left along the branch", m.slope_left, "")
+        .evidence("speed", m.speed, "rad/s")
+}
+
+/// Everything a reader gets.
+pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
+    let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete));
+    for p in &found.places {
+        out = out.finding(finding(p, found));
+        let at = p.moved.speed;
+        out = out.special_point(SpecialPoint::new(p.word(), at, (at, at)).of(&p.body).evidence("displacement", p.moved.value, "m"));
+    }
+    let mut reasons: Vec<(&str, Vec<f64>)> = Vec::new();
+    for (speed, why) in &found.without {
+        match reasons.iter_mut().find(|r| r.0 == why.as_str()) {
+            Some(r) => r.1.push(*speed),
+            None => reasons.push((why, vec![*speed])),
+        }
+    }
+    for (why, speeds) in reasons {
+        let more = match speeds.len() - 1 {
+            0 => String::new(),
+            n => format!(" and at {n} more places up to {} rad/s", significant(speeds.iter().fold(0.0, |m: f64, s| m.max(s.abs())), 5)),
+        };
+        let text = format!("No derivatives are given at {{}}{more}: {why}.");
+        out = out.finding(Finding::warning("no_derivative", text).value(speeds[0], "rad/s"));
+    }
+    let unknown = |k: &usize| found.places.iter().any(|p| p.relative(found)[*k].iter().any(|r| !r.is_finite()));
+    let unknown: Vec<&str> = (0..found.parameters.len()).filter(unknown).map(|k| found.parameters[k].path.as_str()).collect();
+    if !unknown.is_empty() {
+        let text = format!("The influence of {} could not be computed at every place.", unknown.join(", "));
+        out = out.finding(Finding::warning("no_influence", text));
+    }
+    if found.places.is_empty() {
+        let text = "No peak and no fold of the response was found in the range of speeds.";
+        out = out.finding(Finding::info("nothing_stationary", text));
+        return out.checked().map_err(inconsistent);
+    }
+    let idle: Vec<&str> = (0..found.parameters.len())
+        .filter(|&k| !found.places.iter().any(|p| p.acts(found, k)))
+        .map(|k| found.parameters[k].path.as_str())
+        .collect();
+    if !idle.is_empty() {
+        out = out
+            .finding(Finding::info("without_influence", format!("At the places listed all derivatives are zero in: {}.", idle.join(", "))));
+    }
+    out = out.table(places(found)?).table(sensitivities(found)?);
+    let mut drawn: Vec<usize> = (0..found.places.len()).collect();
+    let rank = |&i: &usize| (found.places[i].kind == Kind::Peak, -found.places[i].moved.value);
+    drawn.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
+    drawn.truncate(FIGURES);
+    drawn.sort_unstable();
+    for i in drawn {
+        out = tornado(out, found, i, bars)?;
+    }
+    out.work("places", found.places.len() as u64).work("parameters", found.parameters.len() as u64).checked().map_err(inconsistent)
+}
+
+fn places(found: &Found) -> Result<Table, Diagnostic> {
+    let all = &found.places;
+    let float = |f: &dyn Fn(&Place) -> f64| all.iter().map(f).collect::<Vec<f64>>();
+    Table::new("places", "Peaks and folds of the steady response")
+        .int("place", "", "number of the place", (1..=all.len() as i64).collect())
+        .text("kind", "peak of a displacement, or fold where a slow sweep jumps", all.iter().map(|p| p.word().to_string()).collect())
+        .text("body", "whose displacement it is", all.iter().map(|p| p.body.clone()).collect())
+        .int("branch", "", "number of the branch", all.iter().map(|p| p.branch as i64 + 1).collect())
+        .float("speed", "rad/s", "spin speed", float(&|p| p.moved.speed))
+        .float("displacement", "m", "largest over a period", float(&|p| p.moved.value))
+        .float("settled", "", "relative change of the second derivatives at the last narrowing of the step", float(&|p| p.moved.settled))
+        .float("slope left", "", "relative slope left along the branch", float(&|p| p.moved.slope_left))
+        .int("orders", "", "orders kept", vec![found.harmonics as i64; all.len()])
+        .build()
+        .map_err(inconsistent)
+}
+
+/// Index of a place and of a parameter, and its relative influence on speed and displacement.
+type Row = (usize, usize, [f64; 2]);
+
+fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
+    let rows: Vec<Row> = found
+        .places
+        .iter()
+        .enumerate()
+        .flat_map(|(i, p)| {
+            let relative = p.relative(found);
+            p.order(found).into_iter().map(move |k| (i, k, relative[k]))
+        })
+        .collect();
+    let of = |r: &Row| (&found.places[r.0], &found.parameters[r.1], found.places[r.0].moved.slopes[r.1]);
+    let text = |f: &dyn Fn(&Row) -> String| rows.iter().map(f).collect::<Vec<String>>();
+    let float = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+    Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
+        .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
+        .text("what", "the place", text(&|r| of(r).0.name()))
+        .text("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
+        .float("value", "", "of the parameter, in its unit", float(&|r| of(r).1.value))
+        .text("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
+        .float("speed slope", "", "d speed / d parameter, rad/s per unit of the parameter", float(&|r| of(r).2.speed))
+        .float("displacement slope", "", "d displacement / d parameter, m per unit of the parameter", float(&|r| of(r).2.value))
+        .float("influence on speed", "", "relative change of the speed over that of the parameter", float(&|r| r.2[0]))
+        .float("influence on displacement", "", "relative change of the displacement over that of the parameter", float(&|r| r.2[1]))
+        .build()
+        .map_err(inconsistent)
+}
+
+/// Horizontal bars, the parameter of most influence on top.
+fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Outcome, Diagnostic> {
+    let place = &found.places[i];
+    let relative = place.relative(found);
+    let shown: Vec<usize> = place
+        .order(found)
+        .into_iter()
+        .filter(|&k| relative[k] != [0.0; 2] && relative[k].iter().all(|r| r.is_finite()))
+        .take(bars)
+        .collect();
+    if shown.is_empty() {
+        return Ok(out);
+    }
+    let count = shown.len();
+    let mut panel = Panel::new(Axis::new("", "").range(0.4, count as f64 + 0.6).bare());
+    for (row, &k) in shown.iter().enumerate() {
+        panel = panel.mark(Rule::y((count - row) as f64, &found.parameters[k].path));
+    }
+    for (side, name) in [(1, "displacement"), (0, "speed")] {
+        let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
+        for (row, &k) in shown.iter().enumerate() {
+            let top = (count - row) as f64 + if side == 1 { 0.4 } else { 0.0 };
+            x.extend([0.0, relative[k][side], f64::NAN]);
+            low.extend([top - 0.4; 3]);
+            high.extend([top; 3]);
+        }
+        let table = format!("bars {} {name}", i + 1);
+        let shape = Table::new(&table, format!("Bars of the figure: influence on the {name}, {}", place.name()))
+            .float("x", "", "foot and end of a bar; NaN between bars", x)
+            .float("low", "", "lower side", low)
+            .float("high", "", "upper side", high)
+            .build()
+            .map_err(inconsistent)?;
+        panel = panel.mark(Band::between(&table, "x", "low", "high").name(name));
+        out = out.table(shape);
+    }
+    let title = format!("What moves the {}", place.name());
+    let alt = format!("{title}: relative influence of the {count} parameters that matter most, one pair of bars each.");
+    let figure = Figure::new(format!("influence-{}", i + 1), title, alt).x(Axis::new("per cent for one per cent more", ""));
+    Ok(out.figure(figure.panel(panel.mark(Rule::x(0.0, "")))))
+}

@@ -1,0 +1,165 @@
+//! Distributions and indices drawn.
+
+use super::report::{Samples, Spread};
+use super::{Interval, Uncertainty};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
+use crate::study::shared::support::inconsistent;
+use laval_num::sampling::morris::Effects;
+use laval_num::sampling::sobol::Indices;
+use std::collections::BTreeMap;
+
+/// Numbers drawn unless some are named.
+const SHOWN: usize = 4;
+/// Points of a distribution curve.
+const CURVE: usize = 500;
+
+/// The numbers to draw.
+fn shown(study: &Uncertainty, samples: &Samples) -> Vec<usize> {
+    let all = 0..samples.names.len();
+    if study.show.is_empty() { all.take(SHOWN).collect() } else { all.filter(|&i| samples.names[i].0.starts_with(&study.show)).collect() }
+}
+
+pub fn distributions(
+    mut outcome: Outcome,
+    study: &Uncertainty,
+    samples: &Samples,
+    spreads: &[Spread],
+    own: &BTreeMap<&str, f64>,
+) -> Result<Outcome, Diagnostic> {
+    let chosen = shown(study, samples);
+    if chosen.is_empty() && !samples.names.is_empty() {
+        let names = samples.names.iter().map(|n| n.0.as_str()).collect::<Vec<_>>().join(", ");
+        let text = format!("No number begins with \"{}\", so nothing is drawn; there are: {names}.", study.show);
+        outcome = outcome.finding(Finding::warning("nothing_shown", text));
+    }
+    for i in chosen {
+        let ((name, unit), s) = (&samples.names[i], &spreads[i]);
+        let (Some(low), Some(high)) = (s.sorted.first(), s.sorted.last()) else { continue };
+        if !(high > low) {
+            continue;
+        }
+        let (edges, density) = histogram(&s.sorted);
+        // up, along and down each bar
+        let x: Vec<f64> = (0..density.len()).flat_map(|b| [edges[b], edges[b + 1]]).collect();
+        let y: Vec<f64> = density.iter().flat_map(|d| [*d, *d]).collect();
+        let unit_of_density = if unit.is_empty() { String::new() } else { format!("1/({unit})") };
+        let bars = format!("histogram {name}");
+        let table = Table::new(&bars, format!("Histogram of {name}: both ends of every bar"))
+            .float("value", unit, "end of a bar", x.clone())
+            .float("density", unit_of_density, "share of the samples per unit", y)
+            .float("zero", "", "foot of the bars", vec![0.0; x.len()])
+            .build()
+            .map_err(inconsistent)?;
+        let curve = format!("distribution {name}");
+        let n = s.sorted.len();
+        let picked: Vec<usize> = (0..n.min(CURVE)).map(|j| if n <= CURVE { j } else { j * (n - 1) / (CURVE - 1) }).collect();
+        let steps = Table::new(&curve, format!("Share of the samples below a value of {name}"))
+            .float("value", unit, "value", picked.iter().map(|&j| s.sorted[j]).collect())
+            .float("share", "", "share of the samples at or below it", picked.iter().map(|&j| (j + 1) as f64 / n as f64).collect())
+            .build()
+            .map_err(inconsistent)?;
+        let mut above = Panel::new(Axis::new("density", ""))
+            .mark(Band::between(&bars, "value", "zero", "density"))
+            .mark(Line::new(&bars, "value", "density"));
+        let mut below = Panel::new(Axis::new("share below", "").range(0.0, 1.0)).mark(Line::new(&curve, "value", "share"));
+        if let Some(x) = own.get(name.as_str()) {
+            above = above.mark(Rule::x(*x, "machine"));
+            below = below.mark(Rule::x(*x, ""));
+        }
+        let alt = format!("Histogram and distribution of {name} over {n} samples, from {low:.4e} to {high:.4e} {unit}.");
+        let figure = Figure::new(format!("distribution-{name}"), format!("Distribution of {name}"), alt).x(Axis::new(name, unit));
+        outcome = outcome.table(table).table(steps).figure(figure.panel(above).panel(below));
+    }
+    Ok(outcome)
+}
+
+/// Edges and densities of a histogram: width by Freedman and Diaconis (1981), 5 to 60 bars.
+fn histogram(sorted: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let n = sorted.len();
+    let (low, high) = (sorted[0], sorted[n - 1]);
+    let quartiles = sorted[(3 * n / 4).min(n - 1)] - sorted[n / 4];
+    let wanted = (high - low) / (2.0 * quartiles) * (n as f64).cbrt();
+    let bars = if wanted.is_finite() { (wanted.ceil() as usize).clamp(5, 60) } else { 5 };
+    let width = (high - low) / bars as f64;
+    let mut count = vec![0usize; bars];
+    for x in sorted {
+        count[(((x - low) / width) as usize).min(bars - 1)] += 1;
+    }
+    let edges = (0..=bars).map(|b| low + b as f64 * width).collect();
+    (edges, count.iter().map(|&c| c as f64 / (n as f64 * width)).collect())
+}
+
+/// Values of one kind of bar for one number, from the top parameter down.
+struct Bars<'a> {
+    title: &'a str,
+    axis: Axis,
+    kinds: Vec<(&'a str, Vec<Interval>)>,
+}
+
+/// A horizontal bar per parameter and kind, with the confidence interval as a line.
+fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars: Bars) -> Result<Outcome, Diagnostic> {
+    let k = study.parameters.len();
+    let each = 0.8 / bars.kinds.len() as f64;
+    let mut panel = Panel::new(Axis::new("parameter", "").range(0.4, k as f64 + 0.6));
+    for (p, parameter) in study.parameters.iter().enumerate() {
+        panel = panel.mark(Rule::y((k - p) as f64, &parameter.path));
+    }
+    for (j, (kind, values)) in bars.kinds.iter().enumerate() {
+        let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut at, mut centre) = (Vec::new(), Vec::new());
+        for (p, v) in values.iter().enumerate() {
+            let top = (k - p) as f64 + 0.4 - j as f64 * each;
+            x.extend([0.0, v.value, f64::NAN]);
+            low.extend([top - each; 3]);
+            high.extend([top; 3]);
+            at.extend([v.low, v.high, f64::NAN]);
+            centre.extend([top - 0.5 * each; 3]);
+        }
+        let table = format!("{what} {name} {kind}");
+        let shape = Table::new(&table, format!("Bars of the figure: {kind} of {name}"))
+            .float("x", "", "foot and end of a bar; NaN between bars and where there is none", x)
+            .float("low", "", "lower side", low)
+            .float("high", "", "upper side", high)
+            .float("interval", "", "ends of the confidence interval; NaN between them and where there is none", at)
+            .float("centre", "", "middle of the bar", centre)
+            .build()
+            .map_err(inconsistent)?;
+        panel = panel
+            .mark(Band::between(&table, "x", "low", "high").name(*kind))
+            .mark(Line::new(&table, "interval", "centre").name("95 % interval"));
+        outcome = outcome.table(shape);
+    }
+    let alt = format!("{} of {name}: one bar for each of {k} parameters.", bars.title);
+    let figure = Figure::new(format!("{what}-{name}"), format!("{} of {name}", bars.title), alt).x(bars.axis).panel(panel);
+    Ok(outcome.figure(figure))
+}
+
+pub fn indices(
+    mut outcome: Outcome,
+    study: &Uncertainty,
+    samples: &Samples,
+    found: &[Option<(Vec<Indices>, usize)>],
+) -> Result<Outcome, Diagnostic> {
+    for i in shown(study, samples) {
+        let Some((list, _)) = &found[i] else { continue };
+        let kinds =
+            vec![("total", list.iter().map(|x| x.total).collect()), ("first order", list.iter().map(|x| x.first).collect::<Vec<_>>())];
+        let shape = Bars { title: "Sensitivity", axis: Axis::new("share of the variance", ""), kinds };
+        outcome = bars(outcome, study, &samples.names[i].0, "indices", shape)?;
+    }
+    Ok(outcome)
+}
+
+pub fn effects(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Vec<Effects>]) -> Result<Outcome, Diagnostic> {
+    for i in shown(study, samples) {
+        let (name, unit) = &samples.names[i];
+        if found[i].iter().all(|e| e.count == 0) {
+            continue;
+        }
+        let list: Vec<Interval> = found[i].iter().map(|e| e.mu_star).collect();
+        let shape = Bars { title: "Elementary effects", axis: Axis::new("mu*", unit), kinds: vec![("mu*", list)] };
+        outcome = bars(outcome, study, name, "effects", shape)?;
+    }
+    Ok(outcome)
+}

@@ -1,0 +1,403 @@
+//! From samples to findings and tables.
+
+use super::collect::{Quantity, cause, decode};
+use super::{CONFIDENCE, Design, Uncertainty, figures};
+use crate::diagnostic::Diagnostic;
+use crate::outcome::{Finding, Outcome, Table, TableBuilder, quantity};
+use crate::store::Results;
+use crate::study::shared::support::inconsistent;
+use crate::study::{Context, Study};
+use laval_num::sampling::distribution::normal_quantile;
+use laval_num::sampling::morris::Effects;
+use laval_num::sampling::quantile::{Interval, quantile, share};
+use laval_num::sampling::sobol::Indices;
+use laval_num::sampling::{moments, morris, sobol};
+use std::collections::BTreeMap;
+
+/// All samples, column by column; numbers are NaN where a sample does not have them.
+pub struct Samples {
+    /// Values of each parameter.
+    pub parameters: Vec<Vec<f64>>,
+    /// Name and unit of each number found, the machine's own first.
+    pub names: Vec<(String, String)>,
+    /// Values of each number.
+    pub values: Vec<Vec<f64>>,
+    /// Samples with a result outside the validity of a model.
+    pub invalid: usize,
+    /// Causes of failures: how often, first sample, one message.
+    pub failures: BTreeMap<String, (usize, usize, String)>,
+    /// Whether a sample has no result.
+    pub failed: Vec<bool>,
+    /// Number of samples.
+    pub count: usize,
+}
+
+impl Samples {
+    fn read(study: &Uncertainty, nominal: &[Quantity], results: &Results) -> Result<Samples, Diagnostic> {
+        let k = study.parameters.len();
+        let mut out = Samples {
+            parameters: vec![Vec::new(); k],
+            names: nominal.iter().map(|q| (q.label.clone(), q.unit.clone())).collect(),
+            values: vec![Vec::new(); nominal.len()],
+            invalid: 0,
+            failures: BTreeMap::new(),
+            failed: Vec::new(),
+            count: 0,
+        };
+        let mut places: BTreeMap<String, usize> = nominal.iter().enumerate().map(|(i, q)| (q.label.clone(), i)).collect();
+        for chunk in results.chunks() {
+            let chunk = chunk?;
+            for i in 0..chunk.rows.len() {
+                for (p, column) in out.parameters.iter_mut().enumerate() {
+                    column.push(chunk.cells[p + 1].number(i));
+                }
+                out.values.iter_mut().for_each(|v| v.push(f64::NAN));
+                for q in decode(chunk.cells[k + 1].word(i).unwrap_or("{}")) {
+                    let at = *places.entry(q.label.clone()).or_insert_with(|| {
+                        out.names.push((q.label.clone(), q.unit.clone()));
+                        out.values.push(vec![f64::NAN; out.count + 1]);
+                        out.values.len() - 1
+                    });
+                    out.values[at][out.count] = q.value;
+                }
+                out.invalid += usize::from(chunk.cells[k + 2].number(i) == 1.0);
+                let why = chunk.cells[k + 3].word(i);
+                out.failed.push(why.is_some());
+                if let Some(why) = why {
+                    let sample = chunk.rows.start + i;
+                    out.failures.entry(cause(why)).or_insert_with(|| (0, sample, why.to_string())).0 += 1;
+                }
+                out.count += 1;
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// Statistics of one number over the samples that are independent draws.
+pub struct Spread {
+    /// Values that exist, rising.
+    pub sorted: Vec<f64>,
+    /// Mean and its interval.
+    pub mean: Interval,
+    /// Standard deviation.
+    pub deviation: f64,
+    /// Share of the samples with a result in which the number exists.
+    pub share: Interval,
+    /// Quantiles asked for.
+    pub quantiles: Vec<Interval>,
+}
+
+impl Spread {
+    fn of(values: &[f64], succeeded: usize, quantiles: &[f64]) -> Spread {
+        let mut sorted: Vec<f64> = values.iter().copied().filter(|x| x.is_finite()).collect();
+        sorted.sort_by(f64::total_cmp);
+        let (mean, deviation) = moments(&sorted);
+        let half = normal_quantile(0.5 + 0.5 * CONFIDENCE) * deviation / (sorted.len() as f64).sqrt();
+        Spread {
+            mean: Interval { value: mean, low: mean - half, high: mean + half },
+            deviation,
+            share: share(sorted.len(), succeeded, CONFIDENCE),
+            quantiles: quantiles.iter().map(|&p| quantile(&sorted, p, CONFIDENCE)).collect(),
+            sorted,
+        }
+    }
+}
+
+/// The outcome of all samples that are there.
+pub fn report(study: &Uncertainty, nominal: &[Quantity], results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let samples = Samples::read(study, nominal, results)?;
+    let mut outcome = Outcome::new(Uncertainty::KIND, context.name).end(results.end()).work("runs of the study", samples.count as u64);
+    let own: BTreeMap<&str, f64> = nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
+    // what is missing is said before what was found
+    outcome = failures(outcome, &samples)?;
+    match study.design {
+        Design::Morris => outcome = screening(outcome, study, &samples)?,
+        Design::Plain(_) | Design::Sobol(_) => outcome = distributions(outcome, study, &samples, &own)?,
+    }
+    if let Design::Sobol(points) = study.design {
+        let plan = sobol::Plan { points, seed: study.seed, inputs: study.parameters.len() };
+        let found: Vec<Option<(Vec<Indices>, usize)>> = samples.values.iter().map(|v| sobol::indices(&plan, v, CONFIDENCE)).collect();
+        outcome = sensitivity(outcome, study, &samples, &found)?;
+    }
+    if let Some(remark) = results.remark() {
+        outcome = outcome.finding(remark);
+    }
+    outcome = outcome.table(table_of(study, &samples)?);
+    outcome.checked().map_err(inconsistent)
+}
+
+/// Every sample with its parameters and numbers.
+fn table_of(study: &Uncertainty, samples: &Samples) -> Result<Table, Diagnostic> {
+    let mut table = Table::new("samples", "Every run: values of the parameters and what was found").int(
+        "sample",
+        "",
+        "number of the run",
+        (0..samples.count as i64).collect(),
+    );
+    for (p, x) in study.parameters.iter().zip(&samples.parameters) {
+        table = table.float(&p.path, p.unit, "parameter", x.clone());
+    }
+    for ((name, unit), v) in samples.names.iter().zip(&samples.values) {
+        table = table.float(name, unit, "number found; NaN where it was not", v.clone());
+    }
+    table.build().map_err(inconsistent)
+}
+
+fn interval(table: TableBuilder, name: &str, unit: &str, doc: &str, all: &[Interval]) -> TableBuilder {
+    let column = |f: fn(&Interval) -> f64| all.iter().map(f).collect();
+    table
+        .float(name, unit, format!("{doc}; NaN where there are no values"), column(|i| i.value))
+        .float(
+            format!("{name}_low"),
+            unit,
+            "lower end of the 95 % confidence interval; NaN where the samples are too few for one",
+            column(|i| i.low),
+        )
+        .float(format!("{name}_high"), unit, "upper end; NaN where the samples are too few", column(|i| i.high))
+}
+
+/// Sentences at most; the tables have all.
+const LEADING: usize = 4;
+
+/// The first sentences, and where the numbers of the others are.
+fn lead(mut outcome: Outcome, sentences: Vec<Finding>, table: &str) -> Outcome {
+    let more = sentences.len().saturating_sub(LEADING);
+    for s in sentences.into_iter().take(LEADING) {
+        outcome = outcome.finding(s);
+    }
+    if more > 0 {
+        let text = format!("{{}} more numbers were found; the table \"{table}\" has all.");
+        outcome = outcome.finding(Finding::info("more_numbers", text).of(table).value(more as f64, ""));
+    }
+    outcome
+}
+
+fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, own: &BTreeMap<&str, f64>) -> Result<Outcome, Diagnostic> {
+    // of the runs for the indices the first two of each base point are independent draws
+    let independent = |row: usize| !matches!(study.design, Design::Sobol(_)) || row % study.runs() < 2;
+    let drawn = (0..samples.count).filter(|&r| independent(r)).count();
+    let succeeded = (0..samples.count).filter(|&r| independent(r) && !samples.failed[r]).count();
+    let of = |v: &Vec<f64>| {
+        let picked: Vec<f64> = v.iter().enumerate().filter(|(r, _)| independent(*r)).map(|(_, x)| *x).collect();
+        Spread::of(&picked, succeeded, &study.quantiles)
+    };
+    let spreads: Vec<Spread> = samples.values.iter().map(of).collect();
+    // what varies first
+    let mut said: Vec<usize> = (0..spreads.len()).collect();
+    said.sort_by_key(|&k| !(spreads[k].deviation > 0.0));
+    let mut sentences = Vec::new();
+    for k in said {
+        let ((name, unit), s) = (&samples.names[k], &spreads[k]);
+        if s.sorted.is_empty() {
+            continue;
+        }
+        // a sentence keeps the outer two; the table has all
+        let ends: Vec<String> = [0, study.quantiles.len().saturating_sub(1)]
+            .into_iter()
+            .filter_map(|j| {
+                Some(format!("{} % below {}", significant(100.0 * study.quantiles.get(j)?), quantity(s.quantiles[j].value, unit)))
+            })
+            .collect();
+        let mut text = format!("{name}: mean {{}}");
+        if s.deviation.is_finite() {
+            text += &format!(", standard deviation {}", quantity(s.deviation, unit));
+        }
+        if s.deviation > 0.0 && ends.len() == 2 && ends[0] != ends[1] {
+            text += &format!(", {}", ends.join(", "));
+        }
+        if s.sorted.len() < succeeded {
+            text += &format!("; found in {} of {succeeded} samples", s.sorted.len());
+        }
+        let mut finding = Finding::info("distribution", text + ".")
+            .of(name)
+            .value(s.mean.value, unit)
+            .evidence("half width of the 95 % interval of the mean", s.mean.high - s.mean.value, unit)
+            .evidence("standard deviation", s.deviation, unit)
+            .evidence("share of the samples", s.share.value, "");
+        for (p, q) in study.quantiles.iter().zip(&s.quantiles) {
+            finding = finding.evidence(format!("{} % quantile", significant(100.0 * p)), q.value, unit);
+        }
+        sentences.push(finding);
+    }
+    outcome = lead(outcome, sentences, "quantities");
+    if samples.names.is_empty() {
+        outcome = outcome.finding(Finding::warning("no_numbers", "The study says nothing in numbers, so there is nothing to distribute."));
+    }
+    let names = || samples.names.iter().map(|n| n.0.clone()).collect::<Vec<_>>();
+    let units = || samples.names.iter().map(|n| n.1.clone()).collect::<Vec<_>>();
+    let table = Table::new("quantities", "Every number found: over the samples, in its own unit").text("quantity", "name", names()).text(
+        "unit",
+        "unit of the numbers in this row",
+        units(),
+    );
+    let table = table.float(
+        "machine",
+        "",
+        "value of the machine as it is; NaN where that has none",
+        samples.names.iter().map(|n| own.get(n.0.as_str()).copied().unwrap_or(f64::NAN)).collect(),
+    );
+    let table = interval(table, "mean", "", "mean", &spreads.iter().map(|s| s.mean).collect::<Vec<_>>())
+        .float("deviation", "", "standard deviation; NaN below two values", spreads.iter().map(|s| s.deviation).collect())
+        .float(
+            "smallest",
+            "",
+            "smallest value; NaN without values",
+            spreads.iter().map(|s| s.sorted.first().copied().unwrap_or(f64::NAN)).collect(),
+        )
+        .float(
+            "largest",
+            "",
+            "largest value; NaN without values",
+            spreads.iter().map(|s| s.sorted.last().copied().unwrap_or(f64::NAN)).collect(),
+        )
+        .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.sorted.len() as i64).collect())
+        .leading();
+    let table = interval(table, "share", "", "share of the samples with a result", &spreads.iter().map(|s| s.share).collect::<Vec<_>>());
+    outcome = outcome.work("independent samples", drawn as u64).table(table.build().map_err(inconsistent)?);
+
+    let rows: Vec<(usize, usize)> = (0..spreads.len()).flat_map(|i| (0..study.quantiles.len()).map(move |j| (i, j))).collect();
+    let table = Table::new("quantiles", "Values below which a share of the samples lies")
+        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
+        .float("share", "", "share below", rows.iter().map(|r| study.quantiles[r.1]).collect());
+    let all: Vec<Interval> = rows.iter().map(|r| spreads[r.0].quantiles[r.1]).collect();
+    let table = interval(table, "value", "", "quantile", &all);
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
+    figures::distributions(outcome, study, samples, &spreads, own)
+}
+
+fn significant(x: f64) -> String {
+    crate::outcome::significant(x, 4)
+}
+
+fn sensitivity(
+    mut outcome: Outcome,
+    study: &Uncertainty,
+    samples: &Samples,
+    found: &[Option<(Vec<Indices>, usize)>],
+) -> Result<Outcome, Diagnostic> {
+    let rows: Vec<(usize, usize, &Indices, usize)> = found
+        .iter()
+        .enumerate()
+        .flat_map(|(q, f)| f.iter().flat_map(move |(list, used)| list.iter().enumerate().map(move |(p, i)| (q, p, i, *used))))
+        .collect();
+    let (mut sentences, mut without) = (Vec::new(), Vec::new());
+    for (q, f) in found.iter().enumerate() {
+        let name = &samples.names[q].0;
+        let Some((list, used)) = f else {
+            without.push(name.as_str());
+            continue;
+        };
+        let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
+        if let Some((p, i)) = most {
+            // the samples do not tell apart what their intervals share
+            let rivals: Vec<&str> = list
+                .iter()
+                .enumerate()
+                .filter(|(q, o)| *q != p && !(o.total.high < i.total.low))
+                .map(|(q, _)| study.parameters[q].path.as_str())
+                .collect();
+            let (path, first) = (&study.parameters[p].path, significant(i.first.value));
+            let text = if rivals.is_empty() {
+                format!("{name} depends most on {path}: total index {{}}, first-order index {first}.")
+            } else {
+                let others = rivals.join(", ");
+                format!(
+                    "In the samples {name} depends most on {path}: total index {{}}, first-order index {first}. Intervals overlap with {others}."
+                )
+            };
+            sentences.push(
+                Finding::info("most_influential", text)
+                    .of(name)
+                    .value(i.total.value, "")
+                    .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), "")
+                    .evidence("base points used", *used as f64, ""),
+            );
+        }
+    }
+    outcome = lead(outcome, sentences, "indices");
+    if !without.is_empty() {
+        let verb = if without.len() == 1 { "does not vary, or was" } else { "do not vary, or were" };
+        let more = without.len().saturating_sub(LEADING);
+        let mut list = without[..without.len() - more].join(", ");
+        if more > 0 {
+            list += &format!(" and {more} more");
+        }
+        outcome = outcome.finding(Finding::info("no_indices", format!("{list} {verb} found too seldom: no sensitivity indices.")));
+    }
+    let table = Table::new("indices", "Sensitivity indices of Sobol")
+        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .text("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
+    let column = |f: fn(&Indices) -> Interval| rows.iter().map(|r| f(r.2)).collect::<Vec<_>>();
+    let table = interval(table, "first", "", "share of the variance due to this parameter alone", &column(|i| i.first));
+    let table = interval(table, "total", "", "with its interactions", &column(|i| i.total)).int(
+        "base_points",
+        "",
+        "base points used",
+        rows.iter().map(|r| r.3 as i64).collect(),
+    );
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
+    figures::indices(outcome, study, samples, found)
+}
+
+fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Result<Outcome, Diagnostic> {
+    let plan = morris::Plan { seed: study.seed, inputs: study.parameters.len() };
+    let found: Vec<Vec<Effects>> = samples.values.iter().map(|v| morris::effects(&plan, v, CONFIDENCE)).collect();
+    let mut sentences = Vec::new();
+    for (list, (name, unit)) in found.iter().zip(&samples.names) {
+        let known = list.iter().enumerate().filter(|(_, e)| e.count > 0);
+        if let Some((p, e)) = known.max_by(|a, b| a.1.mu_star.value.total_cmp(&b.1.mu_star.value)) {
+            let text = format!("{name} changes most with {}: mu* = {{}}.", study.parameters[p].path);
+            sentences.push(
+                Finding::info("most_influential", text).of(name).value(e.mu_star.value, unit).evidence("sigma", e.sigma, unit).evidence(
+                    "effects",
+                    e.count as f64,
+                    "",
+                ),
+            );
+        }
+    }
+    outcome = lead(outcome, sentences, "effects");
+    let rows: Vec<(usize, usize)> = (0..found.len()).flat_map(|q| (0..study.parameters.len()).map(move |p| (q, p))).collect();
+    let at = |r: &(usize, usize)| found[r.0][r.1];
+    let table = Table::new("effects", "Elementary effects of Morris, per unit of probability, in the unit of the number")
+        .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
+        .text("unit", "unit of the numbers in this row", rows.iter().map(|r| samples.names[r.0].1.clone()).collect())
+        .text("parameter", "path", rows.iter().map(|r| study.parameters[r.1].path.clone()).collect());
+    let table = interval(table, "mu_star", "", "mean size", &rows.iter().map(|r| at(r).mu_star).collect::<Vec<_>>())
+        .float("mu", "", "mean; NaN without effects", rows.iter().map(|r| at(r).mu).collect())
+        .float(
+            "sigma",
+            "",
+            "standard deviation: interaction or curvature; NaN below two effects",
+            rows.iter().map(|r| at(r).sigma).collect(),
+        )
+        .int("count", "", "effects", rows.iter().map(|r| at(r).count as i64).collect());
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
+    figures::effects(outcome, study, samples, &found)
+}
+
+fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnostic> {
+    let mut all: Vec<(&String, &(usize, usize, String))> = samples.failures.iter().collect();
+    all.sort_by(|a, b| b.1.0.cmp(&a.1.0).then(a.0.cmp(b.0)));
+    for (cause, (count, first, example)) in &all {
+        let instance = if *count > 1 { format!(", for instance sample {first}") } else { String::new() };
+        let text = format!("{{}} of {} samples have no result{instance}: {example}", samples.count);
+        outcome = outcome.finding(Finding::warning("failed_samples", text).of(*cause).value(*count as f64, "").evidence(
+            "first such sample",
+            *first as f64,
+            "",
+        ));
+    }
+    if samples.invalid > 0 {
+        let text = format!("In {{}} of {} samples a result lies outside the validity of a model.", samples.count);
+        outcome = outcome.finding(Finding::invalid("outside_validity", text).value(samples.invalid as f64, ""));
+    }
+    let table = Table::new("failures", "Samples without a result, by cause")
+        .text("cause", "cause, without its numbers", all.iter().map(|f| f.0.clone()).collect())
+        .int("count", "", "how many", all.iter().map(|f| f.1.0 as i64).collect())
+        .int("first", "", "first such sample", all.iter().map(|f| f.1.1 as i64).collect())
+        .text("example", "what it said", all.iter().map(|f| f.1.2.clone()).collect());
+    Ok(outcome.table(table.build().map_err(inconsistent)?))
+}

@@ -1,0 +1,10 @@
+//! Code that studies of several rooms use.
+
+pub mod limits;
+pub(in crate::study) mod region;
+pub(in crate::study) mod sights;
+pub(in crate::study) mod size;
+pub mod speed_range;
+pub mod support;
+pub(in crate::study) mod validity;
+pub(in crate::study) mod watch;

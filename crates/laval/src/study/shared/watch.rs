@@ -1,0 +1,44 @@
+//! The end of a study that does not end by itself: what it costs is counted in the kernels, and no loop need be trusted.
+
+use super::size::Size;
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::outcome::{End, Finding, Outcome};
+use crate::study::{Context, STEP, Study};
+use laval_num::work::{Halt, watched};
+
+/// Most units of work that `laval check` spends on one study, about 50 ms.
+const CHECK: u64 = 50_000_000;
+/// Units of work beyond those of a work limit after which a study is ended from within, some seconds.
+const BEYOND: u64 = 4_000_000_000;
+
+/// Whether the machine can answer it. What takes longer is left to the run: not known, no refusal.
+pub(in crate::study) fn admit<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
+    fits(study, system)?;
+    watched(None, CHECK, || study.admit(system)).unwrap_or(Ok(()))
+}
+
+/// The same before a run, which takes the time it needs.
+pub(in crate::study) fn prepare<T: Study>(study: &T, system: &System, context: &Context) -> Result<(), Diagnostic> {
+    fits(study, system)?;
+    watched(Some(context.cancel), u64::MAX, || study.prepare(system, context)).unwrap_or(Ok(()))
+}
+
+fn fits<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
+    study.size(system).map_or(Ok(()), Size::check)
+}
+
+/// Runs it. A study that has to end within a computation without partial result has nothing to show.
+pub(in crate::study) fn run<T: Study>(study: &T, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fits(study, system)?;
+    let limit = context.work_limit.saturating_mul(STEP).saturating_add(BEYOND);
+    let end = match watched(Some(context.cancel), limit, || study.run(system, context)) {
+        // what cannot be computed in time is no reason to refuse
+        Ok(Err(_)) if context.cancelled() && admit(study, system).is_ok() => End::Cancelled,
+        Ok(result) => return result,
+        Err(Halt::Stopped) => End::Cancelled,
+        Err(Halt::Limit) => End::WorkLimit,
+    };
+    let text = "It was stopped within a computation that has no partial result: nothing of it is shown.";
+    Ok(Outcome::new(T::KIND, context.name).end(end).finding(Finding::info("nothing_shown", text)))
+}
