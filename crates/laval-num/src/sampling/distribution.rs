@@ -1,7 +1,8 @@
 //! Distributions by their quantile functions.
 
-use statrs::function::erf::{erfc, erfc_inv};
-use std::f64::consts::SQRT_2;
+use libm::erfc;
+use statrs::function::erf::erfc_inv;
+use std::f64::consts::{PI, SQRT_2};
 
 /// Distribution of one uncertain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +79,11 @@ pub fn normal_quantile(p: f64) -> f64 {
         return f64::NAN;
     }
     // the smaller tail keeps its digits
-    let x = SQRT_2 * erfc_inv(2.0 * p.min(1.0 - p));
+    let tail = p.min(1.0 - p);
+    let x = SQRT_2 * erfc_inv(2.0 * tail);
+    // one Newton step: the library has some 11 digits
+    let density = (-0.5 * x * x).exp() / (2.0 * PI).sqrt();
+    let x = if density > 0.0 { x + (normal_probability(-x) - tail) / density } else { x };
     if p < 0.5 { -x } else { x }
 }
 

@@ -55,7 +55,7 @@ pub fn blocks(text: &str) -> Vec<Block> {
         let kind = match tag {
             Tag::Heading { level, .. } => Kind::Heading(level as usize, words(text, &inner)),
             Tag::List(first) => {
-                Kind::List { ordered: first.is_some(), items: parts(&inner, &TagEnd::Item).map(|i| words(text, i)).collect() }
+                Kind::List { ordered: first.is_some(), items: parts(&inner, &TagEnd::Item).map(|(i, _)| words(text, i)).collect() }
             }
             Tag::Table(_) => Kind::Table(grid(text, &inner)),
             Tag::CodeBlock(fence) => {
@@ -85,12 +85,13 @@ fn inside<'a>(events: &mut impl Iterator<Item = Placed<'a>>) -> Vec<Placed<'a>> 
     events.take_while(open).collect()
 }
 
-/// The elements of one kind, without their own start and end.
-fn parts<'e, 'a>(events: &'e [Placed<'a>], end: &TagEnd) -> impl Iterator<Item = &'e [Placed<'a>]> {
+/// The elements of one kind, without their own start and end, and the place of each.
+fn parts<'e, 'a>(events: &'e [Placed<'a>], end: &TagEnd) -> impl Iterator<Item = (&'e [Placed<'a>], &'e Span)> {
     let is_end = move |e: &Placed| matches!(&e.0, Event::End(t) if t == end);
-    events.split_inclusive(is_end).filter(move |p| p.last().is_some_and(is_end)).map(|p| {
+    events.split_inclusive(is_end).filter_map(move |p| {
+        let (last, p) = p.split_last().filter(|(last, _)| is_end(last))?;
         let start = p.iter().position(|e| matches!(&e.0, Event::Start(t) if t.to_end() == *end)).map_or(0, |i| i + 1);
-        &p[start..p.len() - 1]
+        Some((&p[start..], &last.1))
     })
 }
 
@@ -106,7 +107,7 @@ fn words(text: &str, events: &[Placed]) -> String {
 }
 
 fn grid(text: &str, events: &[Placed]) -> Grid {
-    let row = |events: &[Placed]| parts(events, &TagEnd::TableCell).map(|c| cell(text, c)).collect();
+    let row = |(events, _): (&[Placed], &Span)| parts(events, &TagEnd::TableCell).map(|(c, place)| cell(text, c, place)).collect();
     Grid {
         head: parts(events, &TagEnd::TableHead).next().map(row).unwrap_or_default(),
         rows: parts(events, &TagEnd::TableRow).map(row).collect(),
@@ -114,8 +115,8 @@ fn grid(text: &str, events: &[Placed]) -> Grid {
 }
 
 /// A cell; `\\|` in it stands for a bar.
-fn cell(text: &str, events: &[Placed]) -> Cell {
-    let span = extent(events).unwrap_or_default();
+fn cell(text: &str, events: &[Placed], place: &Span) -> Cell {
+    let span = extent(events).unwrap_or(place.start..place.start);
     Cell { text: text[span.clone()].replace("\\|", "|"), span }
 }
 

@@ -171,6 +171,7 @@ fn difference(a: &Numbers, b: &Numbers) -> f64 {
     };
     let told = |n: &Numbers| n.0.iter().map(|f| (f.0.clone(), f.1.clone())).collect::<Vec<_>>();
     if told(a) != told(b) {
+        eprintln!("{:?}\n{:?}", told(a), told(b));
         return f64::INFINITY;
     }
     let findings = a.0.iter().zip(&b.0).map(|(x, y)| of(&[x.2], &[y.2]));
