@@ -76,10 +76,13 @@ fn binomial(n: usize, p: f64) -> Vec<f64> {
 /// The share `count` of `n` with its confidence interval (Wilson 1927).
 pub fn share(count: usize, n: usize, confidence: f64) -> Interval {
     let z = normal_quantile(0.5 + 0.5 * confidence);
-    let (n, p) = (n as f64, count as f64 / n as f64);
-    let centre = (p + 0.5 * z * z / n) / (1.0 + z * z / n);
-    let half = z / (1.0 + z * z / n) * (p * (1.0 - p) / n + 0.25 * z * z / (n * n)).sqrt();
-    Interval { value: p, low: (centre - half).max(0.0), high: (centre + half).min(1.0) }
+    let (all, p) = (n as f64, count as f64 / n as f64);
+    let centre = (p + 0.5 * z * z / all) / (1.0 + z * z / all);
+    let half = z / (1.0 + z * z / all) * (p * (1.0 - p) / all + 0.25 * z * z / (all * all)).sqrt();
+    // none and all are bounds of their own, to the last digit
+    let low = if count == 0 { 0.0 } else { centre - half };
+    let high = if count == n { 1.0 } else { centre + half };
+    Interval { value: p, low, high }
 }
 
 #[cfg(test)]

@@ -10,8 +10,8 @@ use crate::study::motion::settled::period::Verdict;
 pub(super) const JUMP: f64 = 0.25;
 /// Parts of a step, at most: so closely a jump is placed.
 const PARTS: f64 = 64.0;
-/// Motions that one step may cost: beside a fold the steps that stay on a branch become short as the fold comes near.
-const MOST: usize = 96;
+/// Batches of motions that one step may cost: beside a fold the steps that stay on a branch become short as the fold comes near.
+const MOST: usize = 48;
 
 /// What a followed motion brings along to the next speed.
 #[derive(Clone)]
@@ -60,40 +60,34 @@ impl Fleet<'_> {
     pub(super) fn step(&self, way: Way, (from, before): (f64, Option<&Followed>), to: f64, found: Found, counter: &Rows) -> Option<Step> {
         let share = self.unresolved();
         let jumps = |a: &Followed, b: &Found| self.followed(&b.0).is_some_and(|b| a.jumps_to(&b, share));
-        let Some(before) = before.filter(|b| way != Way::Rest && jumps(b, &found)) else { return Some((found, None)) };
+        // a linear machine has one motion at every speed: nothing to jump to
+        let single = way == Way::Rest || self.system.slots().iter().all(|s| s.is_linear());
+        let Some(before) = before.filter(|b| !single && jumps(b, &found)) else { return Some((found, None)) };
         let quiet = counter.aside();
-        let at = |from: &Followed, speed: f64| self.settle(&[self.member_at(speed, Some(&from.y))], &quiet)?.pop();
         let narrow = (to - from).abs() / PARTS * (1.0 + 1e-9);
-        // a motion on the branch, the step from there that leads off it, and where that leads
-        let (mut on, mut part, mut beyond) = ((from, before.clone()), to - from, (to, found.clone()));
-        let mut count = 0;
-        while part.abs() > narrow {
-            if count >= MOST {
-                // steps as short as this still lead off, where shorter ones go on: the rest of the step is the place
-                let last = at(&on.1, to)?;
-                return Some((last, Some((on.0, to))));
-            }
-            part *= 0.5;
-            loop {
-                let end = if (to - on.0).abs() <= part.abs() { to } else { on.0 + part };
-                let next = at(&on.1, end)?;
-                count += 1;
-                let Some(there) = self.followed(&next.0) else { return Some((found, None)) };
-                if on.1.leads_off(&there, share) {
-                    (part, beyond) = (end - on.0, (end, next));
-                    break;
+        let mut on = (from, before.clone());
+        for _ in 0..MOST {
+            // in one batch: the rest of the step, its half, and so on to a part that places a jump
+            let parts = std::iter::successors(Some(to - on.0), |p| (p.abs() > narrow).then_some(0.5 * p));
+            let ends: Vec<f64> = parts.map(|p| if p == to - on.0 { to } else { on.0 + p }).collect();
+            let members: Vec<_> = ends.iter().map(|&speed| self.member_at(speed, Some(&on.1.y))).collect();
+            let all = self.settle(&members, &quiet)?;
+            let there: Option<Vec<Followed>> = all.iter().map(|f| self.followed(&f.0)).collect();
+            let Some(there) = there else { return Some((found, None)) };
+            match there.iter().position(|f| !on.1.leads_off(f, share)) {
+                Some(0) => return Some((all.into_iter().next()?, None)),
+                Some(k) => on = (ends[k], there[k].clone()),
+                None => {
+                    let (Some(&end), Some(landed), Some(beyond)) = (ends.last(), there.last(), all.into_iter().next_back()) else {
+                        return None;
+                    };
+                    let last = if end == to { beyond } else { self.settle(&[self.member_at(to, Some(&landed.y))], &quiet)?.pop()? };
+                    return Some((last, Some((on.0, end))));
                 }
-                if end == to {
-                    return Some((next, None));
-                }
-                (on, part) = ((end, there), 2.0 * part);
             }
         }
-        let place = (on.0, beyond.0);
-        if beyond.0 == to {
-            return Some((beyond.1, Some(place)));
-        }
-        let landed = self.followed(&beyond.1.0)?;
-        Some((at(&landed, to)?, Some(place)))
+        // steps as short as a place still lead off where shorter ones go on: the rest of the step is the place
+        let last = self.settle(&[self.member_at(to, Some(&on.1.y))], &quiet)?.pop()?;
+        Some((last, Some((on.0, to))))
     }
 }
