@@ -182,6 +182,6 @@ ramp = "60 s"
         };
         let robust = self.robust(system, context, &main)?;
         let map = self.mapped(system, context, &main)?;
-        report::Found { study: self, main, robust, map, uncarried: uncarried(system, None) }.outcome(context)
+        report::WindowResult { study: self, main, robust, map, uncarried: uncarried(system, None) }.outcome(context)
     }
 }

@@ -16,7 +16,7 @@ use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::shared::support::RPM;
 use crate::study::{Context, Study};
 
-pub(super) struct Found<'a> {
+pub(super) struct WindowResult<'a> {
     pub study: &'a OperatingWindow,
     pub main: Evaluated,
     pub robust: Option<Robust>,
@@ -50,7 +50,7 @@ fn words(name: &str, flow: bool) -> &'static str {
     }
 }
 
-impl Found<'_> {
+impl WindowResult<'_> {
     pub fn outcome(&self, context: &Context) -> Result<Outcome, Diagnostic> {
         let m = &self.main;
         let mut out = Outcome::new(OperatingWindow::KIND, context.name).over("speed", "rad/s").work("speeds", m.points.len() as u64);
