@@ -1,7 +1,7 @@
 //! What a recovery takes: time and speed, and how both depend on speed, size, density and viscosity.
 
 use super::Separation;
-use super::report::{Built, Found};
+use super::report::{Built, EnsembleResult};
 use crate::outcome::{Finding, Table, quantity, significant};
 use crate::separation::batch::{Batch, FELT, RunUp, Spinning};
 use crate::separation::ensemble::Model;
@@ -62,7 +62,7 @@ fn moved(law: &Law, liquid: f64, by: f64) -> Law {
     }
 }
 
-impl Found<'_> {
+impl EnsembleResult<'_> {
     /// Another speed can be asked for.
     pub fn any_speed(&self) -> bool {
         searched(self.study, self.spinning)

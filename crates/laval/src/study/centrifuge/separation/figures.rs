@@ -1,10 +1,10 @@
 //! Figures of a separation.
 
-use super::report::Found;
+use super::report::EnsembleResult;
 use crate::outcome::{Axis, Figure, Line, Outcome, Panel, Points, Rule};
 use crate::study::shared::support::RPM;
 
-impl Found<'_> {
+impl EnsembleResult<'_> {
     pub fn figures(&self, mut out: Outcome) -> Outcome {
         let s = self.study;
         let line = |y: &str, name: &str| Line::new("efficiency", "time", y).name(name);

@@ -225,7 +225,7 @@ ramp = "30 s"
         }
         let meter = Meter::new(self, &spinning, context);
         let watch = || meter.one();
-        let found = exits(&spinning, &watch).and_then(|exits| report::Found::new(self, &spinning, exits, &watch));
+        let found = exits(&spinning, &watch).and_then(|exits| report::EnsembleResult::new(self, &spinning, exits, &watch));
         let outcome = found.and_then(|f| f.outcome(system, context));
         if context.cancelled() {
             // what was not computed is not said

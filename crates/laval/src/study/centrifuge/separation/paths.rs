@@ -1,7 +1,7 @@
 //! Where particles of a separation go: paths, pellet, the one particle released.
 
 use super::ONE;
-use super::report::{Built, Found};
+use super::report::{Built, EnsembleResult};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome, Table, quantity};
 use crate::separation::exit::{Exit, Surface};
@@ -11,7 +11,7 @@ use crate::separation::places::Place;
 use crate::separation::release::{Moment, Release};
 use crate::study::centrifuge::duty::task::lost;
 
-impl Found<'_> {
+impl EnsembleResult<'_> {
     /// Where particles lie that left through the wall or the bottom.
     pub fn pellet_table(&self) -> Built<Option<Table>> {
         const BINS: usize = 10;

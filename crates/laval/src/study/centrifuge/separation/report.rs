@@ -21,7 +21,7 @@ use crate::study::shared::support::RPM;
 use crate::study::{Context, Study};
 
 /// Results of the ensemble.
-pub(super) struct Found<'a> {
+pub(super) struct EnsembleResult<'a> {
     pub study: &'a Separation,
     pub spinning: &'a Spinning<'a>,
     pub recovery: Recovery<'a>,
@@ -38,14 +38,14 @@ pub(super) type Built<T> = Result<T, OutcomeError>;
 /// Share that counts as the whole of the fixed set.
 const ALL: f64 = 1.0 - 1e-9;
 
-impl<'a> Found<'a> {
+impl<'a> EnsembleResult<'a> {
     pub fn new(study: &'a Separation, spinning: &'a Spinning<'a>, exits: Vec<Option<Exit>>, watch: Watch<'a>) -> Result<Self, Diagnostic> {
         let mut recovery = Recovery::watched(spinning, Some(&exits), watch).map_err(lost)?;
         let needed = recovery.needed(study.task.recovery).map_err(lost)?;
         let caught = recovery.caught(study.task.time).map_err(lost)?;
         let last = if caught >= ALL { spinning.last().map_err(lost)? } else { None };
         recovery.learn(&exits);
-        Ok(Found { study, spinning, recovery, exits, watch, caught, needed, last })
+        Ok(EnsembleResult { study, spinning, recovery, exits, watch, caught, needed, last })
     }
 
     pub fn outcome(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {

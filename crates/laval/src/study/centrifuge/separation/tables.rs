@@ -1,6 +1,6 @@
 //! Tables of a separation: recovery over time, grade efficiency and cut size, engineering measures, validity.
 
-use super::report::{Built, Found};
+use super::report::{Built, EnsembleResult};
 use crate::outcome::Table;
 use crate::separation::ensemble::{cut_size, efficiency, quantile, sorted};
 use crate::separation::exit::Surface;
@@ -9,7 +9,7 @@ use crate::separation::measures::{self, Capture};
 use crate::separation::particle::Particle;
 use crate::separation::validity::Flag;
 
-impl Found<'_> {
+impl EnsembleResult<'_> {
     pub fn efficiency_table(&self) -> Built<Table> {
         let s = &self.study.task;
         let times = sorted(self.exits.iter().map(|e| e.map(|e| e.time)));
