@@ -33,7 +33,7 @@ pub(super) struct Place {
 }
 
 /// All that was found.
-pub(super) struct Found {
+pub(super) struct Derivatives {
     pub places: Vec<Place>,
     pub parameters: Vec<Named>,
     /// Places whose derivatives could not be had: speed, rad/s, and why.
@@ -99,13 +99,13 @@ fn places_of(balance: &mut Balance, b: usize, branch: &Traced, speeds: (f64, f64
 ///
 /// # Errors
 /// As [`Balance::new`].
-pub(super) fn find(system: &System, response: &Response, request: &Request, context: &Context) -> Result<Found, Diagnostic> {
+pub(super) fn find(system: &System, response: &Response, request: &Request, context: &Context) -> Result<Derivatives, Diagnostic> {
     let bodies = system.bodies();
     let d = response.discretisation.whole();
     let parameters = parameters(system, d.symmetry);
     let indices: Vec<_> = parameters.iter().map(|p| p.parameter).collect();
     let ended = response.branches.iter().all(|b| b.end != End::Cancelled);
-    let mut found = Found { places: vec![], parameters, without: vec![], complete: ended, harmonics: d.harmonics };
+    let mut found = Derivatives { places: vec![], parameters, without: vec![], complete: ended, harmonics: d.harmonics };
     let mut balance = Balance::new(system, d, request.speeds, None)?;
     let mut seeds = Vec::new();
     for (b, branch) in response.branches.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Findings, tables and bars.
 
 use super::Sensitivity;
-use super::places::{Found, Kind, Place};
+use super::places::{Derivatives, Kind, Place};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
 use crate::study::shared::support::inconsistent;
@@ -31,13 +31,13 @@ impl Place {
     }
 
     /// Relative influence of every parameter: on the speed, on the displacement.
-    fn relative(&self, found: &Found) -> Vec<[f64; 2]> {
+    fn relative(&self, found: &Derivatives) -> Vec<[f64; 2]> {
         let m = &self.moved;
         found.parameters.iter().zip(&m.slopes).map(|(p, s)| [s.speed * p.value / m.speed, s.value * p.value / m.value]).collect()
     }
 
     /// The parameter moves the place by more than rounding does.
-    fn acts(&self, found: &Found, k: usize) -> bool {
+    fn acts(&self, found: &Derivatives, k: usize) -> bool {
         let (p, m) = (&found.parameters[k], &self.moved);
         // of what is zero, as an angle, one unit counts
         let least = if p.value == 0.0 { NOTHING } else { 0.0 };
@@ -46,7 +46,7 @@ impl Place {
     }
 
     /// Parameters by falling influence; those without any are left out.
-    fn order(&self, found: &Found) -> Vec<usize> {
+    fn order(&self, found: &Derivatives) -> Vec<usize> {
         let relative = self.relative(found);
         // what is unknown comes last
         let size = |&k: &usize| if relative[k].iter().any(|r| r.is_nan()) { -1.0 } else { relative[k][0].abs().max(relative[k][1].abs()) };
@@ -62,7 +62,7 @@ fn percent(x: f64) -> String {
     format!("{}{} %", if x > 0.0 { "+" } else { "" }, significant(x, 3))
 }
 
-fn finding(place: &Place, found: &Found) -> Finding {
+fn finding(place: &Place, found: &Derivatives) -> Finding {
     let relative = place.relative(found);
     let told = |which: usize| {
         let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
@@ -89,7 +89,7 @@ fn finding(place: &Place, found: &Found) -> Finding {
 }
 
 /// Everything a reader gets.
-pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
+pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
     let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete));
     for p in &found.places {
         out = out.finding(finding(p, found));
@@ -142,7 +142,7 @@ pub(super) fn report(found: &Found, bars: usize, context: &Context) -> Result<Ou
     out.work("places", found.places.len() as u64).work("parameters", found.parameters.len() as u64).checked().map_err(inconsistent)
 }
 
-fn places(found: &Found) -> Result<Table, Diagnostic> {
+fn places(found: &Derivatives) -> Result<Table, Diagnostic> {
     let all = &found.places;
     let float = |f: &dyn Fn(&Place) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     Table::new("places", "Peaks and folds of the steady response")
@@ -162,7 +162,7 @@ fn places(found: &Found) -> Result<Table, Diagnostic> {
 /// Index of a place and of a parameter, and its relative influence on speed and displacement.
 type Row = (usize, usize, [f64; 2]);
 
-fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
+fn sensitivities(found: &Derivatives) -> Result<Table, Diagnostic> {
     let rows: Vec<Row> = found
         .places
         .iter()
@@ -190,7 +190,7 @@ fn sensitivities(found: &Found) -> Result<Table, Diagnostic> {
 }
 
 /// Horizontal bars, the parameter of most influence on top.
-fn tornado(mut out: Outcome, found: &Found, i: usize, bars: usize) -> Result<Outcome, Diagnostic> {
+fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Result<Outcome, Diagnostic> {
     let place = &found.places[i];
     let relative = place.relative(found);
     let shown: Vec<usize> = place
