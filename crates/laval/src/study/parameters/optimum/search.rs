@@ -70,7 +70,7 @@ pub(super) struct Stray {
     pub ends: [(f64, bool); 2],
 }
 
-pub(super) struct Found {
+pub(super) struct SearchResult {
     /// The machine as it is.
     pub now: f64,
     pub unit: String,
@@ -158,11 +158,11 @@ impl Bench<'_> {
 }
 
 /// Searches from several starts, tests the best and measures how far each parameter may stray.
-pub(super) fn search(study: &Optimum, system: &System, now: &[Quantity], inner: &Context, context: &Context) -> Found {
+pub(super) fn search(study: &Optimum, system: &System, now: &[Quantity], inner: &Context, context: &Context) -> SearchResult {
     let current = number(now, &study.aim.name, !study.aim.large).unwrap_or(f64::NAN);
     let unit = |name: &str| now.iter().find(|q| q.label == name).map_or(String::new(), |q| q.unit.clone());
     let bench = Bench { study, system, inner, now: current, runs: AtomicU64::new(0), failed: AtomicU64::new(0) };
-    let mut found = Found {
+    let mut found = SearchResult {
         now: current,
         unit: unit(&study.aim.name),
         units: study.limits.iter().map(|l| unit(&l.name)).collect(),
@@ -242,7 +242,7 @@ fn follow(bench: &Bench, start: usize, weight: &mut f64, go_on: &dyn Fn(&Bench) 
 }
 
 /// One-sided slopes at the optimum, recommended ranges, profiles; `None` when stopped.
-fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
+fn examine(bench: &Bench, best: &Run, found: &mut SearchResult) -> Option<()> {
     let s = bench.study;
     let n = s.vary.len();
     let here = bench.merit(best, found.weight);
