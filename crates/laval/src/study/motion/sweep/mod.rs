@@ -38,7 +38,7 @@ use crate::study::{Context, Study};
 use laval_num::work::Here;
 use lyapunov::Pairs;
 use rayon::prelude::*;
-use refine::{Followed, Found};
+use refine::{Followed, SteadyPoint};
 use rows::Row;
 use std::ops::Range;
 use std::sync::Arc;
@@ -302,7 +302,7 @@ impl Fleet<'_> {
     }
 
     /// Settled motions of members, with their exponents; none when stopped.
-    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<Found>> {
+    fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<SteadyPoint>> {
         let form = Form::of(&self.system, true);
         let probes = self.probes.clone();
         let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
@@ -326,7 +326,7 @@ impl Fleet<'_> {
     fn rows(&self, steps: Range<usize>, carried: Option<Carried>, counter: &Rows) -> Option<Vec<Row>> {
         let ways = &self.study.ways;
         let mut out: Vec<Vec<Row>> = ways.iter().map(|_| Vec::with_capacity(steps.len())).collect();
-        let row = |way: Way, m: &Member, found: Found, jump: Option<(f64, f64)>| Row {
+        let row = |way: Way, m: &Member, found: SteadyPoint, jump: Option<(f64, f64)>| Row {
             way,
             speed: m.speed,
             rate: m.rate,

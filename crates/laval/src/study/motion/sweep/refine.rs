@@ -41,10 +41,10 @@ impl Followed {
 }
 
 /// A settled motion with its exponent.
-pub(super) type Found = (Settled, Option<Exponent>);
+pub(super) type SteadyPoint = (Settled, Option<Exponent>);
 
 /// What a step comes to: the motion at its end, and the speeds between which it jumped.
-pub(super) type Step = (Found, Option<(f64, f64)>);
+pub(super) type Step = (SteadyPoint, Option<(f64, f64)>);
 
 impl Fleet<'_> {
     /// What a motion hands on; `None` of one that failed.
@@ -57,9 +57,16 @@ impl Fleet<'_> {
     }
 
     /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.
-    pub(super) fn step(&self, way: Way, (from, before): (f64, Option<&Followed>), to: f64, found: Found, counter: &Rows) -> Option<Step> {
+    pub(super) fn step(
+        &self,
+        way: Way,
+        (from, before): (f64, Option<&Followed>),
+        to: f64,
+        found: SteadyPoint,
+        counter: &Rows,
+    ) -> Option<Step> {
         let share = self.unresolved();
-        let jumps = |a: &Followed, b: &Found| self.followed(&b.0).is_some_and(|b| a.jumps_to(&b, share));
+        let jumps = |a: &Followed, b: &SteadyPoint| self.followed(&b.0).is_some_and(|b| a.jumps_to(&b, share));
         // a linear machine has one motion at every speed: nothing to jump to
         let single = way == Way::Rest || self.system.slots().iter().all(|s| s.is_linear());
         let Some(before) = before.filter(|b| !single && jumps(b, &found)) else { return Some((found, None)) };
