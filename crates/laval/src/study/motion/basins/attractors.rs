@@ -38,7 +38,7 @@ pub(super) struct Attractor {
 }
 
 /// What the motions are, in order of amplitude, with those that do not repeat last; and to which each belongs, none where it has no limit.
-pub(super) struct Found {
+pub(super) struct AttractorSet {
     pub attractors: Vec<Attractor>,
     pub of: Vec<Option<usize>>,
     /// Smallest distance of two attractors of one period over the size of the larger.
@@ -77,7 +77,7 @@ impl Ruler<'_> {
     }
 
     /// Sorts the motions.
-    pub fn sort(&self, motions: &[Motion]) -> Found {
+    pub fn sort(&self, motions: &[Motion]) -> AttractorSet {
         let mut found: Vec<Attractor> = Vec::new();
         for (i, m) in motions.iter().enumerate() {
             if m.orbit.is_empty() && !m.irregular {
@@ -111,7 +111,7 @@ impl Ruler<'_> {
         let pairs = found.iter().enumerate().flat_map(|(k, a)| found[..k].iter().map(move |b| (a, b)));
         let distances = pairs.map(|(a, b)| self.distance(&motions[a.best].orbit, &motions[b.best].orbit));
         let gap = distances.filter(|d| d.is_finite()).min_by(f64::total_cmp);
-        Found { attractors: found, of, gap }
+        AttractorSet { attractors: found, of, gap }
     }
 }
 

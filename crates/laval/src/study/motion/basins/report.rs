@@ -3,7 +3,7 @@
 use super::super::settled::period::{LONGEST, Verdict};
 use super::super::settled::{RUNAWAY, UNBOUNDED, sizes, told};
 use super::super::start::state_names;
-use super::attractors::{AGREE, Attractor, Found, Motion, Ruler};
+use super::attractors::{AGREE, Attractor, AttractorSet, Motion, Ruler};
 use super::rows::{PLACE, orbit};
 use super::{Basins, Fleet};
 use crate::diagnostic::Diagnostic;
@@ -32,7 +32,7 @@ struct Map<'a> {
     lead: usize,
     /// By body.
     rms: Vec<Vec<f64>>,
-    found: Found,
+    found: AttractorSet,
 }
 
 impl<'a> Map<'a> {
