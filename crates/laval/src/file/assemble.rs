@@ -1,7 +1,7 @@
 //! From a [`Spec`] to a machine and its studies, through the registries.
 
 use super::draft::Draft;
-use super::{Axis, Block, Catalog, MachineBlock, Spec, examine, held, joints, read_bytes, reader, stages};
+use super::{Block, Catalog, MachineBlock, RotorAxis, Spec, examine, held, joints, read_bytes, reader, stages};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Extra, Value};
 use crate::model::part::{At, Rows};
@@ -229,8 +229,8 @@ pub(super) fn machine(block: &MachineBlock, extras: Vec<Extra>) -> Machine {
         name: block.name.clone(),
         speed: block.speed,
         axis: match block.axis {
-            Axis::Vertical => system::Axis::Vertical,
-            Axis::Horizontal => system::Axis::Horizontal,
+            RotorAxis::Vertical => system::Axis::Vertical,
+            RotorAxis::Horizontal => system::Axis::Horizontal,
         },
         drive: block.drive,
         extras,

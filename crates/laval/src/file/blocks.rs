@@ -4,7 +4,7 @@ use super::draft::{Draft, Drafted};
 use super::naming::{read_kind, read_name};
 use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, StudyTable, clip};
-use super::{Axis, Block, Catalog, Drive, MACHINE_FIELDS, MachineBlock};
+use super::{Block, Catalog, Drive, MACHINE_FIELDS, MachineBlock, RotorAxis};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, nearest};
 use crate::model::field::{Field, FieldKind, KindInfo, Values};
 use std::collections::BTreeMap;
@@ -374,7 +374,7 @@ fn read_machine(cx: &mut Context, entry: Option<&Entry>) -> (MachineBlock, Vec<&
     let block = MachineBlock {
         name: values.text("name").unwrap_or_default().to_string(),
         speed: values.number("speed"),
-        axis: if values.choice("axis") == Some("horizontal") { Axis::Horizontal } else { Axis::Vertical },
+        axis: if values.choice("axis") == Some("horizontal") { RotorAxis::Horizontal } else { RotorAxis::Vertical },
         drive: if values.choice("drive") == Some("free") { Drive::Free } else { Drive::Prescribed },
         span,
         speed_span: values.number("speed").and_then(|_| values.span_of("speed")),

@@ -88,7 +88,7 @@ impl Catalog {
 
 /// Direction of the rotor axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Axis {
+pub enum RotorAxis {
     /// Gravity acts along the axis.
     #[default]
     Vertical,
@@ -104,7 +104,7 @@ pub struct MachineBlock {
     /// Speed for studies that name none, rad/s.
     pub speed: Option<f64>,
     /// Direction of the rotor axis.
-    pub axis: Axis,
+    pub axis: RotorAxis,
     /// How the spin angle moves.
     pub drive: Drive,
     /// The block's header in the file.

@@ -1,7 +1,7 @@
 //! From [`Spec`] back to a file: complete (defaults written out), in the order of the declarations, with readable units, and
 //! exact: reading it gives the same spec.
 
-use super::{Axis, Block, Catalog, Drive, Spec, parameter_in};
+use super::{Block, Catalog, Drive, RotorAxis, Spec, parameter_in};
 use crate::diagnostic::Span;
 use crate::model::field::{Amount, Attach, Field, FieldKind, KindInfo, RangeValue, Tolerance, Value, Values};
 use crate::units::{write_number, write_si};
@@ -191,10 +191,10 @@ pub fn write(spec: &Spec, catalog: &Catalog) -> String {
     out
 }
 
-fn axis_word(a: Axis) -> &'static str {
+fn axis_word(a: RotorAxis) -> &'static str {
     match a {
-        Axis::Vertical => "vertical",
-        Axis::Horizontal => "horizontal",
+        RotorAxis::Vertical => "vertical",
+        RotorAxis::Horizontal => "horizontal",
     }
 }
 

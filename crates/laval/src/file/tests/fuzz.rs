@@ -150,7 +150,7 @@ fn spec() -> impl Strategy<Value = Spec> {
             machine: MachineBlock {
                 name,
                 speed,
-                axis: if horizontal { Axis::Horizontal } else { Axis::Vertical },
+                axis: if horizontal { RotorAxis::Horizontal } else { RotorAxis::Vertical },
                 drive: if free { Drive::Free } else { Drive::Prescribed },
                 span: None,
                 speed_span: None,

@@ -259,7 +259,7 @@ fn the_example_reads() {
     let s = good(EXAMPLE);
     assert_eq!(s.machine.name, "oil separator");
     assert!((s.machine.speed.unwrap() - 100.0 * std::f64::consts::PI).abs() < 1e-12);
-    assert_eq!(s.machine.axis, Axis::Vertical);
+    assert_eq!(s.machine.axis, RotorAxis::Vertical);
     let names: Vec<&str> = s.parts.iter().map(|b| b.name.as_str()).collect();
     assert_eq!(names, ["drum", "base", "bearing_cubic", "damper", "liquid"]);
     let v = &s.part("bearing_cubic").unwrap().values;
