@@ -1,6 +1,6 @@
 //! The border between cells that jump and cells that do not: pieces along the sides where two such cells meet.
 
-use super::Axis;
+use super::ParameterAxis;
 
 /// A piece of the border, from one corner of a cell to another.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,7 @@ pub(super) struct Piece {
 }
 
 /// Sides of the cells: half way between the centres, the outer ones as far outside.
-fn sides(axis: &Axis, centres: &[f64]) -> Vec<f64> {
+fn sides(axis: &ParameterAxis, centres: &[f64]) -> Vec<f64> {
     let there = |x: f64| if axis.logarithmic { x.ln() } else { x };
     let back = |t: f64| if axis.logarithmic { t.exp() } else { t };
     let t: Vec<f64> = centres.iter().map(|&x| there(x)).collect();
@@ -25,7 +25,7 @@ fn sides(axis: &Axis, centres: &[f64]) -> Vec<f64> {
 }
 
 /// All pieces. `jumps` says row by row (y outer) whether a cell jumps; `None` where that is not known.
-pub(super) fn pieces(axes: &[Axis; 2], values: &[Vec<f64>; 2], jumps: &[Option<bool>]) -> Vec<Piece> {
+pub(super) fn pieces(axes: &[ParameterAxis; 2], values: &[Vec<f64>; 2], jumps: &[Option<bool>]) -> Vec<Piece> {
     let [xs, ys] = values;
     let (xe, ye) = (sides(&axes[0], xs), sides(&axes[1], ys));
     let at = |i: usize, j: usize| jumps.get(j * xs.len() + i).copied().flatten();
@@ -51,9 +51,9 @@ mod tests {
     use super::*;
     use crate::model::field::RangeValue;
 
-    fn axis(logarithmic: bool) -> Axis {
+    fn axis(logarithmic: bool) -> ParameterAxis {
         let range = RangeValue { from: 1.0, to: 100.0, points: Some(3) };
-        Axis { path: "a.b".into(), unit: "", range, logarithmic }
+        ParameterAxis { path: "a.b".into(), unit: "", range, logarithmic }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Cells of the map and their columns.
 
-use super::Axis;
+use super::ParameterAxis;
 use crate::outcome::End;
 use crate::solve::harmonic::bifurcation::Event;
 use crate::store::{Cells, Column};
@@ -65,7 +65,7 @@ fn flag(x: bool) -> f64 {
 }
 
 /// The columns.
-pub(super) fn columns(axes: &[Axis; 2], tilts: bool) -> Vec<CellColumn> {
+pub(super) fn columns(axes: &[ParameterAxis; 2], tilts: bool) -> Vec<CellColumn> {
     let mut out: Vec<CellColumn> = Vec::new();
     for (k, a) in axes.iter().enumerate() {
         out.push(CellColumn { column: Column::float(&a.path, a.unit, "value of the parameter"), get: Get::Place(k) });

@@ -1,6 +1,6 @@
 //! Maps of the largest peak, of the width of the hysteresis, and of what slow sweeps do.
 
-use super::Axis as Parameter;
+use super::ParameterAxis;
 use super::cells::{SWEEPS, TILT};
 use super::report::Map;
 use crate::outcome::{Axis, Figure, Heat, Line, Mark, Outcome, Panel};
@@ -15,7 +15,7 @@ fn lengths(label: &str, largest: f64, log: bool) -> Axis {
     axis.factor(factor)
 }
 
-fn drawn(axis: &Parameter, values: &[f64]) -> Axis {
+fn drawn(axis: &ParameterAxis, values: &[f64]) -> Axis {
     let largest = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     match axis.unit {
         "m" => lengths(&axis.path, largest, axis.logarithmic),

@@ -38,7 +38,7 @@ const MOST_CELLS: usize = 100_000;
 
 /// One parameter, from end to end.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
+pub struct ParameterAxis {
     /// Path; a lateral pair without `.x` or `.y` changes both halves together.
     pub path: String,
     /// Its SI unit.
@@ -49,7 +49,7 @@ pub struct Axis {
     pub logarithmic: bool,
 }
 
-impl Axis {
+impl ParameterAxis {
     /// Its values, rising; the ends are exactly those asked for.
     pub fn values(&self) -> Vec<f64> {
         let even = self.range.linspace(DEFAULT_POINTS);
@@ -69,7 +69,7 @@ impl Axis {
 /// See the [module](self).
 pub struct ResponseMap {
     /// What varies along x and along y.
-    pub axes: [Axis; 2],
+    pub axes: [ParameterAxis; 2],
     /// What is asked of every machine.
     pub request: Request,
 }
@@ -114,7 +114,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             let help = "vary two parameters; for one, see nonlinear_response with uncertainty, or give y another";
             diagnostics.push(Diagnostic::error("response_map.parameter", message).at(values.span_of("y")).help(help));
         }
-        let count = |a: &Axis| a.range.points.unwrap_or(DEFAULT_POINTS);
+        let count = |a: &ParameterAxis| a.range.points.unwrap_or(DEFAULT_POINTS);
         if count(&x).saturating_mul(count(&y)) > MOST_CELLS {
             let message = format!("a map of {} by {} machines is too large", count(&x), count(&y));
             let help = format!("at most {MOST_CELLS} machines in all");
@@ -129,7 +129,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
-        let values = self.axes.each_ref().map(Axis::values);
+        let values = self.axes.each_ref().map(ParameterAxis::values);
         let rows = values[0].len() * values[1].len();
         let columns = cells::columns(&self.axes, system.probes().iter().any(Probe::is_tilt));
         let plan = store::Plan {
@@ -169,7 +169,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
 }
 
 /// One parameter and its values; says all that is wrong.
-fn axis(field: &str, spacing: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Axis> {
+fn axis(field: &str, spacing: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<ParameterAxis> {
     let (path, given) = values.parameter_range(field)?;
     let range = range(field, given, 2, values, diagnostics);
     let slot = system.param(path).and_then(|i| system.param_slots().get(*i.first()?));
@@ -183,7 +183,7 @@ fn axis(field: &str, spacing: &str, values: &Values, system: &System, diagnostic
         diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of(field)).help(help));
         return None;
     }
-    Some(Axis { path: path.to_string(), unit: slot?.unit, range: range?, logarithmic })
+    Some(ParameterAxis { path: path.to_string(), unit: slot?.unit, range: range?, logarithmic })
 }
 
 impl ResponseMap {
