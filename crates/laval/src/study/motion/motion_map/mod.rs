@@ -41,14 +41,14 @@ const ABOUT: (f64, f64) = (0.5, 1.5);
 
 /// What varies along one side.
 #[derive(Clone, Debug, PartialEq)]
-struct Axis {
+struct GridAxis {
     /// Path of the parameter; `None` is the spin speed.
     path: Option<String>,
     unit: &'static str,
     range: RangeValue,
 }
 
-impl Axis {
+impl GridAxis {
     fn name(&self) -> &str {
         self.path.as_deref().unwrap_or("speed")
     }
@@ -59,7 +59,7 @@ impl Axis {
 
 /// See the [module](self).
 pub struct MotionMap {
-    axes: [Axis; 2],
+    axes: [GridAxis; 2],
     /// Spin speed where no axis is, rad/s.
     speed: f64,
     rules: Rules,
@@ -127,7 +127,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             diagnostics.push(Diagnostic::error("motion_map.no_body", "no body of this machine moves across the axis"));
         }
         if let (Some(x), Some(y)) = (&x, &y) {
-            let indices = |a: &Axis| a.path.as_deref().and_then(|p| system.param(p)).unwrap_or_default();
+            let indices = |a: &GridAxis| a.path.as_deref().and_then(|p| system.param(p)).unwrap_or_default();
             if indices(x).iter().any(|i| indices(y).contains(i)) {
                 let message = format!("\"{}\" and \"{}\" are the same parameter", x.name(), y.name());
                 diagnostics.push(Diagnostic::error("motion_map.axes", message).at(values.span_of("y")).help("vary two parameters"));
@@ -167,7 +167,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             study: self,
             initial,
             method: self.method(&own),
-            values: self.axes.each_ref().map(Axis::values),
+            values: self.axes.each_ref().map(GridAxis::values),
             system: Arc::new(own),
         };
         let columns = fleet.columns();
@@ -185,7 +185,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
 }
 
 /// The speeds along x.
-fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Axis> {
+fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<GridAxis> {
     let about = |speed: f64| RangeValue { from: ABOUT.0 * speed, to: ABOUT.1 * speed, points: None };
     let Some(given) = values.range("speed").or(system.machine.speed.map(f64::abs).map(about)) else {
         diagnostics.push(
@@ -202,18 +202,18 @@ fn speeds(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Op
         diagnostics.push(Diagnostic::error("motion_map.speed", message).at(values.span_of("speed")));
         return None;
     }
-    Some(Axis { path: None, unit: "rad/s", range })
+    Some(GridAxis { path: None, unit: "rad/s", range })
 }
 
 /// A parameter and its values.
-fn parameter(field: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Axis> {
+fn parameter(field: &str, values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<GridAxis> {
     let (path, given) = values.parameter_range(field)?;
     let range = range(field, given, 2, values, diagnostics);
     let slot = system.param(path).and_then(|i| system.param_slots().get(*i.first()?));
     if slot.is_none() {
         diagnostics.push(system.unknown_param(path).at(values.span_of(field)));
     }
-    Some(Axis { path: Some(path.to_string()), unit: slot?.unit, range: range? })
+    Some(GridAxis { path: Some(path.to_string()), unit: slot?.unit, range: range? })
 }
 
 impl MotionMap {
