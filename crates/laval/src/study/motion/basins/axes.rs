@@ -14,7 +14,7 @@ pub(super) const MOST_POINTS: f64 = 10_000.0;
 
 /// One initial value, or the duration of the run-up, from end to end.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(super) struct InitialValueAxis {
     /// Name of the state.
     pub name: String,
     /// Its SI unit.
@@ -24,7 +24,7 @@ pub(super) struct Axis {
     range: RangeValue,
 }
 
-impl Axis {
+impl InitialValueAxis {
     /// Its values, rising.
     pub fn values(&self) -> Vec<f64> {
         self.range.linspace(DEFAULT_POINTS)
@@ -44,7 +44,7 @@ impl Axis {
 }
 
 /// Reads `from`, `to` and `points`, of which there may be so many cells; says all that is wrong.
-pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &mut Diagnostics) -> Option<[Axis; 2]> {
+pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &mut Diagnostics) -> Option<[InitialValueAxis; 2]> {
     let before = diagnostics.0.len();
     let run_up = values.range("run_up").and_then(|r| range("run_up", r, 2, values, diagnostics));
     let wanted = if values.get("run_up").is_some() { 1 } else { 2 };
@@ -87,11 +87,16 @@ pub(super) fn read(values: &Values, system: &System, most: usize, diagnostics: &
             let message = format!("\"{name}\" must go from a lower to a higher value");
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("to")).help(apart(from, to)));
         }
-        axes.push(Axis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
+        axes.push(InitialValueAxis { name, unit, index: Some(index), range: RangeValue { from, to, points: Some(points[k]) } });
     }
     if let Some(run_up) = run_up {
         let count = run_up.points.unwrap_or(points[1]);
-        axes.push(Axis { name: "run-up".into(), unit: "s".into(), index: None, range: RangeValue { points: Some(count), ..run_up } });
+        axes.push(InitialValueAxis {
+            name: "run-up".into(),
+            unit: "s".into(),
+            index: None,
+            range: RangeValue { points: Some(count), ..run_up },
+        });
     }
     let points: Vec<usize> = axes.iter().filter_map(|a| a.range.points).collect();
     let cells = points.iter().fold(1usize, |n, p| n.saturating_mul(*p));

@@ -33,7 +33,7 @@ use crate::store::{self, Rows};
 use crate::study::shared::sights;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
-use axes::{Axis, MOST_POINTS};
+use axes::{InitialValueAxis, MOST_POINTS};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -56,7 +56,7 @@ pub struct Basins {
     /// Spin speed, rad/s.
     speed: f64,
     /// Initial values varied.
-    axes: [Axis; 2],
+    axes: [InitialValueAxis; 2],
     rules: Rules,
     initial: Vec<(Entry, f64)>,
     /// Motions of movable masses may be told before their end.
@@ -208,7 +208,7 @@ points = 50
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
             probes: sights::probes(system),
-            values: self.axes.each_ref().map(Axis::values),
+            values: self.axes.each_ref().map(InitialValueAxis::values),
             method: method(&own, self.rules.method, self.speed),
             varied,
             initial,

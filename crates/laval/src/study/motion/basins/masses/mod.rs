@@ -262,7 +262,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     let (states, images) = states_at(&own, study.speed, STARTS, context)?;
     let held = states.first().map_or_else(|| vec![0.0; own.n()], |s| s.state.x[..own.n()].to_vec());
     let space = Space::new(&own, study.speed, images, &held);
-    let values = study.axes.each_ref().map(super::Axis::values);
+    let values = study.axes.each_ref().map(super::InitialValueAxis::values);
     let count = values[0].len() * values[1].len();
     let rest = |r: &crate::study::nonlinear::stationary::Row| {
         Attractor::rest(&space, &r.state.x[..own.n()], r.class, r.stability.growth(), r.stable())
