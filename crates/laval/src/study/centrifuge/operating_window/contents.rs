@@ -40,10 +40,10 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[Carried], own: Optio
     }
     let mut out = Changed { cups: cups.to_vec(), overrides: vec![] };
     match (&task.vessel.separator, own) {
-        (Separator::Cup(cup), Some(k)) => settled(&mut out.cups.get_mut(k)?.ring.cup.body, &cup.vessel, excess),
+        (Separator::Cup(cup), Some(k)) => packed(&mut out.cups.get_mut(k)?.ring.cup.body, &cup.vessel, excess),
         (Separator::Tube(t, _), Some(k)) => {
             let inside = Cylinder { radius: t.radius, bottom: t.length, top: t.surface };
-            settled(&mut out.cups.get_mut(k)?.ring.cup.body, &inside, excess);
+            packed(&mut out.cups.get_mut(k)?.ring.cup.body, &inside, excess);
         }
         (Separator::Cup(_) | Separator::Tube(..), None) => return None,
         _ => {
@@ -64,7 +64,7 @@ pub(super) fn changed(system: &System, task: &Task, cups: &[Carried], own: Optio
 }
 
 /// The particles of a vessel, with the density `excess` more than the liquid they displace when spread over it, gathered at its bottom (light ones at its surface).
-fn settled(body: &mut Hanging, v: &Cylinder, excess: f64) {
+fn packed(body: &mut Hanging, v: &Cylinder, excess: f64) {
     let moved = excess * v.volume();
     let end = if excess > 0.0 { v.bottom } else { v.top };
     body.along += moved * (end - 0.5 * (v.top + v.bottom)) / body.mass;
@@ -100,7 +100,7 @@ mod tests {
         };
         for excess in [150.0, -60.0] {
             let mut body = filled(excess);
-            settled(&mut body, &v, excess);
+            packed(&mut body, &v, excess);
             // clear liquid, and what the particles weigh more (light ones: less) at the end
             let (clear, end, m) = (filled(0.0), if excess > 0.0 { v.bottom } else { v.top }, excess * v.volume());
             let along = (clear.mass * clear.along + m * end) / (clear.mass + m);

@@ -18,10 +18,10 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::cells;
-use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, fastest_growth, method, neutral, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
+use super::steady_state::columns::cells;
+use super::steady_state::fields::{self, SLOWEST};
+use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, fastest_growth, method, neutral, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::probe::Probe;
@@ -306,11 +306,12 @@ impl Fleet<'_> {
         };
         let members: Vec<Member> = range.clone().map(member).collect();
         let probes = self.probes.clone();
-        let voyage = Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let voyage = SteadyStateSearch { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let settings = Settings { method: self.method, ..Settings::default() };
-        let settled: Vec<Settled> = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
+        let steady_state: Vec<SteadyState> =
+            ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));
-        let list = members.iter().zip(settled).map(|(m, settled)| rows::Row { place: place(&m.y), settled }).collect();
+        let list = members.iter().zip(steady_state).map(|(m, steady_state)| rows::Row { place: place(&m.y), steady_state }).collect();
         // a motion that the budget cut short is none
         (!self.budget.used_up()).then_some(list)
     }

@@ -1,8 +1,8 @@
 //! What is said of basins.
 
-use super::super::settled::period::{LONGEST, Verdict};
-use super::super::settled::{RUNAWAY, UNBOUNDED, sizes, told};
 use super::super::start::state_names;
+use super::super::steady_state::period::{LONGEST, Verdict};
+use super::super::steady_state::{RUNAWAY, UNBOUNDED, sizes, told};
 use super::attractors::{AGREE, Attractor, AttractorSet, Motion, Ruler};
 use super::rows::{PLACE, orbit};
 use super::{Basins, Fleet};
@@ -56,16 +56,16 @@ impl<'a> Map<'a> {
                 let number = |c: usize| chunk.cells[c].number(r);
                 let k = number(period);
                 let turns = if k.is_finite() { (k as usize).min(LONGEST) } else { 0 };
-                let judged = chunk.cells[word].word(r).unwrap_or_default();
+                let assessment = chunk.cells[word].word(r).unwrap_or_default();
                 place.push([number(x), number(y)]);
                 motions.push(Motion {
                     orbit: (0..turns).rev().map(|p| states[p].iter().map(|&c| number(c)).collect()).collect(),
                     // where a mode neither decays nor grows, what does not repeat may never settle
-                    irregular: judged == Verdict::NotPeriodic.word() && !fleet.neutral,
+                    irregular: assessment == Verdict::NotPeriodic.word() && !fleet.neutral,
                     remaining: number(remaining),
                     amplitude: f64::NAN,
                 });
-                motion.push(judged.to_string());
+                motion.push(assessment.to_string());
                 amplitude.iter_mut().zip(&peaks).for_each(|(a, &c)| a.push(number(c)));
                 rms.iter_mut().zip(&means).for_each(|(a, &c)| a.push(number(c)));
             }

@@ -1,21 +1,21 @@
 //! Rows of the study and their columns.
 
-use super::super::settled::Settled;
-use super::super::settled::columns::{self, RowColumn, body, number};
-use super::super::settled::period::LONGEST;
 use super::super::start::state_names;
+use super::super::steady_state::SteadyState;
+use super::super::steady_state::columns::{self, RowColumn, body, number};
+use super::super::steady_state::period::LONGEST;
 use super::{Basins, Fleet};
 
 /// One motion.
 pub(super) struct Row {
     /// Initial values along both axes.
     pub place: [f64; 2],
-    pub settled: Settled,
+    pub steady_state: SteadyState,
 }
 
 impl columns::Row for Row {
-    fn settled(&self) -> &Settled {
-        &self.settled
+    fn steady_state(&self) -> &SteadyState {
+        &self.steady_state
     }
 }
 
@@ -28,7 +28,7 @@ pub(super) fn columns(study: &Basins, fleet: &Fleet) -> Vec<RowColumn<Row>> {
     for (k, axis) in study.axes.iter().enumerate() {
         out.push(number(PLACE[k], &axis.unit, &format!("initial value of {}", axis.name), move |r: &Row| r.place[k]));
     }
-    out.extend(columns::judged(&study.rules));
+    out.extend(columns::verdict_columns(&study.rules));
     for (b, own) in fleet.bodies.iter().enumerate() {
         out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
@@ -38,7 +38,7 @@ pub(super) fn columns(study: &Basins, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         for (i, (name, unit)) in state_names(&fleet.system).into_iter().enumerate() {
             let doc = "state at phase zero, so many turns before the end; none where the motion does not repeat or has repeated before";
             out.push(number(orbit(p, &name), &unit, doc, move |r: &Row| {
-                let orbit = &r.settled.orbit;
+                let orbit = &r.steady_state.orbit;
                 orbit.len().checked_sub(p + 1).map_or(f64::NAN, |at| orbit[at][i])
             }));
         }

@@ -11,10 +11,10 @@
 mod report;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::{self, RowColumn, body, cells, number, word};
-use super::settled::fields::{self, SLOWEST};
-use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
+use super::steady_state::columns::{self, RowColumn, body, cells, number, word};
+use super::steady_state::fields::{self, SLOWEST};
+use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, method, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
@@ -258,12 +258,12 @@ struct Row {
     at: [f64; 2],
     /// Why there is no machine.
     refused: Option<String>,
-    settled: Settled,
+    steady_state: SteadyState,
 }
 
 impl columns::Row for Row {
-    fn settled(&self) -> &Settled {
-        &self.settled
+    fn steady_state(&self) -> &SteadyState {
+        &self.steady_state
     }
 }
 
@@ -282,7 +282,7 @@ impl Fleet<'_> {
         for (k, a) in self.study.axes.iter().enumerate() {
             out.push(number(a.name(), a.unit, "value along this side of the map", move |r: &Row| r.at[k]));
         }
-        out.extend(columns::judged(&self.study.rules));
+        out.extend(columns::verdict_columns(&self.study.rules));
         for (b, own) in self.system.bodies().iter().enumerate() {
             out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
             out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
@@ -311,15 +311,20 @@ impl Fleet<'_> {
         let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(member).collect();
         let refused: Vec<Option<String>> = found.iter().map(|m| m.as_ref().err().cloned()).collect();
         let members: Vec<Member> = found.into_iter().flatten().collect();
-        let voyage =
-            Settling { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes: sights::probes(&self.system) };
+        let voyage = SteadyStateSearch {
+            members: &members,
+            rules: &self.study.rules,
+            counter,
+            budget: &self.budget,
+            probes: sights::probes(&self.system),
+        };
         let settings = Settings { method: self.method, ..Settings::default() };
-        let settled = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
-        let mut settled = settled.into_iter();
+        let steady_state = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
+        let mut steady_state = steady_state.into_iter();
         let mut row = |(row, refused): (usize, Option<String>)| {
-            let none = || Settled::none("is that of no machine");
-            let settled = if refused.is_some() { none() } else { settled.next().unwrap_or_else(none) };
-            Row { at: self.at(row), refused, settled }
+            let none = || SteadyState::none("is that of no machine");
+            let steady_state = if refused.is_some() { none() } else { steady_state.next().unwrap_or_else(none) };
+            Row { at: self.at(row), refused, steady_state }
         };
         let list = range.zip(refused).map(&mut row).collect();
         // a motion that the budget cut short is none

@@ -8,7 +8,7 @@
 //! 4111; exponents: Benettin et al., Meccanica 15 (1980) 9). Distances are the root of the sum of squares over the sizes of the states. Before the N periods counted, N/4
 //! turn the difference into the direction that grows fastest.
 
-use super::super::settled::{Budget, sizes};
+use super::super::steady_state::{Budget, sizes};
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;

@@ -18,11 +18,11 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::settled::columns::cells;
-use super::settled::fields::{self, SLOWEST};
-use super::settled::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
-use super::settled::{Budget, Member, Rules, Settled, Settling, method, slowest_decay};
 use super::start::{self, Entry, INITIAL, Start};
+use super::steady_state::columns::cells;
+use super::steady_state::fields::{self, SLOWEST};
+use super::steady_state::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
+use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, method, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::probe::{Probe, Sight};
@@ -305,21 +305,21 @@ impl Fleet<'_> {
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<SteadyPoint>> {
         let form = Form::of(&self.system, true);
         let probes = self.probes.clone();
-        let voyage = Settling { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let voyage = SteadyStateSearch { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
-        let settled = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
+        let steady_state = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
         let exponents = match self.study.lyapunov {
             None => vec![None; members.len()],
             Some(periods) => {
-                let one = |(m, s): (&Member, &Settled)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
-                let members = members.iter().zip(&settled).map(one).collect();
+                let one = |(m, s): (&Member, &SteadyState)| s.measure.as_ref().map(|_| (m.speed, s.y.clone()));
+                let members = members.iter().zip(&steady_state).map(one).collect();
                 let pairs = Pairs { system: self.system.clone(), members, periods, counter, budget: &self.budget };
                 ensemble::run(&pairs, &self.system, form, all, settings)?
             }
         };
         // a motion that the budget cut short is none
-        (!self.budget.used_up()).then(|| settled.into_iter().zip(exponents).collect())
+        (!self.budget.used_up()).then(|| steady_state.into_iter().zip(exponents).collect())
     }
 
     /// Rows of the steps of a chunk, step by step and way by way.
@@ -330,7 +330,7 @@ impl Fleet<'_> {
             way,
             speed: m.speed,
             rate: m.rate,
-            settled: found.0,
+            steady_state: found.0,
             exponent: found.1,
             jump,
         };

@@ -3,8 +3,8 @@
 use super::lyapunov::Exponent;
 use super::{Fleet, Way};
 use crate::store::Rows;
-use crate::study::motion::settled::Settled;
-use crate::study::motion::settled::period::Verdict;
+use crate::study::motion::steady_state::SteadyState;
+use crate::study::motion::steady_state::period::Verdict;
 
 /// Share of the larger amplitude that a jump changes, at least.
 pub(super) const JUMP: f64 = 0.25;
@@ -41,19 +41,19 @@ impl Followed {
 }
 
 /// A settled motion with its exponent.
-pub(super) type SteadyPoint = (Settled, Option<Exponent>);
+pub(super) type SteadyPoint = (SteadyState, Option<Exponent>);
 
 /// What a step comes to: the motion at its end, and the speeds between which it jumped.
 pub(super) type Step = (SteadyPoint, Option<(f64, f64)>);
 
 impl Fleet<'_> {
     /// What a motion hands on; `None` of one that failed.
-    pub(super) fn followed(&self, settled: &Settled) -> Option<Followed> {
-        let m = settled.measure.as_ref()?;
-        let wanders = settled.verdict == Verdict::NotPeriodic;
+    pub(super) fn followed(&self, steady_state: &SteadyState) -> Option<Followed> {
+        let m = steady_state.measure.as_ref()?;
+        let wanders = steady_state.verdict == Verdict::NotPeriodic;
         let amplitude = m.bodies.iter().zip(&self.probes).map(|(b, p)| b.peak / p.typical()).collect();
-        let repeats = matches!(settled.verdict, Verdict::Period(_));
-        Some(Followed { y: settled.y.clone(), amplitude, wanders, repeats })
+        let repeats = matches!(steady_state.verdict, Verdict::Period(_));
+        Some(Followed { y: steady_state.y.clone(), amplitude, wanders, repeats })
     }
 
     /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.

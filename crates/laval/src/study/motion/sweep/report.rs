@@ -1,9 +1,9 @@
 //! What is said of a sweep.
 
-use super::super::settled::measure::{HIGHEST, LINES, POINTS};
-use super::super::settled::period::LONGEST;
-use super::super::settled::told::{limits, words};
 use super::super::start::Start;
+use super::super::steady_state::measure::{HIGHEST, LINES, POINTS};
+use super::super::steady_state::period::LONGEST;
+use super::super::steady_state::told::{limits, words};
 use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
 use super::{Fleet, Sweep, Way, figures};

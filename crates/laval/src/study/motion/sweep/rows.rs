@@ -1,10 +1,10 @@
 //! Rows of a sweep and their columns.
 
-use super::super::settled::Settled;
-use super::super::settled::columns::{self, RowColumn, body, number, word};
-use super::super::settled::measure::{HIGHEST, LINES, ORDERS, POINTS};
-use super::super::settled::period::Verdict;
 use super::super::start::state_names;
+use super::super::steady_state::SteadyState;
+use super::super::steady_state::columns::{self, RowColumn, body, number, word};
+use super::super::steady_state::measure::{HIGHEST, LINES, ORDERS, POINTS};
+use super::super::steady_state::period::Verdict;
 use super::lyapunov::Exponent;
 use super::refine::Followed;
 use super::{Carried, Fleet, Sweep, Way};
@@ -17,15 +17,15 @@ pub(super) struct Row {
     pub way: Way,
     pub speed: f64,
     pub rate: Option<f64>,
-    pub settled: Settled,
+    pub steady_state: SteadyState,
     pub exponent: Option<Exponent>,
     /// Speeds between which the motion jumped on the way from the speed before, rad/s.
     pub jump: Option<(f64, f64)>,
 }
 
 impl columns::Row for Row {
-    fn settled(&self) -> &Settled {
-        &self.settled
+    fn steady_state(&self) -> &SteadyState {
+        &self.steady_state
     }
 }
 
@@ -43,7 +43,7 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
     let doc = "in smaller steps from the speed before: last speed before the amplitude changes by a quarter";
     out.push(number("jump_before", "rad/s", doc, move |r: &Row| jump(r).0));
     out.push(number("jump_after", "rad/s", "first speed after that change", move |r: &Row| jump(r).1));
-    out.extend(columns::judged(&study.rules));
+    out.extend(columns::verdict_columns(&study.rules));
     for (b, own) in fleet.bodies.iter().enumerate() {
         let n = &own.name;
         out.push(body(format!("amplitude.{n}"), b, "largest displacement", |m| m.peak));
@@ -64,21 +64,21 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
     let unit = fleet.probes[study.section.0].unit();
     for p in 0..POINTS {
         out.push(number(point(p), unit, "value at phase zero, oldest first", move |r: &Row| {
-            r.settled.measure.as_ref().and_then(|m| m.points.get(p)).map_or(f64::NAN, |x| x[column])
+            r.steady_state.measure.as_ref().and_then(|m| m.points.get(p)).map_or(f64::NAN, |x| x[column])
         }));
     }
     if study.waterfall.is_some() {
         for line in 0..=2 * LINES * HIGHEST {
             let doc = "radius of the circular part at this order, the first at the order -4";
             out.push(number(spectrum(line), "m", doc, move |r: &Row| {
-                r.settled.measure.as_ref().and_then(|m| m.spectrum.get(line)).copied().unwrap_or(f64::NAN)
+                r.steady_state.measure.as_ref().and_then(|m| m.spectrum.get(line)).copied().unwrap_or(f64::NAN)
             }));
         }
     }
     let system = &fleet.system;
     for (i, (name, unit)) in state_names(system).into_iter().enumerate() {
         out.push(number(format!("{STATE}{name}"), &unit, "state at the end, at phase zero", move |r: &Row| {
-            r.settled.y.get(i).copied().unwrap_or(f64::NAN)
+            r.steady_state.y.get(i).copied().unwrap_or(f64::NAN)
         }));
     }
     out

@@ -10,7 +10,7 @@ use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
 use crate::solve::motion::SpinLaw;
 use crate::solve::programme::{Programme, Shape};
-use crate::study::motion::settled::{Budget, words};
+use crate::study::motion::steady_state::{Budget, words};
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
 use std::sync::Arc;

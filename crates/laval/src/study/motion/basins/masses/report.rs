@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::Results;
 use crate::study::Study;
-use crate::study::motion::settled::told;
+use crate::study::motion::steady_state::told;
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! What is read off a recorded motion: amplitudes, orders, Poincare points, spectrum.
 
-use super::{SAMPLES, Settling};
+use super::{SAMPLES, SteadyStateSearch};
 use laval_num::complex::{C64, c};
 use laval_num::fourier::{hann, order_coefficient, unit_root};
 
@@ -42,7 +42,7 @@ pub struct Measure {
 
 impl Measure {
     /// From samples of both components of every probe, over the last `periods` periods.
-    pub(super) fn of(settling: &Settling, periods: usize, samples: &[f64], validity: Option<(String, f64)>) -> Self {
+    pub(super) fn of(settling: &SteadyStateSearch, periods: usize, samples: &[f64], validity: Option<(String, f64)>) -> Self {
         let width = 2 * settling.probes.len();
         let motion = |b: usize| samples.chunks_exact(width).map(|s| c(s[2 * b], s[2 * b + 1])).collect::<Vec<C64>>();
         let bodies = (0..settling.probes.len()).map(|b| body(&motion(b), periods, settling.rules.periods)).collect();

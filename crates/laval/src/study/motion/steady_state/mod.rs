@@ -87,7 +87,7 @@ pub(in crate::study) struct Member {
 
 /// What became of it.
 #[derive(Clone, Debug)]
-pub(in crate::study) struct Settled {
+pub(in crate::study) struct SteadyState {
     /// Judgement.
     pub verdict: Verdict,
     /// Estimated distance from the limit over the size of the motion.
@@ -108,10 +108,10 @@ pub(in crate::study) struct Settled {
     pub measure: Option<Measure>,
 }
 
-impl Settled {
+impl SteadyState {
     /// No motion.
-    pub fn none(why: &'static str) -> Settled {
-        Settled {
+    pub fn none(why: &'static str) -> SteadyState {
+        SteadyState {
             verdict: Verdict::Failed(why),
             remaining: f64::NAN,
             periods: 0,
@@ -199,7 +199,7 @@ impl Budget {
 }
 
 /// Members under way.
-pub(in crate::study) struct Settling<'a> {
+pub(in crate::study) struct SteadyStateSearch<'a> {
     pub budget: &'a Budget,
     pub members: &'a [Member],
     pub rules: &'a Rules,
@@ -241,7 +241,7 @@ enum Stage {
     Shoot,
 }
 
-impl Settling<'_> {
+impl SteadyStateSearch<'_> {
     fn leg(log: &mut Log, periods: u64, first_step: Option<f64>) -> Leg {
         let t1 = log.period * periods as f64;
         log.done += periods;
@@ -284,29 +284,29 @@ impl Settling<'_> {
         log.to_go > 0
     }
 
-    fn failed(log: &Log, why: &'static str) -> Settled {
-        Settled { periods: log.done, bounded: log.bounded, steps: log.steps, ..Settled::none(why) }
+    fn failed(log: &Log, why: &'static str) -> SteadyState {
+        SteadyState { periods: log.done, bounded: log.bounded, steps: log.steps, ..SteadyState::none(why) }
     }
 
     /// A record is complete: judged, shot at, followed further, or measured.
-    fn recorded(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+    fn recorded(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<SteadyState> {
         let member = &self.members[index];
-        let judged = log.sections.judge(self.rules, member.rate, log.shot.is_some(), log.period, log.bounded);
-        let settled = matches!(judged.verdict, Verdict::Period(_));
-        if !settled && let Some(shooting) = log.shooting.as_mut() {
+        let assessment = log.sections.assess(self.rules, member.rate, log.shot.is_some(), log.period, log.bounded);
+        let steady_state = matches!(assessment.verdict, Verdict::Period(_));
+        if !steady_state && let Some(shooting) = log.shooting.as_mut() {
             shooting.begin(&log.sections, y);
             log.stage = Stage::Shoot;
             return Next::Leg(Self::shot(log));
         }
-        if !settled && log.shot.is_none() && Self::stretch(log, log.stretch) {
+        if !steady_state && log.shot.is_none() && Self::stretch(log, log.stretch) {
             return Next::Leg(self.go_on(log, Some(ended.next_step)));
         }
         let outside = log.limits.worst.map(|(slot, what, ratio)| (format!("{}: {what}", member.system.slots()[slot].name), ratio));
-        let orbit = if let Verdict::Period(k) = judged.verdict { log.sections.last(k) } else { vec![] };
-        let measure = Measure::of(self, log.sections.period_of(&judged.verdict), &log.samples, outside);
-        Next::Done(Settled {
-            verdict: judged.verdict,
-            remaining: log.shot.map_or(judged.remaining, |s| s.0),
+        let orbit = if let Verdict::Period(k) = assessment.verdict { log.sections.last(k) } else { vec![] };
+        let measure = Measure::of(self, log.sections.period_of(&assessment.verdict), &log.samples, outside);
+        Next::Done(SteadyState {
+            verdict: assessment.verdict,
+            remaining: log.shot.map_or(assessment.remaining, |s| s.0),
             periods: log.done,
             bounded: log.bounded,
             shot: log.shot,
@@ -318,11 +318,11 @@ impl Settling<'_> {
     }
 }
 
-impl Voyage for Settling<'_> {
+impl Voyage for SteadyStateSearch<'_> {
     type Log = Log;
-    type Row = Settled;
+    type Row = SteadyState;
 
-    fn start(&self, index: usize) -> Result<Start<Log>, Settled> {
+    fn start(&self, index: usize) -> Result<Start<Log>, SteadyState> {
         let member = &self.members[index];
         let period = TAU / member.speed;
         let rules = self.rules;
@@ -390,7 +390,7 @@ impl Voyage for Settling<'_> {
         }
     }
 
-    fn ended(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+    fn ended(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<SteadyState> {
         self.budget.spend(ended);
         let gone = log.done;
         match self.next(index, log, ended, y) {
@@ -414,7 +414,7 @@ impl Voyage for Settling<'_> {
     }
 }
 
-impl Settling<'_> {
+impl SteadyStateSearch<'_> {
     /// Reports how far the member is after so many periods, if it settles in the stretch it is in.
     fn show(&self, log: &mut Log, periods: u64) {
         let whole = log.done + log.to_go + if matches!(log.stage, Stage::Record) { 0 } else { self.rules.periods as u64 };
@@ -425,7 +425,7 @@ impl Settling<'_> {
         }
     }
 
-    fn next(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<Settled> {
+    fn next(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<SteadyState> {
         log.steps += ended.steps + ended.rejected;
         if ended.end != LegEnd::Reached {
             return Next::Done(Self::failed(log, words(ended.end)));

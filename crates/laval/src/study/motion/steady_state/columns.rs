@@ -2,7 +2,7 @@
 
 use super::measure::BodyMeasure;
 use super::period::Verdict;
-use super::{Rules, Settled};
+use super::{Rules, SteadyState};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::store::{Cells, Column};
@@ -10,7 +10,7 @@ use crate::study::shared::sights;
 
 /// A row of a study that settles motions.
 pub trait Row {
-    fn settled(&self) -> &Settled;
+    fn steady_state(&self) -> &SteadyState;
 }
 
 type Read<R, T> = Box<dyn Fn(&R) -> T>;
@@ -41,44 +41,42 @@ pub fn word<R>(name: &str, doc: &str, of: impl Fn(&R) -> Option<String> + 'stati
 
 /// A measure of a body; NaN where there is no motion.
 pub fn body<R: Row>(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&BodyMeasure) -> f64 + 'static) -> RowColumn<R> {
-    number(name, "m", doc, move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| of(&m.bodies[b])))
+    number(name, "m", doc, move |r: &R| r.steady_state().measure.as_ref().map_or(f64::NAN, |m| of(&m.bodies[b])))
 }
 
 /// The largest displacements of points beside the reference points of bodies, and the largest tilts.
 pub fn others<R: Row>(system: &System) -> Vec<RowColumn<R>> {
     let of = |(k, probe): (usize, Probe)| {
         let doc = format!("largest {}", sights::quality(&probe));
-        number(sights::column(&probe), probe.unit(), &doc, move |r: &R| r.settled().measure.as_ref().map_or(f64::NAN, |m| m.bodies[k].peak))
+        number(sights::column(&probe), probe.unit(), &doc, move |r: &R| {
+            r.steady_state().measure.as_ref().map_or(f64::NAN, |m| m.bodies[k].peak)
+        })
     };
     sights::probes(system).into_iter().enumerate().filter(|p| !p.1.is_reference()).map(of).collect()
 }
 
 /// How the motion was judged, what that took, and where it leaves the model of a part.
-pub fn judged<R: Row>(rules: &Rules) -> Vec<RowColumn<R>> {
+pub fn verdict_columns<R: Row>(rules: &Rules) -> Vec<RowColumn<R>> {
     let whole = |x: u64| i64::try_from(x).ok();
     let mut out: Vec<RowColumn<R>> = vec![
-        word("motion", "periodic, not periodic, not settled or failed", |r: &R| Some(r.settled().verdict.word().into())),
+        word("motion", "periodic, not periodic, not settled or failed", |r: &R| Some(r.steady_state().verdict.word().into())),
         count("period", "forcing periods after which the motion repeats", |r: &R| {
-            if let Verdict::Period(k) = r.settled().verdict { i64::try_from(k).ok() } else { None }
+            if let Verdict::Period(k) = r.steady_state().verdict { i64::try_from(k).ok() } else { None }
         }),
-        number("remaining", "", "estimated distance from the settled motion over its size", |r: &R| r.settled().remaining),
-        count("periods", "forcing periods integrated", move |r: &R| whole(r.settled().periods)),
-        count("bounded", "1 where the largest number of periods cut the settling short", |r: &R| Some(i64::from(r.settled().bounded))),
-        count("steps", "integration steps", move |r: &R| whole(r.settled().steps)),
-        word(
-            "failure",
-            "why there is no motion",
-            |r: &R| {
-                if let Verdict::Failed(why) = r.settled().verdict { Some(why.into()) } else { None }
-            },
-        ),
+        number("remaining", "", "estimated distance from the settled motion over its size", |r: &R| r.steady_state().remaining),
+        count("periods", "forcing periods integrated", move |r: &R| whole(r.steady_state().periods)),
+        count("bounded", "1 where the largest number of periods cut the settling short", |r: &R| Some(i64::from(r.steady_state().bounded))),
+        count("steps", "integration steps", move |r: &R| whole(r.steady_state().steps)),
+        word("failure", "why there is no motion", |r: &R| {
+            if let Verdict::Failed(why) = r.steady_state().verdict { Some(why.into()) } else { None }
+        }),
     ];
     if rules.shooting {
-        let shot = |r: &R| r.settled().shot.unwrap_or((f64::NAN, f64::NAN));
+        let shot = |r: &R| r.steady_state().shot.unwrap_or((f64::NAN, f64::NAN));
         out.push(number("residual", "", "last correction of shooting over the size of the motion", move |r: &R| shot(r).0));
         out.push(number("multiplier", "", "largest modulus of the multipliers of the motion", move |r: &R| shot(r).1));
     }
-    let validity = |r: &R| r.settled().measure.as_ref().and_then(|m| m.validity.clone());
+    let validity = |r: &R| r.steady_state().measure.as_ref().and_then(|m| m.validity.clone());
     out.push(number("validity", "", "largest use of a part's validity; above 1 is outside", move |r: &R| {
         validity(r).map_or(f64::NAN, |v| if v.1.is_nan() { f64::INFINITY } else { v.1 })
     }));

@@ -29,7 +29,7 @@ pub enum Verdict {
     /// Does not repeat: quasi-periodic, chaotic, or of a longer period.
     NotPeriodic,
     /// Still changes slowly where the settling was cut short.
-    NotSettled,
+    NotConverged,
     /// Could not be followed, and why.
     Failed(&'static str),
 }
@@ -40,7 +40,7 @@ impl Verdict {
         match self {
             Verdict::Period(_) => "periodic",
             Verdict::NotPeriodic => "not periodic",
-            Verdict::NotSettled => "not settled",
+            Verdict::NotConverged => "not settled",
             Verdict::Failed(_) => "failed",
         }
     }
@@ -48,7 +48,7 @@ impl Verdict {
 
 /// A judgement and the estimated distance from the limit over the size of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Judged {
+pub struct Assessment {
     pub verdict: Verdict,
     pub remaining: f64,
 }
@@ -104,7 +104,7 @@ impl Sections {
 
     /// Judges the record. `known` says that the orbit was found by shooting: then the points need only repeat. `rate` is the slowest decay rate,
     /// `bounded` that the settling was cut short.
-    pub fn judge(&self, rules: &Rules, rate: Option<f64>, known: bool, period: f64, bounded: bool) -> Judged {
+    pub fn assess(&self, rules: &Rules, rate: Option<f64>, known: bool, period: f64, bounded: bool) -> Assessment {
         let size = self.amplitude();
         let noise = 100.0 * rules.relative * size;
         let third = (self.points.len().saturating_sub(1)) / 3;
@@ -126,17 +126,17 @@ impl Sections {
                 };
                 d2 * decay.max(measured)
             };
-            let judged = (still / size, d2 / size);
+            let assessment = (still / size, d2 / size);
             let clear = k == 1 || turn > SUBHARMONIC * rules.tolerance * size;
-            if judged.0 <= rules.tolerance && once <= rules.tolerance * size && clear {
-                return Judged { verdict: Verdict::Period(k), remaining: judged.0 };
+            if assessment.0 <= rules.tolerance && once <= rules.tolerance * size && clear {
+                return Assessment { verdict: Verdict::Period(k), remaining: assessment.0 };
             }
-            first = first.or(Some(judged));
+            first = first.or(Some(assessment));
         }
         let (remaining, change) = first.unwrap_or((f64::NAN, f64::NAN));
         let small = if bounded { CLEAR } else { CHANGING * rules.tolerance };
-        let verdict = if change < small { Verdict::NotSettled } else { Verdict::NotPeriodic };
-        Judged { verdict, remaining: if remaining.is_finite() { remaining } else { f64::NAN } }
+        let verdict = if change < small { Verdict::NotConverged } else { Verdict::NotPeriodic };
+        Assessment { verdict, remaining: if remaining.is_finite() { remaining } else { f64::NAN } }
     }
 }
 
@@ -158,16 +158,16 @@ mod tests {
         }
     }
 
-    fn judged(f: impl Fn(f64) -> f64, rate: Option<f64>, bounded: bool) -> Judged {
+    fn assessment(f: impl Fn(f64) -> f64, rate: Option<f64>, bounded: bool) -> Assessment {
         let mut s = Sections::new(&[1.0], &[0.0]);
         (0..=64).for_each(|j| s.push(&[f(f64::from(j))]));
-        s.judge(&rules(), rate, false, 1.0, bounded)
+        s.assess(&rules(), rate, false, 1.0, bounded)
     }
 
     #[test]
     fn periods_are_the_shortest_that_repeat() {
         for k in [1usize, 2, 3, 5, 6, 8, 11, 16] {
-            let j = judged(|j| 2.0 + (std::f64::consts::TAU * j / k as f64).cos(), None, false);
+            let j = assessment(|j| 2.0 + (std::f64::consts::TAU * j / k as f64).cos(), None, false);
             assert_eq!(j.verdict, Verdict::Period(k));
         }
     }
@@ -176,28 +176,28 @@ mod tests {
     fn what_is_still_to_come_is_estimated() {
         // geometric: the distance left after the record is exp(-0.05 * 63) times the first
         let (rate, left) = (0.05, 1e-3 * (-0.05f64 * 64.0).exp());
-        let decaying = |size: f64| judged(move |j| 1.0 + size * (-rate * j).exp(), None, true);
+        let decaying = |size: f64| assessment(move |j| 1.0 + size * (-rate * j).exp(), None, true);
         let j = decaying(1e-3);
-        assert_eq!(j.verdict, Verdict::NotSettled);
+        assert_eq!(j.verdict, Verdict::NotConverged);
         // the estimate holds for the point a third of a record before the last
         assert!(j.remaining > left && j.remaining < 10.0 * left, "{} {left}", j.remaining);
         assert_eq!(decaying(1e-6).verdict, Verdict::Period(1));
         // a slow mode that the record alone would not show
-        let slow = |known| judged(|j| 1.0 + 1e-4 * (-1e-5 * j).exp(), known, true).verdict;
-        assert_eq!(slow(Some(1e-5)), Verdict::NotSettled);
+        let slow = |known| assessment(|j| 1.0 + 1e-4 * (-1e-5 * j).exp(), known, true).verdict;
+        assert_eq!(slow(Some(1e-5)), Verdict::NotConverged);
     }
 
     /// A slowly decaying beat repeats after nine turns as well as it repeats at all: no subharmonic.
     #[test]
     fn settling_is_no_subharmonic() {
-        let beat = |size: f64| judged(move |j| 1.0 + size * (std::f64::consts::TAU * j / 9.0).cos(), None, false).verdict;
-        assert_eq!((beat(3e-6), beat(1e-4), beat(1e-11)), (Verdict::NotSettled, Verdict::Period(9), Verdict::Period(1)));
+        let beat = |size: f64| assessment(move |j| 1.0 + size * (std::f64::consts::TAU * j / 9.0).cos(), None, false).verdict;
+        assert_eq!((beat(3e-6), beat(1e-4), beat(1e-11)), (Verdict::NotConverged, Verdict::Period(9), Verdict::Period(1)));
     }
 
     #[test]
     fn what_never_repeats_is_not_periodic_and_no_number_passes() {
-        assert_eq!(judged(|j| (2.0 * j).cos(), None, false).verdict, Verdict::NotPeriodic);
-        assert_eq!(judged(|j| (2.0 * j).cos(), None, true).verdict, Verdict::NotPeriodic);
-        assert!(!matches!(judged(|j| if j == 40.0 { f64::NAN } else { 1.0 }, None, false).verdict, Verdict::Period(_)));
+        assert_eq!(assessment(|j| (2.0 * j).cos(), None, false).verdict, Verdict::NotPeriodic);
+        assert_eq!(assessment(|j| (2.0 * j).cos(), None, true).verdict, Verdict::NotPeriodic);
+        assert!(!matches!(assessment(|j| if j == 40.0 { f64::NAN } else { 1.0 }, None, false).verdict, Verdict::Period(_)));
     }
 }
