@@ -2,7 +2,7 @@
 
 use super::super::start::state_names;
 use super::super::steady_state::period::{LONGEST, Verdict};
-use super::super::steady_state::{RUNAWAY, UNBOUNDED, sizes, told};
+use super::super::steady_state::{RUNAWAY, UNBOUNDED, sizes, stored};
 use super::attractors::{AGREE, Attractor, AttractorSet, Motion, Ruler};
 use super::rows::{PLACE, orbit};
 use super::{Basins, Fleet};
@@ -77,7 +77,7 @@ impl<'a> Map<'a> {
         }
         let (sizes, rules) = (sizes(&fleet.system, fleet.study.speed), &fleet.study.rules);
         let found = Ruler { sizes: &sizes, rest: &fleet.start.rest, tolerance: rules.tolerance }.sort(&motions);
-        let failure = told::words(results, "failure")?;
+        let failure = stored::words(results, "failure")?;
         Ok(Map { fleet, place, motion, failure, motions, amplitude, lead, rms, found })
     }
 
@@ -140,7 +140,7 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
         let place = map.place[row];
         f.evidence(axes[0].name.clone(), place[0], axes[0].unit.clone()).evidence(axes[1].name.clone(), place[1], axes[1].unit.clone())
     };
-    outcome = told::limits(results, at, outcome)?;
+    outcome = stored::limits(results, at, outcome)?;
     let steps = results.numbers("steps")?.iter().sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
     outcome = tables(&map, results, outcome)?;

@@ -6,7 +6,7 @@ use crate::model::probe::Probe;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::{Kind, Results};
 use crate::study::motion::steady_state::period::LONGEST;
-use crate::study::motion::steady_state::told;
+use crate::study::motion::steady_state::stored;
 use crate::study::shared::sights;
 use crate::study::shared::support::inconsistent;
 use crate::study::{Context, Study};
@@ -61,7 +61,7 @@ fn all_classes() -> Vec<String> {
 
 pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
     let periods = results.numbers("period")?;
-    let classes: Vec<String> = told::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
+    let classes: Vec<String> = stored::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
     let mut sizes = Vec::new();
     for p in sights::probes(&fleet.system) {
         let own = results.numbers(&sights::column(&p))?;
@@ -75,7 +75,7 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     for f in largest(&map).into_iter().chain(repetition(&map)).chain(without(&map, results)?) {
         outcome = outcome.finding(f);
     }
-    outcome = told::limits(results, |row, f| map.with_place(f, row), outcome)?;
+    outcome = stored::limits(results, |row, f| map.with_place(f, row), outcome)?;
     let steps = results.numbers("steps")?.iter().filter(|s| s.is_finite()).sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64).table(table(&map, results)?);
     figures(&map, outcome).checked().map_err(inconsistent)
@@ -123,7 +123,7 @@ fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         out.push(Finding::warning("not_settled", text).value(unsettled as f64, ""));
     }
     let mut causes: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    let refused = told::words(results, REFUSED)?;
+    let refused = stored::words(results, REFUSED)?;
     for (row, why) in refused.iter().enumerate().filter(|w| !w.1.is_empty()) {
         causes.entry(crate::study::parameters::uncertainty::cause(why)).or_insert((0, row)).0 += 1;
     }
@@ -132,7 +132,7 @@ fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), row));
     }
     let mut motions: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    for (row, why) in told::words(results, "failure")?.into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
+    for (row, why) in stored::words(results, "failure")?.into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
         motions.entry(why).or_insert((0, row)).0 += 1;
     }
     for (why, (count, row)) in motions {
@@ -146,7 +146,7 @@ fn table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
     let mut t = Table::new("map", "Motions, along x and then along y").leading();
     for (i, c) in results.columns().iter().enumerate() {
         if c.kind == Kind::Text {
-            t = t.text(&c.name, &c.doc, told::words(results, &c.name)?);
+            t = t.text(&c.name, &c.doc, stored::words(results, &c.name)?);
         } else {
             let finite = results.numbers(&c.name)?.into_iter().map(|x| if x.is_finite() { x } else { f64::NAN }).collect();
             let doc = if i < 2 { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };

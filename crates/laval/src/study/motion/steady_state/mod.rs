@@ -13,7 +13,7 @@ mod limits;
 pub(in crate::study) mod measure;
 pub(in crate::study) mod period;
 mod shooting;
-pub(in crate::study) mod told;
+pub(in crate::study) mod stored;
 
 use crate::model::probe::Probe;
 use crate::model::system::System;

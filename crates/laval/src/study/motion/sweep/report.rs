@@ -3,7 +3,7 @@
 use super::super::start::Start;
 use super::super::steady_state::measure::{HIGHEST, LINES, POINTS};
 use super::super::steady_state::period::LONGEST;
-use super::super::steady_state::told::{limits, words};
+use super::super::steady_state::stored::{limits, words};
 use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
 use super::{Fleet, Sweep, Way, figures};

@@ -6,7 +6,7 @@ use super::{ResponseMap, figures};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding, Outcome, Table, quantity, significant};
 use crate::store::{Kind, Results};
-use crate::study::motion::steady_state::told::words;
+use crate::study::motion::steady_state::stored::words;
 use crate::study::shared::support::inconsistent;
 use crate::study::{Context, Study};
 use std::collections::BTreeMap;

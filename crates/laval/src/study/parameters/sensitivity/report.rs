@@ -83,7 +83,7 @@ fn finding(place: &Place, found: &Derivatives) -> Finding {
     Finding::info(place.word().replace(' ', "_"), text)
         .of(body)
         .value(m.value, "m")
-        .evidence("relative change of the second derivatives at the last narrowing of the step", m.steady_state, "")
+        .evidence("relative change of the second derivatives at the last narrowing of the step", m.settled, "")
         .evidence("relative slope left along the branch", m.slope_left, "")
         .evidence("speed", m.speed, "rad/s")
 }
@@ -152,12 +152,7 @@ fn places(found: &Derivatives) -> Result<Table, Diagnostic> {
         .int("branch", "", "number of the branch", all.iter().map(|p| p.branch as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", float(&|p| p.moved.speed))
         .float("displacement", "m", "largest over a period", float(&|p| p.moved.value))
-        .float(
-            "settled",
-            "",
-            "relative change of the second derivatives at the last narrowing of the step",
-            float(&|p| p.moved.steady_state),
-        )
+        .float("settled", "", "relative change of the second derivatives at the last narrowing of the step", float(&|p| p.moved.settled))
         .float("slope left", "", "relative slope left along the branch", float(&|p| p.moved.slope_left))
         .int("orders", "", "orders kept", vec![found.harmonics as i64; all.len()])
         .build()

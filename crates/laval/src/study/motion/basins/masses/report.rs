@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::Results;
 use crate::study::Study;
-use crate::study::motion::steady_state::told;
+use crate::study::motion::steady_state::stored;
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     let all = &fleet.atlas.attractors;
     let names = names(all);
     let states = results.numbers(STATE)?;
-    let goals = told::words(results, GOAL)?;
+    let goals = stored::words(results, GOAL)?;
     let words: Vec<String> =
         states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
     let checked = if fleet.early && complete { check::check(fleet, &names, &words) } else { None };
@@ -59,7 +59,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     outcome = undecided(&counts, words.len(), results, outcome)?;
     outcome = early(fleet, seen, &results.numbers(EARLY)?, outcome);
     if let Some(checked) = &checked {
-        outcome = checked.told(fleet, outcome)?;
+        outcome = checked.stored(fleet, outcome)?;
     }
     let turns = results.numbers(TURNS)?;
     let steps = results.numbers(STEPS)?.iter().sum::<f64>();
@@ -114,7 +114,7 @@ fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mu
         outcome = outcome.finding(Finding::warning("not_settled", text).value(n as f64, ""));
     }
     let mut causes: BTreeMap<String, usize> = BTreeMap::new();
-    for why in told::words(results, FAILURE)?.into_iter().filter(|w| !w.is_empty()) {
+    for why in stored::words(results, FAILURE)?.into_iter().filter(|w| !w.is_empty()) {
         *causes.entry(why).or_default() += 1;
     }
     for (why, count) in causes {
@@ -125,18 +125,18 @@ fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mu
 }
 
 /// How motions were told before their end, and how often that was wrong.
-fn early(fleet: &Fleet, seen: &Rehearsal, told: &[f64], outcome: Outcome) -> Outcome {
+fn early(fleet: &Fleet, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> Outcome {
     if !fleet.early {
         return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
     }
-    let count = told.iter().filter(|t| **t == 1.0).count();
+    let count = stored.iter().filter(|t| **t == 1.0).count();
     let text = format!(
         "The end of {{}} of {} cells was concluded before it was reached, from a distance to an attractor half as large as the nearest approach of {} motions that ended \
          elsewhere; of {} other starts followed to the end {} would have been concluded so, {} of them wrongly.",
-        told.len(),
+        stored.len(),
         seen.witnessed,
         seen.tried,
-        seen.told,
+        seen.stored,
         seen.wrong
     );
     let make = if 100 * seen.wrong > seen.tried { Finding::warning } else { Finding::info };
@@ -169,7 +169,7 @@ fn tables(
         .text("end", "what the cell ends in", words.to_vec())
         .int("told", "", "1 where that was told before its end", whole(EARLY)?)
         .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
-        .text("failure", "why there is no motion", told::words(results, FAILURE)?);
+        .text("failure", "why there is no motion", stored::words(results, FAILURE)?);
     let all = &fleet.atlas.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);

@@ -1,4 +1,4 @@
-//! What is said alike of all settled motions.
+//! Read from the stored rows of steady-state studies: words, and parts outside their validity.
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome};
