@@ -1,7 +1,7 @@
 //! What studies of motions say of parts that balance by themselves: the unbalance that remains and its grade, whether their masses suffice, when they are there.
 
+use super::animation;
 use super::history::{Columns, end_in_words, sound};
-use super::play;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
@@ -84,7 +84,7 @@ pub(in crate::study) fn report(motion: &mut Motion, flight: &Flight, mut outcome
         Some(figure) => outcome.figure(figure),
         None => outcome,
     };
-    sound(play::report(motion, flight, outcome)?.checked())
+    sound(animation::report(motion, flight, outcome)?.checked())
 }
 
 /// Share of an unbalance that is rounding.

@@ -1,5 +1,6 @@
 //! Studies by integration in time.
 
+pub(in crate::study) mod animation;
 pub(in crate::study) mod balance;
 pub mod basins;
 pub(in crate::study) mod drive;
@@ -7,7 +8,6 @@ pub(in crate::study) mod history;
 pub mod motion_map;
 pub(in crate::study) mod moved_roots;
 pub(in crate::study) mod passages;
-pub(in crate::study) mod play;
 pub mod run_up;
 pub(in crate::study) mod spectra;
 pub(in crate::study) mod start;
