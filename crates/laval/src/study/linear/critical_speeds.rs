@@ -22,7 +22,7 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Extremum, above, curve, seeds};
 use crate::solve::rest::rest;
 use crate::study::shared::size;
-use crate::study::shared::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, range, remarks_between, sight};
+use crate::study::shared::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, probe_name, range, remarks_between};
 use crate::study::{Context, Study};
 
 /// See the [module](self).
@@ -92,7 +92,7 @@ margin = 0.15
         if let Some(f) = unstable(system, &found.strongest, &Follows::Speeds) {
             outcome = outcome.finding(f);
         }
-        let name = |p: &Extremum| sight(&probes[p.probe]);
+        let name = |p: &Extremum| probe_name(&probes[p.probe]);
         let subject = |p: &Extremum| match probes[p.probe].is_tilt() {
             true => format!("the {}", name(p)),
             false => format!("the response of {}", name(p)),
@@ -141,7 +141,7 @@ margin = 0.15
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
         for p in &peaks {
-            let (probe, name) = (&probes[p.probe], sight(&probes[p.probe]));
+            let (probe, name) = (&probes[p.probe], probe_name(&probes[p.probe]));
             let point = SpecialPoint::new("response_peak", p.speed, p.bracket).of(&name);
             outcome = outcome.special_point(point.evidence(format!("amplitude of {name}"), p.value, probe.unit()));
         }

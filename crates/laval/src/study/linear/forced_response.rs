@@ -24,9 +24,9 @@ use crate::solve::pencil::time_forms;
 use crate::solve::rest::rest;
 use crate::solve::sectors::circular;
 use crate::solve::sweep::{Strongest, spectrum};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::size;
-use crate::study::shared::support::{SPEED_RANGE, inconsistent, moves, one_or_range, remarks_between, sight};
+use crate::study::shared::support::{SPEED_RANGE, inconsistent, moves, one_or_range, probe_name, remarks_between};
 use crate::study::{Context, Study};
 use laval_num::complex::{C64, c};
 use std::collections::BTreeMap;
@@ -110,7 +110,7 @@ impl Study for ForcedResponse {
             // the tilt of a body has its own columns, a point those of a body of that name
             let (n, of, unit) = match p.is_tilt() {
                 true => (p.name.clone(), "tilt_", "rad"),
-                false => (sight(p), "", "m"),
+                false => (probe_name(p), "", "m"),
             };
             let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
             table = table
@@ -156,7 +156,7 @@ impl Study for ForcedResponse {
         if let Some(f) = unstable(system, &strongest, &Follows::Response) {
             outcome = outcome.finding(f);
         }
-        let name = |e: &Extremum| sight(&probes[e.probe]);
+        let name = |e: &Extremum| probe_name(&probes[e.probe]);
         let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
         peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
         let largest = |tilt: bool| peaks.iter().find(|e| probes[e.probe].is_tilt() == tilt).copied();
@@ -164,7 +164,7 @@ impl Study for ForcedResponse {
         if one {
             for p in points.iter().flat_map(|_| probes) {
                 let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
-                let who = if p.is_tilt() { p.name.clone() } else { sight(p) };
+                let who = if p.is_tilt() { p.name.clone() } else { probe_name(p) };
                 let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.speed.from, "rad/s")));
                 outcome = outcome.finding(finding.of(who).value(points[0].size(p), p.unit()).evidence("residual", residual, ""));
             }
@@ -175,7 +175,7 @@ impl Study for ForcedResponse {
             let (id, of) = if probe.is_tilt() { ("largest_tilt_resonance", " of a tilt") } else { ("largest_resonance", "") };
             let finding = if e.unbounded {
                 let does = if probe.is_tilt() { "tilts" } else { "moves" };
-                let body = if probe.is_tilt() { probe.name.clone() } else { sight(probe) };
+                let body = if probe.is_tilt() { probe.name.clone() } else { probe_name(probe) };
                 let text = format!("Nothing dissipates at the resonance{of}{so_far} at {{}}: there {body} {does} without bound.");
                 Finding::warning("undamped_resonance", text)
             } else {
@@ -268,7 +268,7 @@ impl Study for ForcedResponse {
             if p.is_tilt() {
                 tilt = tilt.mark(Line::new("response", "speed", format!("tilt.{}", p.name)).name(p.name.clone()));
             } else {
-                let name = sight(p);
+                let name = probe_name(p);
                 amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(name.clone()));
                 phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name));
             }
@@ -288,8 +288,8 @@ impl Study for ForcedResponse {
         };
         // of a machine that only tilts there is nothing to draw of displacements, of one that does not tilt nothing of tilts
         let largest = |p: &Probe| points.iter().map(|r| r.size(p)).filter(|x| x.is_finite()).fold(0.0, f64::max);
-        let loud = sights::loudest(probes.iter().map(|p| (p, largest(p))));
-        let some = |tilt: bool| probes.iter().any(|p| p.is_tilt() == tilt && !sights::still(p, largest(p), loud, sights::ROUNDING));
+        let loud = probes::loudest(probes.iter().map(|p| (p, largest(p))));
+        let some = |tilt: bool| probes.iter().any(|p| p.is_tilt() == tilt && !probes::still(p, largest(p), loud, probes::ROUNDING));
         let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s"));
         let figure = if some(false) { figure.panel(amplitude).panel(phase) } else { figure };
         let figure = if some(true) { figure.panel(tilt) } else { figure };

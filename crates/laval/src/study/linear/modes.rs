@@ -19,8 +19,8 @@ use crate::solve::characteristic::Characteristic;
 use crate::solve::exact::growing;
 use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
 use crate::solve::roots::{LEAST, Request, roots, transcendental};
+use crate::study::shared::probes;
 use crate::study::shared::region;
-use crate::study::shared::sights;
 use crate::study::shared::support::{
     ABOUT, About, ROUNDING, SPEED, admit_roots, admit_threshold, decay_uncounted, hertz, inconsistent, remarks, speed,
 };
@@ -61,8 +61,8 @@ pub(in crate::study) fn amplitude(mode: &MachineMode, probe: &Probe) -> f64 {
 /// Sizes of a shape: of every probe over the largest of its kind, 0 of what is rounding beside the rest; and the largest tilt over the largest displacement, 1/m.
 fn shape(mode: &MachineMode, probes: &[Probe]) -> (Vec<f64>, f64) {
     let own: Vec<f64> = probes.iter().map(|p| amplitude(mode, p)).collect();
-    let loud = sights::loudest(probes.iter().zip(own.iter().copied()));
-    let size = |(p, &a): (&Probe, &f64)| if sights::still(p, a, loud, SHAPE_ROUNDING) { 0.0 } else { a };
+    let loud = probes::loudest(probes.iter().zip(own.iter().copied()));
+    let size = |(p, &a): (&Probe, &f64)| if probes::still(p, a, loud, SHAPE_ROUNDING) { 0.0 } else { a };
     let own: Vec<f64> = probes.iter().zip(&own).map(size).collect();
     let largest = |tilt: bool| probes.iter().zip(&own).filter(|p| p.0.is_tilt() == tilt).map(|p| *p.1).fold(0.0, f64::max);
     let [moved, tilted] = [false, true].map(largest);
@@ -154,7 +154,7 @@ impl Study for Modes {
                        nothing with mass moves";
             table = table.float("tilt_share", "", doc, modes.iter().map(share).collect());
         }
-        let probes = sights::probes(system);
+        let probes = probes::all(system);
         let shapes: Vec<(Vec<f64>, f64)> = modes.iter().map(|m| shape(m, &probes)).collect();
         for (k, probe) in probes.iter().enumerate() {
             let doc = if probe.is_tilt() {
@@ -162,7 +162,7 @@ impl Study for Modes {
             } else {
                 "orbit amplitude over that of the point that moves most; 0 where nothing but tilts"
             };
-            table = table.float(sights::column(probe), "", doc, shapes.iter().map(|s| s.0[k]).collect());
+            table = table.float(probes::column(probe), "", doc, shapes.iter().map(|s| s.0[k]).collect());
         }
         if probes.iter().any(Probe::is_tilt) {
             let doc =

@@ -150,7 +150,7 @@ pub(in crate::study) fn unbounded(system: &System, flight: &Flight, turn: f64) -
 }
 
 /// What is seen of the motion of a body: its displacement, at any of its points where something is attached, or its tilt.
-pub(in crate::study) struct Sighted<'f> {
+pub(in crate::study) struct ProbeMotion<'f> {
     pub body: String,
     pub tilt: bool,
     pub peak: Peak,
@@ -163,13 +163,13 @@ pub(in crate::study) struct Sighted<'f> {
 }
 
 /// Displacements of the bodies, then tilts; `still` (m) is no displacement.
-pub(in crate::study) fn sights<'f>(system: &System, flight: &'f Flight, still: f64) -> Vec<Sighted<'f>> {
+pub(in crate::study) fn probe_motions<'f>(system: &System, flight: &'f Flight, still: f64) -> Vec<ProbeMotion<'f>> {
     // typical sizes are 1 mm and 10 mrad
     let still_tilt = 10.0 * still;
     let bodies = system.bodies();
     let name = |k: usize| bodies.get(k).map_or_else(String::new, |b| b.name.clone());
     let tilted = |k: usize| flight.tilts.iter().any(|t| t.body == k && !(t.peak.amplitude <= still_tilt));
-    let moved = flight.peaks.iter().zip(&flight.windows).enumerate().map(|(k, (peak, windows))| Sighted {
+    let moved = flight.peaks.iter().zip(&flight.windows).enumerate().map(|(k, (peak, windows))| ProbeMotion {
         body: name(k),
         tilt: false,
         peak: *peak,
@@ -178,7 +178,7 @@ pub(in crate::study) fn sights<'f>(system: &System, flight: &'f Flight, still: f
         still,
         other: tilted(k),
     });
-    let tilts = flight.tilts.iter().map(|t| Sighted {
+    let tilts = flight.tilts.iter().map(|t| ProbeMotion {
         body: name(t.body),
         tilt: true,
         peak: t.peak,
@@ -190,7 +190,7 @@ pub(in crate::study) fn sights<'f>(system: &System, flight: &'f Flight, still: f
     moved.chain(tilts).collect()
 }
 
-impl Sighted<'_> {
+impl ProbeMotion<'_> {
     /// As the subject of a finding.
     pub fn label(&self) -> String {
         if self.tilt { format!("tilt of {}", self.body) } else { self.body.clone() }

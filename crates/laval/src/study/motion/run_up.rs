@@ -307,7 +307,7 @@ impl RunUp {
     /// Largest displacements and the passages through resonances.
     fn peaks(&self, system: &System, flight: &Flight, still: f64, stop: &dyn Fn() -> bool, mut outcome: Outcome) -> Outcome {
         let mut rates: Option<Option<Rates>> = None;
-        for seen in history::sights(system, flight, still) {
+        for seen in history::probe_motions(system, flight, still) {
             let (peak, windows, unit) = (seen.peak, seen.windows, seen.unit);
             let speed = self.programme.at(peak.t).speed;
             let Some(largest) = seen.largest() else { continue };

@@ -251,15 +251,15 @@ impl Transient {
         let mut out = Vec::new();
         // the body that moves most at the end speaks for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
-        let sights = history::sights(system, flight, still);
-        let of = |tilt: bool| sights.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
+        let motions = history::probe_motions(system, flight, still);
+        let of = |tilt: bool| motions.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
         let most = |tilt: bool| of(tilt).max_by(|a, b| last(a.windows).total_cmp(&last(b.windows)));
         // a machine whose bodies stay in their places may tilt
         let loudest = most(false).or_else(|| most(true));
         let rate = loudest.and_then(|s| growth(s.windows, turn));
         let clear = |g: &Growth| g.rate.abs() > 3.0 * g.uncertainty;
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
-        for s in &sights {
+        for s in &motions {
             let finding = if grows && s.moves() && s.peak.t >= 0.9 * flight.run.t {
                 let (id, what) = if s.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
                 let text = format!("The {what} of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", s.body);

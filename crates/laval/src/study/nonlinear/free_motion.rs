@@ -10,7 +10,7 @@ use crate::solve::harmonic::backbone::MOST_HARMONICS;
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::pace::Pace;
 use crate::solve::harmonic::problem::{Balance, Discretisation};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::largest;
 use crate::study::shared::validity::Uses;
 use laval_num::continuation::{End, Refusal};
@@ -92,7 +92,7 @@ impl<'a> Measure<'a> {
         let w = frequency.abs().max(1e-3);
         let balance = Balance::new(system, d, (0.9 * w, 1.1 * w), None)?;
         let bodies = system.bodies().into_iter().map(|b| b.x).collect();
-        Ok(Measure { system, balance, bodies, which: sights::ordered(system), probes: sights::probes(system) })
+        Ok(Measure { system, balance, bodies, which: probes::ordered(system), probes: probes::all(system) })
     }
 
     /// A motion with harmonics `x` at speed, frequency and drive.
@@ -115,7 +115,7 @@ impl<'a> Measure<'a> {
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: tau / frequency };
             uses.see(self.system, &at, &mut ws);
         }
-        let largest = sights::sizes(self.system, &self.which, &orbit, 1);
+        let largest = probes::sizes(self.system, &self.which, &orbit, 1);
         Measured { first: self.bodies.iter().map(first).collect(), largest, uses: Some(uses) }
     }
 }
@@ -141,8 +141,8 @@ pub(in crate::study) fn body_columns(mut t: TableBuilder, probes: &[Probe], meas
             let doc = "modulus of the first-order amplitude; NaN when it could not be had";
             t = t.float(format!("{} first order", p.name), "m", doc, measured.iter().map(|m| m.first[k]).collect());
         }
-        let doc = format!("{}; NaN when it could not be had", sights::largest_doc(p));
-        t = t.float(sights::largest_column(p), p.unit(), doc, measured.iter().map(|m| m.largest[k]).collect());
+        let doc = format!("{}; NaN when it could not be had", probes::largest_doc(p));
+        t = t.float(probes::largest_column(p), p.unit(), doc, measured.iter().map(|m| m.largest[k]).collect());
     }
     t
 }

@@ -23,7 +23,7 @@ use crate::outcome::{
 };
 use crate::solve::harmonic::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::floquet::Exponents;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::{SPEED_RANGE, larger, range, runs};
 use crate::study::{Context, Study};
 
@@ -125,8 +125,8 @@ impl Shown<'_> {
     /// Displacements, unless nothing but tilts.
     fn kind(&self) -> Reach {
         let all = || self.measured.iter().flatten().flat_map(|m| self.probes.iter().zip(m.largest.iter().copied()));
-        let loud = sights::loudest(all());
-        let moved = all().any(|(p, x)| !p.is_tilt() && !sights::still(p, x, loud, sights::ROUNDING));
+        let loud = probes::loudest(all());
+        let moved = all().any(|(p, x)| !p.is_tilt() && !probes::still(p, x, loud, probes::ROUNDING));
         if moved || loud == 0.0 { Reach::Displacement } else { Reach::Tilt }
     }
 
@@ -306,7 +306,7 @@ impl Shown<'_> {
                     format!(
                         "The largest stable whirl of this family {} \"{}\" by {{}}, at {} rad/s of spin, whirling at {} rad/s.",
                         if kind.is_tilt() { "tilts" } else { "displaces" },
-                        self.probes.get(body).map_or(String::new(), sights::owner),
+                        self.probes.get(body).map_or(String::new(), probes::owner),
                         significant(c.speed, 6),
                         significant(c.frequency, 6)
                     ),

@@ -1,8 +1,8 @@
 //! Code that studies of several rooms use.
 
 pub mod limits;
+pub(in crate::study) mod probes;
 pub(in crate::study) mod region;
-pub(in crate::study) mod sights;
 pub(in crate::study) mod size;
 pub mod speed_range;
 pub mod support;

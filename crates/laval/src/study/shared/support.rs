@@ -21,7 +21,7 @@ pub const SPEED_RANGE: FieldKind = FieldKind::Range { unit: "rad/s", bounds: Bou
 pub const ROUNDING: f64 = 1e-13;
 
 /// What a probe measures, in words: the body, a point of it, or its tilt.
-pub fn sight(probe: &Probe) -> String {
+pub fn probe_name(probe: &Probe) -> String {
     match probe.sight {
         Sight::Displacement(0.0) => probe.name.clone(),
         Sight::Displacement(z) => format!("{} at {}", probe.name, quantity(z, "m")),
@@ -33,7 +33,7 @@ pub fn sight(probe: &Probe) -> String {
 pub fn moves(probe: &Probe, amplitude: f64) -> String {
     match probe.sight {
         Sight::Tilt => format!("{} tilts by {}", probe.name, quantity(amplitude, "rad")),
-        _ => format!("{} moves {}", sight(probe), quantity(amplitude, "m")),
+        _ => format!("{} moves {}", probe_name(probe), quantity(amplitude, "m")),
     }
 }
 

@@ -30,7 +30,7 @@ use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
 use axes::{InitialValueAxis, MOST_POINTS};
@@ -207,7 +207,7 @@ points = 50
             growth: fastest_growth(&own, self.speed),
             neutral: neutral(&own, self.speed),
             bodies: system.bodies(),
-            probes: sights::probes(system),
+            probes: probes::all(system),
             values: self.axes.each_ref().map(InitialValueAxis::values),
             method: method(&own, self.rules.method, self.speed),
             varied,

@@ -9,7 +9,7 @@ use super::{Basins, Fleet};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Points, Table, quantity};
 use crate::store::Results;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
 use crate::study::{Context, Study};
 use std::collections::BTreeMap;
@@ -40,7 +40,7 @@ impl<'a> Map<'a> {
         let position =
             |name: &str| results.position(name).ok_or_else(|| Diagnostic::error("store.columns", format!("there is no column \"{name}\"")));
         let names = state_names(&fleet.system);
-        let peaks = fleet.probes.iter().map(|p| position(&sights::column(p))).collect::<Result<Vec<_>, _>>()?;
+        let peaks = fleet.probes.iter().map(|p| position(&probes::column(p))).collect::<Result<Vec<_>, _>>()?;
         let means = fleet.bodies.iter().map(|b| position(&format!("rms.{}", b.name))).collect::<Result<Vec<_>, _>>()?;
         let (x, y, word, period, remaining) =
             (position(PLACE[0])?, position(PLACE[1])?, position("motion")?, position("period")?, position("remaining")?);
@@ -70,7 +70,7 @@ impl<'a> Map<'a> {
                 rms.iter_mut().zip(&means).for_each(|(a, &c)| a.push(number(c)));
             }
         }
-        let known = sights::resolved(fleet.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), fleet.study.rules.tolerance);
+        let known = probes::resolved(fleet.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), fleet.study.rules.tolerance);
         let lead = known.iter().min_by_key(|k| k.0.body).and_then(|k| fleet.probes.iter().position(|p| *p == k.0)).unwrap_or(0);
         if let Some(own) = amplitude.get(lead) {
             motions.iter_mut().zip(own).for_each(|(m, &a)| m.amplitude = a);
@@ -179,7 +179,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
             None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
         };
         let lead = map.fleet.probes.get(map.lead);
-        let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (sights::quality(p), sights::owner(p), p.unit()));
+        let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (probes::quality(p), probes::owner(p), p.unit()));
         let moves = if lead.is_some() { quantity(map.peak(a, map.lead), unit) } else { String::new() };
         let begin = if a.period.is_some() { format!("{}, {what}", upper(&map.name(k))) } else { upper(&what) };
         let text = format!("{begin} (largest {size} of \"{body}\" {moves}): reached from {{}} of the cells.");
@@ -343,8 +343,8 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             of_cells(&results.numbers("period")?),
         );
     for (k, p) in fleet.probes.iter().enumerate() {
-        let doc = format!("largest {}; NaN where it failed", sights::quality(p));
-        cells = cells.float(sights::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
+        let doc = format!("largest {}; NaN where it failed", probes::quality(p));
+        cells = cells.float(probes::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
     }
     cells = cells
         .float(
@@ -376,7 +376,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
         .float("share", "", "share p of all cells", column(&|a| share(map.count(a), rows.len()).0))
         .float("share_error", "", "sampling error sqrt(p (1 - p)/N) for N cells", column(&|a| share(map.count(a), rows.len()).1));
     for (k, p) in fleet.probes.iter().enumerate() {
-        table = table.float(sights::column(p), p.unit(), format!("largest {}", sights::quality(p)), column(&|a| map.peak(a, k)));
+        table = table.float(probes::column(p), p.unit(), format!("largest {}", probes::quality(p)), column(&|a| map.peak(a, k)));
         if let Some(rms) = map.rms.get(k) {
             let doc = "root of the mean squared displacement of its best motion";
             table = table.float(format!("rms.{}", p.name), "m", doc, column(&|a| rms[a.best]));

@@ -22,7 +22,7 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
 use laval_num::work::Here;
@@ -316,7 +316,7 @@ impl Fleet<'_> {
             rules: &self.study.rules,
             counter,
             budget: &self.budget,
-            probes: sights::probes(&self.system),
+            probes: probes::all(&self.system),
         };
         let settings = Settings { method: self.method, ..Settings::default() };
         let steady_state = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;

@@ -7,7 +7,7 @@ use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, qu
 use crate::store::{Kind, Results};
 use crate::study::motion::steady_state::period::LONGEST;
 use crate::study::motion::steady_state::stored;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
 use crate::study::{Context, Study};
 use std::collections::BTreeMap;
@@ -63,11 +63,11 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     let periods = results.numbers("period")?;
     let classes: Vec<String> = stored::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
     let mut sizes = Vec::new();
-    for p in sights::probes(&fleet.system) {
-        let own = results.numbers(&sights::column(&p))?;
+    for p in probes::all(&fleet.system) {
+        let own = results.numbers(&probes::column(&p))?;
         sizes.push((p, own));
     }
-    let map = Map { fleet, classes, sizes: sights::resolved(sizes, fleet.study.rules.tolerance) };
+    let map = Map { fleet, classes, sizes: probes::resolved(sizes, fleet.study.rules.tolerance) };
     let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
@@ -86,7 +86,7 @@ fn largest(map: &Map) -> Vec<Finding> {
     let one = |(probe, sizes): &(Probe, Vec<f64>)| {
         let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
         let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
-        let (what, owner) = (sights::quality(probe), sights::owner(probe));
+        let (what, owner) = (probes::quality(probe), probes::owner(probe));
         let text = format!("The largest {what} of \"{owner}\" is {{}}, at {}.", map.place(row));
         Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(owner).value(size, probe.unit()), row))
     };
@@ -182,10 +182,10 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
         let known = sizes.iter().filter(|a| a.is_finite());
         let (least, most) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
         if least <= most {
-            let (column, what, owner) = (sights::column(probe), sights::quality(probe), sights::owner(probe));
+            let (column, what, owner) = (probes::column(probe), probes::quality(probe), probes::owner(probe));
             let label = format!("largest {what}");
             let log = least > 0.0 && most > WIDE * least;
-            let colours = if probe.is_tilt() { sights::axis(label, probe, most) } else { drawn(&label, "m", most, log) };
+            let colours = if probe.is_tilt() { probes::axis(label, probe, most) } else { drawn(&label, "m", most, log) };
             let heat = Heat::new("map", x, y, &column, colours);
             outcome = outcome.figure(figure(column.replace('.', "-"), format!("Largest {what} of {owner}"), heat));
         }

@@ -6,7 +6,7 @@ use super::{Rules, SteadyState};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::store::{Cells, Column};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 
 /// A row of a study that settles motions.
 pub trait Row {
@@ -47,12 +47,12 @@ pub fn body<R: Row>(name: impl Into<String>, b: usize, doc: &str, of: impl Fn(&B
 /// The largest displacements of points beside the reference points of bodies, and the largest tilts.
 pub fn others<R: Row>(system: &System) -> Vec<RowColumn<R>> {
     let of = |(k, probe): (usize, Probe)| {
-        let doc = format!("largest {}", sights::quality(&probe));
-        number(sights::column(&probe), probe.unit(), &doc, move |r: &R| {
+        let doc = format!("largest {}", probes::quality(&probe));
+        number(probes::column(&probe), probe.unit(), &doc, move |r: &R| {
             r.steady_state().measure.as_ref().map_or(f64::NAN, |m| m.bodies[k].peak)
         })
     };
-    sights::probes(system).into_iter().enumerate().filter(|p| !p.1.is_reference()).map(of).collect()
+    probes::all(system).into_iter().enumerate().filter(|p| !p.1.is_reference()).map(of).collect()
 }
 
 /// How the motion was judged, what that took, and where it leaves the model of a part.

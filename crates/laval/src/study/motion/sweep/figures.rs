@@ -3,7 +3,7 @@
 use super::Fleet;
 use super::report::Path;
 use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 
 /// Classes of figures.
 const WAYS: &[&str] = &["rest", "up", "down"];
@@ -26,17 +26,17 @@ pub(super) fn figures(fleet: &Fleet, paths: &[Path], any: bool, mut outcome: Out
     for tilt in [false, true] {
         for &k in drawn.iter().filter(|&&k| fleet.probes[k].is_tilt() == tilt).take(MOST_BODIES) {
             let probe = &fleet.probes[k];
-            let axis = sights::axis(crate::study::shared::support::sight(probe), probe, largest(k));
-            figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", sights::column(probe)).group("start").nested()));
+            let axis = probes::axis(crate::study::shared::support::probe_name(probe), probe, largest(k));
+            figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", probes::column(probe)).group("start").nested()));
         }
     }
     outcome = outcome.figure(figure);
     let study = fleet.study;
     let probe = &fleet.probes[study.section.0];
     let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| fleet.system.coordinates()[r.0].name.as_str());
-    let axis = sights::axis(name, probe, largest(study.section.0));
+    let axis = probes::axis(name, probe, largest(study.section.0));
     let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
-    let panel = Panel::new(axis).mark(Points::new("poincare", "speed", sights::quality(probe)).classes("start", WAYS));
+    let panel = Panel::new(axis).mark(Points::new("poincare", "speed", probes::quality(probe)).classes("start", WAYS));
     outcome = outcome.figure(Figure::new("bifurcation", "Bifurcation diagram", alt).x(speed()).panel(panel));
     if let Some(b) = study.waterfall {
         let tallest = outcome

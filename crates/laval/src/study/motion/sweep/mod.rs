@@ -31,7 +31,7 @@ use crate::model::timed::Speeds;
 use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::size::{KEPT, LISTED, Size};
 use crate::study::shared::support::{SPEED_RANGE, range_or};
 use crate::study::{Context, Study};
@@ -209,7 +209,7 @@ start = "up_and_down"
             system: Arc::new(own),
             speeds: self.speed.linspace(DEFAULT_POINTS),
             bodies: system.bodies(),
-            probes: sights::probes(system),
+            probes: probes::all(system),
         };
         let (steps, ways) = (fleet.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
@@ -237,7 +237,7 @@ fn section(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> O
     let own = |p: &Probe, i: usize| {
         [0, 1].into_iter().find(|&k| !matches!(p.sight, Sight::Displacement(z) if z != 0.0) && p.rows[k] == [(i, 1.0)])
     };
-    let find = |i: usize| sights::probes(system).iter().enumerate().find_map(|(k, p)| Some((k, own(p, i)?)));
+    let find = |i: usize| probes::all(system).iter().enumerate().find_map(|(k, p)| Some((k, own(p, i)?)));
     let found = system.coordinate(name).and_then(find);
     if found.is_none() {
         let known: Vec<String> = system.bodies().iter().map(|b| format!("\"{}\"", system.coordinates()[b.x].name)).collect();
@@ -272,7 +272,7 @@ struct Fleet<'a> {
 impl Fleet<'_> {
     /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
     fn unresolved(&self) -> f64 {
-        sights::UNRESOLVED * self.study.rules.tolerance
+        probes::UNRESOLVED * self.study.rules.tolerance
     }
 
     /// The body of a probe has a tilt beside it.

@@ -10,7 +10,7 @@ use super::{Fleet, Sweep, Way, figures};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
 use crate::store::{Kind, Results};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
 use crate::study::{Context, Study};
 use std::collections::BTreeMap;
@@ -57,9 +57,9 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
         Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
     };
     let one = |(w, way): (usize, &Way)| {
-        let amplitude = fleet.probes.iter().map(|p| own(&sights::column(p), w)).collect::<Result<Vec<_>, _>>()?;
+        let amplitude = fleet.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Result<Vec<_>, _>>()?;
         let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
-        let loudest = sights::loudest(fleet.probes.iter().zip(amplitude.iter().map(largest)));
+        let loudest = probes::loudest(fleet.probes.iter().zip(amplitude.iter().map(largest)));
         Ok(Path {
             way: *way,
             speed: own("speed", w)?,
@@ -186,7 +186,7 @@ fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
         // of a motion that does not repeat the largest of the periods recorded
         let what = if repeats { "settled" } else { "recorded" };
         let open = if repeats { "" } else { ", where the motion does not repeat" };
-        let (place, quality, owner) = (quantity(speed, "rad/s"), sights::quality(probe), sights::owner(probe));
+        let (place, quality, owner) = (quantity(speed, "rad/s"), probes::quality(probe), probes::owner(probe));
         let text = format!("The largest {what} {quality} of \"{owner}\" is {{}}, at {place} ({}){open}.", begun(way));
         let finding = Finding::info(format!("largest_{quality}"), text).of(owner);
         outcome = outcome.finding(finding.value(a, probe.unit()).evidence("speed", speed, "rad/s"));
@@ -197,7 +197,7 @@ fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
 fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
         let probe = &fleet.probes[j.probe];
-        let (who, unit) = (sights::subject(probe), probe.unit());
+        let (who, unit) = (probes::subject(probe), probe.unit());
         let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
         let between = between(j.placed);
         let (id, text) = match j.way {
@@ -369,7 +369,7 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
     let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
     let section = &fleet.probes[fleet.study.section.0];
-    let (quality, unit) = (sights::quality(section), section.unit());
+    let (quality, unit) = (probes::quality(section), section.unit());
     // a motion of period k has k points, the last ones
     let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
     let rows: Vec<(usize, f64)> =
@@ -406,7 +406,7 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if fleet.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
     let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
-        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| sights::owner(&fleet.probes[j.probe])).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&fleet.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
         .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))

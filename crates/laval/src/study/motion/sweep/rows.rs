@@ -10,7 +10,7 @@ use super::refine::Followed;
 use super::{Carried, Fleet, Sweep, Way};
 use crate::model::probe::Probe;
 use crate::store::{Cells, Kind};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 
 /// One motion.
 pub(super) struct Row {
@@ -100,7 +100,7 @@ pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], (ways, probes)
         let fits = |c: &RowColumn<Row>| c.column.kind == Kind::Float && c.column.name.starts_with(what);
         columns.iter().zip(cells).filter(|(c, _)| fits(c)).map(|x| x.1).collect()
     };
-    let named = |p: &Probe| columns.iter().zip(cells).find(|c| c.0.column.name == sights::column(p)).map(|c| (p.typical(), c.1));
+    let named = |p: &Probe| columns.iter().zip(cells).find(|c| c.0.column.name == probes::column(p)).map(|c| (p.typical(), c.1));
     let (state, amplitude) = (own(STATE), probes.iter().filter_map(named).collect::<Vec<_>>());
     let motion = columns.iter().zip(cells).find(|(c, _)| c.column.name == "motion").map(|x| x.1);
     let rows = cells.first().map_or(0, Cells::len);

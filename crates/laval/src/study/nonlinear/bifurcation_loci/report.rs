@@ -9,7 +9,7 @@ use crate::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, LocusPoint, R
 use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::path::PathEnd;
 use crate::solve::harmonic::problem::Balance;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
 
@@ -46,7 +46,7 @@ pub(super) fn corner_name(locus: &Locus, corner: &Corner) -> &'static str {
 
 impl<'a> Shown<'a> {
     pub(super) fn new(system: &'a System, request: &'a Request, found: &'a Loci) -> Result<Self, Diagnostic> {
-        let probes = sights::probes(system);
+        let probes = probes::all(system);
         let unit = super::unit(system, &request.parameter);
         let mut shown = Shown { system, request, found, unit, probes, seen: vec![], corners: vec![] };
         let template = Balance::new(system, found.discretisation, request.speeds, None)?;
@@ -64,7 +64,7 @@ impl<'a> Shown<'a> {
         let Some(mut balance) = template.of_other(&machine) else { return unknown() };
         let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
         let turns = template.terms.divisor;
-        let sizes = sights::sizes(&machine, &sights::ordered(&machine), &orbit, turns);
+        let sizes = probes::sizes(&machine, &probes::ordered(&machine), &orbit, turns);
         Seen { sizes, uses: Some(Uses::over(&machine, &orbit, turns)) }
     }
 
@@ -134,7 +134,7 @@ impl<'a> Shown<'a> {
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.3.speed).collect())
             .float(self.request.parameter.clone(), self.unit, "parameter", rows.iter().map(|r| r.3.value).collect());
         for (k, p) in self.probes.iter().enumerate() {
-            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.4.sizes[k]).collect());
+            t = t.float(probes::largest_column(p), p.unit(), probes::largest_doc(p), rows.iter().map(|r| r.4.sizes[k]).collect());
         }
         if self.request.stability {
             let bounds = |r: &(usize, bool, &Locus, &LocusPoint, &Seen)| r.3.crossing.is_none_or(|c| c.2 == 0);
@@ -170,7 +170,7 @@ impl<'a> Shown<'a> {
             .float("speed", "rad/s", "spin speed", float(&|c| c.speed))
             .float(self.request.parameter.clone(), self.unit, "parameter", float(&|c| c.turn.value));
         for (k, p) in self.probes.iter().enumerate() {
-            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), rows.iter().map(|r| r.3.sizes[k]).collect());
+            t = t.float(probes::largest_column(p), p.unit(), probes::largest_doc(p), rows.iter().map(|r| r.3.sizes[k]).collect());
         }
         t.float("residual", "", "scaled residual of the extended equations", float(&|c| c.turn.residual))
             .float(

@@ -14,8 +14,8 @@ use crate::solve::harmonic::response::{Request, Response, State, States, Traced}
 use crate::solve::harmonic::terms::admitted;
 use crate::solve::stationary::images::Images;
 use crate::solve::turning::isotropic;
+use crate::study::shared::probes;
 use crate::study::shared::region::dense_orders;
-use crate::study::shared::sights;
 use crate::study::shared::validity::Uses;
 use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
@@ -134,11 +134,11 @@ impl Shown<'_> {
     fn without_largest(&self, rising: &Rising, branch: &Traced) -> Finding {
         let grows = matches!(branch.end, End::StepTooSmall { why: Refusal::Parameter | Refusal::Monitor, .. });
         let probe = &self.probes[rising.probe];
-        let what = sights::quality(probe);
+        let what = probes::quality(probe);
         let head = if grows { format!("The steady {what} is unbounded") } else { format!("The largest steady {what} was not reached") };
         let text = format!(
             "{head}: that of \"{}\" still rises at {} rad/s, where the branch of states {} was left at {{}}.",
-            sights::owner(probe),
+            probes::owner(probe),
             significant(rising.speed, 6),
             words(branch.origin),
         );

@@ -4,7 +4,7 @@ use super::shown::Shown;
 use crate::solve::harmonic::measure::Measure;
 use crate::solve::harmonic::peak::{Peak, Sense};
 use crate::solve::harmonic::response::{Request, Response};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use laval_num::continuation::End;
 
 /// The largest displacement or tilt of a body.
@@ -76,7 +76,7 @@ impl Shown<'_> {
 
     /// The largest value of a probe, of values by branch and point.
     fn largest_of(&mut self, response: &Response, request: &Request, k: usize, values: &[Vec<f64>]) -> Option<Largest> {
-        let owner = sights::owner(&self.probes[k]);
+        let owner = probes::owner(&self.probes[k]);
         let s = self.summit(response, request, Measure::Probe(self.which[k]), values)?;
         let (branch, i) = (&response.branches[s.at.0], s.at.1);
         let left = (!matches!(branch.end, End::Reached | End::Closed)).then(|| branch.points.last().map(|p| p.speed)).flatten();
@@ -119,13 +119,13 @@ impl Shown<'_> {
     /// It is the displacement of a body that only tilts.
     pub(super) fn only_tilts(&self, l: &Largest) -> bool {
         let own = self.tilts.iter().find(|t| t.owner == l.owner);
-        own.is_some_and(|t| l.best().0 <= sights::ROUNDING * t.best().0)
+        own.is_some_and(|t| l.best().0 <= probes::ROUNDING * t.best().0)
     }
 
     /// Some point is displaced, and not only by what rounding leaves beside the tilts.
     pub(super) fn displaced(&self) -> bool {
         let all = || self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied()));
-        let loud = sights::loudest(all());
-        loud == 0.0 || all().any(|(p, x)| !p.is_tilt() && !sights::still(p, x, loud, sights::ROUNDING))
+        let loud = probes::loudest(all());
+        loud == 0.0 || all().any(|(p, x)| !p.is_tilt() && !probes::still(p, x, loud, probes::ROUNDING))
     }
 }

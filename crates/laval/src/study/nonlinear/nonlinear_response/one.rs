@@ -11,7 +11,7 @@ use crate::solve::harmonic::orbit::Orbit;
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Request, Response, respond};
 use crate::study::Context;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
 use laval_num::continuation::Zero;
 use laval_num::dense::Mat;
@@ -49,7 +49,7 @@ impl Motion {
 
 /// Motions at the speed, by the displacement of the first body.
 fn motions(system: &System, request: &Request, response: &Response, speed: f64, context: &Context) -> Result<Vec<Motion>, Diagnostic> {
-    let (which, probes) = (sights::ordered(system), sights::probes(system));
+    let (which, probes) = (probes::ordered(system), probes::all(system));
     let mut stability = if request.stability { Stability::new(system).ok() } else { None };
     let mut out: Vec<Motion> = Vec::new();
     for branch in &response.branches {
@@ -69,10 +69,10 @@ fn motions(system: &System, request: &Request, response: &Response, speed: f64, 
             }
             let Ok(orbit) = Orbit::of(&mut balance, &x, speed) else { continue };
             let turns = branch.turns();
-            let amplitudes = sights::sizes(system, &which, &orbit, turns);
+            let amplitudes = probes::sizes(system, &which, &orbit, turns);
             // what is rounding beside the rest of a motion tells nothing of it
-            let loud = sights::loudest(probes.iter().zip(amplitudes.iter().copied()));
-            let near = |p: &Probe, a: f64, b: f64| (a - b).abs() <= SAME * a.max(b) || sights::still(p, a.max(b), loud, sights::ROUNDING);
+            let loud = probes::loudest(probes.iter().zip(amplitudes.iter().copied()));
+            let near = |p: &Probe, a: f64, b: f64| (a - b).abs() <= SAME * a.max(b) || probes::still(p, a.max(b), loud, probes::ROUNDING);
             let same =
                 |m: &Motion| m.turns == turns && probes.iter().zip(m.amplitudes.iter().zip(&amplitudes)).all(|(p, (a, b))| near(p, *a, *b));
             if out.iter().any(same) {
@@ -90,8 +90,8 @@ fn motions(system: &System, request: &Request, response: &Response, speed: f64, 
 pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64, context: &Context) -> Result<Outcome, Diagnostic> {
     let response = respond(system, request, context.cancel, &|done| context.progress.report(done, 0))?;
     let found = motions(system, request, &response, speed, context)?;
-    let probes = sights::probes(system);
-    let loud = sights::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
+    let probes = probes::all(system);
+    let loud = probes::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
     let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
     let end = if context.cancelled() { End::Cancelled } else { End::Reached };
     let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
@@ -113,9 +113,9 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
         let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
         let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
         // of a body that only tilts its tilt is told
-        let told = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !sights::still(p, **a, loud, sights::ROUNDING);
+        let told = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
         for (p, a) in probes.iter().zip(&m.amplitudes).filter(told) {
-            let (what, owner) = (sights::quality(p), sights::owner(p));
+            let (what, owner) = (probes::quality(p), probes::owner(p));
             let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.", m.stability());
             let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
             let finding = Finding::info(id, text).of(format!("{} {owner}", k + 1)).value(*a, p.unit());
@@ -126,8 +126,8 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
         .int("motion", "", "number by the displacement of the first body", (1..=count as i64).collect())
         .int("turns", "", "period in turns of the rotor", found.iter().map(|m| m.turns as i64).collect());
     for (i, p) in probes.iter().enumerate() {
-        let doc = format!("largest {} over a period", sights::quality(p));
-        table = table.float(sights::column(p), p.unit(), doc, found.iter().map(|m| m.amplitudes[i]).collect());
+        let doc = format!("largest {} over a period", probes::quality(p));
+        table = table.float(probes::column(p), p.unit(), doc, found.iter().map(|m| m.amplitudes[i]).collect());
     }
     let table = table
         .text("stability", "stable, unstable or of unknown stability", found.iter().map(|m| m.stability().into()).collect())

@@ -7,7 +7,7 @@ use crate::model::probe::Probe;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Response, Traced};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 
 /// Panels of the figure of forces at most.
 const MOST_PANELS: usize = 4;
@@ -47,7 +47,7 @@ impl Shown<'_> {
         } else {
             let panel = factor_of("largest displacement".into());
             let shown = self.probes.iter().filter(|p| !p.is_tilt());
-            vec![shown.fold(panel, |panel, p| panel.mark(column(sights::largest_column(p), &sights::owner(p))))]
+            vec![shown.fold(panel, |panel, p| panel.mark(column(probes::largest_column(p), &probes::owner(p))))]
         };
         // the largest tilts are among what parts show
         let tilt = |p: &&Probe| p.is_tilt() && self.observed.iter().any(|o| o.0 == format!("{} tilt", p.name));

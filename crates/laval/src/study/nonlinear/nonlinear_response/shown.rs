@@ -18,7 +18,7 @@ use crate::solve::harmonic::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::problem::Balance;
 use crate::solve::harmonic::response::{Fold, Request, Response, State, States, Traced};
 use crate::solve::symmetry::Symmetry;
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::{larger, largest};
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
@@ -79,8 +79,8 @@ impl<'a> Shown<'a> {
             system,
             balances,
             bodies,
-            probes: sights::probes(system),
-            which: sights::ordered(system),
+            probes: probes::all(system),
+            which: probes::ordered(system),
             sizes: vec![],
             amplitudes: vec![],
             at_folds: vec![],
@@ -170,7 +170,7 @@ impl<'a> Shown<'a> {
     /// Largest value of every probe; that of a reference point is known already.
     fn sizes_of(&self, orbit: &Orbit, turns: usize, own: &[[f64; 8]]) -> Vec<f64> {
         let (bodies, others) = self.which.split_at(own.len().min(self.which.len()));
-        own.iter().take(bodies.len()).map(|a| a[1]).chain(sights::sizes(self.system, others, orbit, turns)).collect()
+        own.iter().take(bodies.len()).map(|a| a[1]).chain(probes::sizes(self.system, others, orbit, turns)).collect()
     }
 
     /// Of every part whose force is measured, its force at the spin frequency.

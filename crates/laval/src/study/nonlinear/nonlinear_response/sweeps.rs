@@ -7,7 +7,7 @@ use crate::model::probe::Probe;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, Traced};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use laval_num::continuation::End;
 use std::ops::Range;
 
@@ -193,7 +193,7 @@ impl Jump<'_> {
             Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}")).value(f.speed, "rad/s");
         let finding = match size(f) {
             Some((p, size)) => {
-                finding.evidence(format!("largest {} of \"{}\" at the fold", sights::quality(p), sights::owner(p)), size, p.unit())
+                finding.evidence(format!("largest {} of \"{}\" at the fold", probes::quality(p), probes::owner(p)), size, p.unit())
             }
             None => finding,
         };

@@ -5,7 +5,7 @@ use crate::outcome::{OutcomeError, Table};
 use crate::solve::harmonic::bifurcation::Change;
 use crate::solve::harmonic::branch::Origin;
 use crate::solve::harmonic::response::{Fold, Response, State, Traced};
-use crate::study::shared::sights;
+use crate::study::shared::probes;
 use crate::study::shared::support::largest;
 use laval_num::continuation::End;
 
@@ -63,7 +63,7 @@ impl Shown<'_> {
         // the tilts of bodies are among what parts show
         for (k, p) in self.probes.iter().enumerate().filter(|(_, p)| !p.is_reference() && !p.is_tilt()) {
             let column = all.iter().map(|a| self.sizes[a.0][a.1][k]).collect();
-            t = t.float(sights::largest_column(p), p.unit(), sights::largest_doc(p), column);
+            t = t.float(probes::largest_column(p), p.unit(), probes::largest_doc(p), column);
         }
         for (k, (name, unit)) in self.observed.iter().enumerate() {
             let column = all.iter().map(|a| self.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
@@ -126,7 +126,7 @@ impl Shown<'_> {
             );
         for (k, p) in self.probes.iter().enumerate() {
             let sizes = self.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
-            t = t.float(sights::largest_column(p), p.unit(), format!("{} at the fold", sights::largest_doc(p)), sizes);
+            t = t.float(probes::largest_column(p), p.unit(), format!("{} at the fold", probes::largest_doc(p)), sizes);
         }
         t.build()
     }

@@ -1,7 +1,7 @@
 //! What is told of the motion of bodies: the displacement of their reference points, of every other point that something names, and their tilts. One order, one
 //! set of names and one measure of size for all studies.
 
-use super::support::sight;
+use super::support::probe_name;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::Axis;
@@ -18,18 +18,18 @@ pub fn ordered(system: &System) -> Vec<usize> {
 }
 
 /// The probes in that order.
-pub fn probes(system: &System) -> Vec<Probe> {
+pub fn all(system: &System) -> Vec<Probe> {
     ordered(system).into_iter().map(|k| system.probes()[k].clone()).collect()
 }
 
 /// Column of the largest value: "amplitude.drum", "amplitude.drum at 100 mm", "tilt.drum".
 pub fn column(probe: &Probe) -> String {
-    if probe.is_tilt() { format!("tilt.{}", probe.name) } else { format!("amplitude.{}", sight(probe)) }
+    if probe.is_tilt() { format!("tilt.{}", probe.name) } else { format!("amplitude.{}", probe_name(probe)) }
 }
 
 /// The same in words, as columns of studies of periodic motions are named: "drum at 100 mm largest displacement".
 pub fn largest_column(probe: &Probe) -> String {
-    if probe.is_tilt() { format!("{} largest tilt", probe.name) } else { format!("{} largest displacement", sight(probe)) }
+    if probe.is_tilt() { format!("{} largest tilt", probe.name) } else { format!("{} largest displacement", probe_name(probe)) }
 }
 
 /// What a column of largest values over a period holds.
@@ -44,12 +44,12 @@ pub fn quality(probe: &Probe) -> &'static str {
 
 /// Name of the body, or of the point of a body, to which a size belongs.
 pub fn owner(probe: &Probe) -> String {
-    if probe.is_tilt() { probe.name.clone() } else { sight(probe) }
+    if probe.is_tilt() { probe.name.clone() } else { probe_name(probe) }
 }
 
 /// Subject of a sentence: "drum" in quotes, or the tilt of it.
 pub fn subject(probe: &Probe) -> String {
-    if probe.is_tilt() { format!("the tilt of \"{}\"", probe.name) } else { format!("\"{}\"", sight(probe)) }
+    if probe.is_tilt() { format!("the tilt of \"{}\"", probe.name) } else { format!("\"{}\"", probe_name(probe)) }
 }
 
 /// An axis of its sizes, in a unit in which `most` is read easily.
