@@ -4,7 +4,7 @@
 //! stable state at rest when it comes nearer and is within [`DEEP`] of it; elsewhere at rest when it does not stir for some windows; in motion when the mean slip rates of the last windows
 //! agree.
 
-use super::atlas::{Atlas, Kind};
+use super::known::{Kind, KnownAttractors};
 use super::space::Space;
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
@@ -39,11 +39,11 @@ const RUNAWAY: f64 = 1e6;
 /// Where a motion ended.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Goal {
-    /// On an attractor of the atlas.
+    /// On an attractor of the known ones.
     Known(usize),
-    /// At rest in turning axes, at none of the states of the atlas.
+    /// At rest in turning axes, at none of the states of the known ones.
     Resting,
-    /// Moving on, like none of the atlas.
+    /// Moving on, like none of the known ones.
     Moving,
     /// Not settled in the time given.
     Unsettled,
@@ -104,7 +104,7 @@ pub(super) struct Follow<'a> {
     pub relative: f64,
     pub absolute: f64,
     pub most_turns: u64,
-    pub atlas: &'a Atlas,
+    pub known: &'a KnownAttractors,
     /// A motion that can be told ends there.
     pub early: bool,
     pub budget: &'a Budget,
@@ -147,18 +147,18 @@ impl Follow<'_> {
 
     /// What a motion that is at this state now has come to, as far as that shows.
     fn look(&self, log: &mut Log, seen: &[f64]) -> Option<Goal> {
-        let distances = self.atlas.distances(self.space, seen, self.early);
+        let distances = self.known.distances(self.space, seen, self.early);
         for (near, &d) in log.nearest.iter_mut().zip(&distances) {
             *near = near.min(d);
         }
-        let within = self.atlas.attractors.iter().zip(&distances).position(|(a, &d)| d <= a.radius);
+        let within = self.known.attractors.iter().zip(&distances).position(|(a, &d)| d <= a.radius);
         log.told = log.told.or(within);
         let before = std::mem::replace(&mut log.last, distances);
         if self.early && log.told.is_some() {
             return log.told.map(Goal::Known);
         }
         let deep = |k: usize| {
-            let stable = matches!(self.atlas.attractors[k].kind, Kind::Rest { stable: true, .. });
+            let stable = matches!(self.known.attractors[k].kind, Kind::Rest { stable: true, .. });
             stable && log.last[k] <= DEEP && before.get(k).is_some_and(|b| log.last[k] < *b)
         };
         (0..log.last.len()).find(|&k| deep(k)).map(Goal::Known)
@@ -175,7 +175,7 @@ impl Follow<'_> {
             return Some(log.last.iter().position(|d| *d <= AT).map_or(Goal::Resting, Goal::Known));
         }
         if self.early
-            && let Some(k) = self.atlas.swinging(recent, ROUND)
+            && let Some(k) = self.known.swinging(recent, ROUND)
         {
             return Some(Goal::Known(k));
         }
@@ -183,7 +183,7 @@ impl Follow<'_> {
             w.0.iter().zip(&last.0).all(|(a, b)| (a - b).abs() <= ALIKE.0) && (w.1 - last.1).abs() <= ALIKE.1 * last.1
         };
         let round = last.0.iter().any(|s| s.abs() > ROUND);
-        (round && recent.iter().all(alike)).then(|| self.atlas.moving(&last.0).map_or(Goal::Moving, Goal::Known))
+        (round && recent.iter().all(alike)).then(|| self.known.moving(&last.0).map_or(Goal::Moving, Goal::Known))
     }
 
     /// The time is up: masses that swing alike have ended, others have not.
@@ -194,7 +194,7 @@ impl Follow<'_> {
         let (first, second) = half.split_at(half.len() / 2);
         let swings = first.len() >= WINDOWS && (mean(first) / mean(second) - 1.0).abs() <= ALIKE.1;
         let slip = windows.last().filter(|w| swings && w.0.iter().all(|s| s.abs() <= ROUND)).map(|w| &w.0);
-        slip.map_or(Goal::Unsettled, |s| self.atlas.moving(s).map_or(Goal::Moving, Goal::Known))
+        slip.map_or(Goal::Unsettled, |s| self.known.moving(s).map_or(Goal::Moving, Goal::Known))
     }
 }
 
@@ -204,7 +204,7 @@ impl Voyage for Follow<'_> {
 
     fn start(&self, index: usize) -> Result<Start<Log>, Course> {
         let Begin { y, run_up } = &self.starts[index];
-        let nearest = vec![f64::INFINITY; self.atlas.attractors.len()];
+        let nearest = vec![f64::INFINITY; self.known.attractors.len()];
         let mut log = Log { begin: self.angles(y), nearest, ..Log::default() };
         let mut leg = self.leg(&log, None);
         let mut programme = Programme::constant(self.speed, 0.0);

@@ -3,15 +3,15 @@
 //!
 //! The states at rest in turning axes are those that `stationary` finds. A motion is followed until it has reached one of them, or goes on moving alike
 //! ([`follow`]). Large maps do not follow every cell so far: of starts spread over the grid some are followed to their ends and show what else there is
-//! ([`atlas`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
+//! ([`known`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
 //! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong; cells of the
 //! map may be, too ([`check`]).
 //!
 //! Distances are those of [`space`].
 
-mod atlas;
 mod check;
 mod follow;
+mod known;
 mod report;
 mod space;
 
@@ -31,8 +31,8 @@ use crate::study::motion::steady_state::columns::{RowColumn, cells, count, numbe
 use crate::study::motion::steady_state::{Budget, method};
 use crate::study::nonlinear::stationary::classify::{Scale, Seen};
 use crate::study::nonlinear::stationary::states_at;
-use atlas::{Atlas, Attractor};
 use follow::{Begin, Course, Follow, Goal};
+use known::{Attractor, KnownAttractors};
 use laval_num::sampling::Points;
 use space::Space;
 use std::sync::Arc;
@@ -71,7 +71,7 @@ struct Rehearsal {
     wrong: usize,
 }
 
-/// A motion that was followed, and the class of the state where it rests outside the atlas.
+/// A motion that was followed, and the class of the state where it rests at none of the known attractors.
 struct Row {
     place: [f64; 2],
     course: Course,
@@ -85,7 +85,7 @@ struct Fleet<'a> {
     start: Start,
     budget: Budget,
     values: [Vec<f64>; 2],
-    atlas: Atlas,
+    known: KnownAttractors,
     early: bool,
     context: &'a Context<'a>,
 }
@@ -124,7 +124,7 @@ impl Fleet<'_> {
             relative,
             absolute: if self.study.exact { rules.absolute } else { relative },
             most_turns: rules.most_periods,
-            atlas: &self.atlas,
+            known: &self.known,
             early,
             budget: &self.budget,
             done,
@@ -162,7 +162,7 @@ impl Fleet<'_> {
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
         for course in self.follow(&self.spread(0, learned), false, &done)? {
             if course.goal == Goal::Moving {
-                self.atlas.learn(&self.space, &course.slip, course.extent, &course.tail);
+                self.known.learn(&self.space, &course.slip, course.extent, &course.tail);
             }
         }
         if !self.early {
@@ -170,9 +170,9 @@ impl Fleet<'_> {
         }
         let known = |goal: &Goal| if let Goal::Known(k) = goal { Some(*k) } else { None };
         for course in self.follow(&self.spread(learned, witnessed), false, &done)? {
-            self.atlas.witness(known(&course.goal), &course.nearest);
+            self.known.witness(known(&course.goal), &course.nearest);
         }
-        self.atlas.trust();
+        self.known.trust();
         (seen.witnessed, seen.tried) = (witnessed, witnessed / 2);
         for course in self.follow(&self.spread(learned + witnessed, seen.tried), false, &done)? {
             seen.told += usize::from(course.told.is_some());
@@ -197,7 +197,7 @@ impl Fleet<'_> {
         Seen::of(&self.system, &search, &State { branch: 0, speed, x, error: 0.0 }).class(&scale).words()
     }
 
-    /// What a motion comes to that ends in no attractor of the atlas, at the state `y`.
+    /// What a motion comes to that ends in no attractor of the known ones, at the state `y`.
     fn word(&self, goal: &Goal, y: &[f64]) -> String {
         let class = (*goal == Goal::Resting && self.system.m() == 0).then(|| self.class(y));
         told(goal, class).unwrap_or_default()
@@ -223,7 +223,7 @@ const TURNS: &str = "turns";
 const STEPS: &str = "steps";
 const FAILURE: &str = "failure";
 
-/// A goal in words, with the class of the state where the motion rests; none of one that the atlas knows.
+/// A goal in words, with the class of the state where the motion rests; none of one that is known.
 fn told(goal: &Goal, class: Option<&'static str>) -> Option<String> {
     match goal {
         Goal::Known(_) => None,
@@ -271,7 +271,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     let early = study.recognise && count >= MANY && space.countable();
     let mut fleet = Fleet {
         study,
-        atlas: Atlas { attractors },
+        known: KnownAttractors { attractors },
         space,
         start: Start::new(&own, study.speed),
         budget: Budget::new(context.work_limit),

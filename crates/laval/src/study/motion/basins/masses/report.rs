@@ -3,8 +3,8 @@
 use super::super::Basins;
 use super::super::report::{share, upper};
 use super::super::rows::PLACE;
-use super::atlas::{Attractor, Kind};
 use super::check;
+use super::known::{Attractor, Kind};
 use super::{EARLY, FAILURE, Fleet, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
@@ -43,7 +43,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     for f in results.remark_of("motions").into_iter().chain(fleet.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
-    let all = &fleet.atlas.attractors;
+    let all = &fleet.known.attractors;
     let names = names(all);
     let states = results.numbers(STATE)?;
     let goals = stored::words(results, GOAL)?;
@@ -85,7 +85,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
         let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
         let mut balances = false;
         if let Some(k) = names.iter().position(|n| n == word) {
-            match &fleet.atlas.attractors[k].kind {
+            match &fleet.known.attractors[k].kind {
                 Kind::Rest { class, stable, .. } => {
                     balances = class.balances();
                     if !stable {
@@ -170,7 +170,7 @@ fn tables(
         .int("told", "", "1 where that was told before its end", whole(EARLY)?)
         .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
         .text("failure", "why there is no motion", stored::words(results, FAILURE)?);
-    let all = &fleet.atlas.attractors;
+    let all = &fleet.known.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);
     let mut table = Table::new("attractors", "States at rest in turning axes, and motions with masses that go round")

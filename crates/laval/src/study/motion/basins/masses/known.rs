@@ -52,11 +52,11 @@ impl Attractor {
 }
 
 #[derive(Default)]
-pub(super) struct Atlas {
+pub(super) struct KnownAttractors {
     pub attractors: Vec<Attractor>,
 }
 
-impl Atlas {
+impl KnownAttractors {
     /// The motion with these slip rates.
     pub fn moving(&self, slip: &[f64]) -> Option<usize> {
         let off = |own: &[f64]| own.iter().zip(slip).map(|(a, b)| (a - b).abs()).fold(0.0, crate::study::shared::support::larger);
