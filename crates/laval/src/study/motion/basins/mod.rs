@@ -59,11 +59,11 @@ pub struct Basins {
     axes: [InitialValueAxis; 2],
     rules: Rules,
     initial: Vec<(Entry, f64)>,
-    /// Motions of movable masses may be told before their end.
+    /// The end of a motion of movable masses may be recognised early.
     recognise: bool,
     /// The file says how exact steps are.
     exact: bool,
-    /// Cells that are followed to their ends although they were told before.
+    /// Cells that are followed to their ends although their end was recognised before.
     check: usize,
 }
 
@@ -111,13 +111,13 @@ points = 50
             "recognise",
             FieldKind::Choice(RECOGNISE),
             "early",
-            "machines with movable masses, such as the balls of a balancer: whether motions may be told before their end",
+            "machines with movable masses, such as the balls of a balancer: whether the end of a motion may be recognised before it is reached",
         ),
         Field::optional(
             "check",
             FieldKind::Integer { min: 0, max: 100_000 },
             "0",
-            "where motions are told before their end: so many cells, chosen by chance, are followed to their ends as well, to see whether they end there",
+            "where ends are recognised early: so many cells, chosen by chance, are followed to their ends as well, to see whether they end there",
         ),
     ];
 

@@ -28,7 +28,7 @@ struct Map<'a> {
     motions: Vec<Motion>,
     /// By probe.
     amplitude: Vec<Vec<f64>>,
-    /// The probe by which attractors are ordered and told: the first body, or its tilt where it only tilts.
+    /// The probe by which attractors are ordered and named: the first body, or its tilt where it only tilts.
     lead: usize,
     /// By body.
     rms: Vec<Vec<f64>>,

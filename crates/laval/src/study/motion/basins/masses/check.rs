@@ -1,4 +1,4 @@
-//! Cells of a map, chosen by chance, that are followed to their ends after all: do they end where they were told to?
+//! Cells of a map, chosen by chance, that are followed to their ends after all: do they end where the map says?
 //!
 //! The steps are the same, so that a motion differs only by what was concluded from it. Beside a border nothing else than a disagreement can be expected now and
 //! then; one with no neighbour that ends elsewhere would be a mistake.
@@ -18,9 +18,9 @@ const SEED: u32 = 37;
 /// A cell that ends elsewhere.
 struct Differs {
     cell: usize,
-    told: String,
+    expected: String,
     end: String,
-    /// A cell beside it ends elsewhere than it was told to.
+    /// A cell beside it ends elsewhere than expected.
     border: bool,
 }
 
@@ -57,7 +57,7 @@ pub(super) fn check(fleet: &Fleet, names: &[String], words: &[String]) -> Option
         };
         if end != words[cell] {
             let border = at_a_border(words, fleet.values[0].len(), cell);
-            differ.push(Differs { cell, told: words[cell].clone(), end, border });
+            differ.push(Differs { cell, expected: words[cell].clone(), end, border });
         }
     }
     Some(Checked { cells: chosen.len(), differ })
@@ -65,7 +65,7 @@ pub(super) fn check(fleet: &Fleet, names: &[String], words: &[String]) -> Option
 
 impl Checked {
     /// A finding, and a table of the cells that differ.
-    pub fn told(&self, fleet: &Fleet, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    pub fn report(&self, fleet: &Fleet, outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let (differ, inside) = (self.differ.len(), self.differ.iter().filter(|d| !d.border).count());
         let rest = match (differ, inside) {
             (0, _) => String::new(),
@@ -79,14 +79,14 @@ impl Checked {
             .evidence("cells followed", self.cells as f64, "")
             .evidence("end elsewhere", differ as f64, "")
             .evidence("of them with no neighbour that does", inside as f64, "");
-        let mut table = Table::new("disagreements", "Cells followed to their ends that end elsewhere than they were told to");
+        let mut table = Table::new("disagreements", "Cells followed to their ends that end elsewhere than expected");
         for (k, axis) in fleet.study.axes.iter().enumerate() {
             let places = self.differ.iter().map(|d| fleet.place(d.cell)[k]).collect();
             table = table.float(PLACE[k], &axis.unit, axis.meaning(), places);
         }
         let column = |f: &dyn Fn(&Differs) -> String| self.differ.iter().map(f).collect::<Vec<String>>();
         let table = table
-            .text("told", "what the cell was told to end in", column(&|d| d.told.clone()))
+            .text("expected", "what the map says of the cell", column(&|d| d.expected.clone()))
             .text("end", "what it ends in", column(&|d| d.end.clone()))
             .flag("border", "a cell beside it ends elsewhere", self.differ.iter().map(|d| d.border).collect());
         Ok(outcome.finding(finding).table(table.build().map_err(inconsistent)?))

@@ -55,8 +55,8 @@ pub(super) enum Goal {
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     pub goal: Goal,
-    /// The first attractor it came so near that it would be told by it.
-    pub told: Option<usize>,
+    /// The first attractor it came so near that it would be recognised by it.
+    pub recognised: Option<usize>,
     /// Nearest it came to each attractor.
     pub nearest: Vec<f64>,
     /// Mean slip rates over the speed in the last window, in rising order within each group; none before the first.
@@ -78,7 +78,7 @@ pub(super) struct Log {
     running_up: bool,
     turns: u64,
     steps: u64,
-    told: Option<usize>,
+    recognised: Option<usize>,
     nearest: Vec<f64>,
     last: Vec<f64>,
     /// Angles where the window began.
@@ -105,7 +105,7 @@ pub(super) struct Follow<'a> {
     pub absolute: f64,
     pub most_turns: u64,
     pub known: &'a KnownAttractors,
-    /// A motion that can be told ends there.
+    /// A motion whose end is recognised stops there.
     pub early: bool,
     pub budget: &'a Budget,
     pub done: &'a (dyn Fn() + Sync),
@@ -134,7 +134,7 @@ impl Follow<'_> {
     fn kept(log: &mut Log, goal: Goal, y: &[f64]) -> Course {
         Course {
             goal,
-            told: log.told,
+            recognised: log.recognised,
             nearest: std::mem::take(&mut log.nearest),
             slip: log.windows.last().map(|w| w.0.clone()).unwrap_or_default(),
             extent: log.windows.last().map_or((f64::NAN, f64::NAN), |w| (w.1, w.2)),
@@ -152,10 +152,10 @@ impl Follow<'_> {
             *near = near.min(d);
         }
         let within = self.known.attractors.iter().zip(&distances).position(|(a, &d)| d <= a.radius);
-        log.told = log.told.or(within);
+        log.recognised = log.recognised.or(within);
         let before = std::mem::replace(&mut log.last, distances);
-        if self.early && log.told.is_some() {
-            return log.told.map(Goal::Known);
+        if self.early && log.recognised.is_some() {
+            return log.recognised.map(Goal::Known);
         }
         let deep = |k: usize| {
             let stable = matches!(self.known.attractors[k].kind, Kind::Rest { stable: true, .. });

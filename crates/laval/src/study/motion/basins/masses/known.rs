@@ -1,4 +1,4 @@
-//! What motions of a machine with movable masses end in, and how near a motion must come to be told by it.
+//! What motions of a machine with movable masses end in, and how near a motion must come to be recognised.
 
 use super::space::Space;
 use crate::study::nonlinear::stationary::classify::Class;
@@ -9,9 +9,9 @@ const SAME_SLIP: f64 = 0.03;
 const APART: f64 = 0.1;
 /// Most points kept of a motion, images not counted.
 const MOST_POINTS: usize = 300;
-/// Farthest distance at which a motion may be told by an attractor.
+/// Farthest distance at which a motion may be assigned to an attractor.
 const FARTHEST: f64 = 1.0;
-/// Share of the nearest approach of a motion that went elsewhere within which motions are told.
+/// Share of the nearest approach of a motion that went elsewhere within which motions are assigned.
 const SHARE: f64 = 0.5;
 /// Share of its size and stir within which motions that swing are one.
 const ALIKE: f64 = 0.1;
@@ -29,7 +29,7 @@ pub(super) struct Attractor {
     pub kind: Kind,
     /// States on it, with their images.
     points: Vec<Vec<f64>>,
-    /// Distance within which a motion is told by it; zero where none is.
+    /// Distance within which a motion is assigned to it; zero where none is.
     pub radius: f64,
     /// Nearest approach of a motion that ended elsewhere; infinite where there was none.
     pub approach: f64,
@@ -118,7 +118,7 @@ impl KnownAttractors {
         }
     }
 
-    /// Sets the distances within which motions are told, from what was witnessed.
+    /// Sets the distances within which motions are assigned, from what was witnessed.
     pub fn trust(&mut self) {
         for a in &mut self.attractors {
             a.radius = if a.attracts() { (SHARE * a.approach).min(FARTHEST) } else { 0.0 };

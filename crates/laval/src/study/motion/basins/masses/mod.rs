@@ -3,7 +3,7 @@
 //!
 //! The states at rest in turning axes are those that `stationary` finds. A motion is followed until it has reached one of them, or goes on moving alike
 //! ([`follow`]). Large maps do not follow every cell so far: of starts spread over the grid some are followed to their ends and show what else there is
-//! ([`known`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are told by the
+//! ([`known`]); then others, which show how near a motion comes to an attractor and still goes elsewhere. Within half that distance motions are assigned to the
 //! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong; cells of the
 //! map may be, too ([`check`]).
 //!
@@ -40,7 +40,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Most cells of a map.
 pub(super) const MOST_CELLS: usize = 1_000_000;
-/// Cells from which on motions are told before their end.
+/// Cells from which on motions are assigned before their end.
 const MANY: usize = 1200;
 /// Typical sizes between the end of a motion and the state it has come to.
 const AT: f64 = 1e-2;
@@ -65,9 +65,9 @@ struct Rehearsal {
     /// Starts that showed what there is, and those that showed how near motions come.
     learned: usize,
     witnessed: usize,
-    /// Starts followed to the end afterwards; those that would have been told before; those told wrongly.
+    /// Starts followed to the end afterwards; those that would have been assigned to an attractor earlier; those assigned wrongly.
     tried: usize,
-    told: usize,
+    assigned: usize,
     wrong: usize,
 }
 
@@ -175,8 +175,8 @@ impl Fleet<'_> {
         self.known.trust();
         (seen.witnessed, seen.tried) = (witnessed, witnessed / 2);
         for course in self.follow(&self.spread(learned + witnessed, seen.tried), false, &done)? {
-            seen.told += usize::from(course.told.is_some());
-            seen.wrong += usize::from(course.told.is_some() && course.told != known(&course.goal));
+            seen.assigned += usize::from(course.recognised.is_some());
+            seen.wrong += usize::from(course.recognised.is_some() && course.recognised != known(&course.goal));
         }
         Some(seen)
     }
@@ -200,7 +200,7 @@ impl Fleet<'_> {
     /// What a motion comes to that ends in no attractor of the known ones, at the state `y`.
     fn word(&self, goal: &Goal, y: &[f64]) -> String {
         let class = (*goal == Goal::Resting && self.system.m() == 0).then(|| self.class(y));
-        told(goal, class).unwrap_or_default()
+        name(goal, class).unwrap_or_default()
     }
 
     fn rows(&self, range: std::ops::Range<usize>, counter: &store::Rows) -> Option<Vec<Row>> {
@@ -218,13 +218,13 @@ impl Fleet<'_> {
 /// Names of the columns of a row.
 const STATE: &str = "state";
 const GOAL: &str = "goal";
-const EARLY: &str = "told";
+const EARLY: &str = "early";
 const TURNS: &str = "turns";
 const STEPS: &str = "steps";
 const FAILURE: &str = "failure";
 
 /// A goal in words, with the class of the state where the motion rests; none of one that is known.
-fn told(goal: &Goal, class: Option<&'static str>) -> Option<String> {
+fn name(goal: &Goal, class: Option<&'static str>) -> Option<String> {
     match goal {
         Goal::Known(_) => None,
         Goal::Resting => Some(class.map_or("at rest".into(), |c| format!("at rest, {c}"))),
@@ -246,8 +246,8 @@ fn columns(fleet: &Fleet) -> Vec<RowColumn<Row>> {
             _ => None,
         }
     }));
-    out.push(word(GOAL, "what the motion comes to where it ends in no attractor of the table", |r: &Row| told(&r.course.goal, r.class)));
-    out.push(count(EARLY, "1 where the motion was told before its end", move |r: &Row| Some(i64::from(r.course.told.is_some()))));
+    out.push(word(GOAL, "what the motion comes to where it ends in no attractor of the table", |r: &Row| name(&r.course.goal, r.class)));
+    out.push(count(EARLY, "1 where the end of the motion was recognised before it was reached", move |r: &Row| Some(i64::from(r.course.recognised.is_some()))));
     out.push(count(TURNS, "turns integrated", move |r: &Row| whole(r.course.turns)));
     out.push(count(STEPS, "integration steps", move |r: &Row| whole(r.course.steps)));
     out.push(word(FAILURE, "why there is no motion", |r: &Row| match r.course.goal {

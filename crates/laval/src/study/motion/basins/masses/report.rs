@@ -59,7 +59,7 @@ pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Resu
     outcome = undecided(&counts, words.len(), results, outcome)?;
     outcome = early(fleet, seen, &results.numbers(EARLY)?, outcome);
     if let Some(checked) = &checked {
-        outcome = checked.stored(fleet, outcome)?;
+        outcome = checked.report(fleet, outcome)?;
     }
     let turns = results.numbers(TURNS)?;
     let steps = results.numbers(STEPS)?.iter().sum::<f64>();
@@ -124,7 +124,7 @@ fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mu
     Ok(outcome)
 }
 
-/// How motions were told before their end, and how often that was wrong.
+/// How ends of motions were recognised early, and how often that was wrong.
 fn early(fleet: &Fleet, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> Outcome {
     if !fleet.early {
         return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
@@ -136,7 +136,7 @@ fn early(fleet: &Fleet, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> O
         stored.len(),
         seen.witnessed,
         seen.tried,
-        seen.stored,
+        seen.assigned,
         seen.wrong
     );
     let make = if 100 * seen.wrong > seen.tried { Finding::warning } else { Finding::info };
@@ -167,7 +167,7 @@ fn tables(
     let cells = cells
         .int("attractor", "", "number in the table of attractors; 0 where the motion ends in none of them", whole(STATE)?)
         .text("end", "what the cell ends in", words.to_vec())
-        .int("told", "", "1 where that was told before its end", whole(EARLY)?)
+        .int("early", "", "1 where the end was recognised before it was reached", whole(EARLY)?)
         .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
         .text("failure", "why there is no motion", stored::words(results, FAILURE)?);
     let all = &fleet.known.attractors;
@@ -185,7 +185,7 @@ fn tables(
         )
         .int("cells", "", "cells of the grid that end in it", names.iter().map(|n| count(n) as i64).collect())
         .float("share", "", "share of all cells", names.iter().map(|n| share(count(n), words.len().max(1)).0).collect())
-        .float("radius", "", "distance within which motions are told by it; zero where none is", column(&|a| a.radius))
+        .float("radius", "", "distance within which motions are assigned to it; zero where none is", column(&|a| a.radius))
         .float(
             "approach",
             "",
