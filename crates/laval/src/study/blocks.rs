@@ -1,6 +1,6 @@
 //! Blocks of a file beside parts and studies.
 
-use super::centrifuge::duty;
+use super::centrifuge::cups;
 use super::shared::limits;
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{BlockInfo, Extra, Field, KindInfo};
@@ -27,14 +27,14 @@ pub fn blocks() -> Vec<BlockKind> {
         several: false,
         kinds: vec![KindInfo { kind: word, doc, example, fields: fields.to_vec() }],
     };
-    let cups = BlockInfo { word: "cup", several: true, kinds: duty::cup_kinds() };
+    let cups = BlockInfo { word: "cup", several: true, kinds: cups::cup_kinds() };
     let none = |_: &Extra, _: &System| None;
     let nowhere = |_: &Extra, _: &System| Vec::new();
     vec![
-        BlockKind { info: cups, check: duty::check_cup, part: duty::cup_part, points: nowhere },
+        BlockKind { info: cups, check: cups::check_cup, part: cups::cup_part, points: nowhere },
         BlockKind {
-            info: one("suspension", duty::SUSPENSION_DOC, duty::SUSPENSION_EXAMPLE, duty::SUSPENSION),
-            check: duty::check_suspension,
+            info: one("suspension", cups::SUSPENSION_DOC, cups::SUSPENSION_EXAMPLE, cups::SUSPENSION),
+            check: cups::check_suspension,
             part: none,
             points: nowhere,
         },

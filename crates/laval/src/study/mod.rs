@@ -13,7 +13,7 @@ mod parameters;
 mod shared;
 
 pub use blocks::{BlockKind, blocks, with_blocks};
-pub use centrifuge::{duty, operating_window, separation};
+pub use centrifuge::{cups, operating_window, separation};
 pub use context::{Context, Progress, STEP, Silent};
 pub use kind::{ErasedStudy, Study, StudyKind, kind};
 pub use laval_num::work::Cancel;

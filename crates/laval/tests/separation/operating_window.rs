@@ -379,8 +379,8 @@ fn mistakes_are_told() {
     assert!(load(&CUPS.replace("hinge_radius = \"150 mm\"", "hinge_radius = \"28.3 mm\"")).is_ok());
     one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"9.9 m\""), "cup.centre");
     one(&CUPS.replace("centre_of_mass = \"100 mm\"", "centre_of_mass = \"99 m\""), "value.bounds");
-    one(&CUPS.replace("speed = { from", "branch_policy = \"reached\"\nspeed = { from"), "operating_window.duty");
-    one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.duty");
+    one(&CUPS.replace("speed = { from", "branch_policy = \"reached\"\nspeed = { from"), "operating_window.separation");
+    one(&CUPS.replace("displacement = \"0.1 mm\"", "drive_torque = \"3 N m\""), "operating_window.separation");
     // a run-up that is longer than the time it counts in
     let sand = "[suspension]\nliquid_density = 1000\nviscosity = \"1 mPa s\"\nparticle_density = 2000\ndiameter = \"9 um\"\n[limits]";
     let hurried = CUPS.replace("[limits]", sand).replace("speed = { from", "time = \"1 min\"\nramp = \"2 min\"\nspeed = { from");
@@ -403,7 +403,7 @@ map = { parameter = "air.damping", from = 300, to = 100 }
         found.0.iter().map(|d| (text[..d.span.clone().expect("a place").start].matches('\n').count(), d.code)).collect();
     let first = lines[0].0;
     lines.iter_mut().for_each(|l| l.0 -= first);
-    let all = ["study.range", "operating_window.objective", "operating_window.duty", "parameter.unknown", "study.range"];
+    let all = ["study.range", "operating_window.objective", "operating_window.separation", "parameter.unknown", "study.range"];
     assert_eq!(lines, all.into_iter().enumerate().collect::<Vec<_>>(), "{found:?}");
     // what is asked of the separation as well
     let text = jeffcott(3000.0)
@@ -411,7 +411,7 @@ map = { parameter = "air.damping", from = 300, to = 100 }
         .replace("start = \"slowest\"", "time = \"1 h\"\nbranch_policy = \"reached\"");
     let mut codes: Vec<&str> = load(&text).err().expect("three mistakes").0.iter().map(|d| d.code).collect();
     codes.sort_unstable();
-    assert_eq!(codes, ["operating_window.duty", "separation.neutral", "separation.throughput"]);
+    assert_eq!(codes, ["operating_window.separation", "separation.neutral", "separation.throughput"]);
 }
 
 /// In the passage the cups load the rotor as they hang at every moment: at the resonance, low in the range, less than at the top. The largest displacement comes after the

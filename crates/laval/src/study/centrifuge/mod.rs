@@ -1,5 +1,5 @@
 //! Studies of a machine that separates: what is recovered, and the speeds at which it may run.
 
-pub mod duty;
+pub mod cups;
 pub mod operating_window;
 pub mod separation;

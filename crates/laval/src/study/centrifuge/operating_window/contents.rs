@@ -19,8 +19,8 @@ use crate::model::system::System;
 use crate::separation::cup::Hanging;
 use crate::separation::exit::Cylinder;
 use crate::separation::machine::Separator;
-use crate::study::centrifuge::duty::task::Task;
-use crate::study::centrifuge::duty::{Carried, exchanged};
+use crate::study::centrifuge::cups::task::Task;
+use crate::study::centrifuge::cups::{Carried, exchanged};
 
 /// What is different after a separation.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! One machine over the range of speeds: scan, ends of the windows, best speed.
 
 use super::borders::{Borders, stable};
-use super::margins::{Asked, Judge, Point, radial_guess};
+use super::margins::{Evaluator, Point, Requirements, radial_guess};
 use super::passage::Passage;
 use super::request::fitting;
 use super::steady::Branches;
@@ -28,7 +28,7 @@ pub(super) enum Care<'a> {
 
 /// One machine evaluated over the range.
 pub(super) struct Evaluated {
-    pub asked: Asked,
+    pub required: Requirements,
     pub points: Vec<Point>,
     pub intervals: Vec<Interval>,
     /// Where everything but the separation is kept.
@@ -49,10 +49,10 @@ pub(super) struct Unseen {
 }
 
 /// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
-fn unseen(system: &System, asked: &Asked) -> Vec<Unseen> {
+fn unseen(system: &System, required: &Requirements) -> Vec<Unseen> {
     let apart = |k: usize| system.probes().iter().any(|p| p.body == k && !p.is_tilt() && !p.is_reference());
     let limited = |list: &[Limit], name: &str| list.iter().any(|l| l.body == name);
-    let l = &asked.limits;
+    let l = &required.limits;
     let seen = |k: usize, name: &str| limited(&l.tilt, name) || (apart(k) && limited(&l.displacement, name)) || !l.moment.is_empty();
     let bodies = system.bodies().into_iter().enumerate();
     bodies.filter(|(k, b)| b.tilt.is_some() && !seen(*k, &b.name)).map(|(index, b)| Unseen { index, name: b.name }).collect()
@@ -68,7 +68,7 @@ impl OperatingWindow {
         known: Option<&Passage>,
     ) -> Result<Option<Evaluated>, Diagnostic> {
         let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
-        let asked = fitting(self, system, only)?;
+        let required = fitting(self, system, only)?;
         let (from, to) = (self.speed.from, self.speed.to);
         let count = if careful { self.speed.points.unwrap_or(SPEEDS) } else { SPEEDS / 2 };
         let mut speeds = match care {
@@ -83,40 +83,42 @@ impl OperatingWindow {
             let mut each = |_| !context.cancelled();
             speeds.extend(seeds(system, &|w| rest(system, w), from, to, &mut each)?.speeds.into_iter().step_by(2));
         }
-        if let Some(w) = asked.duty.as_ref().filter(|_| !only).and_then(radial_guess) {
+        if let Some(w) = required.task.as_ref().filter(|_| !only).and_then(radial_guess) {
             speeds.extend([0.5 * w, 0.8 * w, w]);
         }
         speeds.retain(|w| *w >= from && *w <= to);
         speeds.sort_by(f64::total_cmp);
         speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * to);
-        let limited =
-            !asked.limits.passage.is_empty() || asked.limits.torque.is_some() || (asked.policy == Policy::Reached && branches.is_some());
-        let passage = match asked.ramp.filter(|_| limited) {
+        let limited = !required.limits.passage.is_empty()
+            || required.limits.torque.is_some()
+            || (required.policy == Policy::Reached && branches.is_some());
+        let passage = match required.ramp.filter(|_| limited) {
             Some(_) if known.is_some() => known.cloned(),
             Some(duration) => Some(Passage::simulate(system, to, duration, context)?),
             None => None,
         };
-        let judge = Judge { system, asked: &asked, branches: branches.as_ref(), passage: passage.as_ref() };
+        let evaluator = Evaluator { system, required: &required, branches: branches.as_ref(), passage: passage.as_ref() };
         let total = speeds.len() as u64;
         let go_on = |done: u64| {
             context.progress.report(done.min(total), total);
             !context.cancelled() && done < context.work_limit
         };
-        let Some(mut points) = scan(&judge, &speeds, go_on)? else { return Ok(None) };
+        let Some(mut points) = scan(&evaluator, &speeds, go_on)? else { return Ok(None) };
         if careful {
             let more = dips(&points);
-            points.extend(scan(&judge, &more, |_| !context.cancelled())?.unwrap_or_default());
+            points.extend(scan(&evaluator, &more, |_| !context.cancelled())?.unwrap_or_default());
             points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
-        let found = if only { vec![] } else { intervals(&judge, &mut points, Point::feasible)? };
-        let mechanical = if careful && asked.duty.is_some() { intervals(&judge, &mut points, |p| p.feasible_without(0))? } else { vec![] };
-        let borders = if careful { Borders::located(&intervals(&judge, &mut points, stable)?) } else { Borders::between(&points) };
+        let found = if only { vec![] } else { intervals(&evaluator, &mut points, Point::feasible)? };
+        let mechanical =
+            if careful && required.task.is_some() { intervals(&evaluator, &mut points, |p| p.feasible_without(0))? } else { vec![] };
+        let borders = if careful { Borders::located(&intervals(&evaluator, &mut points, stable)?) } else { Borders::between(&points) };
         points.iter_mut().for_each(|p| borders.measure(p));
-        let best = if careful { self.best(&judge, &borders, &points)? } else { None };
+        let best = if careful { self.best(&evaluator, &borders, &points)? } else { None };
         let harmonics = branches.as_ref().map(Branches::harmonics);
         drop(branches);
-        let unseen = unseen(system, &asked);
-        Ok(Some(Evaluated { asked, points, intervals: found, mechanical, best, unseen, folds, harmonics, passage }))
+        let unseen = unseen(system, &required);
+        Ok(Some(Evaluated { required, points, intervals: found, mechanical, best, unseen, folds, harmonics, passage }))
     }
 
     /// Branches of a nonlinear machine; none when it is linear.
@@ -130,9 +132,9 @@ impl OperatingWindow {
     }
 
     /// The recommended speed.
-    fn best(&self, judge: &Judge, borders: &Borders, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
+    fn best(&self, evaluator: &Evaluator, borders: &Borders, points: &[Point]) -> Result<Option<Point>, Diagnostic> {
         let at = |w: f64| {
-            judge.at(w).map(|mut p| {
+            evaluator.at(w).map(|mut p| {
                 borders.measure(&mut p);
                 p
             })

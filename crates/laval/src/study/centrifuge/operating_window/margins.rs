@@ -9,8 +9,8 @@ use crate::separation::load::Load;
 use crate::separation::machine::Separator;
 use crate::separation::measures::derated;
 use crate::separation::particle::Particle;
-use crate::study::centrifuge::duty::Carried;
-use crate::study::centrifuge::duty::task::{Task, needed};
+use crate::study::centrifuge::cups::Carried;
+use crate::study::centrifuge::cups::task::{Task, needed};
 use crate::study::shared::limits::{Limit, Limits};
 use crate::study::shared::support::largest;
 use laval_num::complex::{C64, c};
@@ -96,8 +96,8 @@ impl Point {
 
 /// What is asked of the machine.
 #[derive(Clone)]
-pub(super) struct Asked {
-    pub duty: Option<Task>,
+pub(super) struct Requirements {
+    pub task: Option<Task>,
     pub limits: Limits,
     pub cups: Vec<Carried>,
     /// The machine after the separation, where that changes it.
@@ -109,9 +109,9 @@ pub(super) struct Asked {
 }
 
 /// Evaluates the requirements of one machine.
-pub(super) struct Judge<'a> {
+pub(super) struct Evaluator<'a> {
     pub system: &'a System,
-    pub asked: &'a Asked,
+    pub required: &'a Requirements,
     /// Branches of the response; none of a linear machine.
     pub branches: Option<&'a Branches>,
     pub passage: Option<&'a Passage>,
@@ -130,7 +130,7 @@ fn least(name: usize, all: impl Iterator<Item = (f64, String)>) -> Option<Margin
     all.reduce(|a, b| if b.0 < a.0 || b.0.is_nan() { b } else { a }).map(|(v, d)| margin(name, v, d))
 }
 
-impl Judge<'_> {
+impl Evaluator<'_> {
     /// All requirements at a speed.
     ///
     /// # Errors
@@ -143,11 +143,11 @@ impl Judge<'_> {
 
     /// Adds the requirement on the separation, or replaces it.
     pub fn separated(&self, point: &mut Point) {
-        let Some(duty) = &self.asked.duty else { return };
+        let Some(task) = &self.required.task else { return };
         // a path that cannot be computed leaves the margin undefined
-        let found = needed(&duty.batch, point.speed, duty.recovery, &|| true);
+        let found = needed(&task.batch, point.speed, task.recovery, &|| true);
         let time = found.as_ref().map_or(f64::NAN, |t| *t);
-        let value = 1.0 - time / duty.time;
+        let value = 1.0 - time / task.time;
         let detail = found.map_or_else(|d| d.message, |_| "time".into());
         point.needed = time;
         point.margins.retain(|m| m.name != 0);
@@ -164,7 +164,7 @@ impl Judge<'_> {
 
     /// Largest growth rate of the machine whose contents have separated; `None` where they weigh as before.
     fn growth_after(&self, speed: f64) -> Result<Option<f64>, Diagnostic> {
-        let Some(system) = self.asked.after.as_deref() else { return Ok(None) };
+        let Some(system) = self.required.after.as_deref() else { return Ok(None) };
         let eigen = spectrum(system, speed)?.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
         if self.branches.is_none() {
             return Ok(Some(eigen));
@@ -176,8 +176,8 @@ impl Judge<'_> {
 
     /// All requirements but that on the separation.
     fn mechanical(&self, speed: f64) -> Result<Point, Diagnostic> {
-        let asked = self.asked;
-        let (system, loads) = (self.system, asked.cups.iter().map(|c| c.ring.at(speed)).collect::<Vec<Load>>());
+        let required = self.required;
+        let (system, loads) = (self.system, required.cups.iter().map(|c| c.ring.at(speed)).collect::<Vec<Load>>());
         let spectrum = spectrum(system, speed)?;
         let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
         let states = self.states(system, speed, eigen)?;
@@ -195,20 +195,20 @@ impl Judge<'_> {
         let mut margins = Vec::new();
         margins.extend(self.vibration(system, &met));
         margins.extend(self.self_centred(system, speed, &met));
-        let limit = asked.limits.growth;
+        let limit = required.limits.growth;
         // by the growth rate while borders are sought, then a distance in speed
         margins.push(margin(
             STABLE,
             if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() },
             format!("growth rate{when}"),
         ));
-        if let Some(clearance) = asked.limits.clearance {
+        if let Some(clearance) = required.limits.clearance {
             let mut all: Vec<(f64, String)> = Vec::new();
-            for h in &asked.limits.orders {
+            for h in &required.limits.orders {
                 let near = |p: f64| (p - h * speed).abs() / speed.abs() - clearance;
                 let own = spectrum.modes.iter().map(|m| m.frequency()).filter(|p| *p > 0.0);
                 all.extend(own.map(|p| (near(p), format!("mode at {p:.4} rad/s, order {h}"))));
-                for (cup, load) in asked.cups.iter().zip(&loads).filter(|c| c.0.ring.held.is_none()) {
+                for (cup, load) in required.cups.iter().zip(&loads).filter(|c| c.0.ring.held.is_none()) {
                     let swing = cup.ring.cup.swing_frequency(speed, load.tilt);
                     let both = [speed.abs() + swing, (speed.abs() - swing).abs()];
                     all.extend(both.map(|p| (near(p), format!("swing of the cups, order {h}"))));
@@ -217,15 +217,15 @@ impl Judge<'_> {
             margins.extend(least(4, all.into_iter()));
         }
         if let Some(p) = self.passage {
-            let (value, detail) = p.margin(speed, &asked.limits);
+            let (value, detail) = p.margin(speed, &required.limits);
             margins.push(margin(5, value, detail));
         }
-        if let Some(highest) = asked.limits.speed {
-            let density = asked.duty.as_ref().map(|d| {
+        if let Some(highest) = required.limits.speed {
+            let density = required.task.as_ref().map(|d| {
                 let (m, rho) = (&d.suspension.medium, d.suspension.powder.density.quantile(0.5));
                 m.density + m.volume_fraction * (rho - m.density)
             });
-            let allowed = match (asked.limits.rated_density, density) {
+            let allowed = match (required.limits.rated_density, density) {
                 (Some(rated), Some(density)) => derated(highest, rated, density),
                 _ => highest,
             };
@@ -234,11 +234,11 @@ impl Judge<'_> {
         let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
         margins.extend(least(VALID, outside));
         let leans = (0..system.bodies().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
-        let duration = asked.duty.as_ref().map_or(0.0, |d| d.time);
+        let duration = required.task.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
         let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
-        let tilt = asked.duty.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
+        let tilt = required.task.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
         Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth, leans })
     }
 
@@ -247,7 +247,7 @@ impl Judge<'_> {
         if met.len() < 2 {
             return met;
         }
-        let chosen = match self.asked.policy {
+        let chosen = match self.required.policy {
             Policy::All => return met,
             Policy::Highest => {
                 let margin = |s: &&&State| self.vibration(system, &[**s]).map_or(0.0, |m| m.value);
@@ -263,7 +263,7 @@ impl Judge<'_> {
     }
 
     fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
-        let l = &self.asked.limits;
+        let l = &self.required.limits;
         if !l.vibration() {
             return None;
         }
@@ -301,14 +301,14 @@ impl Judge<'_> {
 
     /// Distance of the centre of mass of every eccentric body, with the cups it carries, from the axis, over its eccentricity.
     fn self_centred(&self, system: &System, speed: f64, met: &[&State]) -> Option<Margin> {
-        let c0 = self.asked.limits.self_centring?;
+        let c0 = self.required.limits.self_centring?;
         if met.is_empty() {
             return Some(margin(2, f64::NAN, "no steady state"));
         }
         let mut all = Vec::new();
         for (k, b) in system.bodies().iter().enumerate() {
             let carried: Vec<&str> =
-                self.asked.cups.iter().filter(|c| c.on.body.as_deref() == Some(b.name.as_str())).map(|c| c.name.as_str()).collect();
+                self.required.cups.iter().filter(|c| c.on.body.as_deref() == Some(b.name.as_str())).map(|c| c.name.as_str()).collect();
             let (e, height) = centre_of_mass(system, b, &carried, speed);
             let size = e.abs();
             if size > 0.0 && size.is_finite() {
@@ -372,14 +372,14 @@ fn spin_energy(system: &System, speed: f64) -> f64 {
 }
 
 /// A first guess of the speed that separates: along the radius from the surface to the outermost place, an upper bound of the demand.
-pub(super) fn radial_guess(duty: &Task) -> Option<f64> {
-    let (r1, r2) = match &duty.vessel.separator {
+pub(super) fn radial_guess(task: &Task) -> Option<f64> {
+    let (r1, r2) = match &task.vessel.separator {
         Separator::Cup(c) => (c.hanging.hinge + c.vessel.top, c.hanging.hinge + c.vessel.bottom),
         other => other.at(100.0).radii(),
     };
-    let p = &duty.suspension.powder;
-    let radius = 0.5 * duty.batch.from.unwrap_or_else(|| p.size.quantile(1.0 - duty.recovery));
-    let s = duty.suspension.medium.rates(&Particle { radius, density: p.density.quantile(0.5) }).sedimentation.abs();
-    let w = ((r2 / r1).ln() / (s * duty.time)).sqrt();
+    let p = &task.suspension.powder;
+    let radius = 0.5 * task.batch.from.unwrap_or_else(|| p.size.quantile(1.0 - task.recovery));
+    let s = task.suspension.medium.rates(&Particle { radius, density: p.density.quantile(0.5) }).sedimentation.abs();
+    let w = ((r2 / r1).ln() / (s * task.time)).sqrt();
     w.is_finite().then_some(w)
 }

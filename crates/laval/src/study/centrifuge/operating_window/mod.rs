@@ -31,8 +31,8 @@ mod steady;
 mod vary;
 mod window;
 
-use super::duty::task::{DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
-use super::duty::{CUP, uncarried};
+use super::cups::task::{DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
+use super::cups::{CUP, uncarried};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;

@@ -88,8 +88,8 @@ impl WindowResult<'_> {
 
     /// The throughput, m^3/s, and the volume, m^3, of a machine that liquid flows through.
     fn flow(&self) -> Option<(f64, f64)> {
-        let duty = self.main.asked.duty.as_ref()?;
-        duty.throughput.zip(duty.vessel.separator.flow_volume())
+        let task = self.main.required.task.as_ref()?;
+        task.throughput.zip(task.vessel.separator.flow_volume())
     }
 
     fn windows(&self, mut out: Outcome) -> Outcome {
@@ -169,7 +169,7 @@ impl WindowResult<'_> {
 
     /// Why the window ends there, and the speed of the fold it ends at.
     fn reason(&self, e: &End) -> (String, Option<f64>) {
-        let l = &self.main.asked.limits;
+        let l = &self.main.required.limits;
         let lists = [
             ("displacement", &l.displacement, "m"),
             ("velocity", &l.velocity, "m/s"),
@@ -279,9 +279,9 @@ impl WindowResult<'_> {
             let text = format!("Why not faster: at {{}} the window ends, by {}.", words(&i.high.binding, self.flow().is_some()));
             out = out.finding(Finding::info("not_faster", text).value(i.high.speed, "rad/s").shown_as(i.high.speed * RPM, "rpm"));
         }
-        if let Some(duty) = &m.asked.duty {
-            let (r1, r2) = duty.vessel.separator.at(best.speed).radii();
-            let g = duty.suspension.medium.gravity;
+        if let Some(task) = &m.required.task {
+            let (r1, r2) = task.vessel.separator.at(best.speed).radii();
+            let g = task.suspension.medium.gravity;
             let text = format!("The field there grows from {} g to {{}} g.", significant(rcf(best.speed, r1, g), 4));
             out = out.finding(Finding::info("rcf", text).value(rcf(best.speed, r2, g), ""));
         }
@@ -291,7 +291,7 @@ impl WindowResult<'_> {
     /// Time needed at a speed of the scan with the run-up, where everything but the separation is kept.
     fn shortest(&self, out: Outcome) -> Outcome {
         let m = &self.main;
-        let Some(duty) = &m.asked.duty else { return out };
+        let Some(task) = &m.required.task else { return out };
         let kept = m.points.iter().filter(|p| p.feasible_without(0) && p.needed.is_finite());
         match kept.min_by(|a, b| a.needed.total_cmp(&b.needed)) {
             Some(p) => {
@@ -305,7 +305,7 @@ impl WindowResult<'_> {
                 out.finding(
                     Finding::info("shortest_time", text)
                         .value(p.needed, "s")
-                        .evidence(if self.flow().is_some() { "residence time" } else { "time at hand" }, duty.time, "s")
+                        .evidence(if self.flow().is_some() { "residence time" } else { "time at hand" }, task.time, "s")
                         .evidence("speed", p.speed, "rad/s"),
                 )
             }
@@ -336,20 +336,20 @@ impl WindowResult<'_> {
         out = self.uncarried.iter().cloned().fold(out, Outcome::finding);
         out = self.doubts(out);
         out = self.leaning(out);
-        let asked = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
-        let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| n != VALID && !asked(n)).map(|n| NAMES[n]).collect();
+        let required = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
+        let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| n != VALID && !required(n)).map(|n| NAMES[n]).collect();
         if !absent.is_empty() {
             let text = format!("Not checked, because nothing in the file asks for it: {}.", absent.join(", "));
             out = out.finding(Finding::info("not_checked", text));
         }
-        if !asked(0) && !asked(1) && !asked(5) && !asked(6) {
+        if !required(0) && !required(1) && !required(5) && !required(6) {
             out = out.finding(Finding::warning(
                 "few_requirements",
                 "Only stability bounds this window: give [limits], and [[cup]] with [suspension], to make it one to run by.",
             ));
         }
         if let Some(h) = m.harmonics {
-            let judged = match m.asked.policy {
+            let judged = match m.required.policy {
                 Policy::All => "a speed where any stable one breaks a limit is outside",
                 Policy::Reached => {
                     "of several stable ones that is judged which the run-up of this file leads to; the window holds for this run-up only"
@@ -363,7 +363,7 @@ impl WindowResult<'_> {
             out = out.special_point(SpecialPoint::new("fold", *w, (*w, *w)).status(Status::Bracketed));
         }
         if let Some(p) = &m.passage {
-            let top = m.asked.top;
+            let top = m.required.top;
             for peak in p.peaks(top) {
                 let way = if peak.up { "up" } else { "down" };
                 let text = format!("On the way {way} \"{}\" moves by up to {{}}, at {}.", peak.body, rpm(peak.speed));
@@ -373,9 +373,9 @@ impl WindowResult<'_> {
             out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque(top), "N m"));
             out = p.lacks.clone().into_iter().fold(out, Outcome::finding);
         }
-        if let (Some(t), Some(duty), Some(best)) = (m.asked.ramp, &m.asked.duty, &m.best) {
-            let (_, r2) = duty.vessel.separator.at(best.speed).radii();
-            let share = m.asked.top / t * r2 / (best.speed * best.speed * r2);
+        if let (Some(t), Some(task), Some(best)) = (m.required.ramp, &m.required.task, &m.best) {
+            let (_, r2) = task.vessel.separator.at(best.speed).radii();
+            let share = m.required.top / t * r2 / (best.speed * best.speed * r2);
             let text = "Braking as fast as the run-up, the pellet is pulled sideways with {} of the field that holds it.";
             out = out.finding(Finding::info("braking", text).value(share, "").shown_as(100.0 * share, "%"));
         }
@@ -385,8 +385,8 @@ impl WindowResult<'_> {
     /// Where the model of the separation is doubtful.
     fn doubts(&self, mut out: Outcome) -> Outcome {
         let m = &self.main;
-        let Some(duty) = &m.asked.duty else { return out };
-        let (separator, g) = (&duty.vessel.separator, duty.suspension.medium.gravity);
+        let Some(task) = &m.required.task else { return out };
+        let (separator, g) = (&task.vessel.separator, task.suspension.medium.gravity);
         let lowest = m.intervals.first().map(|i| i.low.speed);
         if let Some((w, field)) = lowest.and_then(|w| Some((w, gravity_felt(separator, w, g)?))) {
             let text = format!(
@@ -398,9 +398,9 @@ impl WindowResult<'_> {
             out = out.finding(Finding::warning("gravity", text).value(field, "").evidence("least field over gravity", FIELD, ""));
         }
         if let (Separator::Tube(..), Some(best)) = (separator, &m.best)
-            && let Some(ramp) = duty.batch.run_up.to(best.speed)
+            && let Some(ramp) = task.batch.run_up.to(best.speed)
         {
-            let counted = duty.batch.at(best.speed).clock.counted(ramp.duration());
+            let counted = task.batch.at(best.speed).clock.counted(ramp.duration());
             let text = "The liquid of fixed-angle tubes shifts while the speed changes: the run-up counts by an estimate, the field at mean radius, as {} at full speed.";
             out = out.finding(
                 Finding::info("run_up_estimate", text)
@@ -501,10 +501,10 @@ impl WindowResult<'_> {
     /// Window over the time at hand: in each mechanical interval, from the speed at which the time needed falls below it.
     fn trade_table(&self) -> Built<Option<Table>> {
         let m = &self.main;
-        let Some(duty) = &m.asked.duty else { return Ok(None) };
+        let Some(task) = &m.required.task else { return Ok(None) };
         let (mut time, mut low, mut high) = (vec![], vec![], vec![]);
         for k in 0..=40 {
-            let t = duty.time * 10f64.powf(-1.0 + 2.0 * k as f64 / 40.0);
+            let t = task.time * 10f64.powf(-1.0 + 2.0 * k as f64 / 40.0);
             for i in &m.mechanical {
                 let inside: Vec<&Point> =
                     m.points.iter().filter(|p| p.speed >= i.low.speed && p.speed <= i.high.speed && p.needed.is_finite()).collect();
@@ -566,14 +566,14 @@ impl WindowResult<'_> {
         };
         out = out.figure(Figure::new("window", "Operating window", alt).x(speed()).panel(panel));
         let at_hand = if self.flow().is_some() { "residence time" } else { "time at hand" };
-        if m.asked.duty.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
-            let (unit, factor) = if m.asked.duty.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
+        if m.required.task.is_some() && m.points.iter().any(|p| p.needed.is_finite()) {
+            let (unit, factor) = if m.required.task.as_ref().is_some_and(|d| d.time >= 600.0) { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
             let mut panel = Panel::new(Axis::log("time needed", unit).factor(factor));
             for i in &m.intervals {
                 panel = panel.mark(Band::x(i.low.speed, i.high.speed).name("window"));
             }
             panel = panel.mark(Line::new("speeds", "speed", "time").name("time to the recovery"));
-            panel = panel.mark(Rule::y(m.asked.duty.as_ref().map_or(f64::NAN, |d| d.time), at_hand));
+            panel = panel.mark(Rule::y(m.required.task.as_ref().map_or(f64::NAN, |d| d.time), at_hand));
             if let Some(best) = &m.best {
                 panel = panel.mark(Rule::x(best.speed, "recommended"));
             }

@@ -1,6 +1,6 @@
 //! What is asked for: the fields of the study on this machine, with all that is wrong.
 
-use super::margins::Asked;
+use super::margins::Requirements;
 use super::vary::{current, varied};
 use super::{MAP_PLACES, Objective, OperatingWindow, Policy, contents};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -8,8 +8,8 @@ use crate::model::field::Values;
 use crate::model::system::System;
 use crate::outcome::quantity;
 use crate::separation::batch::RunUp;
-use crate::study::centrifuge::duty;
-use crate::study::centrifuge::duty::task::{self, Task};
+use crate::study::centrifuge::cups;
+use crate::study::centrifuge::cups::task::{self, Task};
 use crate::study::shared::limits::{self, Limits};
 use crate::study::shared::support::range;
 use std::sync::Arc;
@@ -41,13 +41,13 @@ pub(super) fn read(values: &Values, system: &System, out: &mut Diagnostics) -> O
     run_up(values, &limits, &mut own);
     aimed(objective, values, system, &limits, &mut own);
     let uncertain = uncertain(values, system, &mut own);
-    let map = values.parameter_range("map").map(|(path, asked)| {
-        let sound = range("map", asked, 2, values, &mut own);
+    let map = values.parameter_range("map").map(|(path, required)| {
+        let sound = range("map", required, 2, values, &mut own);
         let trial = sound.map(|r| r.from).or_else(|| current(system, path));
         if let Err(d) = trial.map_or_else(|| Err(system.unknown_param(path)), |x| varied(system, path, x).map(drop)) {
             own.push(d.at(values.span_of("map")));
         }
-        (path.to_string(), asked)
+        (path.to_string(), required)
     });
     let fine = !own.has_errors();
     out.0.append(&mut own.0);
@@ -99,7 +99,7 @@ fn separated(values: &Values, system: &System, top: f64, out: &mut Diagnostics) 
     if !separates(system) {
         if let Some(field) = timed(values) {
             let message = "a time or throughput needs something to separate, and something that separates it";
-            wrong(out, values, field, "operating_window.duty", message, "add the blocks [[cup]] and [suspension]");
+            wrong(out, values, field, "operating_window.separation", message, "add the blocks [[cup]] and [suspension]");
         }
         return None;
     }
@@ -128,10 +128,10 @@ fn run_up(values: &Values, limits: &Limits, out: &mut Diagnostics) {
     let help = "add ramp = \"60 s\": the time to the top of the range of speeds";
     if policy(values) == Policy::Reached {
         let message = "the state that a run-up leads to needs the time of the run-up";
-        wrong(out, values, "branch_policy", "operating_window.duty", message, help);
+        wrong(out, values, "branch_policy", "operating_window.separation", message, help);
     } else if !limits.passage.is_empty() || limits.torque.is_some() {
         let message = "the limits on the passage need the time of the run-up";
-        wrong(out, values, "ramp", "operating_window.duty", message, help);
+        wrong(out, values, "ramp", "operating_window.separation", message, help);
     }
 }
 
@@ -174,24 +174,24 @@ fn policy(values: &Values) -> Policy {
 ///
 /// # Errors
 /// When its cups and suspension no longer fit what is asked.
-pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Result<Asked, Diagnostic> {
+pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Result<Requirements, Diagnostic> {
     let (v, mut own) = (&study.values, Diagnostics::default());
-    let mut duty = separated(v, system, study.speed.to, &mut own);
+    let mut task = separated(v, system, study.speed.to, &mut own);
     let limits = limits::of(system);
     run_up(v, &limits, &mut own);
     if own.has_errors() {
-        return Err(Diagnostic::error("operating_window.duty", "what is asked of the machine does not fit its cups and suspension"));
+        return Err(Diagnostic::error("operating_window.separation", "what is asked of the machine does not fit its cups and suspension"));
     }
-    let cups = duty::carried(system);
-    let after = match duty.as_ref().and_then(|task| {
+    let cups = cups::carried(system);
+    let after = match task.as_ref().and_then(|task| {
         let own = cups.iter().position(|c| c.name == task.vessel.name);
         contents::changed(system, task, &cups, own)
     }) {
         Some(changed) => Some(Arc::new(contents::after(system, &changed)?)),
         None => None,
     };
-    if let Some(duty) = duty.as_mut().filter(|_| map) {
-        duty.batch.places = duty.batch.places.min(MAP_PLACES);
+    if let Some(task) = task.as_mut().filter(|_| map) {
+        task.batch.places = task.batch.places.min(MAP_PLACES);
     }
-    Ok(Asked { duty, limits, cups, after, ramp: v.number("ramp"), policy: policy(v), top: study.speed.to })
+    Ok(Requirements { task, limits, cups, after, ramp: v.number("ramp"), policy: policy(v), top: study.speed.to })
 }

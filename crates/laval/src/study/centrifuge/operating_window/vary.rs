@@ -1,7 +1,7 @@
 //! The window of other machines: at the corners of uncertain parameters, and over a parameter.
 
 use super::evaluate::{Care, Evaluated};
-use super::margins::{self, Judge};
+use super::margins::{self, Evaluator};
 use super::request::fitting;
 use super::{MAP_POINTS, OperatingWindow, SPEEDS};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -72,13 +72,13 @@ impl OperatingWindow {
                 if context.cancelled() {
                     return Ok(None);
                 }
-                let asked = fitting(self, &changed, true)?;
-                let judge = Judge { system: &changed, asked: &asked, branches: None, passage: main.passage.as_ref() };
+                let required = fitting(self, &changed, true)?;
+                let evaluator = Evaluator { system: &changed, required: &required, branches: None, passage: main.passage.as_ref() };
                 let mut points = moving.points.clone();
                 let here = Here::now();
                 points.par_iter_mut().for_each(|p| {
                     let _counted = here.enter();
-                    judge.separated(p);
+                    evaluator.separated(p);
                 });
                 points
             } else {

@@ -1,6 +1,6 @@
 //! From requirements at single speeds to intervals: scan, refinement of the ends, best speed, trade with time, conflicts.
 
-use super::margins::{Judge, NAMES, Point};
+use super::margins::{Evaluator, NAMES, Point};
 use crate::diagnostic::Diagnostic;
 use laval_num::work::Here;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ pub(super) struct Interval {
 const LOCATED: f64 = 1e-11;
 
 /// Evaluates speeds on all cores; results in their order. `None` when cancelled.
-pub(super) fn scan(judge: &Judge, speeds: &[f64], go_on: impl Fn(u64) -> bool + Sync) -> Result<Option<Vec<Point>>, Diagnostic> {
+pub(super) fn scan(evaluator: &Evaluator, speeds: &[f64], go_on: impl Fn(u64) -> bool + Sync) -> Result<Option<Vec<Point>>, Diagnostic> {
     let done = std::sync::atomic::AtomicU64::new(0);
     let here = Here::now();
     let found: Result<Vec<Option<Point>>, Diagnostic> = speeds
@@ -44,7 +44,7 @@ pub(super) fn scan(judge: &Judge, speeds: &[f64], go_on: impl Fn(u64) -> bool + 
             if !go_on(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed)) {
                 return Ok(None);
             }
-            judge.at(w).map(Some)
+            evaluator.at(w).map(Some)
         })
         .collect();
     Ok(found?.into_iter().collect())
@@ -64,7 +64,12 @@ pub(super) fn dips(points: &[Point]) -> Vec<f64> {
 }
 
 /// Narrows the border between a feasible and an infeasible speed.
-fn border(judge: &Judge, mut inside: Point, mut outside: Point, keeps: impl Fn(&Point) -> bool) -> Result<(Point, Point), Diagnostic> {
+fn border(
+    evaluator: &Evaluator,
+    mut inside: Point,
+    mut outside: Point,
+    keeps: impl Fn(&Point) -> bool,
+) -> Result<(Point, Point), Diagnostic> {
     for _ in 0..60 {
         if (inside.speed - outside.speed).abs() <= LOCATED * inside.speed.abs() {
             break;
@@ -79,7 +84,7 @@ fn border(judge: &Judge, mut inside: Point, mut outside: Point, keeps: impl Fn(&
         });
         for x in guess.into_iter().chain([middle]) {
             if (x - inside.speed) * (x - outside.speed) < 0.0 {
-                let p = judge.at(x)?;
+                let p = evaluator.at(x)?;
                 if keeps(&p) { inside = p } else { outside = p }
             }
         }
@@ -111,7 +116,7 @@ fn end(inside: &Point, outside: &Point) -> End {
 
 /// Intervals in which `keeps` holds; points are in order of speed. The points made on the way are added.
 pub(super) fn intervals(
-    judge: &Judge,
+    evaluator: &Evaluator,
     points: &mut Vec<Point>,
     keeps: impl Fn(&Point) -> bool + Copy,
 ) -> Result<Vec<Interval>, Diagnostic> {
@@ -133,7 +138,7 @@ pub(super) fn intervals(
             low = Some(match i.checked_sub(1).and_then(|k| points.get(k)) {
                 None => limit(p),
                 Some(before) => {
-                    let (a, b) = border(judge, p.clone(), before.clone(), keeps)?;
+                    let (a, b) = border(evaluator, p.clone(), before.clone(), keeps)?;
                     let e = end(&a, &b);
                     made.extend([a, b]);
                     e
@@ -145,7 +150,7 @@ pub(super) fn intervals(
             let high = match next {
                 None => limit(p),
                 Some(after) => {
-                    let (a, b) = border(judge, p.clone(), after.clone(), keeps)?;
+                    let (a, b) = border(evaluator, p.clone(), after.clone(), keeps)?;
                     let e = end(&a, &b);
                     made.extend([a, b]);
                     e

@@ -10,7 +10,7 @@ use crate::separation::machine::Turning;
 use crate::separation::measures;
 use crate::separation::particle::Particle;
 use crate::separation::validity::{FIELD, gravity_felt};
-use crate::study::centrifuge::duty::task::needed;
+use crate::study::centrifuge::cups::task::needed;
 use crate::study::shared::support::RPM;
 use laval_num::univariate::maximum;
 

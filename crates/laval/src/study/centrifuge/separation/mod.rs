@@ -16,8 +16,8 @@ mod paths;
 mod report;
 mod tables;
 
-use super::duty::CUP;
-use super::duty::task::{self, DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT, Task, lost};
+use super::cups::CUP;
+use super::cups::task::{self, DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT, Task, lost};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;

@@ -9,7 +9,7 @@ use crate::separation::machine::Separator;
 use crate::separation::motion::Tilt;
 use crate::separation::places::Place;
 use crate::separation::release::{Moment, Release};
-use crate::study::centrifuge::duty::task::lost;
+use crate::study::centrifuge::cups::task::lost;
 
 impl EnsembleResult<'_> {
     /// Where particles lie that left through the wall or the bottom.

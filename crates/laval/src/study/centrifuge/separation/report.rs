@@ -15,8 +15,8 @@ use crate::separation::particle::{Drag, Particle};
 use crate::separation::recovery::{Needed, Recovery, Watch};
 use crate::separation::slowest::Last;
 use crate::separation::validity::{Case, flags};
-use crate::study::centrifuge::duty::task::lost;
-use crate::study::centrifuge::duty::uncarried;
+use crate::study::centrifuge::cups::task::lost;
+use crate::study::centrifuge::cups::uncarried;
 use crate::study::shared::support::RPM;
 use crate::study::{Context, Study};
 

@@ -247,7 +247,9 @@ fn columns(fleet: &Fleet) -> Vec<RowColumn<Row>> {
         }
     }));
     out.push(word(GOAL, "what the motion comes to where it ends in no attractor of the table", |r: &Row| name(&r.course.goal, r.class)));
-    out.push(count(EARLY, "1 where the end of the motion was recognised before it was reached", move |r: &Row| Some(i64::from(r.course.recognised.is_some()))));
+    out.push(count(EARLY, "1 where the end of the motion was recognised before it was reached", move |r: &Row| {
+        Some(i64::from(r.course.recognised.is_some()))
+    }));
     out.push(count(TURNS, "turns integrated", move |r: &Row| whole(r.course.turns)));
     out.push(count(STEPS, "integration steps", move |r: &Row| whole(r.course.steps)));
     out.push(word(FAILURE, "why there is no motion", |r: &Row| match r.course.goal {
