@@ -15,7 +15,7 @@ use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
 use laval::solve::harmonic::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::response_map::{Axis, ResponseMap};
+use laval::study::response_map::{ParameterAxis, ResponseMap};
 use laval::study::{Context, Study};
 use processor::processor;
 
@@ -32,7 +32,7 @@ fn main() {
         Ok(s) => s,
         Err(d) => return println!("{d:?}"),
     };
-    let axis = |path: &str, unit, from, to| Axis {
+    let axis = |path: &str, unit, from, to| ParameterAxis {
         path: path.into(),
         unit,
         range: RangeValue { from, to, points: Some(side) },
@@ -58,7 +58,7 @@ fn main() {
     }
     println!("    points: {}", outcome.work.get("points").copied().unwrap_or(0));
 
-    let values = study.axes.each_ref().map(Axis::values);
+    let values = study.axes.each_ref().map(ParameterAxis::values);
     let chosen: Vec<usize> = (0..cells.min(SINGLE)).map(|k| k * cells / cells.min(SINGLE)).collect();
     let single = NonlinearResponse::new(request);
     let (mut alone, mut points, mut compared) = (0.0, 0.0, 0.0);
