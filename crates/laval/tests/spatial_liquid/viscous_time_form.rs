@@ -137,30 +137,19 @@ fn stated_error_of_tilt() {
 /// What cannot be had says what can: that is then had, and two thirds of it are not.
 #[test]
 fn a_refused_error_says_what_can_be_had() {
-    let none = Truncation::None;
-    let cases = [
-        ("G1", 1e-6, 300.0, none, 1e-4),
-        ("G2", 1e-6, 210.0, none, 1e-5),
-        ("G3", 1e-5, -200.0, none, 1e-5),
-        ("thin", 1e-6, 300.0, none, 1e-4),
-    ];
-    let mut refused = 0;
-    for (name, nu, speed, truncation, wish) in cases {
+    for (name, nu, speed, wish) in [("G1", 1e-6, 300.0, 1e-4), ("G3", 1e-5, -200.0, 1e-5)] {
         let cavity = cavities().into_iter().find(|c| c.0 == name).unwrap().1;
-        let of = |accuracy: f64| cavity.tilt_viscous_in_time(speed, nu, truncation, accuracy, &|| false);
+        let of = |accuracy: f64| cavity.tilt_viscous_in_time(speed, nu, Truncation::None, accuracy, &|| false);
         let reached = match of(wish) {
-            Ok(_) => continue,
             Err(Refused::Accuracy { reached }) => reached,
-            Err(other) => panic!("{name}: {other:?}"),
+            other => panic!("{name}: {other:?}"),
         };
         println!("{name} {nu} {speed}: {wish} refused, {reached} advised");
         assert!(reached > wish && reached <= 0.1, "{name}: {reached}");
         assert_eq!(format!("{reached:.1e}").parse(), Ok(reached), "two digits");
         assert!(of(reached).is_ok_and(|l| l.error <= reached), "{name}: {reached} does not do");
         assert!(matches!(of(reached / 1.5), Err(Refused::Accuracy { .. })), "{name}: much less than {reached} does, too");
-        refused += 1;
     }
-    assert!(refused >= 2, "{refused}");
     let far = cavity("G1").tilt_viscous_in_time(300.0, 1e-3, Truncation::At(301), 1e-2, &|| false);
     assert_eq!(far, Err(Refused::Harmonics));
     assert_eq!(cavity("G1").tilt_viscous_in_time(0.0, 1e-3, Truncation::None, 1e-2, &|| false), Err(Refused::Speed));
