@@ -122,6 +122,21 @@ impl Diagnostics {
     }
 }
 
+impl fmt::Display for Diagnostics {
+    /// One line each: the severity, the sentence and the help.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, d) in self.0.iter().enumerate() {
+            let severity = match d.severity {
+                Severity::Warning => "warning",
+                Severity::Error => "error",
+            };
+            write!(f, "{}{severity}: {d}", if k == 0 { "" } else { "\n" })?;
+        }
+        Ok(())
+    }
+}
+impl std::error::Error for Diagnostics {}
+
 /// The candidate a mistyped word probably means: smallest number of single letters changed, left out, added or swapped with a
 /// neighbour, at most a third of the word; capitals do not count.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

@@ -218,15 +218,19 @@ impl Programme {
         self.pieces[1..].iter().map(|p| p.from)
     }
 
-    /// Largest speed up to the last knot.
-    pub fn largest_speed(&self) -> f64 {
-        let first = self.pieces[0].at(self.pieces[0].origin).speed.abs();
-        let ends = self.knots().fold(first, |m, t| m.max(self.at(t).speed.abs()));
+    /// Lowest and highest speed up to the last knot.
+    pub fn speed_range(&self) -> (f64, f64) {
+        let ends = std::iter::once(self.pieces[0].origin).chain(self.knots()).map(|t| self.at(t).speed);
         // every other piece is monotone between its ends
         let curved = self.pieces.windows(2).filter(|w| matches!(w[0].law, Law::Polynomial(_)));
-        curved
-            .flat_map(|w| (0..1000).map(|k| w[0].at(w[0].from + (w[1].from - w[0].from) * 1e-3 * f64::from(k)).speed.abs()))
-            .fold(ends, f64::max)
+        let inside = curved.flat_map(|w| (0..1000).map(|k| w[0].at(w[0].from + (w[1].from - w[0].from) * 1e-3 * f64::from(k)).speed));
+        ends.chain(inside).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), w| (lo.min(w), hi.max(w)))
+    }
+
+    /// Largest speed, without its sign, up to the last knot.
+    pub fn largest_speed(&self) -> f64 {
+        let (lo, hi) = self.speed_range();
+        lo.abs().max(hi.abs())
     }
 }
 

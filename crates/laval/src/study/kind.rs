@@ -1,9 +1,9 @@
 //! What a kind of study is: its word, its fields, and how a machine is studied with it.
 
 use super::Context;
-use super::shared::speed_range::Ranged;
+use super::shared::speed_range::{self, SpinSpeeds};
 use super::shared::{size, watch};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::Outcome;
@@ -18,16 +18,11 @@ pub trait Study: Send + Sync + Sized + 'static {
     const EXAMPLE: &'static str = "";
     /// What may be said of it.
     const FIELDS: &'static [Field];
-    /// It rests on the motion of the machine at its spin speeds, and so on parts that are known at some speeds only.
-    const TURNS: bool = true;
-
-    /// Lowest and highest spin speed of a request, rad/s, where they are not those of its fields `speed`, `from`, `to` and `programme`.
-    fn speeds(_: &Values, _: &System) -> Option<(f64, f64)> {
-        None
-    }
-
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
+    /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or asks
+    /// another study. Beyond the tables of parts a study is refused, or its findings are marked.
+    fn spin_speeds(&self, system: &System) -> Vec<SpinSpeeds>;
     /// Whether this machine can answer the question at all, found out in a few milliseconds: `laval check` asks it, and so does a run before it begins.
     ///
     /// # Errors
@@ -73,13 +68,18 @@ impl<T: Study> ErasedStudy for T {
         T::KIND
     }
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        speed_range::known(self, system)?;
         watch::admit(self, system)
     }
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        speed_range::known(self, system)?;
         watch::prepare(self, system, context)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        watch::run(self, system, context)
+        speed_range::known(self, system)?;
+        let mut outcome = watch::run(self, system, context)?;
+        speed_range::mark_beyond(self, system, &mut outcome);
+        Ok(outcome)
     }
 }
 
@@ -98,7 +98,37 @@ pub fn kind<T: Study>() -> StudyKind {
         info: KindInfo { kind: T::KIND, doc: T::DOC, example: T::EXAMPLE, fields: T::FIELDS.to_vec() },
         build: |values, system, diagnostics| {
             let study = T::build(values, system, diagnostics)?;
-            Some(Box::new(Ranged::new(study, values, system)) as Box<dyn ErasedStudy>)
+            Some(Box::new(Written { study, speeds: speed_range::place(values) }) as Box<dyn ErasedStudy>)
         },
+    }
+}
+
+/// A study read from a file, with the place of its speeds there.
+struct Written<T> {
+    study: T,
+    speeds: Option<Span>,
+}
+
+impl<T> Written<T> {
+    fn located(&self, mut d: Diagnostic) -> Diagnostic {
+        if d.code == speed_range::BEYOND && d.span.is_none() {
+            d.span.clone_from(&self.speeds);
+        }
+        d
+    }
+}
+
+impl<T: Study> ErasedStudy for Written<T> {
+    fn kind(&self) -> &'static str {
+        T::KIND
+    }
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        ErasedStudy::admit(&self.study, system).map_err(|d| self.located(d))
+    }
+    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
+        ErasedStudy::prepare(&self.study, system, context).map_err(|d| self.located(d))
+    }
+    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+        ErasedStudy::run(&self.study, system, context).map_err(|d| self.located(d))
     }
 }

@@ -1,10 +1,12 @@
 //! Coefficients in a table over the speed are known at its speeds only: a study beyond is refused, or, when the file says how the table continues, marked.
 
 use laval::file::{self, Loaded};
-use laval::model::field::FieldKind;
+use laval::model::field::RangeValue;
 use laval::outcome::{Finding, Level, Outcome};
-use laval::study::speed_range::SPIN;
-use laval::study::{Context, registry};
+use laval::study::campbell::Campbell;
+use laval::study::critical_speeds::CriticalSpeeds;
+use laval::study::forced_response::ForcedResponse;
+use laval::study::{Context, ErasedStudy, registry};
 
 /// A rigid rotor on two journal bearings whose table ends at 12000 rpm.
 fn rotor(beyond: &str, studies: &str) -> String {
@@ -176,19 +178,32 @@ fn a_motor_beyond_its_torque_table_is_marked() {
     }
 }
 
-/// Fields of studies in rad/s are spin speeds that are held against tables, or known to be something else.
+/// Every kind of study that needs coefficients is held against the tables by a case above.
 #[test]
-fn every_speed_of_a_study_is_seen() {
-    let other = ["frequency_limit", "highest_frequency", "resolution"];
+fn every_study_is_held_against_tables() {
+    // separation rests on no motion of the machine, and optimum asks another study
+    let without = ["separation", "optimum"];
     for k in registry() {
-        for f in &k.info.fields {
-            let speed = match f.kind {
-                FieldKind::Quantity { unit, .. } | FieldKind::Range { unit, .. } | FieldKind::List { unit, .. } => unit == "rad/s",
-                FieldKind::Columns(columns) => columns.iter().any(|c| c.1 == "rad/s"),
-                _ => false,
-            };
-            let known = SPIN.iter().any(|s| s.0 == f.name) || other.contains(&f.name) || k.info.kind == "separation";
-            assert!(!speed || known, "{}: {} is in rad/s: is it a spin speed?", k.info.kind, f.name);
-        }
+        let word = format!("kind = \"{}\"", k.info.kind);
+        assert!(BEYOND.iter().any(|b| b.starts_with(&word)) != without.contains(&k.info.kind), "{}", k.info.kind);
+    }
+}
+
+/// A study that is constructed in Rust is held against the tables as well as one of a file.
+#[test]
+fn constructed_studies_beyond_a_table_are_refused_or_marked() {
+    let speed = RangeValue { from: 1300.0, to: 1400.0, points: Some(3) };
+    let studies: [Box<dyn ErasedStudy>; 3] = [
+        Box::new(Campbell { speed, orders: vec![1.0], threshold: 0.0, frequency: None, compare: false }),
+        Box::new(CriticalSpeeds { speed, orders: vec![1.0], margin: 0.15 }),
+        Box::new(ForcedResponse { speed }),
+    ];
+    let (refusing, held) = (load(&rotor("", "")).system, load(&rotor("beyond = \"hold\"", "")).system);
+    for study in studies {
+        let context = Context::quiet("study");
+        assert_eq!(study.admit(&refusing).unwrap_err().code, "study.beyond_table", "{}", study.kind());
+        assert_eq!(study.run(&refusing, &context).err().unwrap().code, "study.beyond_table", "{}", study.kind());
+        let outcome = study.run(&held, &context).unwrap();
+        assert!(outcome.findings.iter().all(|f| f.level == Level::Invalid), "{}: {:?}", study.kind(), outcome.findings);
     }
 }

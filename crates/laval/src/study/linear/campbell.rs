@@ -24,6 +24,7 @@ use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::sweep::{Branch, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or, remarks_between};
 use crate::study::{Context, Study};
 use laval_num::work::piece;
@@ -161,6 +162,10 @@ orders = [1, 2]
             frequency: values.number("frequency_limit"),
             compare: approximation::wanted(values),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn size(&self, system: &System) -> Option<size::Size> {

@@ -22,6 +22,7 @@ use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Extremum, above, curve, seeds};
 use crate::solve::rest::rest;
 use crate::study::shared::size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, probe_name, range, remarks_between};
 use crate::study::{Context, Study};
 
@@ -56,6 +57,10 @@ margin = 0.15
     fn build(values: &Values, _: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let speed = range("speed", values.range("speed")?, 2, values, diagnostics)?;
         Some(CriticalSpeeds { speed, orders: orders(values), margin: values.number("margin").unwrap_or(0.15) })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn size(&self, system: &System) -> Option<size::Size> {

@@ -26,6 +26,7 @@ use crate::solve::sectors::circular;
 use crate::solve::sweep::{Strongest, spectrum};
 use crate::study::shared::probes;
 use crate::study::shared::size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, inconsistent, moves, one_or_range, probe_name, remarks_between};
 use crate::study::{Context, Study};
 use laval_num::complex::{C64, c};
@@ -57,6 +58,10 @@ impl Study for ForcedResponse {
             return None;
         }
         Some(ForcedResponse { speed })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn size(&self, system: &System) -> Option<size::Size> {

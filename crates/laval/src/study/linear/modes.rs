@@ -21,6 +21,7 @@ use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, 
 use crate::solve::roots::{LEAST, Request, roots, transcendental};
 use crate::study::shared::probes;
 use crate::study::shared::region;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{
     ABOUT, About, ROUNDING, SPEED, admit_roots, admit_threshold, decay_uncounted, hertz, inconsistent, remarks, speed,
 };
@@ -87,6 +88,10 @@ impl Study for Modes {
         let speed = speed(values, system, diagnostics)?;
         let threshold = values.number("growth_threshold").unwrap_or(0.0);
         Some(Modes { speed, about: About::read(values), threshold, frequency: values.number("frequency_limit") })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::one(self.speed)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -23,6 +23,7 @@ use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::stability::{Edge, Row, Sample, row};
 use crate::study::shared::region;
 use crate::study::shared::size::Size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{
     ABOUT, About, COUNTS, SPEED_RANGE, admit_roots, admit_threshold, beyond_rounding, inconsistent, one_or_range, range, remarks_between,
 };
@@ -100,6 +101,10 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
             threshold: values.number("growth_threshold").unwrap_or(0.0),
             frequency: values.number("frequency_limit"),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn size(&self, system: &System) -> Option<Size> {

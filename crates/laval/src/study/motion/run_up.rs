@@ -36,6 +36,7 @@ use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
 use crate::solve::rest::unlinearised;
 use crate::study::shared::size::Size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, Study};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
@@ -52,8 +53,6 @@ pub struct RunUp {
     spectra: Option<Spectra>,
 }
 
-/// Places of a polynomial at which its speed is compared with those at which parts are known.
-const SPEEDS: usize = 10_000;
 const TABLE: &[(&str, &str, bool, &str)] =
     &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
 
@@ -119,15 +118,6 @@ hold = "2 s"
         spectra::THRESHOLD,
     ];
 
-    fn speeds(values: &Values, _: &System) -> Option<(f64, f64)> {
-        let (coefficients, duration) = (values.list("polynomial")?, values.number("duration")?);
-        let speed = |k: usize| {
-            let t = duration * k as f64 / SPEEDS as f64;
-            coefficients.iter().rev().fold(0.0, |w, c| w * t + c)
-        };
-        Some((0..=SPEEDS).map(speed).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), w| (a.min(w), b.max(w))))
-    }
-
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let initial = start::state_map(values, "initial", system, diagnostics);
@@ -149,6 +139,11 @@ hold = "2 s"
             velocities: values.flag("velocities").unwrap_or(false),
             observables: values.flag("observables").unwrap_or(false),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        let (from, to) = self.programme.speed_range();
+        vec![SpinSpeeds::between(from, to)]
     }
 
     fn size(&self, system: &System) -> Option<Size> {

@@ -26,6 +26,7 @@ use crate::solve::motion::envelope::{Growth, Window, growth};
 use crate::solve::motion::flight::{Flight, Plan, fly};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::shared::size::Size;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, Study};
 
 /// Speeds of a motion that starts at this one.
@@ -154,6 +155,10 @@ kick = { "drum.x'" = "20 mm/s" }
             observables: values.flag("observables").unwrap_or(true),
             spectra,
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::one(self.speed)]
     }
 
     fn size(&self, system: &System) -> Option<Size> {

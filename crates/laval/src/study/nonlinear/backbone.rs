@@ -21,6 +21,7 @@ use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
 use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, largest, speed};
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
@@ -95,6 +96,10 @@ amplitude = { from = "1 um", to = "1 mm" }
         }
         let (harmonics, truncation, max_points) = read(values);
         Some(Backbone { request: Request { speed: speed?, amplitudes, harmonics, truncation, max_points, work: u64::MAX } })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::one(self.request.speed)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -24,6 +24,7 @@ use crate::outcome::{
 use crate::solve::harmonic::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::floquet::Exponents;
 use crate::study::shared::probes;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, larger, range, runs};
 use crate::study::{Context, Study};
 
@@ -65,6 +66,10 @@ impl Study for LimitCycles {
             work: u64::MAX,
         };
         Some(LimitCycles { request })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -17,6 +17,7 @@ use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, P
 use crate::solve::harmonic::methods::{Comparison, Method, Value, compare, orders};
 use crate::solve::harmonic::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::one_or_range;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
@@ -61,6 +62,10 @@ harmonics = 7
         let speed = one_or_range("speed", values.range("speed")?, 2, values, diagnostics)?;
         let harmonics = values.integer("harmonics").and_then(|i| usize::try_from(i).ok()).unwrap_or(7);
         Some(Methods { speed, harmonics })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

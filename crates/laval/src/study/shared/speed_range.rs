@@ -2,47 +2,36 @@
 //! continues, every finding there is marked.
 
 use crate::diagnostic::{Diagnostic, Span};
-use crate::model::field::{Field, FieldKind, Value, Values};
+use crate::model::field::Values;
 use crate::model::part::{Beyond, Tabulated};
 use crate::model::system::System;
 use crate::outcome::{Finding, Level, Outcome, quantity};
-use crate::study::{Context, ErasedStudy, Study};
+use crate::study::Study;
 use crate::units::format_si;
 
-/// Fields of studies that are spin speeds, and those of them that stand for the machine's speed when left out.
-pub const SPIN: [(&str, bool); 5] = [("speed", true), ("from", false), ("to", true), ("programme", false), ("stabilise_at", false)];
+/// Fields of studies that are spin speeds.
+const FIELDS: [&str; 5] = ["speed", "from", "to", "programme", "stabilise_at"];
 
 /// Share of a speed within which two units say the same.
 const SAME: f64 = 1e-9;
 
-/// Spin speeds a study needs, and the place of the field that says so.
-#[derive(Clone, Debug, PartialEq)]
-struct Needed {
-    from: f64,
-    to: f64,
-    span: Option<Span>,
+/// Spin speeds that a study needs, rad/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpinSpeeds {
+    /// Lowest.
+    pub from: f64,
+    /// Highest.
+    pub to: f64,
 }
 
-impl Needed {
-    /// Of a study with these fields; empty where none of them is a spin speed.
-    fn of(fields: &[Field], values: &Values, system: &System) -> Vec<Self> {
-        let spin = |f: &&Field| SPIN.iter().any(|s| s.0 == f.name);
-        let needed = |f: &Field| {
-            let machine = || system.machine.speed.filter(|_| SPIN.contains(&(f.name, true))).map(|w| (w, w));
-            let (from, to) = match (f.kind, values.get(f.name)) {
-                (FieldKind::Quantity { unit: "rad/s", .. }, Some(Value::Number(w))) => (*w, *w),
-                (FieldKind::Range { unit: "rad/s", .. }, Some(Value::Range(r))) => (r.from, r.to),
-                (FieldKind::Columns(_), Some(Value::Columns(columns))) => {
-                    let speeds = columns.get("speed")?;
-                    (speeds.iter().copied().fold(f64::INFINITY, f64::min), speeds.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-                }
-                (FieldKind::Quantity { unit: "rad/s", .. }, None) if !values.written("programme") => machine()?,
-                (FieldKind::Range { unit: "rad/s", .. }, None) => machine()?,
-                _ => return None,
-            };
-            Some(Needed { from, to, span: values.span_of(f.name) })
-        };
-        fields.iter().filter(spin).filter_map(needed).collect()
+impl SpinSpeeds {
+    /// One speed.
+    pub fn one(speed: f64) -> Self {
+        SpinSpeeds { from: speed, to: speed }
+    }
+    /// From one speed to another.
+    pub fn between(a: f64, b: f64) -> Self {
+        SpinSpeeds { from: a.min(b), to: a.max(b) }
     }
 
     fn leaves(&self, t: &Tabulated) -> bool {
@@ -51,44 +40,44 @@ impl Needed {
     }
 }
 
-/// A study with the spin speeds it needs.
-pub(in crate::study) struct Ranged {
-    study: Box<dyn ErasedStudy>,
-    needed: Vec<Needed>,
+/// Where a file gives the speeds of a study.
+pub(in crate::study) fn place(values: &Values) -> Option<Span> {
+    FIELDS.iter().find_map(|field| values.span_of(field))
 }
 
-impl Ranged {
-    pub(in crate::study) fn new<T: Study>(study: T, values: &Values, system: &System) -> Self {
-        let needed = match T::speeds(values, system) {
-            _ if !T::TURNS => Vec::new(),
-            Some((from, to)) => vec![Needed { from, to, span: SPIN.iter().find_map(|s| values.span_of(s.0)) }],
-            None => Needed::of(T::FIELDS, values, system),
-        };
-        Ranged { study: Box::new(study), needed }
-    }
+/// The code of a refusal by [`known`].
+pub(in crate::study) const BEYOND: &str = "study.beyond_table";
 
-    /// # Errors
-    /// A speed at which a part is not known.
-    fn known(&self, system: &System) -> Result<(), Diagnostic> {
-        for (name, t) in tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse) {
-            if let Some(n) = self.needed.iter().find(|n| n.leaves(&t)) {
-                let speed = |w: f64| format_si(w, "rad/s");
-                let (wanted, table) = if n.from == n.to {
-                    (format!("at {}", speed(n.from)), format!("from {} to {}", speed(t.from), speed(t.to)))
-                } else {
-                    (format!("from {} to {}", speed(n.from), speed(n.to)), format!("from {} to {}", speed(t.from), speed(t.to)))
-                };
-                return Err(Diagnostic::error(
-                    "study.beyond_table",
-                    format!("the study needs the coefficients of \"{name}\" {wanted}; its table goes {table}"),
-                )
-                .at(n.span.clone())
-                .help(format!(
-                    "keep to speeds of the table, add rows to it, or write beyond = \"hold\" or beyond = \"linear\" in \"{name}\": results beyond are then marked"
-                )));
-            }
+/// # Errors
+/// A speed at which a part is not known.
+pub(in crate::study) fn known<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
+    let refusing: Vec<_> = tabulated(system).filter(|(_, t)| t.beyond == Beyond::Refuse).collect();
+    if refusing.is_empty() {
+        return Ok(());
+    }
+    let needed = study.spin_speeds(system);
+    for (name, t) in refusing {
+        if let Some(n) = needed.iter().find(|n| n.leaves(&t)) {
+            let speed = |w: f64| format_si(w, "rad/s");
+            let table = format!("from {} to {}", speed(t.from), speed(t.to));
+            let wanted =
+                if n.from == n.to { format!("at {}", speed(n.from)) } else { format!("from {} to {}", speed(n.from), speed(n.to)) };
+            let message = format!("the study needs the coefficients of \"{name}\" {wanted}; its table goes {table}");
+            return Err(Diagnostic::error(BEYOND, message).help(format!(
+                "keep to speeds of the table, add rows to it, or write beyond = \"hold\" or beyond = \"linear\" in \"{name}\": results beyond are then marked"
+            )));
         }
-        Ok(())
+    }
+    Ok(())
+}
+
+/// Marks in an outcome what rests on a table beyond its speeds.
+pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcome: &mut Outcome) {
+    for (name, t) in tabulated(system) {
+        let needed = study.spin_speeds(system);
+        if let Some(needed) = needed.iter().filter(|n| n.leaves(&t)).max_by(|a, b| reach(a, &t).total_cmp(&reach(b, &t))) {
+            mark(outcome, name, &t, needed);
+        }
     }
 }
 
@@ -96,37 +85,13 @@ fn tabulated(system: &System) -> impl Iterator<Item = (&str, Tabulated)> {
     system.slots().iter().filter_map(|s| Some((s.name.as_str(), s.part.scope()?.tabulated()?)))
 }
 
-impl ErasedStudy for Ranged {
-    fn kind(&self) -> &'static str {
-        self.study.kind()
-    }
-    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
-        self.known(system)?;
-        self.study.admit(system)
-    }
-    fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
-        self.known(system)?;
-        self.study.prepare(system, context)
-    }
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
-        self.known(system)?;
-        let mut outcome = self.study.run(system, context)?;
-        for (name, t) in tabulated(system) {
-            if let Some(needed) = self.needed.iter().filter(|n| n.leaves(&t)).max_by(|a, b| reach(a, &t).total_cmp(&reach(b, &t))) {
-                mark(&mut outcome, name, &t, needed);
-            }
-        }
-        Ok(outcome)
-    }
-}
-
 /// How far the speeds go beyond the table, rad/s.
-fn reach(n: &Needed, t: &Tabulated) -> f64 {
+fn reach(n: &SpinSpeeds, t: &Tabulated) -> f64 {
     (n.to - t.to).max(t.from - n.from)
 }
 
 /// Says first that the study leaves the table, and marks every finding at a speed beyond it; all of them, where no speed lies inside.
-fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &Needed) {
+fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &SpinSpeeds) {
     let slack = SAME * t.to.abs().max(t.from.abs());
     let beyond = |w: f64| w < t.from - slack || w > t.to + slack;
     // the statement of the part itself says the same of one speed

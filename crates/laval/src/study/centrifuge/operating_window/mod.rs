@@ -37,6 +37,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
 use evaluate::Care;
@@ -162,13 +163,14 @@ ramp = "60 s"
         ),
     ];
 
-    /// A run-up begins at rest.
-    fn speeds(values: &Values, _: &System) -> Option<(f64, f64)> {
-        values.number("ramp").and(values.range("speed")).map(|r| (0.0, r.to))
-    }
-
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         request::read(values, system, diagnostics)
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        // a run-up begins at rest
+        let from = if self.values.number("ramp").is_some() { 0.0 } else { self.speed.from };
+        vec![SpinSpeeds::between(from, self.speed.to)]
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {

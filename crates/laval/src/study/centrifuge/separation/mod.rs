@@ -29,6 +29,7 @@ use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
 use crate::separation::ramp::Ramp;
 use crate::separation::recovery::Watch;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
 use laval_num::work::Here;
@@ -62,7 +63,6 @@ ramp = "30 s"
         grade efficiency, where the pellet lies, the time and speed a recovery needs with their sensitivities, and engineering measures \
         (RCF, k-factor, Sigma). Speeds are searched on the same account of time as everything else, with the run-up at the same acceleration; not where every \
         particle must be integrated with its inertia (model = \"exact\" with a run-up or nonlinear drag). Needs the blocks [[cup]] and [suspension].";
-    const TURNS: bool = false;
     const FIELDS: &'static [Field] = &[
         CUP,
         Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),
@@ -214,6 +214,10 @@ ramp = "30 s"
             paths: values.integer("paths").map_or(12, |n| n.max(0) as usize),
             transfer: values.number("transfer_k"),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        Vec::new()
     }
 
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {

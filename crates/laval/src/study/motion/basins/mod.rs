@@ -31,6 +31,7 @@ use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use crate::study::shared::probes;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
 use axes::{InitialValueAxis, MOST_POINTS};
@@ -121,11 +122,6 @@ points = 50
         ),
     ];
 
-    fn speeds(values: &Values, system: &System) -> Option<(f64, f64)> {
-        let top = values.number("speed").or(system.machine.speed)?;
-        values.range("run_up").map(|_| (0.0, top))
-    }
-
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let speed = speed(values, system, diagnostics);
@@ -164,6 +160,12 @@ points = 50
             exact,
             check: values.integer("check").and_then(|n| usize::try_from(n).ok()).unwrap_or(0),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        // a run-up begins at rest
+        let from = if self.axes.iter().any(|a| a.index.is_none()) { 0.0 } else { self.speed };
+        vec![SpinSpeeds::between(from, self.speed)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -23,6 +23,7 @@ use crate::outcome::Outcome;
 use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use crate::study::shared::probes;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
 use laval_num::work::Here;
@@ -98,11 +99,6 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         fields::ABSOLUTE,
     ];
 
-    fn speeds(values: &Values, system: &System) -> Option<(f64, f64)> {
-        let given = values.range("speed").is_some() || values.parameter_range("x").is_some();
-        system.machine.speed.filter(|_| !given).map(|w| (ABOUT.0 * w, ABOUT.1 * w))
-    }
-
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
         let before = diagnostics.0.len();
         let y = parameter("y", values, system, diagnostics);
@@ -144,6 +140,11 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             return None;
         }
         Some(MotionMap { axes: [x?, y?], speed, rules: Rules::read(values, MOST_PERIODS, None)?, initial })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        let along = self.axes.iter().find(|a| a.path.is_none());
+        vec![along.map_or(SpinSpeeds::one(self.speed), |a| SpinSpeeds::between(a.range.from, a.range.to))]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -33,6 +33,7 @@ use crate::solve::ensemble::{self, Form, Method, Settings};
 use crate::store::{self, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::size::{KEPT, LISTED, Size};
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range_or};
 use crate::study::{Context, Study};
 use laval_num::work::Here;
@@ -175,6 +176,10 @@ start = "up_and_down"
                 None
             },
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
     }
 
     fn size(&self, system: &System) -> Option<Size> {

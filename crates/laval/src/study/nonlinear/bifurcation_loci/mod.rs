@@ -19,6 +19,7 @@ use crate::outcome::{Outcome, quantity};
 use crate::solve::harmonic::floquet::Stability;
 use crate::solve::harmonic::loci::{Request, loci};
 use crate::solve::harmonic::response::MOST_HARMONICS;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
 
@@ -130,6 +131,10 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
                 work: u64::MAX,
             },
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -34,6 +34,7 @@ use crate::solve::ensemble;
 use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
 use crate::solve::harmonic::settle;
 use crate::solve::symmetry::Symmetry;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
 pub(in crate::study) use one::around;
@@ -170,6 +171,11 @@ harmonics = "auto"
         }
         let request = request(&about, diagnostics)?;
         Some(NonlinearResponse { request, order_threshold: values.number("order_threshold"), one })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        let (from, to) = self.request.speeds;
+        vec![self.one.map_or(SpinSpeeds::between(from, to), SpinSpeeds::one)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -23,6 +23,7 @@ use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::response::Request;
 use crate::store;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
 use cells::Cell;
@@ -121,6 +122,10 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             diagnostics.push(Diagnostic::error("study.range", message).at(values.span_of("y")).help(help));
         }
         if diagnostics.0.len() > before { None } else { Some(ResponseMap { axes: [x, y], request: request? }) }
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.request.speeds.0, self.request.speeds.1)]
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -32,6 +32,7 @@ use crate::solve::stationary::images::Images;
 use crate::solve::stationary::{Found, Progress, Request, Search, Stability, State};
 use crate::solve::symmetry::probed_speeds;
 use crate::solve::turning::isotropic;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, SPEED_RANGE, one_or_range, range};
 use crate::study::{Context, Study};
 use classify::{Class, Scale, Seen};
@@ -178,6 +179,11 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             chart,
             errors: lists.into_iter().filter_map(named).collect(),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        let judged = self.stabilise.iter().chain(&self.errors).map(|v| SpinSpeeds::one(v.speed));
+        std::iter::once(SpinSpeeds::between(self.speed.from, self.speed.to)).chain(judged).collect()
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

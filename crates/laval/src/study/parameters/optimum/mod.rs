@@ -29,6 +29,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
 pub use machine::Vary;
 pub use request::{Aim, Limit};
@@ -108,6 +109,10 @@ maximise = "least_damped_mode damping ratio"
             runs: whole("runs", 600),
             tolerance: values.number("tolerance").unwrap_or(0.05),
         })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        Vec::new()
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

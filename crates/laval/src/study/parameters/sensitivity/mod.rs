@@ -18,6 +18,7 @@ use crate::model::system::System;
 use crate::outcome::Outcome;
 use crate::solve::harmonic::response::{MOST_HARMONICS, Request, respond};
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
 
@@ -62,6 +63,10 @@ impl Study for Sensitivity {
         let response = NonlinearResponse::build(values, system, diagnostics)?;
         let bars = values.integer("bars").and_then(|b| usize::try_from(b).ok()).unwrap_or(BARS);
         Some(Sensitivity { response, bars })
+    }
+
+    fn spin_speeds(&self, system: &System) -> Vec<SpinSpeeds> {
+        self.response.spin_speeds(system)
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

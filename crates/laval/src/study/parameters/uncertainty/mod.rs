@@ -22,6 +22,7 @@ use crate::model::field::{Bounds, Field, FieldKind, InnerStudy, Values, Word};
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
 pub(in crate::study) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
@@ -125,6 +126,10 @@ samples = 256
             show: values.text("show").unwrap_or_default().to_string(),
         };
         out.within_limits(values, diagnostics).then_some(out)
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        Vec::new()
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {
