@@ -192,3 +192,48 @@ fn a_continuum_ends_where_the_closed_form_has_it() {
         assert!((from - want).abs() < 1e-6 * want, "{balls} balls of {mass} kg: {from} {want}");
     }
 }
+
+/// Balls whose moments are less than the unbalance are too light, beyond rounding; a machine without balls
+/// has none that could be too light or do harm; only there `no_masses` is reported.
+#[test]
+fn the_capacity_is_that_of_balls() {
+    let level = ("eccentricity = \"2 um\"", "eccentricity = 0");
+    for (share, short) in [(1.0 - 1e-7, true), (1.0 - 1e-10, false), (1.5, false)] {
+        let mass = format!("ball_mass = {:e}", share * 8.91 * 50e-6 / (2.0 * 0.1));
+        let o = run(&[level, ("ball_mass = \"3.6 g\"", &mass)], "speed = { from = 890, to = 900, points = 2 }\nseeds = 1\nstarts = 20");
+        assert_eq!(
+            (all(&o, "insufficient_capacity").is_empty(), all(&o, "no_masses").is_empty()),
+            (!short, true),
+            "{share}: {:?}",
+            o.findings
+        );
+    }
+    let text = "[machine]\nspeed = 900\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 8.91\neccentricity = 50e-6\n\
+                [[part]]\nkind = \"shaft_lumped\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 2.92e6\n\
+                [[part]]\nkind = \"damper\"\nbetween = [\"disc\", \"ground\"]\ndamping = 400\n\
+                [[study]]\nkind = \"stationary\"\nspeed = { from = 300, to = 900, points = 3 }\n";
+    let loaded = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+    let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("t")).unwrap();
+    assert_eq!(all(&o, "no_masses").len(), 1);
+    for id in ["insufficient_capacity", "not_balanced", "harm", "coexistence", "no_stable_state"] {
+        assert!(all(&o, id).is_empty(), "{id}: {:?}", o.findings);
+    }
+}
+
+/// Below the critical speed balls together add their moments to the unbalance: harm is reported from a
+/// thousandth of it on.
+#[test]
+fn harm_is_reported_from_a_thousandth_on() {
+    for (added, harm) in [(5e-3, true), (5e-4, false)] {
+        let mass = format!("ball_mass = {:e}", added * 8.91 * 50e-6 / (2.0 * 0.1));
+        let changes = [("eccentricity = \"2 um\"", "eccentricity = 0"), ("ball_mass = \"3.6 g\"", mass.as_str())];
+        let o = run(&changes, "speed = { from = 290, to = 300, points = 2 }\nseeds = 1\nstarts = 20");
+        let (left, without) = (column(&o, "states", "unbalance"), column(&o, "states", "without"));
+        let stable = (0..left.len()).filter(|&k| whole(&o, "states", "growing")[k] == 0).map(|k| left[k] / without[k]);
+        let most = stable.fold(0.0, f64::max);
+        assert!((most - 1.0) / added > 0.9 && (most - 1.0) / added <= 1.0 + 1e-9, "{added}: {most}");
+        let told: Vec<f64> = all(&o, "harm").iter().filter_map(|f| f.value).collect();
+        assert_eq!(told.len(), usize::from(harm), "{:?}", o.findings);
+        assert!(told.iter().all(|v| (v - most).abs() < 1e-9), "{told:?} {most}");
+    }
+}

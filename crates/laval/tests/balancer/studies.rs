@@ -10,7 +10,7 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::{At, Link, Rows};
 use laval::model::system::{System, Workspace};
-use laval::outcome::{Data, End, Outcome};
+use laval::outcome::{Data, End, Level, Outcome};
 use laval::parts::{balancer_ball::*, damper::*, disc::*, shaft_lumped::*};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
@@ -128,6 +128,39 @@ fn what_keeps_it_from_balancing_is_told() {
     let text = o.findings.iter().find(|f| f.id == "purpose").unwrap().sentence();
     assert!(text.contains("\"balancer\": the tilt of the tracks locks the balls to the node line"), "{text}");
     assert!(value(&o, "residual_unbalance") > 4e-4);
+}
+
+/// A disc with two balls on its heavy side, whose moments are this share of its unbalance, after a
+/// microsecond.
+fn on_the_heavy_side(moments: f64) -> (f64, Outcome) {
+    let unbalance: f64 = 8.91 * 50e-6;
+    let text = format!(
+        "[machine]\nspeed = \"900 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"disc\"\nmass = 8.91\neccentricity = 50e-6\n\
+         [[part]]\nkind = \"shaft_lumped\"\nbetween = [\"disc\", \"ground\"]\nstiffness = 2.92e6\n\
+         [[part]]\nkind = \"balancer_ball\"\nname = \"b\"\non = \"disc\"\nballs = 2\nball_mass = {:e}\ntrack_radius = 0.1\nbody_tilt = false\n\
+         drag = 1e-3\n[[study]]\nkind = \"transient\"\nduration = \"1 us\"\npoints = 3\n",
+        moments * unbalance / (2.0 * 0.1)
+    );
+    (unbalance, run(&text, 0))
+}
+
+/// Balls that add their moments to the unbalance do harm, beyond rounding.
+#[test]
+fn harm_is_reported_beyond_rounding() {
+    for (moments, harm) in [(1e-7, true), (1e-10, false)] {
+        let (unbalance, o) = on_the_heavy_side(moments);
+        let left = o.findings.iter().find(|f| f.id == "residual_unbalance").unwrap();
+        assert!((left.value.unwrap() / unbalance - 1.0 - moments).abs() < 1e-2 * moments, "{left:?}");
+        assert_eq!((left.level == Level::Warning, left.text.contains("larger")), (harm, harm), "{left:?}");
+    }
+}
+
+/// Balls whose moments are less than the unbalance are too light, beyond rounding.
+#[test]
+fn too_little_capacity_is_reported_beyond_rounding() {
+    for (moments, short) in [(1.0 - 1e-7, true), (1.0 - 1e-10, false), (1.5, false)] {
+        assert_eq!(has(&on_the_heavy_side(moments).1, "insufficient_capacity"), short, "{moments}");
+    }
 }
 
 #[test]

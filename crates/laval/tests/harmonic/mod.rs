@@ -2,6 +2,7 @@
 
 mod bifurcation_loci;
 mod branches;
+mod claims;
 mod contact;
 mod duffing;
 mod findings;

@@ -104,6 +104,28 @@ fn cells_of_a_machine_with_liquid_tell_where_it_whirls_by_itself() {
     assert!(finding(&o, "neimark_sacker_machines") >= 1.0, "{:?}", o.findings);
 }
 
+/// Machines without a fold in the range have no hysteresis, and those that close it inside the range none
+/// that goes on.
+#[test]
+fn hysteresis_is_reported_where_there_is_one() {
+    let map = |damping: &str| {
+        run(&loaded(
+            "",
+            &format!(
+                "x = {{ parameter = \"drum.eccentricity\", from = \"15 um\", to = \"16 um\", points = 2 }}\n\
+                 y = {{ parameter = \"air.damping\", from = {damping}, points = 2 }}\nspeed = {{ from = 2200, to = 2400 }}\nharmonics = 3"
+            ),
+        ))
+    };
+    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone());
+    let closed = map("42, to = 43");
+    assert!(text(&closed, "widest_hysteresis").is_some_and(|t| !t.contains("beyond")), "{:?}", closed.findings);
+    assert_eq!(finding(&closed, "jumping_machines"), 4.0);
+    let none = map("420, to = 430");
+    assert_eq!(text(&none, "widest_hysteresis"), None);
+    assert_eq!(finding(&none, "jumping_machines"), 0.0);
+}
+
 /// Folds of `docs/theory/harmonic-balance.md#reference-folds`: two independent programs agree on them to 10 digits.
 #[test]
 fn reference_folds_and_what_sweeps_do() {
@@ -123,6 +145,15 @@ fn reference_folds_and_what_sweeps_do() {
     let sweeps: Vec<&str> = (0..4).map(|r| word(&o, "sweeps", r)).collect();
     assert_eq!(sweeps, ["jumps up and down", "jumps down only", "no jump", "jumps down only"]);
     assert_eq!(finding(&o, "jumping_machines"), 3.0);
+    // what lies at the end of the range is a lower bound, and is marked so
+    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone());
+    assert!(text(&o, "widest_hysteresis").is_some_and(|t| t.contains("goes on beyond the range")), "{:?}", o.findings);
+    for row in 0..4 {
+        assert_eq!(number(&o, "peak_at_end", row) == 1.0, number(&o, "peak_speed", row) == 8000.0, "{row}");
+    }
+    assert_eq!([0, 1, 2].map(|row| number(&o, "peak_at_end", row)), [0.0, 1.0, 0.0]);
+    assert!(text(&o, "largest_peak").is_some_and(|t| t.ends_with("an end of the range.")), "{:?}", o.findings);
+    assert!(text(&o, "smallest_peak").is_some_and(|t| !t.contains("end of the range")), "{:?}", o.findings);
     // the border goes round the one machine that does not jump
     let border = o.find_table("border").unwrap();
     assert_eq!(border.rows(), 4);

@@ -133,6 +133,35 @@ fn a_backward_critical_speed_has_no_peak_and_asks_for_no_margin() {
     assert!((margin.value.unwrap() - forward).abs() < 1e-9 && forward > 1e-3, "{}", margin.sentence());
 }
 
+/// The margin to the critical speed of a disc in isotropic bearings, `sqrt(k/m)` for small damping: a warning
+/// below the margin required, else not. A resonance damped by more than a tenth of critical damping is none.
+#[test]
+fn a_margin_is_a_warning_only_where_it_is_too_small() {
+    let margin = |speed: f64, damping: f64, study: &str| {
+        let text = format!(
+            "[machine]\nspeed = {speed}\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 4\neccentricity = 1e-5\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nkxx = 4e4\nkyy = 4e4\ncxx = {damping}\ncyy = {damping}\n\
+             [[study]]\nkind = \"critical_speeds\"\nspeed = {{ from = 10, to = 400 }}\n{study}"
+        );
+        let o = run_all(&text).remove(0);
+        findings(&o, "margin").first().map(|f| (f.level, f.value.unwrap()))
+    };
+    for (speed, study, level) in [
+        (109.0, "margin = 0.1\n", Level::Warning),
+        (112.0, "margin = 0.1\n", Level::Info),
+        (92.0, "margin = 0.1\n", Level::Warning),
+        (90.0, "margin = 0.1\n", Level::Info),
+        (112.0, "margin = 0.2\n", Level::Warning),
+        (200.0, "", Level::Info),
+    ] {
+        let (found, distance) = margin(speed, 0.4, study).unwrap();
+        assert_eq!(found, level, "{speed} {study}");
+        assert!((distance - (1.0 - 100.0 / speed).abs()).abs() < 1e-4, "{speed}: {distance}");
+    }
+    // twice critical damping: neither a resonance nor a peak
+    assert_eq!(margin(109.0, 1600.0, ""), None);
+}
+
 #[test]
 fn without_a_critical_speed_there_is_no_figure() {
     let text = relaxing(&[(500.0, 900.0), (100.0, 400.0)]);

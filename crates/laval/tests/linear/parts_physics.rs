@@ -6,7 +6,7 @@ use laval::model::erased::{D1, Evaluate};
 use laval::model::field::Attach;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
 use laval::model::params::Family;
-use laval::model::part::{At, Link, Rows};
+use laval::model::part::{At, DofKind, Link, Rows};
 use laval::model::system::{System, Workspace};
 use laval::parts::{damper::*, disc::*, liquid::*, shaft_lumped::*};
 use laval_num::complex::{C64, c};
@@ -292,5 +292,127 @@ fn rotating_damping_destabilises_forward_whirl_above_its_onset() {
         assert!(loss(w0, 0.99 * onset) > 0.0 && loss(w0, 1.01 * onset) < 0.0);
         // backward whirl (w < 0) is damped at any speed: the loss has the sign of w
         assert!(loss(-w0, 1.01 * onset) < 0.0 && loss(-w0, 5.0 * onset) < 0.0);
+    }
+}
+
+/// What a part shows is what it puts on the machine at the same state: force on its point, moment, torque on
+/// the spin. A foundation at constant velocity shows the force on the ground, a motor without inertia and
+/// drag its torque and the power of it.
+#[test]
+fn what_parts_show_is_what_they_do() {
+    let between = "between = [\"disc\", \"ground\"]";
+    let parts = format!(
+        "kind = \"foundation\"\nname = \"base\"\nmass = 3\nstiffness = {{ x = 2e5, y = 3e5 }}\ndamping = {{ x = 20, y = 30 }}\n\
+         [[part]]\nkind = \"damper\"\nname = \"air\"\n{between}\ndamping = {{ x = 50, y = 80 }}\ntilt_damping = 0.3\n\
+         [[part]]\nkind = \"damper\"\nname = \"fit\"\n{between}\ndamping = 60\ntilt_damping = 0.2\naxes = \"rotating\"\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"film\"\n{between}\nkxx = 1e5\nkxy = 2e4\nkyx = -3e4\nkyy = 2e5\ncxx = 100\ncxy = 7\ncyx = 9\ncyy = 200\n\
+         [[part]]\nkind = \"bearing_cubic\"\nname = \"rubber\"\n{between}\nlaw = \"per_axis\"\nstiffness = {{ x = 1e5, y = 2e5 }}\ncubic_stiffness = 1e12\n\
+         [[part]]\nkind = \"bearing_hertz\"\nname = \"roller\"\n{between}\ncoefficient = 1e9\nlaw = \"per_axis\"\nclearance = \"-20 um\"\n\
+         [[part]]\nkind = \"shaft_lumped\"\nname = \"shaft\"\n{between}\nstiffness = 1e6\ntilt_stiffness = 500\ncoupling = 4e3\nmaterial_damping = 1e-4\n\
+         [[part]]\nkind = \"shaft_span\"\nname = \"span\"\n{between}\nbelow = 0.25\nabove = 0.35\ndiameter = 0.02\nlower_support = 2e7\nupper_support = 1e7\nmodulus = 2e11\n\
+         [[part]]\nkind = \"stop\"\nname = \"ring\"\n{between}\nstiffness = 1e6\ngap = \"50 um\"\ndamping = 30\n\
+         [[part]]\nkind = \"spin_load\"\nname = \"fan\"\ndrag = 2e-3\nwindage = 4e-6\n\
+         [[part]]\nkind = \"motor\"\nname = \"motor\"\ntorque = 3\ncurve = \"linear\"\nsynchronous_speed = 800\n"
+    );
+    let disc = "kind = \"disc\"\nname = \"disc\"\nmass = 2\ndiametral_inertia = 0.01\npolar_inertia = 0.02\n";
+    let system = crate::common::files::load(&format!("[machine]\n[[part]]\n{disc}[[part]]\n{parts}")).system;
+    let (n, m) = (system.n(), system.m());
+    let q: Vec<f64> = (0..n).map(|i| [7e-5, -4e-5, 3e-4, 5e-4][i % 4]).collect();
+    let v: Vec<f64> = (0..n).map(|i| [0.02, 0.03, 0.5, -0.2][i % 4]).collect();
+    let (zero, z, speed) = (vec![0.0; n], vec![0.0; m], 300.0);
+    let at = At { q: &q, v: &v, a: &zero, z: &z, phase: 0.4, speed, spin_accel: 0.0, t: 0.0 };
+    let mut ws = Workspace::default();
+    let does = |name: &str| {
+        let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);
+        let mut rows = Rows { force: &mut force, rate: &mut rate, spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |s| s.name == name);
+        (force, spin)
+    };
+    let (mut seen, mut wrong) = (Vec::new(), Vec::new());
+    for (slot, shown) in system.observe(&at, &mut ws) {
+        let name = system.slots()[slot].name.as_str();
+        let (force, spin) = does(name);
+        let pair = |kind: DofKind| {
+            let own = |i: &usize| system.coordinates()[*i].dof.kind == kind && (force[*i] != 0.0 || force[i + 1] != 0.0);
+            (0..n).find(own).map_or(0.0, |i| force[i].hypot(force[i + 1]))
+        };
+        let want = match (shown.name, name) {
+            ("force" | "ground force", _) => pair(DofKind::VectorX),
+            ("moment", _) => pair(DofKind::TiltX),
+            ("torque", "motor") => -spin,
+            ("power", _) => -spin * speed,
+            ("torque", _) => spin,
+            _ => continue,
+        };
+        seen.push(format!("{name} {}", shown.name));
+        if !(want.abs() > 1e-3 && (shown.value - want).abs() < 1e-12 * want.abs()) {
+            wrong.push(format!("{name}: {} {} is {want}", shown.name, shown.value));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+    assert_eq!(seen.len(), 16, "{seen:?}");
+}
+
+/// The surface of a spatial liquid is in no state: its excursion in a whirl with the speed and against it is
+/// that of plane flow, whose states follow from its own equations.
+#[test]
+fn the_hidden_surface_moves_as_in_plane_flow() {
+    let file = |disc: &str, liquid: &str| {
+        format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\n{disc}[[part]]\nkind = \"liquid\"\nin = \"d\"\ncavity_radius = 0.07\n\
+             cavity_height = 0.06\ndensity = 1000\nfill = {{ free_surface_radius = 0.0467 }}\n{liquid}"
+        )
+    };
+    let system = |text: &str| crate::common::files::load(text).system;
+    let plane = system(&file("", "wave_damping = 0\n"));
+    let spatial = system(&file("diametral_inertia = 0.01\npolar_inertia = 0.02\n", "model = \"spatial\"\n"));
+    let (speed, layer, far) = (300.0, 0.07 - 0.0467, 1e-4);
+    let mut shares = Vec::new();
+    for sense in [-1.0, 1.0] {
+        // x = 1, y = -i with the speed and i against it
+        let y = c(0.0, sense);
+        let z = stiffness(&plane, c(0.0, speed), speed);
+        assert_eq!((plane.n(), z.rows()), (2, 6));
+        let mut states: Vec<C64> = (2..6).map(|i| -(z[(i, 0)] + z[(i, 1)] * y)).collect();
+        Lu::new(&Mat::from_fn(4, 4, |i, j| z[(2 + i, 2 + j)])).unwrap().solve(&mut states);
+        let (forward, backward) = ((states[2] + states[3].mul_i()).scale(0.5).abs(), (states[2] - states[3].mul_i()).scale(0.5).abs());
+        let want = forward + backward;
+        let (mut q, mut v) = (vec![0.0; 4], vec![0.0; 4]);
+        (q[0], v[1]) = (far, -sense * far * speed);
+        let states = vec![0.0; spatial.m()];
+        let at = At { q: &q, v: &v, a: &[0.0; 4], z: &states, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        let found: Vec<f64> = spatial
+            .validity(&at, &mut Workspace::default())
+            .into_iter()
+            .filter(|u| u.1.what.contains("excursion"))
+            .map(|u| u.1.ratio)
+            .collect();
+        assert!(found.len() == 1 && (found[0] * layer / far - want).abs() < 1e-9, "{sense}: {found:?} {want}");
+        shares.push(want);
+    }
+    assert!((shares[0] - 1.0).abs() < 1e-9 && shares[1] < 0.2, "{shares:?}");
+}
+
+/// Outside its gap a stop pushes along the deflection with `k u + c u'`, never pulls, and does nothing
+/// inside.
+#[test]
+fn a_stop_pushes_with_spring_and_damper() {
+    let (k, c, gap) = (1e6, 300.0, 5e-5);
+    let text = format!(
+        "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\n\
+         [[part]]\nkind = \"stop\"\nname = \"ring\"\nbetween = [\"d\", \"ground\"]\nstiffness = {k}\ngap = {gap}\ndamping = {c}\n"
+    );
+    let system = crate::common::files::load(&text).system;
+    for (q, v) in [([6e-5, -8e-5], [0.1, 0.2]), ([6e-5, -8e-5], [-0.03, 0.02]), ([6e-5, -8e-5], [-3.0, 4.0]), ([2e-5, 3e-5], [1.0, 1.0])] {
+        let at = At { q: &q, v: &v, a: &[0.0; 2], z: &[], phase: 0.0, speed: 100.0, spin_accel: 0.0, t: 0.0 };
+        let (mut force, mut spin) = ([0.0; 2], 0.0);
+        let mut rows = Rows { force: &mut force, rate: &mut [], spin: &mut spin };
+        system.residual(system.params(), &at, &mut rows, &mut Workspace::default(), |s| s.name == "ring");
+        let r: f64 = f64::hypot(q[0], q[1]);
+        let rate = (q[0] * v[0] + q[1] * v[1]) / r;
+        let want = if r > gap { (k * (r - gap) + c * rate).max(0.0) } else { 0.0 };
+        for i in 0..2 {
+            assert!((force[i] - want * q[i] / r).abs() < 1e-12 * k * r, "{q:?} {v:?}: {force:?} {want}");
+        }
     }
 }

@@ -280,6 +280,18 @@ fn exponents_of_linear_motion_and_of_chaos() {
     assert_eq!(table(&o, "poincare").rows(), 64);
 }
 
+/// A way without a jump is one whose motions are all periodic: of motions that do not repeat it is not
+/// claimed, nor of a way that was not gone.
+#[test]
+fn only_periodic_motions_are_without_a_jump() {
+    let has = |o: &Outcome, id: &str| o.findings.iter().any(|f| f.id == id);
+    let o = run(LINEAR, "speed = { from = 200, to = 800, points = 4 }\nstart = \"up\"");
+    assert!(has(&o, "no_jump_up") && !has(&o, "no_jump_down") && !has(&o, "jump_up"), "{:?}", o.findings);
+    let o = run(UEDA, "speed = { from = 1, to = 1.0002, points = 3 }\nstart = \"up\"\nmost_periods = 300");
+    assert!(texts(&o, "sweep", "motion").iter().all(|m| m == "not periodic"));
+    assert!(!has(&o, "no_jump_up"), "{:?}", o.findings);
+}
+
 #[test]
 fn bits_do_not_depend_on_threads() {
     let l = loaded(

@@ -118,3 +118,33 @@ wave_damping = "40 1/s"
     let all: Vec<_> = edges(&o, "ends").into_iter().chain(edges(&o, "begins")).collect();
     assert!(all.iter().any(|f| f.text.contains("passes the limit of −0.1 1/s")), "{:?}", o.findings);
 }
+
+/// `few_requirements` is reported where stability alone bounds the window, not where the vibration or the
+/// speed has a limit. A requirement with a limit is not among those not checked.
+#[test]
+fn a_window_needs_more_than_stability() {
+    let machine = |limits: &str| {
+        let text = format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 10\neccentricity = \"10 um\"\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"rotor\", \"ground\"]\nkxx = 1e6\nkyy = 1e6\ncxx = 500\ncyy = 500\n\
+             {limits}[[study]]\nkind = \"operating_window\"\nspeed = {{ from = 50, to = 900, points = 8 }}\n"
+        );
+        let loaded = load(&text).unwrap_or_else(|d| panic!("{:?}", d.0));
+        loaded.studies[0].study.run(&loaded.system, &Context::quiet("window")).unwrap()
+    };
+    for (limits, few, checked) in [
+        ("", true, None),
+        ("[limits]\ngrowth_margin = \"1 1/s\"\n", true, None),
+        ("[limits]\nclearance = 0.1\n", true, Some("clear")),
+        ("[limits]\ndisplacement = \"0.1 mm\"\n", false, Some("vibration")),
+        ("[limits]\nspeed = 800\n", false, Some("strength")),
+    ] {
+        let o = machine(limits);
+        assert_eq!(o.findings.iter().any(|f| f.id == "few_requirements"), few, "{limits}: {:?}", o.findings);
+        let open = &o.findings.iter().find(|f| f.id == "not_checked").unwrap().text;
+        for name in ["vibration", "clear", "strength", "separation"] {
+            assert_eq!(open.contains(name), checked != Some(name), "{limits}: {open}");
+        }
+        assert!(!open.contains("stable"), "{open}");
+    }
+}

@@ -1,0 +1,109 @@
+//! Findings of the studies of nonlinear machines, each beside a machine for which it must not appear.
+
+use crate::common;
+
+use common::files::{finding, findings, run_all};
+use common::planar_file::planar_file;
+use laval::outcome::{Data, Level, Outcome};
+
+fn column(o: &Outcome, table: &str, name: &str) -> Vec<f64> {
+    let t = o.find_table(table).unwrap_or_else(|| panic!("no table {table}"));
+    (0..t.rows()).map(|k| t.column(name).unwrap_or_else(|| panic!("no {name}")).number(k).unwrap()).collect()
+}
+
+/// States of the planar rotor by few methods.
+fn methods(damping: [&str; 2], speed: &str) -> Outcome {
+    let rotor = planar_file("per_axis", "1 mm", damping);
+    let study = format!("[[study]]\nkind = \"methods\"\nspeed = {speed}\nharmonics = 1\n");
+    run_all(&format!("{rotor}\n{study}")).remove(0)
+}
+
+/// One value of a column for each state, in the rows of averaging.
+fn of_states(o: &Outcome, name: &str) -> Vec<f64> {
+    let Data::Text(method) = &o.find_table("methods").unwrap().column("method").unwrap().data else { panic!("no text") };
+    column(o, "methods", name).into_iter().zip(method).filter(|r| r.1 == "averaging").map(|r| r.0).collect()
+}
+
+const UNDAMPED: [&str; 2] = ["0", "0"];
+const DAMPED: [&str; 2] = ["42", "6.59"];
+/// From below the fold at 2686 rad/s, above which there are three states, to above it.
+const THREE: &str = "{ from = 2600, to = 3000, points = 2 }";
+
+/// Without damping the exponents are zero to their error, on either side of it: no state is reported as
+/// unstable. With damping the middle one of three grows.
+#[test]
+fn growth_within_its_error_is_no_instability() {
+    let mut above = 0;
+    for speed in ["700", "1100", "1500"] {
+        let o = methods(UNDAMPED, speed);
+        let exact = of_states(&o, "growth converged");
+        assert!(!exact.is_empty() && exact.iter().all(|g| g.abs() < 1e-3), "{exact:?}");
+        above += exact.iter().filter(|g| **g > 0.0).count();
+        assert!(findings(&o, "unstable").is_empty(), "{exact:?}");
+    }
+    assert!(above > 0);
+    let o = methods(DAMPED, THREE);
+    let exact = of_states(&o, "growth converged");
+    let unstable = exact.iter().filter(|g| **g > 0.0).count();
+    assert!(unstable > 0 && unstable < exact.len(), "{exact:?}");
+    let told = finding(&o, "unstable");
+    assert!(told.level == Level::Warning && told.value == Some(unstable as f64), "{told:?} {exact:?}");
+}
+
+/// Growth that is zero to its error has no sign that averaging could miss; beyond the error the signs of all
+/// states are compared.
+#[test]
+fn averaging_is_compared_where_growth_has_a_sign() {
+    let o = methods(UNDAMPED, "1100");
+    assert!(of_states(&o, "growth converged").iter().any(|g| *g != 0.0));
+    assert!(findings(&o, "averaging_stability").is_empty(), "{:?}", o.findings);
+    let o = methods(DAMPED, THREE);
+    let (exact, slow) = (of_states(&o, "growth converged"), of_states(&o, "growth of slow motion"));
+    let wrong = exact.iter().zip(&slow).filter(|(e, s)| (**e > 0.0) != (**s > 0.0)).count();
+    let told = finding(&o, "averaging_stability");
+    assert!(told.value == Some(wrong as f64) && told.text.contains(&format!("{wrong} of {} states", exact.len())), "{told:?}");
+}
+
+/// A disc on a bearing `k + c a^2`, 1000 rad/s at small amplitudes.
+fn backbone(cubic: f64, speed: f64) -> Outcome {
+    let text = format!(
+        "[machine]\nspeed = \"{speed} rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\n\
+         [[part]]\nkind = \"bearing_cubic\"\nbetween = [\"d\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 2e6\ncubic_stiffness = {cubic:e}\n\
+         [[study]]\nkind = \"backbone\"\namplitude = {{ from = \"20 um\", to = \"100 um\" }}\n"
+    );
+    run_all(&text).remove(0)
+}
+
+/// `w^2 = (k + c a^2)/m` changes by the share `c (a2^2 - a1^2)/2k` between two amplitudes: below 1e-7 the
+/// frequency is kept, above it rises or falls.
+#[test]
+fn a_whirl_keeps_its_frequency_within_rounding_only() {
+    for change in [4e-8, -4e-8, 3e-7, -3e-7] {
+        let o = backbone(change * 2.0 * 2e6 / (1e-8 - 4e-10), 100.0);
+        let families = findings(&o, "family");
+        assert!(!families.is_empty());
+        let w = column(&o, "backbone", "frequency");
+        assert!((w[w.len() - 1].abs() / w[0].abs() - 1.0 - change).abs() < 1e-10, "{change}: {w:?}");
+        let words = [change > 1e-7, change < -1e-7];
+        for f in families {
+            assert_eq!(["hardens", "softens"].map(|word| f.text.contains(word)), words, "{change}: {}", f.text);
+            assert_eq!(f.text.contains("keeps its frequency"), change.abs() < 1e-7, "{change}: {}", f.text);
+        }
+    }
+}
+
+/// A whirl has the frequency of the spin at the amplitude at which `k + c a^2 = m W^2`, if that lies among
+/// those computed.
+#[test]
+fn a_whirl_meets_the_spin_where_their_frequencies_are_equal() {
+    let cubic = 4e13;
+    for (speed, met) in [(1040.0, true), (2000.0, false), (900.0, false)] {
+        let o = backbone(cubic, speed);
+        let amplitude = ((2.0 * speed * speed - 2e6) / cubic).sqrt();
+        assert_eq!((2e-5..1e-4).contains(&amplitude), met, "{amplitude}");
+        let told = findings(&o, "synchronous");
+        assert_eq!(!told.is_empty(), met, "{told:?}");
+        assert!(told.iter().all(|f| (f.value.unwrap() / amplitude - 1.0).abs() < 1e-6), "{told:?} {amplitude}");
+        assert_eq!(o.special_points.iter().filter(|p| p.kind == "synchronous").count(), told.len());
+    }
+}
