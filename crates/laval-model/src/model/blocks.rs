@@ -266,7 +266,7 @@ impl<S: Scalar> Blocks<S> {
 
     /// Derivative of force row `i` with respect to the spin acceleration, at a point.
     #[inline(always)]
-    pub fn spin_accel_row(&self, i: usize, at: &super::part::At<S>, (sin, cos): (S, S)) -> S {
+    pub fn spin_accel_row(&self, i: usize, at: &super::context::At<S>, (sin, cos): (S, S)) -> S {
         let mut r = -(self.spin_accel_cos[i] * cos + self.spin_accel_sin[i] * sin);
         for (j, &q) in at.q.iter().enumerate() {
             r += self.spin_accel_stiffness[(i, j)] * q;
@@ -279,7 +279,7 @@ impl<S: Scalar> Blocks<S> {
 
     /// The force rows and state rates at a point, added to `force` and `rate`.
     #[inline(always)]
-    pub fn residual(&self, at: &super::part::At<S>, force: &mut [S], rate: &mut [S]) {
+    pub fn residual(&self, at: &super::context::At<S>, force: &mut [S], rate: &mut [S]) {
         let (n, m) = (self.mass.rows(), self.state.rows());
         let (sin, cos) = at.phase.sin_cos();
         for i in 0..n {

@@ -3,13 +3,11 @@
 //! Generic code holding a `&dyn Erased` and a lane scalar calls [`Entry::enter`](laval_num::lanes::Entry::enter) with one of the markers below.
 
 use super::blocks::Blocks;
-use super::capability::VaryingInertia;
-use super::params::Family as _;
-use super::part::{At, Part, Physics, Rows};
-use laval_num::lanes::{Apply, Family, Slots};
+use super::context::{At, Rows};
+use laval_num::lanes::{Family, Slots};
 use laval_num::scalar::Scalar;
 
-/// Arguments of a residual in lanes, all local to the part; see [`Part::residual`].
+/// Arguments of a residual in lanes, all local to the part; see [`Part::residual`](super::part::Part::residual).
 pub struct ResidualArgs<'a, S> {
     /// Parameters.
     pub p: &'a [S],
@@ -24,18 +22,8 @@ pub struct Residual;
 impl Family for Residual {
     type Args<'a, S: Scalar> = ResidualArgs<'a, S>;
 }
-impl<P: Part> Apply<P> for Residual {
-    #[inline(always)]
-    fn apply<S: Scalar>(part: &P, args: &mut ResidualArgs<'_, S>) {
-        let p = P::Family::from_slice(args.p);
-        part.residual(&p, &args.at, &mut args.out);
-        if part.physics() != Physics::Nonlinear {
-            *args.out.spin += part.spin_row(&p, &args.at);
-        }
-    }
-}
 
-/// Arguments of [`VaryingInertia::inertial`].
+/// Arguments of [`VaryingInertia::inertial`](super::capability::VaryingInertia::inertial).
 pub struct InertialArgs<'a, S> {
     /// Parameters.
     pub p: &'a [S],
@@ -52,14 +40,8 @@ pub struct Inertial;
 impl Family for Inertial {
     type Args<'a, S: Scalar> = InertialArgs<'a, S>;
 }
-impl<P: VaryingInertia> Apply<P> for Inertial {
-    #[inline(always)]
-    fn apply<S: Scalar>(part: &P, args: &mut InertialArgs<'_, S>) {
-        part.inertial(&P::Family::from_slice(args.p), &args.at, &mut args.out, args.mass);
-    }
-}
 
-/// Arguments of [`Part::linear`].
+/// Arguments of [`Part::linear`](super::part::Part::linear).
 pub struct LinearArgs<'a, S> {
     /// Parameters.
     pub p: &'a [S],
@@ -74,13 +56,7 @@ pub struct Linear;
 impl Family for Linear {
     type Args<'a, S: Scalar> = LinearArgs<'a, S>;
 }
-impl<P: Part> Apply<P> for Linear {
-    #[inline(always)]
-    fn apply<S: Scalar>(part: &P, args: &mut LinearArgs<'_, S>) {
-        part.linear(&P::Family::from_slice(args.p), args.speed, args.blocks);
-    }
-}
 
-/// A part that can be called in lanes: every [`Part`] can.
+/// A part that can be called in lanes: every [`Part`](super::part::Part) can.
 pub trait InLanes: Slots<Residual> + Slots<Linear> {}
-impl<P: Part> InLanes for P {}
+impl<T: Slots<Residual> + Slots<Linear>> InLanes for T {}

@@ -45,6 +45,15 @@ pub trait Family: Send + Sync + 'static {
     }
 }
 
+/// What has parameters: every [`Part`](super::part::Part).
+pub trait Parametric: Send + Sync + Sized + 'static {
+    /// The parameters, declared with [`params!`](crate::params).
+    type Family: Family;
+}
+
+/// The parameters of part `P` as numbers of kind `S`.
+pub type Params<P, S> = <<P as Parametric>::Family as Family>::P<S>;
+
 /// Shapes a parameter can have, by the word used in [`params!`](crate::params).
 #[allow(non_camel_case_types)]
 pub mod shape {

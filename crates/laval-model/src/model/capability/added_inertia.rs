@@ -1,6 +1,6 @@
 //! Inertia that a part adds to its body or takes from it.
 
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 
 /// Inertia that a part takes from its body.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub struct Removed {
 }
 
 /// A part whose added inertia may be negative.
-pub trait AddedInertia: Part {
+pub trait AddedInertia: Parametric {
     /// What it takes away; the machine is refused where too little inertia is left.
     fn removed(&self, p: &Params<Self, f64>) -> Option<Removed>;
 }

@@ -1,6 +1,6 @@
 //! Bodies: parts that other parts attach to.
 
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 
 /// Names of parameters of a body, where it has them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub struct BodyParameters {
 }
 
 /// A part that other parts attach to; its layout says so too ([`Layout::body`](super::super::part::Layout::body)).
-pub trait BodyPart: Part {
+pub trait BodyPart: Parametric {
     /// Rows of the map from the own coordinates to x, y, tilt_x, tilt_y of the point at `position` (m): 4 entries for each own coordinate.
     fn shape(&self, p: &Params<Self, f64>, position: f64) -> Vec<[f64; 4]>;
     /// Of a body that spins with the rotor and has mass: the parameter for its inertia about the axis, while that is 0.

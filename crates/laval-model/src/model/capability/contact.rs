@@ -1,9 +1,10 @@
 //! Gaps, and surfaces in the state where a force law changes.
 
-use super::super::part::{At, Params, Part};
+use super::super::context::At;
+use super::super::params::{Parametric, Params};
 
 /// A part with a gap, or with a force law that is not smooth.
-pub trait Contacts: Part {
+pub trait Contacts: Parametric {
     /// Width of the gap at a state, m; negative in contact. `None` for a part without a gap.
     fn clearance(&self, _p: &Params<Self, f64>, _at: &At<f64>) -> Option<f64> {
         None
@@ -19,8 +20,8 @@ pub trait Contacts: Part {
 
 /// The object-safe face.
 pub mod erased {
+    use super::super::super::context::At;
     use super::super::super::params::Family;
-    use super::super::super::part::At;
 
     /// See the [trait of the author](super::Contacts).
     #[allow(missing_docs)]

@@ -1,9 +1,9 @@
 //! Drives of the spin.
 
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 
 /// A part that drives the spin. A part that only supplies power is no drive.
-pub trait SpinDrive: Part {
+pub trait SpinDrive: Parametric {
     /// Torque at a spin speed (rad/s), N m.
     fn torque(&self, p: &Params<Self, f64>, speed: f64) -> f64;
 }

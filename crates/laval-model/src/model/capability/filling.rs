@@ -1,9 +1,9 @@
 //! Liquid that fills a cavity of a body.
 
-use super::super::part::Part;
+use super::super::params::Parametric;
 
 /// A part that is a liquid in a cavity.
-pub trait Filling: Part {
+pub trait Filling: Parametric {
     /// The parameter that is its density.
     fn density(&self) -> &'static str;
     /// What damps its waves, as an instruction: `of the liquid's wave: wave_damping`.

@@ -1,15 +1,15 @@
 //! Parts in the frequency domain: exact dynamic stiffness, and where it is analytic.
 
 use super::super::blocks::Blocks;
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
 
 /// A part given by its dynamic stiffness ([`Physics::Frequency`](super::super::part::Physics::Frequency)).
-pub trait FrequencyDomain: Part {
+pub trait FrequencyDomain: Parametric {
     /// Adds the dynamic stiffness (N/m, row-major over local coordinates) at `s` (1/s) and spin `speed`. `Z(conj s) = conj Z(s)`.
     fn impedance<S: Scalar>(&self, p: &Params<Self, S>, s: Complex<S>, speed: S, out: &mut [Complex<S>]);
-    /// Loads: forces, constant and turning with the rotor, as [`Part::linear`] has them, and in `mass` what weight acts on.
+    /// Loads: forces, constant and turning with the rotor, as [`Part::linear`](super::super::part::Part::linear) has them, and in `mass` what weight acts on.
     fn load<S: Scalar>(&self, _p: &Params<Self, S>, _speed: S, _blocks: &mut Blocks<S>) {}
     /// Where the dynamic stiffness is analytic at a spin speed: the basis of a count of roots. Without it no roots are counted.
     fn domain(&self, _p: &Params<Self, f64>, _speed: f64) -> Option<Domain> {

@@ -1,6 +1,7 @@
 //! Masses that move in the rotor: balls of a balancer.
 
-use super::super::part::{At, Params, Part};
+use super::super::context::At;
+use super::super::params::{Parametric, Params};
 
 /// What a part that balances automatically does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +30,7 @@ pub struct Outline {
 }
 
 /// A part with movable masses.
-pub trait MovableMasses: Part {
+pub trait MovableMasses: Parametric {
     /// Their effect on the unbalance.
     fn correction(&self, p: &Params<Self, f64>, at: &At<f64>) -> Option<Correction>;
     /// Initial values of own coordinates where none are given: local coordinate and value; others are 0.
@@ -46,8 +47,8 @@ pub trait MovableMasses: Part {
 
 /// The object-safe face.
 pub mod erased {
+    use super::super::super::context::At;
     use super::super::super::params::Family;
-    use super::super::super::part::At;
     use super::{Correction, Outline};
 
     /// See the [trait of the author](super::MovableMasses).

@@ -1,6 +1,6 @@
 //! Machines and speeds that a part is made for.
 
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 
 /// Direction of the shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -37,7 +37,7 @@ pub struct Tabulated {
 }
 
 /// A part that does not serve every machine or every speed.
-pub trait Scope: Part {
+pub trait Scope: Parametric {
     /// The spin speeds at which it is known, of a part given in a table over them.
     fn tabulated(&self) -> Option<Tabulated> {
         None

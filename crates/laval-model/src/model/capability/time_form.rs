@@ -1,6 +1,6 @@
 //! Parts that are exact in the frequency domain only, and another part takes their place in motions.
 
-use super::super::part::{Params, Part};
+use super::super::params::{Parametric, Params};
 
 /// The spin speeds, rad/s, of motions in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,35 +47,10 @@ pub struct Fitted {
 }
 
 /// A part in the frequency domain without time form of its own that can be replaced by a rational one for motions in time.
-pub trait ReplacedInTime: Part {
+pub trait ReplacedInTime: Parametric {
     /// The same part with a rational form for motions at such speeds, as linear blocks, or why there is none for them; `None` where it
     /// needs none. It stands for the part in motions only, never in spectra. `stop` cancels: nothing is remembered of an unfinished form.
     fn timed(&self, p: &Params<Self, f64>, speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Self, Untimed>>;
     /// Error of the form that this part is.
     fn fitted(&self) -> Option<Fitted>;
-}
-
-/// The object-safe face.
-pub mod erased {
-    use super::super::super::erased::Erased;
-    use super::super::super::params::Family;
-    use super::{Fitted, Speeds, Untimed};
-    use std::sync::Arc;
-
-    /// See the [trait of the author](super::ReplacedInTime).
-    #[allow(missing_docs)]
-    pub trait ReplacedInTime {
-        fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>>;
-        fn fitted(&self) -> Option<Fitted>;
-    }
-
-    impl<T: super::ReplacedInTime> ReplacedInTime for T {
-        fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>> {
-            let part = super::ReplacedInTime::timed(self, &T::Family::from_slice(p), speeds, stop)?;
-            Some(part.map(|p| Arc::new(p) as Arc<dyn Erased>))
-        }
-        fn fitted(&self) -> Option<Fitted> {
-            super::ReplacedInTime::fitted(self)
-        }
-    }
 }

@@ -1,0 +1,160 @@
+//! Every [`Part`] and every part with a [capability](super::capability) behind its object-safe face ([`erased`](super::erased)), and in lanes.
+
+use super::blocks::Blocks;
+use super::capability::time_form::{Fitted, Speeds, Untimed};
+use super::capability::{self, frequency::Domain};
+use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
+use super::erased::*;
+use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
+use super::params::{Family as _, ParamSlot, Parametric};
+use super::part::Part;
+use laval_num::complex::Complex;
+use laval_num::lanes::Apply;
+use laval_num::scalar::Scalar;
+use std::sync::Arc;
+
+macro_rules! parts {
+    ($( $scalar:ty: $residual:ident $linear:ident $load:ident $impedance:ident $regular:ident $energy:ident; )*) => {
+        impl<T: Part> Erased for T {
+            fn kind(&self) -> &'static str {
+                T::KIND
+            }
+            fn layout(&self) -> Layout {
+                Part::layout(self)
+            }
+            fn physics(&self) -> Physics {
+                Part::physics(self)
+            }
+            fn uses(&self) -> Uses {
+                Part::uses(self)
+            }
+            fn memory(&self) -> usize {
+                Part::memory(self)
+            }
+            fn slots(&self) -> Vec<ParamSlot> {
+                T::Family::slots()
+            }
+            fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>) {
+                Part::observe(self, &T::Family::from_slice(p), at, out)
+            }
+            fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>) {
+                Part::validity(self, &T::Family::from_slice(p), at, out)
+            }
+            fn check(&self, p: &[f64]) -> Vec<(&'static str, String)> {
+                Part::check(self, &T::Family::from_slice(p))
+            }
+            fn warnings(&self, p: &[f64]) -> Vec<String> {
+                Part::warnings(self, &T::Family::from_slice(p))
+            }
+            fn body(&self) -> Option<&dyn BodyPart> {
+                Part::body(self)
+            }
+            fn contacts(&self) -> Option<&dyn Contacts> {
+                Part::contacts(self)
+            }
+            fn movable_masses(&self) -> Option<&dyn MovableMasses> {
+                Part::movable_masses(self)
+            }
+            fn varying_inertia(&self) -> Option<&dyn VaryingInertia> {
+                Part::varying_inertia(self)
+            }
+            fn added_inertia(&self) -> Option<&dyn AddedInertia> {
+                Part::added_inertia(self)
+            }
+            fn frequency_domain(&self) -> Option<&dyn FrequencyDomain> {
+                Part::frequency_domain(self)
+            }
+            fn replaced_in_time(&self) -> Option<&dyn ReplacedInTime> {
+                Part::replaced_in_time(self)
+            }
+            fn spin_drive(&self) -> Option<&dyn SpinDrive> {
+                Part::spin_drive(self)
+            }
+            fn filling(&self) -> Option<&dyn Filling> {
+                Part::filling(self)
+            }
+            fn scope(&self) -> Option<&dyn Scope> {
+                Part::scope(self)
+            }
+            $(
+                fn $residual(&self, p: &[$scalar], at: &At<$scalar>, out: &mut Rows<$scalar>, blocks: &mut Blocks<$scalar>) {
+                    residual(self, p, at, out, blocks)
+                }
+                fn $linear(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
+                    Part::linear(self, &T::Family::from_slice(p), speed, blocks)
+                }
+                fn $energy(&self, p: &[$scalar], at: &At<$scalar>) -> Option<Energy<$scalar>> {
+                    Part::energy(self, &T::Family::from_slice(p), at)
+                }
+            )*
+        }
+
+        impl<T: capability::FrequencyDomain + Part> FrequencyDomain for T {
+            fn domain(&self, p: &[f64], speed: f64) -> Option<Domain> {
+                capability::FrequencyDomain::domain(self, &<T as Parametric>::Family::from_slice(p), speed)
+            }
+            fn rough(&self) -> Option<Arc<dyn Erased>> {
+                capability::FrequencyDomain::rough(self).map(|p| Arc::new(p) as Arc<dyn Erased>)
+            }
+            fn approximation(&self, p: &[f64]) -> Option<(Arc<dyn Erased>, Vec<f64>)> {
+                let (part, p) = capability::FrequencyDomain::approximation(self, &<T as Parametric>::Family::from_slice(p))?;
+                Some((Arc::new(part), <T as Parametric>::Family::to_vec(&p)))
+            }
+            $(
+                fn $load(&self, p: &[$scalar], speed: $scalar, blocks: &mut Blocks<$scalar>) {
+                    capability::FrequencyDomain::load(self, &<T as Parametric>::Family::from_slice(p), speed, blocks)
+                }
+                fn $impedance(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar, out: &mut [Complex<$scalar>]) {
+                    capability::FrequencyDomain::impedance(self, &<T as Parametric>::Family::from_slice(p), s, speed, out)
+                }
+                fn $regular(&self, p: &[$scalar], s: Complex<$scalar>, speed: $scalar) -> Complex<$scalar> {
+                    capability::FrequencyDomain::regular(self, &<T as Parametric>::Family::from_slice(p), s, speed)
+                }
+            )*
+        }
+    };
+}
+
+with_scalars!(parts);
+
+impl<T: capability::ReplacedInTime + Part> ReplacedInTime for T {
+    fn timed(&self, p: &[f64], speeds: Speeds, stop: &dyn Fn() -> bool) -> Option<Result<Arc<dyn Erased>, Untimed>> {
+        let part = capability::ReplacedInTime::timed(self, &<T as Parametric>::Family::from_slice(p), speeds, stop)?;
+        Some(part.map(|p| Arc::new(p) as Arc<dyn Erased>))
+    }
+    fn fitted(&self) -> Option<Fitted> {
+        capability::ReplacedInTime::fitted(self)
+    }
+}
+
+impl<P: Part> Apply<P> for Residual {
+    #[inline(always)]
+    fn apply<S: Scalar>(part: &P, args: &mut ResidualArgs<'_, S>) {
+        let p = P::Family::from_slice(args.p);
+        part.residual(&p, &args.at, &mut args.out);
+        if part.physics() != Physics::Nonlinear {
+            *args.out.spin += part.spin_row(&p, &args.at);
+        }
+    }
+}
+
+impl<P: Part> Apply<P> for Linear {
+    #[inline(always)]
+    fn apply<S: Scalar>(part: &P, args: &mut LinearArgs<'_, S>) {
+        part.linear(&P::Family::from_slice(args.p), args.speed, args.blocks);
+    }
+}
+
+#[inline(always)]
+fn residual<T: Part, S: Scalar>(part: &T, p: &[S], at: &At<S>, out: &mut Rows<S>, blocks: &mut Blocks<S>) {
+    let p = T::Family::from_slice(p);
+    match Part::physics(part) {
+        Physics::Nonlinear => part.residual(&p, at, out),
+        Physics::Linear | Physics::Frequency(_) => {
+            blocks.reset(at.q.len(), at.z.len() - part.memory(), at.speed);
+            part.linear(&p, at.speed, blocks);
+            blocks.residual(at, out.force, out.rate);
+            *out.spin += part.spin_row(&p, at);
+        }
+    }
+}
