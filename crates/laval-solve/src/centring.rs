@@ -15,7 +15,7 @@
 //!
 //! Sources: `000_a291f7ede1484e56` section 1.4, corrected.
 
-use super::harmonic::orbit::Orbit;
+use super::harmonic::balance::orbit::Orbit;
 use super::linear_response::of_linear_parts;
 use crate::model::system::System;
 

@@ -9,7 +9,7 @@ mod common;
 #[path = "common/processor.rs"]
 mod processor;
 
-use laval::solve::harmonic::response::{Request, respond};
+use laval::solve::harmonic::branches::response::{Request, respond};
 use processor::processor;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;

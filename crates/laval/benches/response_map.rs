@@ -13,7 +13,7 @@ mod processor;
 use clock::clock;
 use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::response_map::{ParameterAxis, ResponseMap};
 use laval::study::{Context, Study};

@@ -5,7 +5,7 @@
 //! ```
 //! use laval::model::{builder::Builder, field::Attach, params::Family, part::Link};
 //! use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
-//! use laval::solve::harmonic::response::Request;
+//! use laval::solve::harmonic::branches::response::Request;
 //! use laval::study::{Context, Study, nonlinear_response::NonlinearResponse};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {

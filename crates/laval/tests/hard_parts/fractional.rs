@@ -12,7 +12,7 @@ use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
-use laval::solve::harmonic::floquet::Unjudged;
+use laval::solve::harmonic::stability::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;

@@ -11,7 +11,7 @@ use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
 use laval::solve::ensemble::{self, Ended, Form, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
-use laval::solve::harmonic::floquet::Unjudged;
+use laval::solve::harmonic::stability::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;

@@ -10,7 +10,7 @@ use laval::model::part::{Layout, Link, Params, Part, Physics};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
-use laval::solve::harmonic::problem::Balance;
+use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::symmetry::Symmetry;

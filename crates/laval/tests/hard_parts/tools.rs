@@ -74,7 +74,7 @@ pub fn relative(a: &[f64], b: &[f64]) -> f64 {
 
 /// Jacobian and derivative in the parameter of a balance against central differences.
 #[track_caller]
-pub fn check_tangents(problem: &mut laval::solve::harmonic::problem::Balance, x: &[f64], p: f64) {
+pub fn check_tangents(problem: &mut laval::solve::harmonic::balance::problem::Balance, x: &[f64], p: f64) {
     use laval_num::continuation::Zero;
     let n = problem.dim();
     let (mut r, mut jac, mut dp) = (vec![0.0; n], Mat::zeros(n, n), vec![0.0; n]);
@@ -110,8 +110,8 @@ pub fn check_tangents(problem: &mut laval::solve::harmonic::problem::Balance, x:
 }
 
 /// Response over a range with the usual request.
-pub fn response(system: &System, speeds: (f64, f64)) -> laval::solve::harmonic::response::Response {
-    use laval::solve::harmonic::response::respond;
+pub fn response(system: &System, speeds: (f64, f64)) -> laval::solve::harmonic::branches::response::Response {
+    use laval::solve::harmonic::branches::response::respond;
     use std::sync::atomic::AtomicBool;
     static NEVER: AtomicBool = AtomicBool::new(false);
     respond(system, &crate::common::base::request(speeds.0, speeds.1), &NEVER, &|_| {}).unwrap()
@@ -120,10 +120,10 @@ pub fn response(system: &System, speeds: (f64, f64)) -> laval::solve::harmonic::
 /// The motions at all points of a response.
 pub fn orbits(
     system: &System,
-    response: &laval::solve::harmonic::response::Response,
+    response: &laval::solve::harmonic::branches::response::Response,
     speeds: (f64, f64),
-) -> Vec<laval::solve::harmonic::orbit::Orbit> {
-    use laval::solve::harmonic::{orbit::Orbit, problem::Balance};
+) -> Vec<laval::solve::harmonic::balance::orbit::Orbit> {
+    use laval::solve::harmonic::balance::{orbit::Orbit, problem::Balance};
     let mut balance = Balance::new(system, response.discretisation, speeds, None).unwrap();
     response.branches.iter().flat_map(|b| &b.points).map(|p| Orbit::of(&mut balance, &p.x, p.speed).unwrap()).collect()
 }

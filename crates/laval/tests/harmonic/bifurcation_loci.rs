@@ -11,14 +11,14 @@ use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, End, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
-use laval::solve::harmonic::bifurcation::Event;
-use laval::solve::harmonic::crossing_locus::plane;
-use laval::solve::harmonic::fold_locus::FoldLocus;
-use laval::solve::harmonic::loci::{Corner, Loci, Locus, LocusKind, Request, loci};
-use laval::solve::harmonic::path::{Path, PathEnd, follow, passes};
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response;
-use laval::solve::harmonic::varied::Varied;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::bifurcation::Event;
+use laval::solve::harmonic::branches::response;
+use laval::solve::harmonic::loci::crossings::plane;
+use laval::solve::harmonic::loci::folds::FoldLocus;
+use laval::solve::harmonic::loci::path::{Path, PathEnd, follow, passes};
+use laval::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, Request, loci};
+use laval::solve::harmonic::loci::varied::Varied;
 use laval::solve::symmetry::Symmetry;
 use laval::study::Context;
 use laval_num::continuation::{Failure, Settings, Zero};
@@ -164,7 +164,8 @@ fn derivatives_agree_with_differences() {
     for (path, q, range) in cases {
         let system = base.builder().build().unwrap();
         let speeds = (2000.0, 2600.0);
-        let d = laval::solve::harmonic::problem::Discretisation { harmonics: 5, divisor: 1, samples: 32, symmetry: Symmetry::Quarter };
+        let d =
+            laval::solve::harmonic::balance::problem::Discretisation { harmonics: 5, divisor: 1, samples: 32, symmetry: Symmetry::Quarter };
         let balance = Balance::new(&system, d, speeds, None).unwrap();
         let mut locus = FoldLocus { varied: Varied::new(&system, balance, path, range, speeds) };
         let m = locus.dim();
@@ -294,7 +295,7 @@ fn loci_agree_with_single_responses() {
         for s in &l.samples {
             let on = |speed: f64| {
                 l.loci.iter().any(|l| {
-                    let close = |p: &[laval::solve::harmonic::loci::LocusPoint]| {
+                    let close = |p: &[laval::solve::harmonic::loci::search::LocusPoint]| {
                         (p[0].value - s.value) * (p[1].value - s.value) <= 0.0
                             && (p[0].speed.min(p[1].speed) - 30.0..=p[0].speed.max(p[1].speed) + 30.0).contains(&speed)
                     };

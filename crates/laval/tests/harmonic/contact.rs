@@ -8,9 +8,9 @@ use laval::model::field::Attach;
 use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::response::Request;
 use laval::solve::symmetry::Symmetry;
 use laval_num::continuation::{End, Zero};
 use laval_num::dense::Mat;
@@ -131,7 +131,7 @@ fn tangents_through_contact_are_those_of_differences() {
             .part("stop", Stop::new(link), stop);
         let system = if horizontal { plain.horizontal() } else { plain }.build().unwrap();
         let symmetry = if horizontal { Symmetry::None } else { Symmetry::Half };
-        let d = laval::solve::harmonic::problem::Discretisation { harmonics: 5, divisor: 1, samples: 64, symmetry };
+        let d = laval::solve::harmonic::balance::problem::Discretisation { harmonics: 5, divisor: 1, samples: 64, symmetry };
         let mut balance = Balance::new(&system, d, RANGE, None).unwrap();
         let (n, w) = (balance.dim(), 700.0);
         // an ellipse that reaches out of the gap, with a little of every order

@@ -10,7 +10,7 @@ use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, Finding, Mark, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::{Cancel, Context, Study};
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -10,10 +10,10 @@ use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
-use laval::solve::harmonic::cycles::{Cycles, Request, at_speed, limit_cycles};
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::pace::Pace;
-use laval::solve::harmonic::problem::Balance;
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::pace::Pace;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::free::cycles::{Cycles, Request, at_speed, limit_cycles};
 use laval::solve::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::End;
@@ -188,7 +188,7 @@ fn internal_damping_whirls_softly() {
 fn unfit_machines_are_refused() {
     let refused = |base: Base| {
         let system = base.builder().build().unwrap();
-        laval::solve::harmonic::cycles::admit(&system, (1000.0, 4000.0)).err().map(|d| d.message).unwrap_or_default()
+        laval::solve::harmonic::free::cycles::admit(&system, (1000.0, 4000.0)).err().map(|d| d.message).unwrap_or_default()
     };
     let undamped = Base { chi: 0.0, chi0: 0.0, ..filled(0.8, 0.0) };
     assert!(refused(undamped).contains("nothing damps this machine"), "{}", refused(undamped));

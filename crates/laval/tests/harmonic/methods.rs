@@ -10,11 +10,11 @@ use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
-use laval::solve::harmonic::elliptic::{law, parameter};
-use laval::solve::harmonic::methods::{Comparison, Method, Value, compare, orders};
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response::{Request, Response};
+use laval::solve::harmonic::balance::elliptic::{law, parameter};
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, orders};
+use laval::solve::harmonic::branches::response::{Request, Response};
 use laval::solve::symmetry::Symmetry;
 use std::sync::atomic::AtomicBool;
 

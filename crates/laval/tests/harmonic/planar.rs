@@ -9,9 +9,9 @@ use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response::{Request, Response};
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::response::{Request, Response};
 use laval::solve::symmetry::Symmetry;
 use laval_num::continuation::End;
 

@@ -5,9 +5,9 @@ use crate::common;
 use common::base::{Base, moduli, request, run, states_at, table_base};
 use common::{number, rows};
 use laval::model::system::System;
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response::{Request, Response};
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::response::{Request, Response};
 use std::collections::BTreeMap;
 
 const RANGE: (f64, f64) = (25.0, 8000.0);

@@ -10,7 +10,7 @@ use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{End, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, shaft_lumped::*};
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::run_up::RunUp;
 use laval::study::transient::Transient;

@@ -9,7 +9,7 @@ use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Finding, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*};
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::optimum::{Aim, Limit, Optimum, Vary};
 use laval::study::{Context, Study};

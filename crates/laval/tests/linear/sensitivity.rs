@@ -10,7 +10,7 @@ use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome, Table};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::sensitivity::Sensitivity;
 use laval::study::{Context, Study};
 

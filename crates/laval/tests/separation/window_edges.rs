@@ -5,10 +5,10 @@ use crate::common;
 use common::base::{Base, run};
 use laval::file::load;
 use laval::outcome::{Data, Finding, Outcome, Table};
-use laval::solve::harmonic::measure::Measure;
-use laval::solve::harmonic::orbit::Orbit;
-use laval::solve::harmonic::problem::Balance;
-use laval::solve::harmonic::response::Request;
+use laval::solve::harmonic::balance::orbit::Orbit;
+use laval::solve::harmonic::balance::problem::Balance;
+use laval::solve::harmonic::branches::measure::Measure;
+use laval::solve::harmonic::branches::response::Request;
 use laval::study::Context;
 use laval_num::newton::{Options, newton};
 

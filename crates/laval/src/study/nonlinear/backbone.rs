@@ -1,7 +1,7 @@
 //! Free whirls of a machine at fixed spin speed: frequency against amplitude.
 //!
 //! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
-//! [`crate::solve::harmonic::free`]. Amplitudes become infinite where the machine can whirl without deflecting its nonlinear parts
+//! [`crate::solve::harmonic::free::whirl`]. Amplitudes become infinite where the machine can whirl without deflecting its nonlinear parts
 //! (`det(B Z(i w)^-1 B^T) = 0`; for a rotor with liquid on a foundation `(M + m + mL G) w^2 = c2`).
 //!
 //! Symbols: w whirl frequency, rad/s; W spin speed, rad/s; xi drive, 1/s, a force `xi M q'` that makes up for the losses.
@@ -19,7 +19,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
-use crate::solve::harmonic::backbone::{Family, Motion, Origin, Request, admit, backbone};
+use crate::solve::harmonic::free::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, largest, speed};
@@ -123,7 +123,7 @@ amplitude = { from = "1 um", to = "1 mm" }
 struct Shown<'a> {
     system: &'a System,
     request: &'a Request,
-    found: &'a crate::solve::harmonic::backbone::Backbone,
+    found: &'a crate::solve::harmonic::free::backbone::Backbone,
     measured: Vec<Vec<Measured>>,
     probes: Vec<Probe>,
 }

@@ -1,7 +1,7 @@
 //! Self-excited whirls over the spin speed: limit cycles from the edges of linear instability, their stability, hard and soft onset.
 //!
 //! Equations: harmonic balance with unknown frequency, linear parts condensed at `s = i k w` and the spin speed W; see
-//! [`crate::solve::harmonic::cycles`]. Of an isotropic machine the motion is circular and exact with one harmonic:
+//! [`crate::solve::harmonic::free::cycles`]. Of an isotropic machine the motion is circular and exact with one harmonic:
 //! `Im K(w, W) = 0`, `a^2 = -(Re K + c0)/c1` for a cubic bearing on a linear rest of condensed stiffness K.
 //!
 //! Symbols: w whirl frequency, rad/s; W spin speed, rad/s; a amplitude of the deflection of the nonlinear parts, m.
@@ -21,8 +21,8 @@ use crate::model::system::System;
 use crate::outcome::{
     Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
 };
-use crate::solve::harmonic::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
-use crate::solve::harmonic::floquet::Exponents;
+use crate::solve::harmonic::free::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
+use crate::solve::harmonic::stability::floquet::Exponents;
 use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, larger, range, runs};

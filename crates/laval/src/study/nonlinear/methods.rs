@@ -1,7 +1,7 @@
 //! Approximate methods side by side: how far harmonic balance with few orders, averaging, elliptic balance and integration in time are from
 //! the converged motion under unbalance.
 //!
-//! Equations: see [`crate::solve::harmonic::methods`] and [`crate::solve::harmonic::elliptic`].
+//! Equations: see [`crate::solve::harmonic::branches::methods`] and [`crate::solve::harmonic::balance::elliptic`].
 //!
 //! Symbols: k^2 parameter of the elliptic cosine.
 //!
@@ -14,8 +14,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
-use crate::solve::harmonic::methods::{Comparison, Method, Value, compare, orders};
-use crate::solve::harmonic::response::{Request, Response, respond, symmetry};
+use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, orders};
+use crate::solve::harmonic::branches::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::one_or_range;

@@ -5,8 +5,8 @@ use super::support::probe_name;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::Axis;
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::orbit::Orbit;
+use crate::solve::harmonic::balance::orbit::Orbit;
+use crate::solve::harmonic::branches::measure::Measure;
 
 /// Indices of the probes: reference points of the bodies in their order, then further points, then tilts.
 pub fn ordered(system: &System) -> Vec<usize> {

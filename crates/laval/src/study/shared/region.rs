@@ -6,7 +6,7 @@ use crate::model::field::{Bounds, Field, FieldKind};
 use crate::model::part::{Domain, Words};
 use crate::model::system::System;
 use crate::outcome::{Finding, Table, quantity};
-use crate::solve::harmonic::refused::among_waves;
+use crate::solve::harmonic::balance::refused::among_waves;
 use crate::solve::roots::{ACCUMULATION, Area, LEAST, Roots};
 
 /// Field: largest frequency of the region in which roots are counted.

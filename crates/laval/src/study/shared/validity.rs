@@ -5,9 +5,9 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Finding, significant};
-use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::problem::Balance;
-use crate::solve::harmonic::response::Response;
+use crate::solve::harmonic::balance::orbit::Orbit;
+use crate::solve::harmonic::balance::problem::Balance;
+use crate::solve::harmonic::branches::response::Response;
 use std::f64::consts::TAU;
 
 /// Instants of a period at which validity is evaluated.

@@ -2,8 +2,8 @@
 
 use super::report::{Shown, corner_name};
 use crate::outcome::{Finding, quantity, significant};
-use crate::solve::harmonic::loci::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
-use crate::solve::harmonic::path::PathEnd;
+use crate::solve::harmonic::loci::path::PathEnd;
+use crate::solve::harmonic::loci::search::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
 use crate::study::shared::validity::Uses;
 
 /// Largest difference, relative to the range of the parameter, of values that are the same.

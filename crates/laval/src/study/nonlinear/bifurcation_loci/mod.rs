@@ -1,7 +1,7 @@
 //! Bifurcations of the steady response in the plane of spin speed and one parameter: loci of folds with their cusps, loci on which stability changes.
 //!
 //! Equations: folds `r = 0, (dr/dx) v = 0`; changes of stability `r = 0, Re lambda = 0` with the Floquet exponent lambda; both continued by arclength in
-//! (harmonics, W, q). See [`crate::solve::harmonic::loci`].
+//! (harmonics, W, q). See [`crate::solve::harmonic::loci::search`].
 //!
 //! Symbols: W spin speed, rad/s; q the parameter; r the harmonic balance.
 //!
@@ -16,9 +16,9 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Outcome, quantity};
-use crate::solve::harmonic::floquet::Stability;
-use crate::solve::harmonic::loci::{Request, loci};
-use crate::solve::harmonic::response::MOST_HARMONICS;
+use crate::solve::harmonic::branches::response::MOST_HARMONICS;
+use crate::solve::harmonic::loci::search::{Request, loci};
+use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};

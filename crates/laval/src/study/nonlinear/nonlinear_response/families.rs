@@ -2,9 +2,9 @@
 
 use super::tables::label;
 use crate::outcome::{Finding, quantity, significant};
-use crate::solve::harmonic::branch::Origin;
-use crate::solve::harmonic::response::{Response, Traced};
-use crate::solve::harmonic::unclosed::{Beyond, REACH, Unclosed};
+use crate::solve::harmonic::branches::branch::Origin;
+use crate::solve::harmonic::branches::response::{Response, Traced};
+use crate::solve::harmonic::branches::unclosed::{Beyond, REACH, Unclosed};
 use crate::study::shared::support::largest;
 
 /// That the branch of large motions goes on beyond the range, and whether it would ever turn back.

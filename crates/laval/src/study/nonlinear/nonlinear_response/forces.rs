@@ -2,9 +2,9 @@
 
 use super::shown::Shown;
 use crate::outcome::{Finding, significant};
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::peak::{Peak, Sense};
-use crate::solve::harmonic::response::{Request, Response};
+use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::peak::{Peak, Sense};
+use crate::solve::harmonic::branches::response::{Request, Response};
 
 /// Extreme values of the force of one part over the states that can be held.
 pub(super) struct Extremes {

@@ -1,9 +1,9 @@
 //! The largest displacement and force over all states that can be held.
 
 use super::shown::Shown;
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::peak::{Peak, Sense};
-use crate::solve::harmonic::response::{Request, Response};
+use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::peak::{Peak, Sense};
+use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::study::shared::probes;
 use laval_num::continuation::End;
 

@@ -20,7 +20,7 @@
 //! | further states, none found | each is solved for and followed; what is not found is not excluded |
 //!
 //! With all states the search combines the planes of known states, switches branches at bifurcations, and starts from subharmonic and from arbitrary
-//! motions (see [`crate::solve::harmonic::families`]).
+//! motions (see [`crate::solve::harmonic::branches::families`]).
 //!
 //! Theory: `docs/theory/harmonic-balance.md#balance`.
 //!
@@ -31,8 +31,8 @@ use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::Outcome;
 use crate::solve::ensemble;
-use crate::solve::harmonic::response::{MOST_HARMONICS, Request, States, respond, symmetry};
-use crate::solve::harmonic::settle;
+use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, States, respond, symmetry};
+use crate::solve::harmonic::branches::time_starts;
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
@@ -268,7 +268,7 @@ pub(in crate::study) fn admit(system: &System, request: &Request) -> Result<(), 
         .help("prescribe the speed of the machine (leave out its free drive), or follow the free machine in time with a transient study"));
     }
     if request.states == States::All && request.time_starts > 0 {
-        ensemble::admit(system, settle::method(system))?;
+        ensemble::admit(system, time_starts::method(system))?;
     }
     symmetry(system, request).map(|_| ())
 }

@@ -6,9 +6,9 @@
 use super::shown::{Shown, words};
 use super::tables::label;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
-use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::problem::Balance;
-use crate::solve::harmonic::response::{Response, State, Traced};
+use crate::solve::harmonic::balance::orbit::Orbit;
+use crate::solve::harmonic::balance::problem::Balance;
+use crate::solve::harmonic::branches::response::{Response, State, Traced};
 use laval_num::newton::{Options, newton};
 
 /// Parts of the response told one by one at most.

@@ -5,8 +5,8 @@ use super::stretches::unstable_throughout;
 use super::sweeps::reached;
 use crate::model::probe::Probe;
 use crate::outcome::{Axis, Band, Figure, Line, Panel, Rule, quantity, significant};
-use crate::solve::harmonic::branch::Origin;
-use crate::solve::harmonic::response::{Response, Traced};
+use crate::solve::harmonic::branches::branch::Origin;
+use crate::solve::harmonic::branches::response::{Response, Traced};
 use crate::study::shared::probes;
 
 /// Panels of the figure of forces at most.

@@ -3,8 +3,8 @@
 use super::shown::Shown;
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::centring::{Limit, limit};
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::response::{Response, Traced};
+use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::response::{Response, Traced};
 use laval_num::complex::C64;
 
 /// The limit and the way to it.

@@ -2,9 +2,9 @@
 
 use super::stretches::stretch_of;
 use crate::outcome::{Finding, significant};
-use crate::solve::harmonic::agreement::{Agreement, TOLERANCE};
-use crate::solve::harmonic::bifurcation::{Change, Event};
-use crate::solve::harmonic::response::{Response, Traced};
+use crate::solve::harmonic::branches::agreement::{Agreement, TOLERANCE};
+use crate::solve::harmonic::branches::bifurcation::{Change, Event};
+use crate::solve::harmonic::branches::response::{Response, Traced};
 use crate::study::shared::support::larger;
 
 /// Changes told one by one at most.

@@ -2,7 +2,7 @@
 
 use super::shown::words;
 use crate::outcome::significant;
-use crate::solve::harmonic::response::{Fold, State, Traced};
+use crate::solve::harmonic::branches::response::{Fold, State, Traced};
 use crate::study::shared::support::runs;
 use std::ops::Range;
 
@@ -50,7 +50,7 @@ impl Stretch<'_> {
     /// jumps say.
     fn saddle(&self) -> bool {
         let odd = |p: &State| {
-            let real = |e: &crate::solve::harmonic::floquet::Exponents| {
+            let real = |e: &crate::solve::harmonic::stability::floquet::Exponents| {
                 e.values.iter().filter(|z| z.re > e.error && z.im.abs() <= REAL * p.speed.abs()).count()
             };
             p.exponents.as_ref().is_some_and(|e| real(e) % 2 == 1)

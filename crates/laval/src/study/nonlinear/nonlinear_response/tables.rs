@@ -2,9 +2,9 @@
 
 use super::shown::{Shown, words};
 use crate::outcome::{OutcomeError, Table};
-use crate::solve::harmonic::bifurcation::Change;
-use crate::solve::harmonic::branch::Origin;
-use crate::solve::harmonic::response::{Fold, Response, State, Traced};
+use crate::solve::harmonic::branches::bifurcation::Change;
+use crate::solve::harmonic::branches::branch::Origin;
+use crate::solve::harmonic::branches::response::{Fold, Response, State, Traced};
 use crate::study::shared::probes;
 use crate::study::shared::support::largest;
 use laval_num::continuation::End;

@@ -7,11 +7,11 @@ use super::shown::Shown;
 use crate::model::capability::body::BodyParameters;
 use crate::model::system::System;
 use crate::outcome::{Finding, significant};
-use crate::solve::harmonic::floquet::Stability;
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::problem::{Balance, Discretisation};
-use crate::solve::harmonic::response::{Request, Response};
+use crate::solve::harmonic::balance::orbit::Orbit;
+use crate::solve::harmonic::balance::problem::{Balance, Discretisation};
+use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::response::{Request, Response};
+use crate::solve::harmonic::stability::floquet::Stability;
 use laval_num::continuation::Zero;
 use laval_num::newton::{Options, newton};
 

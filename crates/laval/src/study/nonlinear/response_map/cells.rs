@@ -2,7 +2,7 @@
 
 use super::ParameterAxis;
 use crate::outcome::End;
-use crate::solve::harmonic::bifurcation::Event;
+use crate::solve::harmonic::branches::bifurcation::Event;
 use crate::store::{Cells, Column};
 use crate::study::nonlinear::nonlinear_response::summary::{Summary, Sweep, Top};
 

@@ -21,7 +21,7 @@ use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
-use crate::solve::harmonic::response::Request;
+use crate::solve::harmonic::branches::response::Request;
 use crate::store;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;

@@ -1,6 +1,6 @@
 //! How the peaks and folds of the steady response move with every parameter of the machine.
 //!
-//! Equations: implicit function theorem on the harmonic balance, exact first derivatives; see [`crate::solve::harmonic::sensitivity`].
+//! Equations: implicit function theorem on the harmonic balance, exact first derivatives; see [`crate::solve::harmonic::branches::sensitivity`].
 //!
 //! Symbols: W spin speed, rad/s; a largest displacement of a body over a period, m; p a parameter; relative influence `(p/a) da/dp`, `(p/W) dW/dp`: per cent
 //! for one per cent more of the parameter.
@@ -16,7 +16,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
 use crate::outcome::Outcome;
-use crate::solve::harmonic::response::{MOST_HARMONICS, Request, respond};
+use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, respond};
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::validity::Uses;

@@ -2,13 +2,13 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::model::system::{Body, System};
-use crate::solve::harmonic::branch::{State, Traced};
-use crate::solve::harmonic::measure::Measure;
-use crate::solve::harmonic::orbit::Orbit;
-use crate::solve::harmonic::peak::{Sense, refine};
-use crate::solve::harmonic::problem::Balance;
-use crate::solve::harmonic::response::{Request, Response};
-use crate::solve::harmonic::sensitivity::{Moved, Named, Stationary, moved, parameters};
+use crate::solve::harmonic::balance::orbit::Orbit;
+use crate::solve::harmonic::balance::problem::Balance;
+use crate::solve::harmonic::branches::branch::{State, Traced};
+use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::peak::{Sense, refine};
+use crate::solve::harmonic::branches::response::{Request, Response};
+use crate::solve::harmonic::branches::sensitivity::{Moved, Named, Stationary, moved, parameters};
 use crate::study::Context;
 use laval_num::continuation::End;
 use laval_num::work;

@@ -1,0 +1,280 @@
+//! The linear parts of a machine condensed exactly onto the nonlinear coordinates, at one order of the base frequency.
+//!
+//! With Z(s) the dynamic stiffness, `u = B x` the nonlinear coordinates, f(u) their forces and F the external ones:
+//!
+//! ```text
+//! Z x = F - B^T f   =>   K u + f = p,   K = (B Z^-1 B^T)^-1,   p = K B Z^-1 F
+//! ```
+//!
+//! A reference stiffness S (diagonal, in the unit of each coordinate) is added to Z on the nonlinear coordinates and taken off again (`f - S u`), so that Z need not be regular without the
+//! nonlinear parts (a rotor held only by its bearing). States of linear parts stay in Z: a resonance inside a part is not a pole.
+
+use crate::harmonic::balance::pace::Pace;
+use crate::model::blocks::{Axes, Grid};
+use crate::model::erased::D1;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::system::System;
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat, Singular};
+use laval_num::scalar::Scalar;
+
+/// Rows of independent nonlinear coordinates over global ones, and every nonlinear part's local coordinates in terms of them.
+#[derive(Clone, Debug, Default)]
+pub struct Basis {
+    /// B, row by row.
+    pub rows: Vec<Vec<(usize, f64)>>,
+}
+
+impl Basis {
+    /// Expresses a row in the basis, adding it when it is independent.
+    pub fn express(&mut self, row: &[(usize, f64)], n: usize) -> Vec<(usize, f64)> {
+        let dense = |r: &[(usize, f64)]| {
+            let mut d = vec![0.0; n];
+            for &(g, c) in r {
+                d[g] += c;
+            }
+            d
+        };
+        let target = dense(row);
+        if target.iter().all(|&x| x == 0.0) {
+            return Vec::new();
+        }
+        // the same row again is the common case
+        if let Some(k) = self.rows.iter().position(|r| dense(r) == target) {
+            return vec![(k, 1.0)];
+        }
+        if let Some(combination) = combine(&self.rows.iter().map(|r| dense(r)).collect::<Vec<_>>(), &target) {
+            return combination;
+        }
+        self.rows.push(row.to_vec());
+        vec![(self.rows.len() - 1, 1.0)]
+    }
+}
+
+/// Coefficients of `target` over `rows` by least squares, when it lies in their span.
+fn combine(rows: &[Vec<f64>], target: &[f64]) -> Option<Vec<(usize, f64)>> {
+    let k = rows.len();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let gram = Mat::from_fn(k, k, |i, j| dot(&rows[i], &rows[j]));
+    let mut coefficients: Vec<f64> = rows.iter().map(|r| dot(r, target)).collect();
+    Lu::new(&gram).ok()?.solve(&mut coefficients);
+    let mut rest = target.to_vec();
+    for (row, &c) in rows.iter().zip(&coefficients) {
+        for (r, x) in rest.iter_mut().zip(row) {
+            *r -= c * x;
+        }
+    }
+    let size = dot(target, target).sqrt();
+    (dot(&rest, &rest).sqrt() < 1e-12 * size).then(|| coefficients.into_iter().enumerate().filter(|(_, c)| c.abs() > 1e-14).collect())
+}
+
+/// The reference at order `k`: with as much loss as stiffness, so that it brings no resonance of its own.
+pub fn lossy(k: usize, reference: f64) -> C64 {
+    c(reference, if k == 0 { 0.0 } else { reference })
+}
+
+/// One order condensed at one pace, with derivatives in the parameter that the pace depends on (the speed, under unbalance).
+#[derive(Clone, Debug, Default)]
+pub struct Order {
+    /// K over the nonlinear coordinates.
+    pub stiffness: Mat<C64>,
+    /// dK/dparameter.
+    pub stiffness_speed: Mat<C64>,
+    /// p.
+    pub load: Vec<C64>,
+    /// dp/dparameter.
+    pub load_speed: Vec<C64>,
+    /// Z^-1 B^T (with the reference stiffness), for the motion of all coordinates.
+    pub spread: Mat<C64>,
+    /// Z^-1 F.
+    pub free: Vec<C64>,
+    /// d spread/dparameter.
+    pub spread_speed: Mat<C64>,
+    /// d free/dparameter.
+    pub free_speed: Vec<C64>,
+}
+
+/// Condenses orders of one machine; keeps its scratch.
+pub struct Condenser {
+    basis: Vec<Vec<(usize, f64)>>,
+    /// S: reference stiffness on each nonlinear coordinate, N/m or N m/rad.
+    pub reference: Vec<f64>,
+    divisor: usize,
+    /// The rotating load acts; a free motion leaves it out.
+    pub driven: bool,
+    frequency: D1,
+    drive: D1,
+    params: Vec<D1>,
+    model: LinearModel<D1>,
+    scratch: LinearScratch<D1>,
+    grid: Grid<laval_num::complex::Complex<D1>>,
+    z: Mat<C64>,
+    dz: Mat<C64>,
+    lu: Lu<C64>,
+    rhs: Mat<C64>,
+    work: Mat<C64>,
+    projected: [Mat<C64>; 2],
+    small: Lu<C64>,
+}
+
+impl Condenser {
+    /// For a machine whose base frequency is speed / divisor.
+    pub fn new(system: &System, basis: &Basis, reference: Vec<f64>, divisor: usize) -> Self {
+        Condenser {
+            basis: basis.rows.clone(),
+            reference,
+            divisor,
+            driven: true,
+            frequency: D1::zero(),
+            drive: D1::zero(),
+            params: system.params().iter().map(|&x| D1::lift(x)).collect(),
+            model: LinearModel::default(),
+            scratch: LinearScratch::default(),
+            grid: Grid::empty(),
+            z: Mat::default(),
+            dz: Mat::default(),
+            lu: Lu::default(),
+            rhs: Mat::default(),
+            work: Mat::default(),
+            projected: Default::default(),
+            small: Lu::default(),
+        }
+    }
+
+    /// Evaluates the linear parts at a pace; call before [`Condenser::order`].
+    pub fn set_pace(&mut self, system: &System, pace: &Pace) {
+        let [by_speed, by_frequency, by_drive] = pace.rate.map(|rate| [rate]);
+        self.frequency = D1 { re: pace.frequency, eps: by_frequency };
+        self.drive = D1 { re: pace.drive, eps: by_drive };
+        let speed = D1 { re: pace.speed, eps: by_speed };
+        for (i, p) in self.params.iter_mut().enumerate() {
+            p.eps = [pace.parameter.map_or(0.0, |q| q.rate(i))];
+        }
+        system.linear(&self.params, speed, Form::Frequency, &mut self.model, &mut self.scratch);
+    }
+
+    /// Global indices of the linear states that follow the coordinates in [`Order::spread`] and [`Order::free`].
+    pub fn linear_states(&self) -> &[usize] {
+        &self.model.states
+    }
+
+    /// Fills the memory states that belong to coordinates moving as `amplitude exp(s t)`.
+    pub fn memory_states(&self, system: &System, s: C64, coordinates: &[C64], states: &mut [C64]) {
+        let speed = self.model.blocks.speed.re;
+        for mem in &self.model.memory {
+            let map = &system.slots()[mem.slot].map;
+            let input = |i: usize| map[i].iter().fold(C64::zero(), |sum, &(g, x)| sum + coordinates[g].scale(x));
+            for (k, z) in mem.list.iter().enumerate() {
+                let r = s + c(z.rate.re, 0.0);
+                let u = input(z.input);
+                states[mem.first + k] = match z.axes {
+                    Axes::Fixed => u * r.recip(),
+                    Axes::RotorX => (r * u - input(mem.list[k + 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                    Axes::RotorY => (r * u + input(mem.list[k - 1].input).scale(speed)) * (r * r + c(speed * speed, 0.0)).recip(),
+                };
+            }
+        }
+    }
+
+    /// Condenses order `k >= 0` of the base frequency.
+    pub fn order(&mut self, system: &System, k: usize, out: &mut Order) -> Result<(), Singular> {
+        let (n, m) = (system.n(), self.basis.len());
+        let b = &self.model.blocks;
+        let frequency = self.frequency.scale(k as f64);
+        let s = laval_num::complex::c(D1::zero(), frequency);
+        system.dynamic_stiffness(&self.params, &self.model, Form::Frequency, s, &mut self.grid, &mut self.scratch);
+        let size = self.grid.rows();
+        self.z.reset(size, size);
+        self.dz.reset(size, size);
+        for (i, e) in self.grid.data().iter().enumerate() {
+            self.z.data_mut()[i] = c(e.re.re, e.im.re);
+            self.dz.data_mut()[i] = c(e.re.eps[0], e.im.eps[0]);
+        }
+        if self.drive.re != 0.0 || self.drive.eps[0] != 0.0 {
+            // - xi s M
+            let push = -(self.drive * frequency);
+            for i in 0..n {
+                for j in 0..n {
+                    let x = push * b.mass[(i, j)];
+                    self.z[(i, j)] += c(0.0, x.re);
+                    self.dz[(i, j)] += c(0.0, x.eps[0]);
+                }
+            }
+        }
+        for (row, &reference) in self.basis.iter().zip(&self.reference) {
+            for &(gi, ci) in row {
+                for &(gj, cj) in row {
+                    self.z[(gi, gj)] += lossy(k, reference).scale(ci * cj);
+                }
+            }
+        }
+        self.lu.factor(&self.z)?;
+        // columns: B^T, then the load and its derivative
+        self.rhs.reset(size, m + 2);
+        for (j, row) in self.basis.iter().enumerate() {
+            for &(g, x) in row {
+                self.rhs[(g, j)] += c(x, 0.0);
+            }
+        }
+        for i in 0..size {
+            let (f, df) = if k == self.divisor && i < n && self.driven {
+                (c(b.force_cos[i].re, -b.force_sin[i].re), c(b.force_cos[i].eps[0], -b.force_sin[i].eps[0]))
+            } else if k == 0 {
+                let x = if i < n { b.force[i] } else { b.rate[i - n] };
+                (c(x.re, 0.0), c(x.eps[0], 0.0))
+            } else {
+                continue;
+            };
+            self.rhs[(i, m)] = f;
+            self.rhs[(i, m + 1)] = df;
+        }
+        self.lu.solve_mat(&mut self.rhs);
+        // Z' times those solutions, solved again: derivatives of Z^-1 B^T and of Z^-1 F
+        self.dz.matmul_into(&self.rhs, &mut self.work);
+        self.lu.solve_mat(&mut self.work);
+        // rows of B applied to both: flexibility and its derivative, and the free motion
+        for (w, projected) in [&self.rhs, &self.work].into_iter().zip(&mut self.projected) {
+            projected.reset(m, m + 2);
+            for (i, row) in self.basis.iter().enumerate() {
+                for &(g, x) in row {
+                    for (p, w) in projected.row_mut(i).iter_mut().zip(w.row(g)) {
+                        *p += w.scale(x);
+                    }
+                }
+            }
+        }
+        let [flexibility, change] = &self.projected;
+        let square = |a: &Mat<C64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
+        self.small.factor(&square(flexibility))?;
+        let mut k_ref = Mat::identity(m);
+        self.small.solve_mat(&mut k_ref);
+        // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
+        let dk = k_ref.matmul(&square(change)).matmul(&k_ref);
+        let u0: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
+        let du0: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
+        out.load = k_ref.mul_vec(&u0);
+        out.load_speed = k_ref.mul_vec(&du0);
+        dk.mul_vec_add(&u0, &mut out.load_speed);
+        for i in 0..m {
+            k_ref[(i, i)] -= lossy(k, self.reference[i]);
+        }
+        out.stiffness = k_ref;
+        out.stiffness_speed = dk;
+        out.spread.reset(size, m);
+        out.free.clear();
+        for i in 0..size {
+            out.spread.row_mut(i).copy_from_slice(&self.rhs.row(i)[..m]);
+            out.free.push(self.rhs[(i, m)]);
+        }
+        // d(Z^-1) = -Z^-1 dZ Z^-1
+        out.spread_speed.reset(size, m);
+        out.free_speed.clear();
+        for i in 0..size {
+            for (d, w) in out.spread_speed.row_mut(i).iter_mut().zip(self.work.row(i)) {
+                *d = -*w;
+            }
+            out.free_speed.push(self.rhs[(i, m + 1)] - self.work[(i, m)]);
+        }
+        Ok(())
+    }
+}

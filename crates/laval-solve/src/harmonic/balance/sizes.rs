@@ -1,0 +1,72 @@
+//! What a balance is scaled and its steps are measured by: resonances of the machine at rest, stiffnesses of the size of those of the nonlinear parts.
+
+use crate::harmonic::balance::coordinates::Nonlinear;
+use crate::model::part::{At, DofKind};
+use crate::model::system::{Slot, System};
+use crate::model::tangent::{Tangent, TangentScratch};
+
+/// Where the spin speed meets a frequency of the machine linearised at rest: continuation must not step over these.
+pub(super) fn resonances(system: &System, (lo, hi): (f64, f64)) -> Vec<(f64, f64)> {
+    use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
+    let (n, m) = (system.n(), system.m());
+    if 2 * n + m > MOST_STATES {
+        return Vec::new();
+    }
+    let (q, z) = (vec![0.0; n], vec![0.0; m]);
+    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    let points = 12;
+    let spacing = (hi - lo) / points as f64;
+    for i in 0..points {
+        let speed = lo + spacing * (i as f64 + 0.5);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
+        let Some(values) = first_order(&tangent).and_then(|a| laval_num::eig::eigenvalues(&a).ok()) else {
+            continue;
+        };
+        for z in values {
+            // trusted only near the speed it was computed at; the synchronous wave of a liquid is no resonance of the unbalance
+            let (centre, half_width) = (z.im.abs(), z.re.abs().max(1e-4 * z.im.abs()));
+            if (centre - speed.abs()).abs() <= spacing && !found.iter().any(|f| (f.0 - centre).abs() <= 0.5 * half_width) {
+                found.push((centre, half_width));
+            }
+        }
+    }
+    found
+}
+
+/// Stiffnesses of the size of the nonlinear parts' on each nonlinear coordinate, for [`Condenser`]; the same for all of one kind.
+pub(super) fn reference_stiffness(system: &System, nonlinear: &Nonlinear, speed: f64) -> Vec<f64> {
+    let (mut tangent, mut scratch) = (Tangent::default(), TangentScratch::default());
+    let q: Vec<f64> = system.coordinates().iter().enumerate().map(|(i, c)| c.dof.typical * if i % 2 == 0 { 0.1 } else { 0.07 }).collect();
+    let (v, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let at = At { q: &q, v: &v, a: &v, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    let rows = &nonlinear.basis.rows;
+    let class = |k: DofKind| match k {
+        DofKind::VectorX | DofKind::VectorY => 0,
+        DofKind::TiltX | DofKind::TiltY => 1,
+        DofKind::Axial => 2,
+        DofKind::Scalar => 3,
+    };
+    // of what a row combines, the softest: K_gg / B_g^2
+    let mut largest = |which: &dyn Fn(&Slot) -> bool, inertia: f64| {
+        system.tangent(&at, false, &mut tangent, &mut scratch, which);
+        let mut size = [0.0f64; 4];
+        for (row, &kind) in rows.iter().zip(&nonlinear.kinds) {
+            let of = |&(g, b): &(usize, f64)| (tangent.q[(g, g)].abs() + inertia * speed * speed * tangent.a[(g, g)].abs()) / (b * b);
+            let softest = row.iter().map(of).filter(|k| k.is_finite() && *k > 0.0).fold(f64::INFINITY, f64::min);
+            if softest.is_finite() {
+                size[class(kind)] = size[class(kind)].max(softest);
+            }
+        }
+        size
+    };
+    let (nonlinear_parts, all) = (largest(&|s| !s.is_linear(), 0.0), largest(&|_| true, 1.0));
+    let lateral = [nonlinear_parts[0], all[0]].into_iter().find(|k| *k > 0.0);
+    nonlinear
+        .kinds
+        .iter()
+        .take(rows.len())
+        .map(|&kind| [nonlinear_parts[class(kind)], all[class(kind)]].into_iter().find(|k| *k > 0.0).or(lateral).unwrap_or(1.0))
+        .collect()
+}

@@ -1,0 +1,202 @@
+//! What is measured of a periodic motion: the distance of a body from its rest position, or the force of a part. The largest over a period counts.
+//!
+//! The force of a part is what its residual puts on its first pair of coordinates: of a bearing what it transmits, of a liquid what it puts on the wall of its
+//! cavity, with its inertia. That of a body is without its own inertia: of a foundation what its spring and damper give to the ground.
+
+use crate::harmonic::balance::orbit::Orbit;
+use crate::model::blocks::Blocks;
+use crate::model::erased::Evaluate;
+use crate::model::part::{At, Rows};
+use crate::model::system::{Slot, System, Workspace, gather};
+use laval_num::complex::C64;
+use std::f64::consts::TAU;
+
+/// A quantity with a size at every instant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// Distance from the rest position, m, of the pair that starts at this coordinate.
+    Displacement(usize),
+    /// What the probe with this index among [`System::probes`] measures, m or rad.
+    Probe(usize),
+    /// Force, N, of the part in this slot.
+    Force(usize),
+}
+
+/// Instants of a period, at least, at which the largest value is looked for before it is refined.
+const SAMPLES: usize = 64;
+
+/// The state of a machine at one instant in scalars of kind `S`.
+pub(super) struct Instant<'a, S> {
+    /// Coordinates, rates, states.
+    pub q: &'a [S],
+    /// Their rates.
+    pub v: &'a [S],
+    /// Accelerations.
+    pub a: &'a [S],
+    /// Internal states.
+    pub z: &'a [S],
+    /// Phase of the spin, rad.
+    pub phase: f64,
+    /// Spin speed, rad/s.
+    pub speed: S,
+}
+
+impl Measure {
+    /// The forces of a machine that can be measured: those that a part shows in N, where no state of it is eliminated.
+    pub fn forces(system: &System) -> Vec<usize> {
+        let (n, m) = (system.n(), system.m());
+        let (q, z) = (vec![0.0; n], vec![0.0; m]);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed: 1.0, spin_accel: 0.0, t: 0.0 };
+        let mut slots: Vec<usize> =
+            system.observe(&at, &mut Workspace::default()).iter().filter(|(_, o)| o.unit == "N").map(|o| o.0).collect();
+        slots.dedup();
+        slots.retain(|&k| system.slots()[k].memory == 0 && system.slots()[k].map.len() >= 2);
+        slots
+    }
+
+    /// SI unit.
+    pub fn unit(self, system: &System) -> &'static str {
+        match self {
+            Measure::Displacement(_) => "m",
+            Measure::Probe(k) => system.probes()[k].unit(),
+            Measure::Force(_) => "N",
+        }
+    }
+
+    /// Both components at an instant.
+    pub(super) fn at<S: Evaluate>(self, system: &System, params: &[S], now: &Instant<S>) -> [S; 2] {
+        match self {
+            Measure::Displacement(x) => [now.q[x], now.q[x + 1]],
+            Measure::Probe(k) => system.probes()[k].scaled(now.q),
+            Measure::Force(slot) => force(&system.slots()[slot], params, now),
+        }
+    }
+
+    /// Both components at base phase `tau` of a motion of this period in turns.
+    pub fn components_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> [f64; 2] {
+        match self {
+            Measure::Displacement(x) => orbit.pair_at(x, tau)[0],
+            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
+            Measure::Force(slot) => {
+                let (n, m) = (system.n(), system.m());
+                let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+                orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
+                let now = Instant { q: &q, v: &v, a: &a, z: &z, phase: turns as f64 * tau, speed: orbit.speed };
+                force(&system.slots()[slot], system.params(), &now)
+            }
+        }
+    }
+
+    /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`.
+    pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize) -> [C64; 2] {
+        let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
+        let mut out = [C64::zero(); 2];
+        for j in 0..count {
+            let tau = TAU * j as f64 / count as f64;
+            let back = C64::cis(-(turns as f64) * tau).scale(2.0 / count as f64);
+            for (o, f) in out.iter_mut().zip(self.components_at(system, orbit, turns, tau)) {
+                *o += back.scale(f);
+            }
+        }
+        out
+    }
+
+    /// The square of its size at base phase `tau` of a motion of this period in turns.
+    pub fn square_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
+        let [x, y] = self.components_at(system, orbit, turns, tau);
+        x * x + y * y
+    }
+
+    /// Largest value over a period, and the base phase where it is reached.
+    pub fn largest(self, system: &System, orbit: &Orbit, turns: usize) -> (f64, f64) {
+        let samples = SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1));
+        let h = TAU / samples as f64;
+        let square = |tau: f64| self.square_at(system, orbit, turns, tau);
+        let (mut tau, mut best) = (0.0, square(0.0));
+        for j in 1..samples {
+            let r = square(h * j as f64);
+            if !(r <= best) {
+                (tau, best) = (h * j as f64, r);
+            }
+        }
+        let refined = match self {
+            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h),
+            Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h),
+            Measure::Force(_) => vertex(square, (tau, best), h),
+        };
+        (refined.1.sqrt(), refined.0)
+    }
+
+    /// Base phase of the largest value of a motion, where that of one beside it is known.
+    pub(in crate::harmonic) fn near(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
+        let square = |tau: f64| self.square_at(system, orbit, turns, tau);
+        let (best, h) = (square(tau), 0.01);
+        match self {
+            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h).0,
+            Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h).0,
+            Measure::Force(_) => vertex(square, (tau, best), h).0,
+        }
+    }
+}
+
+/// Newton's method on the rate of the squared distance, where it leads to more.
+fn stationary(pair: impl Fn(f64) -> [[f64; 2]; 3], (mut tau, mut best): (f64, f64), h: f64) -> (f64, f64) {
+    for _ in 0..8 {
+        let [[x, y], [dx, dy], [ddx, ddy]] = pair(tau);
+        let (rate, bend) = (x * dx + y * dy, dx * dx + dy * dy + x * ddx + y * ddy);
+        if !(bend < 0.0) {
+            break;
+        }
+        let next = tau + (-rate / bend).clamp(-h, h);
+        let [[x, y], ..] = pair(next);
+        let r = x * x + y * y;
+        if !(r > best) {
+            break;
+        }
+        (tau, best) = (next, r);
+    }
+    (tau, best)
+}
+
+/// Vertices of parabolas through three instants ever closer to each other, where they lead to more.
+fn vertex(square: impl Fn(f64) -> f64, (mut tau, mut best): (f64, f64), mut h: f64) -> (f64, f64) {
+    for _ in 0..4 {
+        let (a, c) = (square(tau - h), square(tau + h));
+        let bend = a - 2.0 * best + c;
+        if bend < 0.0 {
+            let next = tau + (0.5 * h * (a - c) / bend).clamp(-h, h);
+            let r = square(next);
+            if r > best {
+                (tau, best) = (next, r);
+            }
+        }
+        h *= 0.1;
+    }
+    (tau, best)
+}
+
+/// What a part puts on its first pair of coordinates, N; a body what it does without its own inertia.
+fn force<S: Evaluate>(slot: &Slot, params: &[S], now: &Instant<S>) -> [S; 2] {
+    let (mut q, mut v) = (Vec::new(), Vec::new());
+    gather(&slot.map, now.q, &mut q);
+    gather(&slot.map, now.v, &mut v);
+    let mut a = vec![S::zero(); slot.map.len()];
+    if !slot.layout.body {
+        gather(&slot.map, now.a, &mut a);
+        a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
+    }
+    let (mut rows, mut rate, mut spin) = (vec![S::zero(); slot.map.len()], vec![S::zero(); slot.states.len()], S::zero());
+    let at = At {
+        q: &q,
+        v: &v,
+        a: &a,
+        z: &now.z[slot.states.clone()],
+        phase: S::cst(now.phase),
+        speed: now.speed,
+        spin_accel: S::zero(),
+        t: S::zero(),
+    };
+    let mut out = Rows { force: &mut rows, rate: &mut rate, spin: &mut spin };
+    S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, &mut Blocks::default());
+    [rows[0], rows[1]]
+}

@@ -1,0 +1,4 @@
+//! Free whirls and limit cycles.
+pub mod backbone;
+pub mod cycles;
+pub mod whirl;

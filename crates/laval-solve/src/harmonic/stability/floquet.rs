@@ -1,0 +1,479 @@
+//! Stability of a periodic motion: Floquet exponents of the first-order form, internal states included.
+//!
+//! A small disturbance obeys `y' = A(t) y`. After the part of the period that the symmetry repeats, it is turned back; the eigenvalues mu of that map
+//! give the exponents `ln(mu) / T`. Three ways, each exact in its case, none sorts anything:
+//!
+//! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame;
+//! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
+//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see [`crate::harmonic::stability::monodromy`]).
+//!
+//! Theory: `docs/theory/harmonic-balance.md#stability`.
+
+use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
+use crate::harmonic::balance::nonlinear::Sampled;
+use crate::harmonic::balance::problem::Balance;
+
+use crate::model::part::{At, DofKind};
+use crate::model::system::{Slot, System};
+use crate::model::tangent::{Tangent, TangentScratch};
+use crate::symmetry::Symmetry;
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat};
+use laval_num::eig::Spectrum;
+use laval_num::ode::Dop853;
+use std::f64::consts::TAU;
+
+/// How exponents were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Constant coefficients in the rotating frame.
+    Rotating,
+    /// Mean coefficients; the rest is bounded.
+    Mean,
+    /// Map over the period (or the part a symmetry repeats).
+    Map,
+    /// Zeros of Hill's determinant ([`crate::harmonic::stability::determinant`]): all that grow, of the others those found.
+    Determinant,
+}
+
+/// Exponents of one motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exponents {
+    /// All exponents `growth + i frequency`, 1/s; frequencies are determined up to the base frequency (or its multiple that a symmetry gives).
+    pub values: Vec<C64>,
+    /// Estimated error of a growth rate, 1/s.
+    pub error: f64,
+    /// How.
+    pub method: Method,
+    /// Time after which the map was taken and turned back, s; 0 where coefficients were constant.
+    pub span: f64,
+}
+
+impl Exponents {
+    /// The largest growth rate, 1/s.
+    pub fn growth(&self) -> f64 {
+        self.values.iter().fold(f64::NEG_INFINITY, |m, z| if z.re > m || z.re.is_nan() { z.re } else { m })
+    }
+    /// No growth beyond the error.
+    pub fn stable(&self) -> bool {
+        self.growth() <= self.error
+    }
+    /// Exponents in descending order of growth.
+    pub fn descending(&self) -> Vec<C64> {
+        let mut values = self.values.clone();
+        values.sort_by(|a, b| b.re.total_cmp(&a.re));
+        values
+    }
+    /// Number that grow beyond the error; NaN counts.
+    pub fn unstable(&self) -> usize {
+        self.values.iter().filter(|z| !(z.re <= self.error)).count()
+    }
+}
+
+/// Why a machine's motions cannot be judged here.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unjudged {
+    /// A part without a time-domain form, by name, and why it has none.
+    NoTimeForm(String, &'static str),
+    /// More states than a map can carry.
+    TooManyStates(usize),
+    /// A coordinate has no mass.
+    Massless,
+    /// The force of a part, by name, jumps along the motion.
+    Jumps(String),
+    /// The integration or an eigenvalue computation failed.
+    Failed(String),
+}
+
+impl std::fmt::Display for Unjudged {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Unjudged::NoTimeForm(part, why) => write!(f, "\"{part}\" has no time-domain form: {why}"),
+            Unjudged::TooManyStates(n) => write!(f, "the machine has {n} first-order states, more than the map of a period can carry"),
+            Unjudged::Jumps(part) => {
+                write!(f, "the force of \"{part}\" jumps when it touches, and what such a jump does to a disturbance is not computed")
+            }
+            Unjudged::Massless => f.write_str("a coordinate has no mass"),
+            Unjudged::Failed(why) => f.write_str(why),
+        }
+    }
+}
+
+/// Growth rates are wanted to this part of the largest exponent.
+const TOLERANCE: f64 = 1e-9;
+
+/// `A[row, col] += factor * tangent[derivative][j, k]`: how tangents of nonlinear coordinates enter the scaled A.
+#[derive(Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) row: usize,
+    pub(super) col: usize,
+    pub(super) derivative: usize,
+    pub(super) j: usize,
+    pub(super) k: usize,
+    pub(super) factor: f64,
+}
+
+/// States that do not couple with others: their constant matrix and entries, in their own numbering.
+pub(super) struct Block {
+    pub(super) states: Vec<usize>,
+    pub(super) constant: Vec<f64>,
+    pub(super) entries: Vec<Entry>,
+}
+
+/// Judges motions of one machine; keeps its scratch.
+pub struct Stability {
+    pub(super) n: usize,
+    pub(super) m: usize,
+    pub(super) pairs: Vec<bool>,
+    pub(super) constant_mass: bool,
+    speed: f64,
+    pub(super) constant: Mat,
+    input: Mat,
+    pub(super) entries: Vec<Entry>,
+    pub(super) tangent: Tangent,
+    pub(super) scratch: TangentScratch,
+    pub(super) sampled: Sampled,
+    pub(super) scale: Vec<f64>,
+    spectrum: Spectrum,
+    pub(super) dop: Dop853,
+    /// Steps of maps over the period that are left: a law with kinks may ask for more than anybody waits for.
+    pub(super) steps_left: u64,
+    /// Tolerance of the integration of maps.
+    pub(super) tolerance: f64,
+}
+
+/// Steps of integration spent on the maps of one response, at most.
+const MOST_STEPS: u64 = 200_000;
+
+impl Stability {
+    /// For one machine, or why not.
+    pub fn new(system: &System) -> Result<Stability, Unjudged> {
+        use crate::model::part::{Physics, TimeForm};
+        for slot in system.slots() {
+            if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
+                return Err(Unjudged::NoTimeForm(slot.name.clone(), why));
+            }
+        }
+        let (n, m) = (system.n(), system.m());
+        if 2 * n + m > MOST_STATES {
+            return Err(Unjudged::TooManyStates(2 * n + m));
+        }
+        let leads = |kinds: Vec<DofKind>| kinds.into_iter().map(DofKind::leads_pair).collect::<Vec<bool>>();
+        let q = leads(system.coordinates().iter().map(|c| c.dof.kind).collect());
+        let z = leads(system.states().iter().map(|s| s.dof.kind).collect());
+        Ok(Stability {
+            n,
+            m,
+            pairs: [&q[..], &q[..], &z[..]].concat(),
+            constant_mass: system.slots().iter().filter(|s| !s.is_linear()).all(|s| !s.uses.acceleration && s.states.is_empty()),
+            speed: f64::NAN,
+            constant: Mat::default(),
+            input: Mat::default(),
+            entries: Vec::new(),
+            tangent: Tangent::default(),
+            scratch: TangentScratch::default(),
+            sampled: Sampled::default(),
+            scale: Vec::new(),
+            spectrum: Spectrum::default(),
+            dop: Dop853::new(),
+            steps_left: MOST_STEPS,
+            tolerance: crate::harmonic::stability::monodromy::TOLERANCE,
+        })
+    }
+
+    /// Integrates maps over the period to another tolerance.
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Stability { tolerance, ..self }
+    }
+
+    /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
+    pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+        let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
+        match jumps {
+            Some(part) => Err(Unjudged::Jumps(part)),
+            None if !self.constant_mass => self.general(balance, x, speed),
+            None => {
+                self.set_speed(balance, speed)?;
+                self.map(balance, x, speed, !places.is_empty())
+            }
+        }
+    }
+
+    /// Exponents of the motion `x` of a balance at a speed. The balance must have been sampled there last ([`Balance::sample`]).
+    pub fn exponents(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+        let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
+        if let Some(part) = jumps {
+            return Err(Unjudged::Jumps(part));
+        }
+        if !self.constant_mass {
+            return self.general(balance, x, speed);
+        }
+        self.set_speed(balance, speed)?;
+        let terms = &balance.terms;
+        let mu = terms.coordinates;
+        let sampled = &balance.sampled;
+        let mean = means(balance);
+        if terms.symmetry == Symmetry::Circular {
+            let mut a = self.constant.clone();
+            self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
+            let turn = balance.pace(speed).frequency * terms.divisor as f64;
+            for (i, _) in self.pairs.iter().enumerate().filter(|(_, p)| **p) {
+                a[(i, i + 1)] += turn;
+                a[(i + 1, i)] -= turn;
+            }
+            let values = self.eigenvalues(&a)?;
+            return Ok(Exponents { values, error: rounding(&a), method: Method::Rotating, span: 0.0 });
+        }
+        let mut a = self.constant.clone();
+        self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
+        let values = self.eigenvalues(&a)?;
+        let size = values.iter().map(|z| z.abs()).fold(0.0, f64::max);
+        let mut variation = 0.0f64;
+        let mut delta = Mat::<f64>::zeros(a.rows(), a.rows());
+        for j in 0..terms.samples {
+            delta.reset(a.rows(), a.rows());
+            for e in &self.entries {
+                let change = sampled.tangent(e.derivative)[(j * mu + e.j, e.k)] - mean[e.derivative][(e.j, e.k)];
+                delta[(e.row, e.col)] += e.factor * change;
+            }
+            let worst = (0..delta.rows()).map(|i| delta.row(i).iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+            variation = variation.max(worst);
+        }
+        let base = balance.pace(speed).frequency.abs() * if terms.symmetry == Symmetry::None { 1.0 } else { 2.0 };
+        let bound = variation * variation / detuning(&values, base).max(variation);
+        // a law that switches may do so between the samples
+        if places.is_empty() && (bound < 0.1 * TOLERANCE * size || variation == 0.0) {
+            return Ok(Exponents { values, error: bound + rounding(&a), method: Method::Mean, span: 0.0 });
+        }
+        self.map(balance, x, speed, !places.is_empty())
+    }
+
+    /// Frequencies of the machine linearised about the mean of the motion last sampled, rad/s.
+    pub(in crate::harmonic) fn mean_frequencies(&mut self, balance: &mut Balance, speed: f64) -> Option<Vec<f64>> {
+        if !self.constant_mass {
+            return None;
+        }
+        self.set_speed(balance, speed).ok()?;
+        let mean = means(balance);
+        let mut a = self.constant.clone();
+        self.add_tangent([&mean[0], &mean[1]], 0, &mut a);
+        Some(self.eigenvalues(&a).ok()?.iter().map(|z| z.im).collect())
+    }
+
+    pub(super) fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
+        self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unjudged::Failed(format!("eigenvalues: {e}")))
+    }
+
+    /// Constant part of A and the input of nonlinear forces, scaled.
+    pub(super) fn set_speed(&mut self, balance: &Balance, speed: f64) -> Result<(), Unjudged> {
+        if self.speed == speed {
+            return Ok(());
+        }
+        let system = balance.system;
+        let (n, m) = (self.n, self.m);
+        let (q, z) = (vec![0.0; n], vec![0.0; m]);
+        let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut self.tangent, &mut self.scratch, Slot::is_linear);
+        self.constant = first_order(&self.tangent).ok_or(Unjudged::Massless)?;
+        let rows = &balance.nonlinear.basis.rows;
+        let mut g = Mat::zeros(n, rows.len());
+        for (j, row) in rows.iter().enumerate() {
+            for &(i, x) in row {
+                g[(i, j)] -= x;
+            }
+        }
+        Lu::new(&self.tangent.a).map_err(|_| Unjudged::Massless)?.solve_mat(&mut g);
+        let memory = self.tangent.rate_a.matmul(&g);
+        self.input = Mat::from_fn(2 * n + m, rows.len(), |i, j| match i {
+            i if i < n => 0.0,
+            i if i < 2 * n => g[(i - n, j)],
+            i => memory[(i - 2 * n, j)],
+        });
+        if self.scale.is_empty() {
+            // balanced with the nonlinear parts as at the first sample, so that rates and displacements are of one size
+            let mut a = self.constant.clone();
+            self.scale = vec![1.0; a.rows()];
+            self.list_entries(balance);
+            self.add_tangent([balance.sampled.tangent(0), balance.sampled.tangent(1)], 0, &mut a);
+            self.scale = balance_scale(&a, &self.pairs);
+        }
+        for i in 0..self.constant.rows() {
+            let si = self.scale[i];
+            for (a, sj) in self.constant.row_mut(i).iter_mut().zip(&self.scale) {
+                *a *= sj / si;
+            }
+            self.input.row_mut(i).iter_mut().for_each(|x| *x /= si);
+        }
+        self.list_entries(balance);
+        self.speed = speed;
+        Ok(())
+    }
+
+    /// Lists how tangents of the nonlinear coordinates enter A.
+    fn list_entries(&mut self, balance: &Balance) {
+        let (n, rows) = (self.n, &balance.nonlinear.basis.rows);
+        let derivatives = if balance.nonlinear.members.iter().any(|m| m.uses.velocity) { 2 } else { 1 };
+        self.entries.clear();
+        for row in n..self.input.rows() {
+            for j in 0..rows.len() {
+                let g = self.input[(row, j)];
+                if g == 0.0 {
+                    continue;
+                }
+                for (k, combination) in rows.iter().enumerate() {
+                    for derivative in 0..derivatives {
+                        for &(c, x) in combination {
+                            let col = derivative * n + c;
+                            self.entries.push(Entry { row, col, derivative, j, k, factor: g * x * self.scale[col] });
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds the nonlinear parts' tangents to a scaled A.
+    fn add_tangent(&self, tangents: [&Mat; 2], from: usize, a: &mut Mat) {
+        for e in &self.entries {
+            a[(e.row, e.col)] += e.factor * tangents[e.derivative][(from + e.j, e.k)];
+        }
+    }
+
+    /// States in blocks that neither the constant part nor a tangent seen at a sample (with `all`: any tangent) couples.
+    pub(super) fn blocks(&self, balance: &Balance, all: bool) -> Vec<Block> {
+        let mut pattern = Mat::from_fn(self.constant.rows(), self.constant.rows(), |i, j| self.constant[(i, j)].abs());
+        let mu = balance.terms.coordinates;
+        for e in &self.entries {
+            let tangent = balance.sampled.tangent(e.derivative);
+            let most = (0..balance.terms.samples).map(|s| tangent[(s * mu + e.j, e.k)].abs()).fold(0.0, f64::max);
+            pattern[(e.row, e.col)] += if all { 1.0 } else { most };
+        }
+        let blocks = components(&pattern);
+        let place = |states: &[usize], i: usize| states.iter().position(|&s| s == i);
+        blocks
+            .into_iter()
+            .map(|states| {
+                let constant = states.iter().flat_map(|&i| states.iter().map(move |&j| (i, j))).map(|ij| self.constant[ij]).collect();
+                let entries = self.entries.iter().filter(|e| pattern[(e.row, e.col)] != 0.0);
+                let entries =
+                    entries.filter_map(|e| Some(Entry { row: place(&states, e.row)?, col: place(&states, e.col)?, ..*e })).collect();
+                Block { constant, entries, states }
+            })
+            .collect()
+    }
+}
+
+/// Tangents of the nonlinear coordinates by displacements and by rates: means over the period of the motion last sampled.
+fn means(balance: &Balance) -> [Mat; 2] {
+    let terms = &balance.terms;
+    let mu = terms.coordinates;
+    let mut mean = [Mat::zeros(mu, mu), Mat::zeros(mu, mu)];
+    for (d, mean) in mean.iter_mut().enumerate() {
+        let tangent = balance.sampled.tangent(d);
+        for j in 0..terms.samples {
+            for i in 0..mu {
+                for k in 0..mu {
+                    mean[(i, k)] += tangent[(j * mu + i, k)] / terms.samples as f64;
+                }
+            }
+        }
+        // the rest of the period has these tangents turned
+        if terms.symmetry == Symmetry::Quarter {
+            average_quarter(&balance.nonlinear.kinds, mean);
+        }
+    }
+    mean
+}
+
+/// Rounding of growth rates that come from eigenvalues of `a`.
+pub(super) fn rounding(a: &Mat) -> f64 {
+    1e-14 * a.max_size() * a.rows() as f64
+}
+
+/// Powers of two that bring rows and columns to one size; the same for both halves of a pair.
+pub(super) fn balance_scale(a: &Mat, pairs: &[bool]) -> Vec<f64> {
+    let n = a.rows();
+    let mut scale = vec![1.0; n];
+    for _ in 0..20 {
+        for i in 0..n {
+            let (mut row, mut col) = (0.0, 0.0);
+            for j in (0..n).filter(|&j| j != i) {
+                row += (a[(i, j)] * scale[j] / scale[i]).abs();
+                col += (a[(j, i)] * scale[i] / scale[j]).abs();
+            }
+            if row > 0.0 && col > 0.0 {
+                scale[i] *= (0.5 * (row / col).log2()).round().exp2();
+            }
+        }
+    }
+    for i in (0..n).filter(|&i| pairs[i]) {
+        scale[i + 1] = scale[i];
+    }
+    scale
+}
+
+/// Distance of `lambda_i - lambda_j` from the nearest non-zero multiple of `i base`, least over all i, j.
+fn detuning(values: &[C64], base: f64) -> f64 {
+    let mut least = f64::INFINITY;
+    for a in values {
+        for b in values {
+            let d = *a - *b;
+            let k = (d.im / base).round();
+            for k in [k - 1.0, k, k + 1.0] {
+                if k != 0.0 {
+                    least = least.min((d - c(0.0, k * base)).abs());
+                }
+            }
+        }
+    }
+    least
+}
+
+/// Mean of a matrix over the four quarter turns of its pairs.
+fn average_quarter(kinds: &[DofKind], a: &mut Mat) {
+    let n = kinds.len();
+    let mut turn = Mat::<f64>::identity(n);
+    for i in (0..n).filter(|&i| kinds[i].leads_pair()) {
+        turn[(i, i)] = 0.0;
+        turn[(i + 1, i + 1)] = 0.0;
+        turn[(i, i + 1)] = -1.0;
+        turn[(i + 1, i)] = 1.0;
+    }
+    let back = turn.transpose();
+    let mut sum = Mat::zeros(n, n);
+    let mut turned = a.clone();
+    for _ in 0..4 {
+        for (s, t) in sum.data_mut().iter_mut().zip(turned.data()) {
+            *s += 0.25 * t;
+        }
+        turned = turn.matmul(&turned).matmul(&back);
+    }
+    a.copy_from(&sum);
+}
+
+/// Sets of states that the matrix does not couple.
+fn components(pattern: &Mat) -> Vec<Vec<usize>> {
+    let n = pattern.rows();
+    let mut mark = vec![usize::MAX; n];
+    let mut blocks: Vec<Vec<usize>> = Vec::new();
+    for start in 0..n {
+        if mark[start] != usize::MAX {
+            continue;
+        }
+        let id = blocks.len();
+        let (mut stack, mut block) = (vec![start], Vec::new());
+        mark[start] = id;
+        while let Some(i) = stack.pop() {
+            block.push(i);
+            for j in 0..n {
+                if mark[j] == usize::MAX && (pattern[(i, j)] != 0.0 || pattern[(j, i)] != 0.0) {
+                    mark[j] = id;
+                    stack.push(j);
+                }
+            }
+        }
+        block.sort_unstable();
+        blocks.push(block);
+    }
+    blocks
+}

@@ -1,0 +1,5 @@
+//! Stability of a periodic motion.
+pub mod determinant;
+pub mod floquet;
+pub mod hill;
+pub(in crate::harmonic) mod monodromy;
