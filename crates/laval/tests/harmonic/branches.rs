@@ -99,7 +99,7 @@ fn nine_states_of_two_planes() {
     let mixed = r.branches.iter().filter(|b| b.images == 2);
     let ellipse = mixed.flat_map(|b| states(&system, b, speed).1).find(|s| s.stable).unwrap();
     let radius = (0..720).map(|k| {
-        let [[x, y], ..] = ellipse.orbit.pair_at(0, std::f64::consts::TAU * f64::from(k) / 720.0);
+        let [[x, y], ..] = ellipse.orbit.probe_at(&system.probes()[0], std::f64::consts::TAU * f64::from(k) / 720.0);
         x.hypot(y) / 1e-3
     });
     let (least, most) = radius.fold((f64::INFINITY, 0.0f64), |(l, m), r| (l.min(r), m.max(r)));

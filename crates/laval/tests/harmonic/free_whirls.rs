@@ -236,7 +236,7 @@ fn unequal_planes_whirl_apart() {
             let mut balance = Balance::new(&system, f.discretisation, (900.0, 1000.0), None).unwrap();
             balance.set_free(Pace { speed: 100.0, frequency: m.frequency, drive: 0.0, rate: [0.0; 3], parameter: None });
             let orbit = Orbit::of(&mut balance, &m.x, 100.0).unwrap();
-            let (peak, _) = Measure::Displacement(0).largest(&system, &orbit, 1);
+            let (peak, _) = Measure::Probe(0).largest(&system, &orbit, 1);
             let a2 = peak * peak * c1 / c0;
             let k = laval_num::elliptic::complete_first(a2 / (2.0 * (1.0 + a2)));
             let w = std::f64::consts::PI * (c0 / 3.0 * (1.0 + a2)).sqrt() / (2.0 * k);

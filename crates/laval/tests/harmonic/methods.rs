@@ -73,7 +73,7 @@ fn methods_of_the_table() {
         states.sort_by(|a, b| a.z[0].total_cmp(&b.z[0]));
         let orbit = Orbit::of(&mut balance, &states[state].x, speed).unwrap();
         for body in 0..2 {
-            let at = |j: usize| orbit.pair_at(2 * body, std::f64::consts::TAU * j as f64 / 256.0)[0][0].abs();
+            let at = |j: usize| orbit.probe_at(&system.probes()[body], std::f64::consts::TAU * j as f64 / 256.0)[0][0].abs();
             let sampled = (0..256).map(at).fold(0.0, f64::max) / e;
             check("256 samples", sampled, number(r[7 + body]), 1e-6 * number(r[7 + body]));
         }

@@ -5,7 +5,7 @@
 //! times as far.
 
 use laval::file::load;
-use laval::outcome::{Finding, Outcome, Table};
+use laval::outcome::{Data, Finding, Outcome, Table};
 use laval::study::Context;
 
 const A: f64 = 0.1;
@@ -173,4 +173,76 @@ fn a_limit_on_a_point() {
         assert_eq!(wrong(point), Some(vec![("limits.name", true)]), "{point}");
     }
     assert_eq!(wrong("d at 100 mm"), None);
+}
+
+fn text(t: &Table, name: &str, i: usize) -> String {
+    match &t.column(name).unwrap_or_else(|| panic!("no column {name}")).data {
+        Data::Text(v) => v[i].clone(),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// With `m = A - C` and `D = c/(2 sqrt(k m))` the tilt peaks at `W = sqrt(k/m)/sqrt(1 - 2 D^2)` with `tau/(2 D sqrt(1 - D^2))`; differentiated by hand. The machine
+/// is once nonlinear, beside a stop that stays open, and once linear, where the unknowns of the balance are those of the displacement, which stands still.
+#[test]
+fn peaks_of_a_tilt_have_derivatives() {
+    let m = A - C;
+    let d = DAMPING / (2.0 * (K * m).sqrt());
+    let (root, under) = ((1.0 - d * d).sqrt(), 1.0 - 2.0 * d * d);
+    let (top, speed) = (TAU / (2.0 * d * root), (K / m).sqrt() / under.sqrt());
+    near(top, tilt(speed), 1e-12);
+    // d/dD
+    let (top_d, speed_d) = (-top * under / (d * root * root), 2.0 * d * speed / under);
+    let by_m = [-speed / (2.0 * m) - speed_d * d / (2.0 * m), -top_d * d / (2.0 * m)];
+    let known = [
+        ("d.diametral_inertia", by_m),
+        ("d.polar_inertia", by_m.map(|x| -x)),
+        ("shaft.tilt_stiffness", [speed / (2.0 * K) - speed_d * d / (2.0 * K), -top_d * d / (2.0 * K)]),
+        ("losses.tilt_damping", [speed_d * d / DAMPING, top_d * d / DAMPING]),
+        ("d.skew", [0.0, top / TAU]),
+    ];
+    let stop = machine("");
+    let linear =
+        stop.replace("kind = \"stop\"", "kind = \"damper\"").replace("stiffness = \"1e6 N/m\"\ngap = \"20 mm\"", "damping = 1e-12");
+    for (machine, settled) in [(stop, 1e-9), (linear, 1e-9)] {
+        let o = run_on(&machine, "kind = \"sensitivity\"\nspeed = { from = 600, to = 1400 }");
+        let (t, s) = (o.find_table("places").expect("places"), o.find_table("sensitivities").expect("sensitivities"));
+        let names: Vec<String> = (0..t.rows()).map(|i| text(t, "body", i)).collect();
+        assert_eq!(names, [POINT, "tilt of d"], "{:?}", o.findings);
+        assert!(column(t, "settled").iter().all(|x| *x < settled), "{:?}", column(t, "settled"));
+        let tilts = [false, true].map(|tilt| column(t, if tilt { "tilt" } else { "displacement" }));
+        assert!(tilts[0][1].is_nan() && tilts[1][0].is_nan(), "a size in two units: {tilts:?}");
+        near(tilts[0][0], HEIGHT * top, 1e-9);
+        near(tilts[1][1], top, 1e-9);
+        let found = finding(&o, "peak", "tilt of d");
+        assert_eq!(found.unit, "rad");
+        assert!(found.text.contains("The peak of the tilt of \"d\""), "{}", found.text);
+        for (place, height, column_of) in [(0, HEIGHT, "displacement"), (1, 1.0, "tilt")] {
+            near(column(t, "speed")[place], speed, 1e-8);
+            let (of, speeds, sizes) = (column(s, "place"), column(s, "speed slope"), column(s, &format!("{column_of} slope")));
+            for (path, [by_speed, by_size]) in &known {
+                let row = (0..s.rows()).find(|&r| of[r] == (place + 1) as f64 && text(s, "parameter", r) == *path);
+                let row = row.unwrap_or_else(|| panic!("no {path} at {place}"));
+                near(sizes[row], height * by_size, 1e-7);
+                if *by_speed == 0.0 { assert!((speeds[row] * TAU / speed).abs() < 1e-7) } else { near(speeds[row], *by_speed, 1e-6) }
+            }
+        }
+    }
+}
+
+/// Approximate methods are compared by the tilt as well: of a machine that only tilts there is nothing else.
+#[test]
+fn methods_are_compared_by_tilts() {
+    let o = run("kind = \"methods\"\nspeed = { from = 800, to = 1200, points = 3 }");
+    let t = o.find_table("methods").expect("methods");
+    let speeds = column(t, "speed");
+    assert!(t.rows() >= 9);
+    for (k, w) in speeds.iter().enumerate() {
+        // the last periods of an integration from the converged motion
+        let by_time = text(t, "method", k) == "time integration";
+        near(column(t, "d largest tilt_y")[k], tilt(*w), if by_time { 1e-6 } else { 1e-9 });
+        near(column(t, "d tilt converged")[k], tilt(*w), 1e-9);
+        near(column(t, &format!("{POINT} largest x"))[k], HEIGHT * tilt(*w), if by_time { 1e-6 } else { 1e-9 });
+        assert!(column(t, "deviation")[k] < if by_time { 1e-6 } else { 1e-9 }, "{}", column(t, "deviation")[k]);
+    }
 }

@@ -74,7 +74,7 @@ fn limits_are_reached_and_jumps_lie_at_folds() {
     let upper = folds.iter().copied().fold(0.0, f64::max);
     assert!((upper - 2668.4586212391).abs() < 1e-6, "{folds:?}");
     for (limits, measure, limit, unit) in [
-        ("displacement = { drum = \"0.3 mm\" }", Measure::Displacement(0), 3e-4, "300 µm"),
+        ("displacement = { drum = \"0.3 mm\" }", Measure::Probe(0), 3e-4, "300 µm"),
         ("force = { bearing = \"2 kN\" }", Measure::Force(2), 2000.0, "2 kN"),
     ] {
         let o = window(limits, "");

@@ -14,6 +14,7 @@
 
 use crate::harmonic::balance::condense::{Condenser, Order};
 use crate::harmonic::balance::nonlinear::Sampled;
+use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::pace::Pace;
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::terms::Terms;
@@ -47,8 +48,8 @@ pub struct Elliptic {
     pub parameter: f64,
     /// First-order amplitude of the deflection: complex, in the direction of the spin.
     pub first: C64,
-    /// Amplitudes of all coordinates at orders 1, 3, 5, ...
-    pub motion: Vec<(usize, Vec<C64>)>,
+    /// The motion of all coordinates, at orders 1, 3, 5, ...; internal states are left out.
+    pub motion: Orbit,
 }
 
 /// Orders of the motion that is put together from the forces.
@@ -197,7 +198,8 @@ fn assemble(system: &System, law: &Law, speed: f64, a: f64, turn: C64) -> Option
     }
     let mut condenser = Condenser::new(system, &nonlinear.basis, vec![0.0; 2], 1);
     condenser.set_pace(system, &Pace::forced(speed, 1));
-    let (mut order, mut motion) = (Order::default(), Vec::new());
+    let mut order = Order::default();
+    let mut motion = Orbit { speed, frequency: speed, orders: terms.orders.clone(), ..Orbit::default() };
     let (mut du, mut df) = (vec![C64::zero(); 2], vec![C64::zero(); 2]);
     for &k in &terms.orders {
         condenser.order(system, k, &mut order).ok()?;
@@ -214,7 +216,8 @@ fn assemble(system: &System, law: &Law, speed: f64, a: f64, turn: C64) -> Option
             let &(g, b) = row.iter().find(|(_, b)| *b > 0.0)?;
             x[g] += (d - own).scale(1.0 / b);
         }
-        motion.push((k, x));
+        motion.coordinates.push(x);
+        motion.states.push(Vec::new());
     }
     let first = phase(1).scale(a * coefficient(1, m));
     Some(Elliptic { amplitude: a, parameter: m, first, motion })

@@ -78,23 +78,6 @@ impl Orbit {
         [x, x + 1].map(|i| self.rest.get(i).copied().unwrap_or(0.0))
     }
 
-    /// The pair that starts at coordinate `x`, from its place of rest, with its first and second derivative in the base phase, at base phase `tau`.
-    pub fn pair_at(&self, x: usize, tau: f64) -> [[f64; 2]; 3] {
-        let mut out = [[0.0; 2]; 3];
-        out[0] = self.rest_of(x).map(|r| -r);
-        for (&k, amplitudes) in self.orders.iter().zip(&self.coordinates) {
-            let turn = C64::cis(k as f64 * tau);
-            for (j, &amplitude) in amplitudes[x..].iter().take(2).enumerate() {
-                let mut z = amplitude * turn;
-                for o in &mut out {
-                    o[j] += z.re;
-                    z = z.mul_i().scale(k as f64);
-                }
-            }
-        }
-        out
-    }
-
     /// What a probe measures, from rest, with its first and second derivative in the base phase, at base phase `tau`.
     pub fn probe_at(&self, probe: &Probe, tau: f64) -> [[f64; 2]; 3] {
         let mut out = [[0.0; 2]; 3];

@@ -1,4 +1,4 @@
-//! What is measured of a periodic motion: the distance of a body from its rest position, or the force of a part. The largest over a period counts.
+//! What is measured of a periodic motion: the distance of a point from its rest position, a tilt, or the force of a part. The largest over a period counts.
 //!
 //! The force of a part is what its residual puts on its first pair of coordinates: of a bearing what it transmits, of a liquid what it puts on the wall of its
 //! cavity, with its inertia. That of a body is without its own inertia: of a foundation what its spring and damper give to the ground.
@@ -14,9 +14,7 @@ use std::f64::consts::TAU;
 /// A quantity with a size at every instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// Distance from the rest position, m, of the pair that starts at this coordinate.
-    Displacement(usize),
-    /// What the probe with this index among [`System::probes`] measures, m or rad.
+    /// What the probe with this index among [`System::probes`] measures, from rest, m or rad.
     Probe(usize),
     /// Force, N, of the part in this slot.
     Force(usize),
@@ -57,7 +55,6 @@ impl Measure {
     /// SI unit.
     pub fn unit(self, system: &System) -> &'static str {
         match self {
-            Measure::Displacement(_) => "m",
             Measure::Probe(k) => system.probes()[k].unit(),
             Measure::Force(_) => "N",
         }
@@ -66,7 +63,6 @@ impl Measure {
     /// Both components at an instant.
     pub(super) fn at<S: Evaluate>(self, system: &System, params: &[S], now: &Instant<S>) -> [S; 2] {
         match self {
-            Measure::Displacement(x) => [now.q[x], now.q[x + 1]],
             Measure::Probe(k) => system.probes()[k].scaled(now.q),
             Measure::Force(slot) => force(&system.slots()[slot], params, now),
         }
@@ -75,7 +71,6 @@ impl Measure {
     /// Both components at base phase `tau` of a motion of this period in turns.
     pub fn components_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> [f64; 2] {
         match self {
-            Measure::Displacement(x) => orbit.pair_at(x, tau)[0],
             Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
             Measure::Force(slot) => {
                 let (n, m) = (system.n(), system.m());
@@ -120,7 +115,6 @@ impl Measure {
             }
         }
         let refined = match self {
-            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h),
             Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h),
             Measure::Force(_) => vertex(square, (tau, best), h),
         };
@@ -132,7 +126,6 @@ impl Measure {
         let square = |tau: f64| self.square_at(system, orbit, turns, tau);
         let (best, h) = (square(tau), 0.01);
         match self {
-            Measure::Displacement(x) => stationary(|tau| orbit.pair_at(x, tau), (tau, best), h).0,
             Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h).0,
             Measure::Force(_) => vertex(square, (tau, best), h).0,
         }

@@ -11,17 +11,17 @@
 //! Theory: `docs/theory/approximate-methods.md#averaging`.
 
 use crate::diagnostic::Diagnostic;
-use crate::harmonic::balance::elliptic::{Elliptic, law, motions};
+use crate::harmonic::balance::elliptic::{law, motions};
 use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::balance::terms::Term;
 use crate::harmonic::branches::response::Response;
 use crate::harmonic::stability::floquet::{Exponents, Stability};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::motion::Motion;
 use crate::programme::Programme;
 use crate::symmetry::Symmetry;
-use laval_num::complex::C64;
 use laval_num::continuation::Zero;
 use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Options, newton};
@@ -66,9 +66,9 @@ pub struct Value {
     pub state: usize,
     /// Method.
     pub method: Method,
-    /// Largest |x| of each body over a period, m; NaN when the method has no such state.
+    /// Largest size of the [`component`] of each of the system's probes over a period, m or rad; NaN when the method has no such state.
     pub peaks: Vec<f64>,
-    /// Largest over the bodies of the change of the peak from the converged one, over the largest converged peak.
+    /// Largest change of a peak from the converged one, over the largest converged peak, both in the typical size of their kind.
     pub deviation: f64,
     /// Largest growth rate it gives, 1/s; NaN when it gives none.
     pub growth: f64,
@@ -144,21 +144,19 @@ pub fn compare(
                 lower_states.iter().map(|l| paired(&sizes, &l.iter().map(|s| s.1).collect::<Vec<_>>())).collect();
             for (state, (x, _)) in states.iter().enumerate() {
                 let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
-                let exact = peaks(system, &|tau, x| orbit.pair_at(x, tau)[0][0]);
+                let exact = peaks(system, &orbit);
                 full.sample(x, speed);
                 let exponents = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok());
                 let (growth, growth_error) = exponents.map_or((f64::NAN, 0.0), |e: Exponents| (e.growth(), e.error));
                 let mut push = |method: Method, own: Vec<f64>, growth: f64, parameter: f64| {
-                    let largest = exact.iter().copied().fold(0.0, f64::max);
-                    let change = own.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| if (a - b).abs() <= m { m } else { (a - b).abs() });
-                    let deviation = if own.is_empty() { f64::NAN } else { change / largest };
+                    let deviation = if own.is_empty() { f64::NAN } else { deviation(system.probes(), &own, &exact) };
                     let peaks = if own.is_empty() { vec![f64::NAN; exact.len()] } else { own };
                     out.values.push(Value { speed, state, method, peaks, deviation, growth, growth_error: 0.0, parameter });
                 };
                 for (k, (h, _, balance)) in few.iter_mut().enumerate() {
                     let found = with_lower[k][state].map(|j| &lower_states[k][j].0);
                     let own = found.and_then(|x| Orbit::of(balance, x, speed).ok());
-                    let own = own.map_or(Vec::new(), |o| peaks(system, &|tau, x| o.pair_at(x, tau)[0][0]));
+                    let own = own.map_or(Vec::new(), |o| peaks(system, &o));
                     if *h == 1 {
                         let growth = found.and_then(|x| slow_growth(balance, x, speed)).unwrap_or(f64::NAN);
                         push(Method::Averaging, own.clone(), growth, f64::NAN);
@@ -167,7 +165,7 @@ pub fn compare(
                 }
                 if elliptic.is_ok() {
                     let near = with_elliptic[state].map(|j| &elliptic_states[j]);
-                    let own = near.map_or(Vec::new(), |e| elliptic_peaks(system, e));
+                    let own = near.map_or(Vec::new(), |e| peaks(system, &e.motion));
                     push(Method::Elliptic, own, f64::NAN, near.map_or(f64::NAN, |e| e.parameter));
                 }
                 match in_time(system, &orbit, d.divisor) {
@@ -248,18 +246,32 @@ fn paired(own: &[f64], others: &[f64]) -> Vec<Option<usize>> {
     out
 }
 
-/// Largest |x| of every body over a period.
-fn peaks(system: &System, x: &dyn Fn(f64, usize) -> f64) -> Vec<f64> {
+/// Which component of a probe is compared: that in the plane of x. A tilt about y moves points along x.
+pub fn component(probe: &Probe) -> usize {
+    usize::from(probe.is_tilt())
+}
+
+/// Largest change of a peak over the largest of the exact ones; sizes of displacements and tilts over what is typical of each.
+fn deviation(probes: &[Probe], own: &[f64], exact: &[f64]) -> f64 {
+    let largest = probes.iter().zip(exact).map(|(p, x)| x / p.typical()).fold(0.0, f64::max);
+    let changes = probes.iter().zip(own.iter().zip(exact)).map(|(p, (a, b))| (a - b).abs() / p.typical());
+    changes.fold(0.0, |m: f64, c| if c <= m { m } else { c }) / largest
+}
+
+/// Largest size of the component of every probe over a period.
+fn peaks(system: &System, orbit: &Orbit) -> Vec<f64> {
     let h = TAU / INSTANTS as f64;
-    let of = |body: usize| {
-        let at = |j: usize| x(h * j as f64, body).abs();
+    let of = |probe: &Probe| {
+        let side = component(probe);
+        let size = |tau: f64| orbit.probe_at(probe, tau)[0][side].abs();
+        let at = |j: usize| size(h * j as f64);
         let Some(best) = (0..INSTANTS).max_by(|&a, &b| at(a).total_cmp(&at(b))) else { return f64::NAN };
         // refined by halving the neighbourhood of the largest sample
         let (mut centre, mut width) = (h * best as f64, h);
         let mut value = at(best);
         for _ in 0..60 {
             for tau in [centre - 0.5 * width, centre + 0.5 * width] {
-                let v = x(tau, body).abs();
+                let v = size(tau);
                 if v > value {
                     (centre, value) = (tau, v);
                 }
@@ -268,11 +280,7 @@ fn peaks(system: &System, x: &dyn Fn(f64, usize) -> f64) -> Vec<f64> {
         }
         value
     };
-    system.bodies().iter().map(|b| of(b.x)).collect()
-}
-
-fn elliptic_peaks(system: &System, e: &Elliptic) -> Vec<f64> {
-    peaks(system, &|tau, x| e.motion.iter().map(|(k, q)| (q[x] * C64::cis(*k as f64 * tau)).re).sum())
+    system.probes().iter().map(of).collect()
 }
 
 /// Peaks of the last of some periods, followed in time from the converged motion.
@@ -288,9 +296,9 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
     let mut y = [&q[..], &v[..], &z[..]].concat();
     let period = TAU * divisor as f64 / orbit.speed.abs();
     let start = period * (PERIODS - 1) as f64;
-    let bodies: Vec<usize> = system.bodies().iter().map(|b| b.x).collect();
-    let places: Vec<f64> = bodies.iter().map(|&x| orbit.rest_of(x)[0]).collect();
-    let mut seen = vec![0.0f64; bodies.len()];
+    let probes = system.probes();
+    let places: Vec<f64> = probes.iter().map(|p| orbit.rest_seen(p)[component(p)]).collect();
+    let mut seen = vec![0.0f64; probes.len()];
     let absolute = 1e-12 * y[..n].iter().fold(1e-12, |m: f64, x| m.max(x.abs()));
     let outputs: Vec<f64> = (0..=16 * INSTANTS).map(|j| start + period * j as f64 / (16 * INSTANTS) as f64).collect();
     let end = period * PERIODS as f64;
@@ -299,15 +307,15 @@ fn in_time(system: &System, orbit: &Orbit, divisor: usize) -> Result<Vec<f64>, S
         max_steps: STEPS * PERIODS as u64,
         ..Control::new(Tolerance::All(1e-11), Tolerance::All(absolute))
     };
-    struct Seen<'s>(&'s [usize], &'s [f64], &'s mut Vec<f64>);
+    struct Seen<'s>(&'s [Probe], &'s [f64], &'s mut Vec<f64>);
     impl laval_num::ode::Observer for Seen<'_> {
         fn output(&mut self, _: usize, _: f64, y: &[f64]) {
-            for ((s, &x), rest) in self.2.iter_mut().zip(self.0).zip(self.1) {
-                *s = s.max((y[x] - rest).abs());
+            for ((s, probe), rest) in self.2.iter_mut().zip(self.0).zip(self.1) {
+                *s = s.max((probe.of(y)[component(probe)] - rest).abs());
             }
         }
     }
-    let run = integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, end, &control, &mut Seen(&bodies, &places, &mut seen));
+    let run = integrate(&mut Dop853::new(), &mut motion, 0.0, &mut y, end, &control, &mut Seen(probes, &places, &mut seen));
     match run.end {
         End::Reached => Ok(seen),
         End::WorkLimit { .. } => {

@@ -121,6 +121,8 @@ struct Local {
     phi: Vec<f64>,
     value: f64,
     gradient: Vec<f64>,
+    /// Both components of the measured pair, differentiated at the instant that counts.
+    pair: [Vec<f64>; 2],
     /// By parameter: dR/dp, dphi/dp, d measure/dp.
     r_p: Vec<Vec<f64>>,
     phi_p: Vec<f64>,
@@ -159,6 +161,9 @@ pub fn moved(
 
 /// Steps of the differences over the size of the unknowns: the widest, and the factor between them.
 const WIDEST: f64 = 0.02;
+/// The least such size over the arclength in which the measured motion changes by itself: the unknowns may stand still where it moves, as the nonlinear
+/// coordinates do of a rotor that only tilts.
+const STILL: f64 = 0.1;
 const NARROWER: f64 = 0.4;
 const STEPS: usize = 12;
 /// Change at which the differences have settled, and at which they are given up.
@@ -187,7 +192,7 @@ impl Point<'_, '_> {
                 return self.derivatives(&y, &t, local, &lu, &rows, &l, relative);
             }
             left = relative;
-            let second = self.second(&y, &t, &l, true)?;
+            let second = self.second(&y, &t, &l, local.reach(&t), true)?;
             let curvature = dot(&second.0[..n + 1], &t);
             // Newton's method on the slope along the branch and on the residual
             let mut d: Vec<f64> = local.r.iter().zip(&rows).map(|(r, w)| -r * w).collect();
@@ -204,7 +209,7 @@ impl Point<'_, '_> {
     #[allow(clippy::too_many_arguments)]
     fn derivatives(&mut self, y: &[f64], t: &[f64], local: Local, lu: &Lu, rows: &[f64], l: &[f64], left: f64) -> Option<Moved> {
         let n = rows.len();
-        let (h, lp, settled) = self.second(y, t, l, false)?;
+        let (h, lp, settled) = self.second(y, t, l, local.reach(t), false)?;
         let curvature = dot(&h, t);
         if !(settled < LOST) || curvature == 0.0 {
             return None;
@@ -226,10 +231,11 @@ impl Point<'_, '_> {
         Some(Moved { speed: y[n] * self.scale[n], value: local.value, x, slopes, slope_left: left, settled })
     }
 
-    /// d/de at e = 0 of dL/dy and (unless `only_y`) dL/dp at y + e t, l held, and how well they have settled.
-    fn second(&mut self, y: &[f64], t: &[f64], l: &[f64], only_y: bool) -> Option<(Vec<f64>, Vec<f64>, f64)> {
+    /// d/de at e = 0 of dL/dy and (unless `only_y`) dL/dp at y + e t, l held, and how well they have settled. The measured motion changes by itself in the
+    /// arclength `reach`.
+    fn second(&mut self, y: &[f64], t: &[f64], l: &[f64], reach: f64, only_y: bool) -> Option<(Vec<f64>, Vec<f64>, f64)> {
         let n = y.len() - 1;
-        let size = norm(&y[..n]);
+        let size = norm(&y[..n]).max(STILL * reach.min(norm(y)));
         let tau = self.tau;
         let at = |point: &mut Self, e: f64| -> Option<Vec<f64>> {
             point.tau = tau;
@@ -300,27 +306,32 @@ impl Point<'_, '_> {
         let seen = Seen { orbit: &orbit, turns, tau };
         let columns = |c: usize| by_unknown.iter().map(|m| (0..m.rows()).map(|i| m[(i, c)]).collect::<Vec<C64>>()).collect::<Vec<_>>();
         let mut unit = vec![0.0; n];
-        let mut gradient = vec![0.0; n + 1];
+        let (mut gradient, mut pair) = (vec![0.0; n + 1], [vec![0.0; n + 1], vec![0.0; n + 1]]);
         let mut value = f64::NAN;
-        for k in 0..n {
-            unit[k] = 1.0;
-            let (v, slope) = self.slope(&seen, &columns(k), Some(&unit), 0.0, None);
-            unit[k] = 0.0;
-            (value, gradient[k]) = (v, slope * self.scale[k]);
+        for k in 0..=n {
+            let sloped = if k < n {
+                unit[k] = 1.0;
+                self.slope(&seen, &columns(k), Some(&unit), 0.0, None)
+            } else {
+                self.slope(&seen, &turned, None, 1.0, None)
+            };
+            unit.fill(0.0);
+            let [a, b] = sloped.pair;
+            (value, gradient[k]) = (sloped.size, sloped.slope * self.scale[k]);
+            (pair[0][k], pair[1][k]) = (a * self.scale[k], b * self.scale[k]);
         }
-        gradient[n] = self.slope(&seen, &turned, None, 1.0, None).1 * self.scale[n];
         let mut phi = gradient.clone();
         if self.what == Stationary::Fold {
             phi.fill(0.0);
             phi[n] = self.scale[n];
         }
-        let mut out = Local { j, r, phi, value, gradient, r_p: vec![], phi_p: vec![], value_p: vec![], tau };
+        let mut out = Local { j, r, phi, value, gradient, pair, r_p: vec![], phi_p: vec![], value_p: vec![], tau };
         if with_parameters {
             for &p in self.parameters {
                 self.balance.differentiate_by(Some(p));
                 let mut rates = vec![0.0; n];
                 let motion = self.balance.motion_rates(&x, speed, &mut rates).ok()?;
-                let slope = self.slope(&seen, &motion, None, 0.0, Some(p)).1;
+                let slope = self.slope(&seen, &motion, None, 0.0, Some(p)).slope;
                 out.r_p.push(rates);
                 out.value_p.push(slope);
                 out.phi_p.push(if self.what == Stationary::Fold { 0.0 } else { slope });
@@ -333,7 +344,7 @@ impl Point<'_, '_> {
 
     /// The measure at the instant of its largest value, and its derivative where the amplitudes of the motion have the derivatives `motion` (coordinates, then
     /// linear states, order by order), the unknowns move by `unit`, the speed at this rate, and a parameter.
-    fn slope(&self, seen: &Seen, motion: &[Vec<C64>], unit: Option<&[f64]>, by_speed: f64, parameter: Option<Parameter>) -> (f64, f64) {
+    fn slope(&self, seen: &Seen, motion: &[Vec<C64>], unit: Option<&[f64]>, by_speed: f64, parameter: Option<Parameter>) -> Sloped {
         let system = self.balance.system;
         let (n, m) = (system.n(), system.m());
         let zero = D1::lift(0.0);
@@ -372,11 +383,6 @@ impl Point<'_, '_> {
         let now = Instant { q: &q, v: &v, a: &accel, z: &z, phase: seen.turns as f64 * seen.tau, speed };
         let [a, b] = self.measure.at(system, &params, &now);
         let [a, b] = match self.measure {
-            Measure::Displacement(i) if !seen.orbit.rest.is_empty() => {
-                let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, &|q| [q[i], q[i + 1]]);
-                let place = seen.orbit.rest_of(i);
-                [a - D1 { re: place[0], eps: [x] }, b - D1 { re: place[1], eps: [y] }]
-            }
             Measure::Probe(k) if !seen.orbit.rest.is_empty() => {
                 let probe = &system.probes()[k];
                 let [x, y] = self.rest_slope(seen.orbit.speed, by_speed, parameter, &|q| probe.of(q));
@@ -386,7 +392,7 @@ impl Point<'_, '_> {
             _ => [a, b],
         };
         let size = c(a.re, b.re).abs();
-        (size, (a.re * a.eps[0] + b.re * b.eps[0]) / size)
+        Sloped { size, slope: (a.re * a.eps[0] + b.re * b.eps[0]) / size, pair: [a.eps[0], b.eps[0]] }
     }
 
     /// How the place of rest of a pair moves with the speed (at this rate) or a parameter, by differences of fourth order; NaN where
@@ -418,6 +424,20 @@ impl Point<'_, '_> {
         // a parameter that nothing at rest depends on may stand at the end of its range
         let rate = if parameter.is_some() { 1.0 } else { by_speed };
         slope().or_else(|| at(h).zip(at(0.0)).filter(|(a, b)| a == b).map(|_| [0.0; 2])).map_or([f64::NAN; 2], |s| s.map(|s| s * rate))
+    }
+}
+
+/// The size of a measure, its derivative, and the derivatives of both components.
+struct Sloped {
+    size: f64,
+    slope: f64,
+    pair: [f64; 2],
+}
+
+impl Local {
+    /// The arclength along the tangent in which the measured pair changes by itself.
+    fn reach(&self, t: &[f64]) -> f64 {
+        self.value / dot(&self.pair[0], t).hypot(dot(&self.pair[1], t))
     }
 }
 

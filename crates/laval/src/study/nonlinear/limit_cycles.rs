@@ -130,9 +130,7 @@ impl Shown<'_> {
     /// Displacements, unless nothing but tilts.
     fn kind(&self) -> Reach {
         let all = || self.measured.iter().flatten().flat_map(|m| self.probes.iter().zip(m.largest.iter().copied()));
-        let loud = probes::loudest(all());
-        let moved = all().any(|(p, x)| !p.is_tilt() && !probes::still(p, x, loud, probes::ROUNDING));
-        if moved || loud == 0.0 { Reach::Displacement } else { Reach::Tilt }
+        if probes::displaced(all) { Reach::Displacement } else { Reach::Tilt }
     }
 
     /// The probe of this kind that goes farthest in a motion, and how far; NaN where that is not known.

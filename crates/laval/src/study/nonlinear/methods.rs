@@ -14,11 +14,12 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
-use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, orders};
+use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, component, orders};
 use crate::solve::harmonic::branches::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
+use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::one_or_range;
+use crate::study::shared::support::{one_or_range, probe_name};
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
 
@@ -135,24 +136,26 @@ impl Methods {
         let all: Vec<&Value> = found.values.iter().filter(|v| v.method != Method::Converged).collect();
         let converged_of =
             |v: &Value| found.values.iter().find(|c| c.method == Method::Converged && c.speed == v.speed && c.state == v.state);
-        let bodies: Vec<String> = system.bodies().into_iter().map(|b| b.name).collect();
         let column = |f: &dyn Fn(&Value) -> f64| all.iter().map(|v| f(v)).collect::<Vec<f64>>();
         let mut t = Table::new("methods", "Peaks of every state by every method, beside the converged ones")
             .float("speed", "rad/s", "spin speed", column(&|v| v.speed))
             .int("state", "", "number of the state at this speed, by amplitude", all.iter().map(|v| v.state as i64 + 1).collect())
             .text("method", "method", all.iter().map(|v| v.method.to_string()).collect());
-        for (b, name) in bodies.iter().enumerate() {
-            let peak = |v: &Value| v.peaks.get(b).copied().unwrap_or(f64::NAN);
+        for k in probes::ordered(system) {
+            let probe = &system.probes()[k];
+            let peak = |v: &Value| v.peaks.get(k).copied().unwrap_or(f64::NAN);
+            let component = if probe.is_tilt() { ["tilt_x", "tilt_y"] } else { ["x", "y"] }[component(probe)];
+            let whose = if probe.is_tilt() { format!("{} tilt", probe.name) } else { probe_name(probe) };
             t = t
                 .float(
-                    format!("{name} largest x"),
-                    "m",
-                    "largest |x| over a period; NaN when the method has no state near the converged one",
+                    format!("{} largest {component}", probes::owner(probe)),
+                    probe.unit(),
+                    format!("largest |{component}| over a period; NaN when the method has no state near the converged one"),
                     column(&peak),
                 )
                 .float(
-                    format!("{name} converged"),
-                    "m",
+                    format!("{whose} converged"),
+                    probe.unit(),
                     "the same, converged; NaN when there is none",
                     column(&|v| converged_of(v).map_or(f64::NAN, peak)),
                 );
@@ -161,7 +164,7 @@ impl Methods {
             .float(
                 "deviation",
                 "",
-                "largest change of a peak from the converged one, over the largest converged peak; NaN where the method has no state, or nothing moves",
+                "largest change of a peak from the converged one, over the largest converged peak (10 mrad count as 1 mm); NaN where the method has no state, or nothing moves",
                 column(&|v| v.deviation),
             )
             .float("growth of slow motion", "1/s", "largest growth rate by averaging; NaN for other methods", column(&|v| v.growth))

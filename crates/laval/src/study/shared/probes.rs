@@ -87,6 +87,18 @@ pub fn resolved(sizes: Vec<(Probe, Vec<f64>)>, tolerance: f64) -> Vec<(Probe, Ve
     sizes.into_iter().filter(|(p, x)| !nothing(p, x)).collect()
 }
 
+/// Some point is displaced, and not only by what rounding leaves beside the tilts; so too where nothing moves.
+pub fn displaced<'p, I: IntoIterator<Item = (&'p Probe, f64)>>(sizes: impl Fn() -> I) -> bool {
+    let loud = loudest(sizes());
+    loud == 0.0 || sizes().into_iter().any(|(p, x)| !p.is_tilt() && !still(p, x, loud, ROUNDING))
+}
+
+/// Which probe of this kind has the largest of these sizes, and how large that is; sizes that are not known count as none.
+pub fn most(probes: &[Probe], sizes: &[f64], tilt: bool) -> Option<(usize, f64)> {
+    let own = sizes.iter().copied().enumerate().filter(|&(k, x)| probes[k].is_tilt() == tilt && x.is_finite());
+    own.max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
 /// A size that is none beside the loudest of a motion, where what is smaller than this `share` of it is not resolved.
 pub fn still(probe: &Probe, size: f64, loudest: f64, share: f64) -> bool {
     size.abs() <= share * loudest * probe.typical()

@@ -124,8 +124,6 @@ impl Shown<'_> {
 
     /// Some point is displaced, and not only by what rounding leaves beside the tilts.
     pub(super) fn displaced(&self) -> bool {
-        let all = || self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied()));
-        let loud = probes::loudest(all());
-        loud == 0.0 || all().any(|(p, x)| !p.is_tilt() && !probes::still(p, x, loud, probes::ROUNDING))
+        probes::displaced(|| self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied())))
     }
 }

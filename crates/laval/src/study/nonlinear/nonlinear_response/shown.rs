@@ -162,9 +162,8 @@ impl<'a> Shown<'a> {
     pub(super) fn size_at(&self, response: &Response, fold: &Fold) -> Option<(&Probe, f64)> {
         let place = |(b, t): (usize, &Traced)| Some((b, t.folds.iter().position(|f| std::ptr::eq(f, fold))?));
         let (b, k) = response.branches.iter().enumerate().find_map(place)?;
-        let tilt = !self.displaced();
-        let sizes = self.probes.iter().zip(self.at_folds.get(b)?.get(k)?.iter().copied()).filter(|s| s.0.is_tilt() == tilt);
-        sizes.filter(|s| s.1.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+        let (which, size) = probes::most(&self.probes, self.at_folds.get(b)?.get(k)?, !self.displaced())?;
+        Some((&self.probes[which], size))
     }
 
     /// Largest value of every probe; that of a reference point is known already.

@@ -2,7 +2,7 @@
 //!
 //! Equations: implicit function theorem on the harmonic balance, exact first derivatives; see [`crate::solve::harmonic::branches::sensitivity`].
 //!
-//! Symbols: W spin speed, rad/s; a largest displacement of a body over a period, m; p a parameter; relative influence `(p/a) da/dp`, `(p/W) dW/dp`: per cent
+//! Symbols: W spin speed, rad/s; a largest displacement of a point of a body (m) or tilt (rad) over a period; p a parameter; relative influence `(p/a) da/dp`, `(p/W) dW/dp`: per cent
 //! for one per cent more of the parameter.
 //!
 //! Validity: small changes; a peak or fold may cease to exist under large ones. That of the response; parts whose force jumps have no derivatives.
@@ -43,7 +43,8 @@ impl Study for Sensitivity {
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 "#;
     const DOC: &'static str = "How every peak and every fold (jump) of the steady response moves with every parameter of the machine: exact derivatives of its speed and \
-        its displacement, in order of their relative influence.";
+        of its displacement or tilt, in order of their relative influence. Peaks are those of every point that a part, a limit or a probe names, and of tilts. \
+        Values in lists and tables of a part are no parameters.";
     const FIELDS: &'static [Field] = &[
         Field::required(
             "speed",

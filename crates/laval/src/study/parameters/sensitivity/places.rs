@@ -1,7 +1,8 @@
 //! The peaks and folds of a response, each with its derivatives.
 
 use crate::diagnostic::Diagnostic;
-use crate::model::system::{Body, System};
+use crate::model::probe::Probe;
+use crate::model::system::System;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::branch::{State, Traced};
@@ -10,6 +11,7 @@ use crate::solve::harmonic::branches::peak::{Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::branches::sensitivity::{Moved, Named, Stationary, moved, parameters};
 use crate::study::Context;
+use crate::study::shared::probes;
 use laval_num::continuation::End;
 use laval_num::work;
 use std::f64::consts::TAU;
@@ -27,8 +29,8 @@ pub(super) struct Place {
     pub kind: Kind,
     /// Number of the branch, from 0.
     pub branch: usize,
-    /// The body whose displacement it is told by.
-    pub body: String,
+    /// Whose displacement or tilt it is.
+    pub probe: Probe,
     pub moved: Moved,
 }
 
@@ -42,18 +44,33 @@ pub(super) struct Derivatives {
     pub harmonics: usize,
 }
 
-/// Peaks lower than this share of the highest are left out.
+/// Peaks lower than this share of the largest motion are left out.
 const LOWEST: f64 = 1e-6;
 
-/// Largest displacements of the bodies at every point of a branch.
-fn displacements(balance: &mut Balance, branch: &Traced, bodies: &[Body]) -> Vec<Vec<f64>> {
-    let (system, turns) = (balance.system, branch.turns());
-    let of = |state: &State, balance: &mut Balance| {
-        let orbit = Orbit::of(balance, &state.x, state.speed).ok();
-        let size = |b: &Body| orbit.as_ref().map_or(f64::NAN, |o| Measure::Displacement(b.x).largest(system, o, turns).0);
-        bodies.iter().map(size).collect::<Vec<f64>>()
-    };
-    branch.points.iter().map(|p| of(p, balance)).collect()
+/// The probes that are measured, and how large their motion is.
+struct Seen {
+    /// In the order of all studies, and their indices among those of the machine.
+    probes: Vec<Probe>,
+    which: Vec<usize>,
+    /// By branch, point and probe: largest value over a period.
+    sizes: Vec<Vec<Vec<f64>>>,
+}
+
+impl Seen {
+    fn new(system: &System) -> Self {
+        Seen { probes: probes::all(system), which: probes::ordered(system), sizes: Vec::new() }
+    }
+
+    /// Measures one more branch.
+    fn measure(&mut self, balance: &mut Balance, branch: &Traced) {
+        let (system, turns) = (balance.system, branch.turns());
+        let of = |p: &State| probes::sizes(system, &self.which, &Orbit::of(balance, &p.x, p.speed).unwrap_or_default(), turns);
+        self.sizes.push(branch.points.iter().map(of).collect());
+    }
+
+    fn all(&self) -> impl Iterator<Item = (&Probe, f64)> {
+        self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied()))
+    }
 }
 
 /// Difference of two points in (x, speed).
@@ -61,25 +78,42 @@ fn along(a: &State, b: &State) -> Vec<f64> {
     a.x.iter().chain([&a.speed]).zip(b.x.iter().chain([&b.speed])).map(|(a, b)| b - a).collect()
 }
 
-/// A place before it is differentiated: kind, branch, body, unknowns, speed, direction of the branch, displacement.
-type Seed = (Kind, usize, usize, Vec<f64>, f64, Vec<f64>, f64);
+/// A place before it is differentiated.
+struct Seed {
+    kind: Kind,
+    branch: usize,
+    /// Index among the probes that are measured.
+    probe: usize,
+    x: Vec<f64>,
+    speed: f64,
+    /// Direction of the branch.
+    way: Vec<f64>,
+}
 
 /// Peaks and folds of a branch; folds without derivatives go to `without`.
-fn places_of(balance: &mut Balance, b: usize, branch: &Traced, speeds: (f64, f64), without: &mut Vec<(f64, String)>) -> Vec<Seed> {
-    let (system, bodies, mut seeds) = (balance.system, balance.system.bodies(), Vec::new());
-    let sizes = displacements(balance, branch, &bodies);
-    for (k, body) in bodies.iter().enumerate() {
+fn places_of(
+    balance: &mut Balance,
+    seen: &Seen,
+    b: usize,
+    branch: &Traced,
+    speeds: (f64, f64),
+    without: &mut Vec<(f64, String)>,
+) -> Vec<Seed> {
+    let (system, mut seeds) = (balance.system, Vec::new());
+    let (sizes, loud) = (&seen.sizes[b], probes::loudest(seen.all()));
+    for (k, probe) in seen.probes.iter().enumerate() {
         for i in 1..sizes.len().saturating_sub(1) {
             let [before, a, after] = [i - 1, i, i + 1].map(|i| sizes[i][k]);
-            if a > before && a >= after && !branch.points[i].unstable() {
-                let Some(peak) = refine(balance, branch, i, Measure::Displacement(body.x), Sense::Largest, speeds) else {
+            if a > before && a >= after && !branch.points[i].unstable() && !probes::still(probe, a, loud, LOWEST) {
+                let Some(peak) = refine(balance, branch, i, Measure::Probe(seen.which[k]), Sense::Largest, speeds) else {
                     continue;
                 };
                 let way = along(&branch.points[i - 1], &branch.points[i + 1]);
-                seeds.push((Kind::Peak, b, k, peak.x, peak.speed, way, peak.value));
+                seeds.push(Seed { kind: Kind::Peak, branch: b, probe: k, x: peak.x, speed: peak.speed, way });
             }
         }
     }
+    let tilt = !probes::displaced(|| seen.all());
     for f in &branch.folds {
         if f.corner || !f.confirmed {
             without.push((f.speed, "the branch turns at a corner, where a law switches".into()));
@@ -87,10 +121,10 @@ fn places_of(balance: &mut Balance, b: usize, branch: &Traced, speeds: (f64, f64
         }
         let (Some(before), Some(after)) = (branch.points.get(f.after), branch.points.get(f.after + 1)) else { continue };
         let Ok(orbit) = Orbit::of(balance, &f.x, f.speed) else { continue };
-        let size = |k: &usize| Measure::Displacement(bodies[*k].x).largest(system, &orbit, branch.turns()).0;
-        let Some(k) = (0..bodies.len()).max_by(|a, b| size(a).total_cmp(&size(b))) else { continue };
+        let at_fold = probes::sizes(system, &seen.which, &orbit, branch.turns());
+        let Some((probe, _)) = probes::most(&seen.probes, &at_fold, tilt) else { continue };
         let kind = if f.upper { Kind::JumpUp } else { Kind::JumpDown };
-        seeds.push((kind, b, k, f.x.clone(), f.speed, along(before, after), size(&k)));
+        seeds.push(Seed { kind, branch: b, probe, x: f.x.clone(), speed: f.speed, way: along(before, after) });
     }
     seeds
 }
@@ -100,27 +134,27 @@ fn places_of(balance: &mut Balance, b: usize, branch: &Traced, speeds: (f64, f64
 /// # Errors
 /// As [`Balance::new`].
 pub(super) fn find(system: &System, response: &Response, request: &Request, context: &Context) -> Result<Derivatives, Diagnostic> {
-    let bodies = system.bodies();
     let d = response.discretisation.whole();
     let parameters = parameters(system, d.symmetry);
     let indices: Vec<_> = parameters.iter().map(|p| p.parameter).collect();
     let ended = response.branches.iter().all(|b| b.end != End::Cancelled);
     let mut found = Derivatives { places: vec![], parameters, without: vec![], complete: ended, harmonics: d.harmonics };
     let mut balance = Balance::new(system, d, request.speeds, None)?;
-    let mut seeds = Vec::new();
-    for (b, branch) in response.branches.iter().enumerate() {
-        let own = work::piece(|| places_of(&mut balance, b, branch, request.speeds, &mut found.without));
+    let (mut seen, mut seeds) = (Seen::new(system), Vec::new());
+    // which motions are large is known only of all branches
+    let measured = work::piece(|| response.branches.iter().for_each(|branch| seen.measure(&mut balance, branch)));
+    found.complete &= measured.is_some();
+    for (b, branch) in response.branches.iter().enumerate().filter(|_| measured.is_some()) {
+        let own = work::piece(|| places_of(&mut balance, &seen, b, branch, request.speeds, &mut found.without));
         let Some(own) = own else {
             found.complete = false;
             break;
         };
         seeds.extend(own);
     }
-    let highest = seeds.iter().map(|s| s.6).fold(0.0, f64::max);
-    seeds.retain(|s| s.0 != Kind::Peak || s.6 > LOWEST * highest);
     let total = seeds.len() as u64;
     let period = TAU / d.symmetry.order().max(1) as f64;
-    for (done, (kind, branch, k, x, speed, way, _)) in seeds.into_iter().enumerate() {
+    for (done, Seed { kind, branch, probe, x, speed, way }) in seeds.into_iter().enumerate() {
         if context.cancelled() {
             found.complete = false;
             break;
@@ -130,7 +164,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
             found.without.push((speed, format!("the force of \"{part}\" jumps")));
             continue;
         }
-        let measure = Measure::Displacement(bodies[k].x);
+        let measure = Measure::Probe(seen.which[probe]);
         let what = if kind == Kind::Peak { Stationary::Peak(measure) } else { Stationary::Fold };
         let Some(moved) = work::piece(|| moved(&mut balance, (&x, speed), &way, what, measure, &indices)) else {
             found.complete = false;
@@ -138,7 +172,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         };
         match moved {
             None => found.without.push((speed, "the derivatives did not settle".into())),
-            Some(moved) => found.places.push(Place { kind, branch, body: bodies[k].name.clone(), moved }),
+            Some(moved) => found.places.push(Place { kind, branch, probe: seen.probes[probe].clone(), moved }),
         }
     }
     // two branches may pass the same place
@@ -147,7 +181,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         let same = |q: &Place| {
             let (a, b) = (&p.moved, &q.moved);
             q.kind == p.kind
-                && q.body == p.body
+                && q.probe == p.probe
                 && (a.speed - b.speed).abs() <= 1e-7 * a.speed.abs()
                 && (a.value - b.value).abs() <= 1e-6 * a.value
         };

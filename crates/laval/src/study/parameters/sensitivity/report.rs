@@ -4,7 +4,8 @@ use super::Sensitivity;
 use super::places::{Derivatives, Kind, Place};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
-use crate::study::shared::support::inconsistent;
+use crate::study::shared::probes;
+use crate::study::shared::support::{inconsistent, probe_name};
 use crate::study::{Context, Study};
 
 /// A relative change per unit of a parameter of zero that is rounding.
@@ -16,7 +17,8 @@ impl Place {
     fn name(&self) -> String {
         let speed = significant(self.moved.speed, 5);
         match self.kind {
-            Kind::Peak => format!("peak of {} at {speed} rad/s", self.body),
+            Kind::Peak if self.probe.is_tilt() => format!("peak of the tilt of {} at {speed} rad/s", self.probe.name),
+            Kind::Peak => format!("peak of {} at {speed} rad/s", probe_name(&self.probe)),
             Kind::JumpUp => format!("jump up at {speed} rad/s"),
             Kind::JumpDown => format!("jump down at {speed} rad/s"),
         }
@@ -57,6 +59,13 @@ impl Place {
     }
 }
 
+impl Derivatives {
+    /// Some place is one of a tilt.
+    fn tilts(&self) -> bool {
+        self.places.iter().any(|p| p.probe.is_tilt())
+    }
+}
+
 /// `+0.5 %`.
 fn percent(x: f64) -> String {
     format!("{}{} %", if x > 0.0 { "+" } else { "" }, significant(x, 3))
@@ -70,19 +79,24 @@ fn finding(place: &Place, found: &Derivatives) -> Finding {
         most.map_or("an unknown share".into(), |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
     };
     let m = &place.moved;
-    let (speed, body) = (significant(m.speed, 6), &place.body);
+    let speed = significant(m.speed, 6);
     let text = match place.kind {
-        Kind::Peak => format!("The peak of \"{body}\", {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0)),
+        Kind::Peak => {
+            let subject = probes::subject(&place.probe);
+            format!("The peak of {subject}, {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0))
+        }
         Kind::JumpUp | Kind::JumpDown => format!(
-            "The {} at {speed} rad/s moves most by {}; the displacement of \"{body}\" there, {{}}, changes most by {}.",
+            "The {} at {speed} rad/s moves most by {}; the {} of \"{}\" there, {{}}, changes most by {}.",
             place.word(),
             told(0),
+            probes::quality(&place.probe),
+            probes::owner(&place.probe),
             told(1)
         ),
     };
     Finding::info(place.word().replace(' ', "_"), text)
-        .of(body)
-        .value(m.value, "m")
+        .of(probe_name(&place.probe))
+        .value(m.value, place.probe.unit())
         .evidence("relative change of the second derivatives at the last narrowing of the step", m.settled, "")
         .evidence("relative slope left along the branch", m.slope_left, "")
         .evidence("speed", m.speed, "rad/s")
@@ -94,7 +108,11 @@ pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Res
     for p in &found.places {
         out = out.finding(finding(p, found));
         let at = p.moved.speed;
-        out = out.special_point(SpecialPoint::new(p.word(), at, (at, at)).of(&p.body).evidence("displacement", p.moved.value, "m"));
+        out = out.special_point(SpecialPoint::new(p.word(), at, (at, at)).of(probe_name(&p.probe)).evidence(
+            probes::quality(&p.probe),
+            p.moved.value,
+            p.probe.unit(),
+        ));
     }
     let mut reasons: Vec<(&str, Vec<f64>)> = Vec::new();
     for (speed, why) in &found.without {
@@ -132,7 +150,8 @@ pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Res
     }
     out = out.table(places(found)?).table(sensitivities(found)?);
     let mut drawn: Vec<usize> = (0..found.places.len()).collect();
-    let rank = |&i: &usize| (found.places[i].kind == Kind::Peak, -found.places[i].moved.value);
+    let size = |p: &Place| p.moved.value / p.probe.typical();
+    let rank = |&i: &usize| (found.places[i].kind == Kind::Peak, -size(&found.places[i]));
     drawn.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
     drawn.truncate(FIGURES);
     drawn.sort_unstable();
@@ -145,13 +164,22 @@ pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Res
 fn places(found: &Derivatives) -> Result<Table, Diagnostic> {
     let all = &found.places;
     let float = |f: &dyn Fn(&Place) -> f64| all.iter().map(f).collect::<Vec<f64>>();
-    Table::new("places", "Peaks and folds of the steady response")
+    let size = |tilt: bool| float(&|p| if p.probe.is_tilt() == tilt { p.moved.value } else { f64::NAN });
+    let mut table = Table::new("places", "Peaks and folds of the steady response")
         .int("place", "", "number of the place", (1..=all.len() as i64).collect())
-        .text("kind", "peak of a displacement, or fold where a slow sweep jumps", all.iter().map(|p| p.word().to_string()).collect())
-        .text("body", "whose displacement it is", all.iter().map(|p| p.body.clone()).collect())
+        .text(
+            "kind",
+            "peak of a displacement or tilt, or fold where a slow sweep jumps",
+            all.iter().map(|p| p.word().to_string()).collect(),
+        )
+        .text("body", "body, point of a body, or tilt of a body", all.iter().map(|p| probe_name(&p.probe)).collect())
         .int("branch", "", "number of the branch", all.iter().map(|p| p.branch as i64 + 1).collect())
         .float("speed", "rad/s", "spin speed", float(&|p| p.moved.speed))
-        .float("displacement", "m", "largest over a period", float(&|p| p.moved.value))
+        .float("displacement", "m", "largest over a period; NaN of a tilt", size(false));
+    if found.tilts() {
+        table = table.float("tilt", "rad", "largest over a period; NaN of a displacement", size(true));
+    }
+    table
         .float("settled", "", "relative change of the second derivatives at the last narrowing of the step", float(&|p| p.moved.settled))
         .float("slope left", "", "relative slope left along the branch", float(&|p| p.moved.slope_left))
         .int("orders", "", "orders kept", vec![found.harmonics as i64; all.len()])
@@ -175,18 +203,40 @@ fn sensitivities(found: &Derivatives) -> Result<Table, Diagnostic> {
     let of = |r: &Row| (&found.places[r.0], &found.parameters[r.1], found.places[r.0].moved.slopes[r.1]);
     let text = |f: &dyn Fn(&Row) -> String| rows.iter().map(f).collect::<Vec<String>>();
     let float = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
-    Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
+    let size = |tilt: bool, f: &dyn Fn(&Row) -> f64| float(&|r| if of(r).0.probe.is_tilt() == tilt { f(r) } else { f64::NAN });
+    let table = Table::new("sensitivities", "Derivatives of every place in every parameter, by falling relative influence")
         .int("place", "", "number of the place", rows.iter().map(|r| r.0 as i64 + 1).collect())
         .text("what", "the place", text(&|r| of(r).0.name()))
         .text("parameter", "path; both halves of a lateral pair together where it has no .x", text(&|r| of(r).1.path.clone()))
         .float("value", "", "of the parameter, in its unit", float(&|r| of(r).1.value))
         .text("unit", "of the parameter", text(&|r| of(r).1.unit.to_string()))
         .float("speed slope", "", "d speed / d parameter, rad/s per unit of the parameter", float(&|r| of(r).2.speed))
-        .float("displacement slope", "", "d displacement / d parameter, m per unit of the parameter", float(&|r| of(r).2.value))
+        .float(
+            "displacement slope",
+            "",
+            "d displacement / d parameter, m per unit of the parameter; NaN of a tilt",
+            size(false, &|r| of(r).2.value),
+        )
         .float("influence on speed", "", "relative change of the speed over that of the parameter", float(&|r| r.2[0]))
-        .float("influence on displacement", "", "relative change of the displacement over that of the parameter", float(&|r| r.2[1]))
-        .build()
-        .map_err(inconsistent)
+        .float(
+            "influence on displacement",
+            "",
+            "relative change of the displacement over that of the parameter; NaN of a tilt",
+            size(false, &|r| r.2[1]),
+        );
+    let table = if found.tilts() {
+        let slope = "d tilt / d parameter, rad per unit of the parameter; NaN of a displacement";
+        let influence = "relative change of the tilt over that of the parameter; NaN of a displacement";
+        table.float("tilt slope", "", slope, size(true, &|r| of(r).2.value)).float(
+            "influence on tilt",
+            "",
+            influence,
+            size(true, &|r| r.2[1]),
+        )
+    } else {
+        table
+    };
+    table.build().map_err(inconsistent)
 }
 
 /// Horizontal bars, the parameter of most influence on top.
@@ -207,7 +257,7 @@ fn tornado(mut out: Outcome, found: &Derivatives, i: usize, bars: usize) -> Resu
     for (row, &k) in shown.iter().enumerate() {
         panel = panel.mark(Rule::y((count - row) as f64, &found.parameters[k].path));
     }
-    for (side, name) in [(1, "displacement"), (0, "speed")] {
+    for (side, name) in [(1, probes::quality(&place.probe)), (0, "speed")] {
         let (mut x, mut low, mut high) = (Vec::new(), Vec::new(), Vec::new());
         for (row, &k) in shown.iter().enumerate() {
             let top = (count - row) as f64 + if side == 1 { 0.4 } else { 0.0 };
