@@ -5,6 +5,7 @@ use super::blocks::Blocks;
 use super::capability::frequency::Domain;
 use super::capability::time_form::{Fitted, Speeds, Untimed};
 use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
+use super::field::Field;
 use super::lanes::InLanes;
 use super::params::ParamSlot;
 use laval_num::complex::Complex;
@@ -49,6 +50,7 @@ macro_rules! faces {
             fn uses(&self) -> Uses;
             fn memory(&self) -> usize;
             fn slots(&self) -> Vec<ParamSlot>;
+            fn fields(&self) -> &'static [Field];
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>);
             fn validity(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Validity>);
             fn check(&self, p: &[f64]) -> Vec<(&'static str, String)>;

@@ -5,6 +5,7 @@ use super::capability::time_form::{Fitted, Speeds, Untimed};
 use super::capability::{self, frequency::Domain};
 use super::context::{At, Energy, Layout, Observed, Physics, Rows, Uses, Validity};
 use super::erased::*;
+use super::field::Field;
 use super::lanes::{Linear, LinearArgs, Residual, ResidualArgs};
 use super::params::{Family as _, ParamSlot, Parametric};
 use super::part::Part;
@@ -33,6 +34,9 @@ macro_rules! parts {
             }
             fn slots(&self) -> Vec<ParamSlot> {
                 T::Family::slots()
+            }
+            fn fields(&self) -> &'static [Field] {
+                T::FIELDS
             }
             fn observe(&self, p: &[f64], at: &At<f64>, out: &mut Vec<Observed>) {
                 Part::observe(self, &T::Family::from_slice(p), at, out)

@@ -167,6 +167,12 @@ impl Field {
     pub const fn optional(name: &'static str, kind: FieldKind, default: &'static str, doc: &'static str) -> Self {
         Field { name, kind, required: false, default, doc }
     }
+    /// The list or table among these in which a parameter's path without its part, as `unbalances.1.phase`, looks for a value. Its values are no parameters:
+    /// how many there are is up to the file, and studies hold them.
+    pub fn list_of<'f>(fields: &'f [Field], path: &str) -> Option<&'f Field> {
+        let name = path.split(['.', '[', ' ']).next()?;
+        fields.iter().find(|f| f.name == name && matches!(f.kind, FieldKind::List { .. } | FieldKind::Columns(_)))
+    }
 }
 
 /// A point of a body, or the ground.

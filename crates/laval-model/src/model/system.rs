@@ -2,7 +2,7 @@
 
 use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate, MovableMasses};
-use super::field::{Attach, Extra};
+use super::field::{Attach, Extra, Field};
 use super::params::ParamSlot;
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use super::probe::{self, Probe};
@@ -426,7 +426,7 @@ impl System {
     }
     /// The diagnostic for a path that names no parameter.
     pub fn unknown_param(&self, path: &str) -> Diagnostic {
-        let part = path.split('.').next().unwrap_or_default();
+        let (part, rest) = path.split_once('.').unwrap_or((path, ""));
         let near: Vec<&str> = self.param_slots.iter().map(|s| s.name.as_str()).filter(|n| n.split('.').next() == Some(part)).collect();
         let help = if near.is_empty() {
             format!("parts of this machine: {}", self.slots.iter().map(|s| s.name.as_str()).collect::<Vec<_>>().join(", "))
@@ -434,7 +434,12 @@ impl System {
             let other = "what a file says in another form, as a fill by its volume, is varied by the parameter it stands for";
             format!("parameters of \"{part}\": {} ({other})", near.join(", "))
         };
-        Diagnostic::error("parameter.unknown", format!("there is no parameter \"{path}\"")).about(path).help(help)
+        let list = self.slot(part).and_then(|s| Field::list_of(s.part.fields(), rest));
+        let message = match list {
+            Some(list) => format!("\"{path}\" is no parameter: \"{}\" is a list, and studies hold its values", list.name),
+            None => format!("there is no parameter \"{path}\""),
+        };
+        Diagnostic::error("parameter.unknown", message).about(path).help(help)
     }
     /// The parts as they went into assembly.
     pub fn inputs(&self) -> Vec<PartInput> {

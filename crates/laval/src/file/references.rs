@@ -4,7 +4,7 @@ use super::tree::{Data, Entry, Node, get};
 use super::values::{Context, clip, subject, suggestion};
 use super::{parameter_of, parameters_of};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::model::field::{Attach, Bounds, RangeValue, Value};
+use crate::model::field::{Attach, Bounds, Field, RangeValue, Value};
 
 /// The SI unit in which each entry of a table of values was given; none for a bare number.
 pub(super) type Units = Vec<Option<String>>;
@@ -104,6 +104,13 @@ impl Context<'_> {
         let Some(info) = self.catalog.described(kind) else { return Some(None) };
         if let Some(p) = parameter_of(info, rest) {
             return Some(Some(p));
+        }
+        if let Some(list) = Field::list_of(&info.fields, rest) {
+            let message =
+                format!("{} is {:?}, but \"{}\" is a list: studies hold its values", subject(self.who, field), clip(path), list.name);
+            let help = format!("studies vary single numbers; parameters of a {kind}: {}", parameters_of(info).join(", "));
+            self.error("parameter.unknown", node.span.clone(), message, "a list, no parameter", help);
+            return None;
         }
         let message = if rest.is_empty() {
             format!("{} names the part {block:?} and none of its parameters", subject(self.who, field))

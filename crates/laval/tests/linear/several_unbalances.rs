@@ -1,9 +1,12 @@
 //! Several unbalances in one disc, from files: against the two complex equations of a rigid rotor on isotropic bearings, and against one unbalance that is
 //! their sum.
 
+use laval::diagnostic::Severity;
 use laval::file::load;
+use laval::model::field::{Field, FieldKind};
 use laval::model::system::System;
 use laval::study::forced_response::at_speed;
+use laval::study::registry;
 use laval_num::complex::{C64, c};
 
 /// A rotor on two bearings, 120 mm below and 260 mm above its centre of mass.
@@ -73,4 +76,71 @@ fn unbalances_without_sense_are_refused() {
     }
     let flat = "[machine]\nspeed = 300\n\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 40\nunbalances = { unbalance = [1e-5], at = [0.1] }\n";
     assert!(load(flat).err().is_some_and(|d| d.0.iter().any(|d| d.message.contains("does not tilt"))));
+}
+
+/// Every field of a study by which a parameter is varied, with a block that is right but for the PATH.
+const VARYING: &[(&str, &str, &str)] = &[
+    ("stability_map", "parameter", "speed = { from = 100, to = 900 }\nparameter = { parameter = \"PATH\", from = 1, to = 2 }"),
+    ("bifurcation_loci", "parameter", "speed = { from = 100, to = 900 }\nparameter = { parameter = \"PATH\", from = 1, to = 2 }"),
+    (
+        "response_map",
+        "x",
+        "speed = { from = 100, to = 900 }\nx = { parameter = \"PATH\", from = 1, to = 2 }\ny = { parameter = \"rotor.mass\", from = 30, to = 40 }",
+    ),
+    (
+        "response_map",
+        "y",
+        "speed = { from = 100, to = 900 }\ny = { parameter = \"PATH\", from = 1, to = 2 }\nx = { parameter = \"rotor.mass\", from = 30, to = 40 }",
+    ),
+    ("stationary", "stabilise", "speed = { from = 100, to = 900 }\nstabilise = { parameter = \"PATH\", from = 1, to = 2 }"),
+    ("stationary", "chart", "speed = { from = 100, to = 900 }\nchart = { parameter = \"PATH\", from = 1, to = 2 }"),
+    ("stationary", "errors", "speed = { from = 100, to = 900 }\nerrors = [{ parameter = \"PATH\", from = 0, to = 2 }]"),
+    ("operating_window", "map", "speed = { from = 100, to = 900 }\nmap = { parameter = \"PATH\", from = 1, to = 2 }"),
+    ("motion_map", "y", "y = { parameter = \"PATH\", from = 1, to = 2 }"),
+    ("motion_map", "x", "x = { parameter = \"PATH\", from = 1, to = 2 }\ny = { parameter = \"rotor.mass\", from = 30, to = 40 }"),
+    (
+        "uncertainty",
+        "parameters",
+        "study = { kind = \"modes\" }\nparameters = [{ parameter = \"PATH\", distribution = \"uniform\", from = 1, to = 2 }]",
+    ),
+    ("optimum", "vary", "study = { kind = \"modes\" }\nmaximise = \"x\"\nvary = [{ parameter = \"PATH\", from = 1, to = 2 }]"),
+];
+
+/// Entries of `unbalances` are no parameters: a study that names one is refused at its place in words that say why, and what it can vary.
+#[test]
+fn entries_of_a_list_are_refused_by_every_study_that_varies_parameters() {
+    let varies = |f: &&Field| {
+        matches!(f.kind, FieldKind::ParameterPath | FieldKind::ParameterRange | FieldKind::ParameterRanges | FieldKind::Tolerances)
+    };
+    let all = registry().into_iter().flat_map(|k| k.info.fields.iter().filter(varies).map(|f| (k.info.kind, f.name)).collect::<Vec<_>>());
+    let known: Vec<(&str, &str)> = VARYING.iter().map(|v| (v.0, v.1)).collect();
+    assert_eq!(all.filter(|a| !known.contains(a)).collect::<Vec<_>>(), []);
+    let machine = "[machine]\nspeed = 300\n\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 40\n\
+                   unbalances = { unbalance = [\"30 g mm\", \"20 g mm\"], phase = [0, 2] }\n\n\
+                   [[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"rotor\", \"ground\"]\nkxx = 1.2e7\nkyy = 1.2e7\n\n[[study]]\n";
+    let refused = |kind: &str, study: String, path: &str| {
+        let text = format!("{machine}kind = \"{kind}\"\n{study}\n");
+        let told = load(&text).err().unwrap_or_else(|| panic!("{kind} varies {path}")).0;
+        let errors: Vec<_> = told.iter().filter(|d| d.severity == Severity::Error).collect();
+        let [d] = errors[..] else { panic!("{kind} {path}: {told:?}") };
+        assert_eq!(d.code, "parameter.unknown", "{kind}: {d:?}");
+        assert!(d.message.contains(path) && d.message.contains("\"unbalances\" is a list"), "{kind}: {}", d.message);
+        assert!(d.help.as_deref().is_some_and(|h| h.contains("eccentricity_phase")), "{kind}: {:?}", d.help);
+        let place = d.span.clone().map(|s| text[s.start..s.end].to_string()).unwrap_or_default();
+        assert!(place.contains(path), "{kind}: {place}");
+    };
+    for (kind, _, study) in VARYING {
+        refused(kind, study.replace("PATH", "rotor.unbalances.1.unbalance"), "rotor.unbalances.1.unbalance");
+    }
+    for path in ["rotor.unbalances", "rotor.unbalances.unbalance", "rotor.unbalances[0].phase"] {
+        refused("stability_map", VARYING[0].2.replace("PATH", path), path);
+    }
+    refused(
+        "operating_window",
+        "speed = { from = 100, to = 900 }\nuncertain = { \"rotor.unbalances.1.phase\" = 0.1 }".into(),
+        "rotor.unbalances.1.phase",
+    );
+    // the one that is a parameter is varied
+    let one = VARYING[0].2.replace("PATH", "rotor.unbalance");
+    assert!(load(&format!("{machine}kind = \"stability_map\"\n{one}\n")).is_ok());
 }
