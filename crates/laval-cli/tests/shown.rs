@@ -133,3 +133,27 @@ fn a_line_that_is_no_toml_is_shown_as_escapes() {
         assert_eq!(said.code, 1);
     }
 }
+
+/// Names with markup, a byte that clears the screen, letters turned round, titles and a formula, where a body, a
+/// field and a study are named.
+#[test]
+fn files_with_control_characters_are_shown_as_escapes() {
+    let dir = Dir::new("shown-files");
+    let machines = Path::new(env!("CARGO_MANIFEST_DIR")).join("../laval/tests/faults/machines");
+    for (name, code) in [("name_of_a_body", 1), ("references", 1), ("fields", 0)] {
+        let file = format!("{name}.toml");
+        dir.file(&file, fs::read(machines.join(format!("{name}_with_control_characters.toml"))).unwrap());
+        for args in [&["check", &file][..], &["check", &file, "--json"], &["run", &file, "--out", "o", "--format", "csv,json,svg,html"]] {
+            let said = dir.laval(args);
+            calm(&format!("{args:?}"), &said, &dir.0.join("o"));
+            assert!(said.code == code || args[0] == "run", "{args:?}: {}", said.err);
+            // C1 controls are two bytes of UTF-8, and steer as well
+            for text in [&said.out, &said.err] {
+                assert!(!text.contains(['\u{85}', '\u{9b}', '\u{202e}']), "{args:?}: {text:?}");
+            }
+            let shown = said.out.contains("\\u001b[31m") || said.err.contains("\\u001b[31m") || code == 0;
+            assert!(shown, "{args:?}: {}{}", said.out, said.err);
+        }
+        let _ = fs::remove_dir_all(dir.0.join("o"));
+    }
+}

@@ -4,6 +4,7 @@
 mod balancer;
 mod characteristic_roots;
 mod common;
+mod faults;
 mod hard_parts;
 mod harmonic;
 mod linear;

@@ -20,6 +20,7 @@ use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, S
 use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Extremum, above, curve, seeds};
+use crate::solve::linear_response::Response;
 use crate::solve::rest::rest;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -79,6 +80,7 @@ margin = 0.15
         let probes = system.probes();
         let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
         let forced = load.iter().any(|f| f.abs() > 0.0) && !probes.is_empty() && end.is_complete();
+        let mut responses = Vec::new();
         let peaks: Vec<_> = if forced {
             let mut speeds = self.speed.linspace(200);
             let mut each = |done| context.goes_on(done);
@@ -87,6 +89,7 @@ margin = 0.15
             if !response.complete {
                 end = context.end(false);
             }
+            responses = response.points;
             response.extrema.into_iter().filter(|e| e.maximum).collect()
         } else {
             Vec::new()
@@ -128,7 +131,7 @@ margin = 0.15
             };
             outcome = outcome.finding(finding).special_point(special(c));
         }
-        let loose = loose(&crossings, &peaks, probes);
+        let loose = loose(&crossings, &peaks, probes, &responses);
         for p in &loose {
             let text = format!(
                 "The unbalance response peaks at {{}}, where the frequency of no mode equals the speed: {}.",
@@ -233,11 +236,25 @@ fn own_peak<'p>(c: &Critical, all: &[Critical], peaks: &'p [Extremum]) -> Option
     (!all.iter().any(nearer)).then_some(nearest)
 }
 
+/// Share of the largest displacement (tilt) of the machine at a speed below which a peak of one body is no
+/// resonance: beside a node of the deflection a body has antiresonances, and maxima between them.
+const LEADING: f64 = 0.5;
+
+/// The body moves as far there as others do.
+fn leads(p: &Extremum, probes: &[Probe], responses: &[Response]) -> bool {
+    let near = responses.partition_point(|r| r.speed < p.speed);
+    let beside = responses[near.saturating_sub(1)..responses.len().min(near + 1)].iter();
+    let nearest = beside.min_by(|a, b| (a.speed - p.speed).abs().total_cmp(&(b.speed - p.speed).abs()));
+    let alike = |r: &Response| probes.iter().filter(|s| s.is_tilt() == probes[p.probe].is_tilt()).map(|s| r.size(s)).fold(0.0, f64::max);
+    p.unbounded || nearest.is_none_or(|r| !(p.value < LEADING * alike(r)))
+}
+
 /// Peaks that belong to no critical speed: of those of several bodies at one speed the largest.
-fn loose<'p>(all: &[Critical], peaks: &'p [Extremum], probes: &[Probe]) -> Vec<&'p Extremum> {
+fn loose<'p>(all: &[Critical], peaks: &'p [Extremum], probes: &[Probe], responses: &[Response]) -> Vec<&'p Extremum> {
     const ONE: f64 = 0.02;
     let mut out: Vec<&Extremum> = Vec::new();
-    let mut own: Vec<&Extremum> = peaks.iter().filter(|p| !all.iter().any(|c| beside(c, p))).collect();
+    let own = peaks.iter().filter(|p| !all.iter().any(|c| beside(c, p)));
+    let mut own: Vec<&Extremum> = own.filter(|p| leads(p, probes, responses)).collect();
     // what has no bound is larger than any
     let size = |e: &Extremum| e.value / probes[e.probe].typical();
     own.sort_by(|a, b| b.unbounded.cmp(&a.unbounded).then(size(b).total_cmp(&size(a))));

@@ -290,11 +290,17 @@ fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
                 outcome = outcome.finding(spanned(Finding::info("longer_period", text).value(k as f64, ""), p, &r));
             }
         }
-        for (id, wanted, what) in [
-            ("not_periodic", "not periodic", "does not repeat within 16 turns: quasi-periodic, chaotic or of a longer period"),
-            ("not_settled", "not settled", "still changes slowly where the largest number of periods ended its settling"),
+        let cut_short = "still changes slowly where the largest number of periods ended its settling";
+        let unfinished = "does not repeat within the tolerance after several decay times of the slowest mode: it changes slowly, as beside a fold, or by the \
+                          error of the integration, which a smaller relative_tolerance reduces";
+        let irregular = "does not repeat within 16 turns: quasi-periodic, chaotic or of a longer period";
+        // whether the largest number of periods ended the settling, where it matters
+        for (id, wanted, bounded, what) in [
+            ("not_periodic", "not periodic", None, irregular),
+            ("not_settled", "not settled", Some(true), cut_short),
+            ("not_settled", "not settled", Some(false), unfinished),
         ] {
-            for r in stretches(n, |i| p.motion[i] == wanted) {
+            for r in stretches(n, |i| p.motion[i] == wanted && bounded.is_none_or(|b| p.bounded[i] == b)) {
                 let count = r.end() - r.start() + 1;
                 let text = format!("{}, the motion ({}) {what}: {{}} speeds.", upper(&place(&p.speed, &r)), begun(p.way));
                 outcome = outcome.finding(spanned(Finding::warning(id, text).value(count as f64, ""), p, &r));
