@@ -84,7 +84,8 @@ impl Manifest {
     }
 
     pub fn text(&self) -> Result<String, String> {
-        serde_json::to_string_pretty(self).map(|t| t + "\n").map_err(|e| e.to_string())
+        // JSON leaves the second block of control characters and marks that reorder text as they are
+        serde_json::to_string_pretty(self).map(|t| crate::plain::lines(&(t + "\n")).into_owned()).map_err(|e| e.to_string())
     }
 }
 
