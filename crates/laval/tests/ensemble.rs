@@ -7,7 +7,6 @@ mod pendulum;
 use common::Planar;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{balancer_ball::*, bearing_linear::*, disc::*, liquid::*, motor::*, shaft_lumped::*, stop::*};
@@ -170,25 +169,17 @@ fn both_forms_agree() {
 
 fn tilting(horizontal: bool) -> Builder {
     let disc = DiscParams {
-        mass: 3.0,
         diametral_inertia: 0.02,
         polar_inertia: 0.035,
         eccentricity: 2e-4,
         skew: 1e-3,
         centre_of_mass: 0.01,
-        ..DiscFamily::defaults()
+        ..DiscParams::new(3.0)
     };
     let link = || Link::Between(Attach { body: Some("wheel".into()), position: 0.05 }, Attach::ground());
-    let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedFamily::defaults() };
-    let seal = BearingLinearParams { kxx: 1e4, kxy: 4e3, kyx: -4e3, kyy: 2e4, cxx: 90.0, cyy: 60.0, ..BearingLinearFamily::defaults() };
-    let liquid = LiquidParams {
-        cavity_radius: 0.1,
-        cavity_height: 0.05,
-        density: 900.0,
-        free_surface_radius: 0.07,
-        wave_damping: 1.0,
-        ..LiquidFamily::defaults()
-    };
+    let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedParams::new() };
+    let seal = BearingLinearParams { kxx: 1e4, kxy: 4e3, kyx: -4e3, kyy: 2e4, cxx: 90.0, cyy: 60.0, ..BearingLinearParams::new() };
+    let liquid = LiquidParams { wave_damping: 1.0, ..LiquidParams::new(0.1, 0.05, 900.0, 0.07) };
     let builder = Builder::new("overhung wheel")
         .part("wheel", Disc::tilting(), disc)
         .part("shaft", ShaftLumped::with_tilt(Link::Between(Attach::on("wheel"), Attach::ground())).damped(), shaft)
@@ -253,8 +244,6 @@ fn free_spin_and_varying_mass_follow_single_motions() {
 #[test]
 fn balancers_follow_single_motions() {
     let ring = BalancerBallParams {
-        ball_mass: 0.02,
-        track_radius: 0.1,
         eccentricity: 1e-3,
         eccentricity_phase: 0.4,
         node_line: 1.0,
@@ -267,11 +256,11 @@ fn balancers_follow_single_motions() {
         friction_rate: 1.0,
         ball_radius: 0.01,
         contact_stiffness: 5.0,
-        ..BalancerBallFamily::defaults()
+        ..BalancerBallParams::new(0.02, 0.1)
     };
     let balancer = || BallBalancer::new(Attach::on("wheel"), 2).track(1, 0.8, 0.02, 0.3).masses(&[1.0, 1.2, 0.7]).free().touching();
     for (balancer, free) in [(balancer(), false), (balancer().planar(), false), (balancer(), true)] {
-        let motor = MotorParams { torque: 0.5, drag: 1e-3, ..MotorFamily::defaults() };
+        let motor = MotorParams { drag: 1e-3, ..MotorParams::new(0.5) };
         let builder = tilting(false).part("balancer", balancer, ring).part("motor", Motor::new(Curve::Constant), motor);
         let base = if free { builder.free_spin() } else { builder }.build().unwrap();
         let member = |k: usize| {
@@ -301,8 +290,6 @@ fn balancers_follow_single_motions() {
 #[test]
 fn masses_with_the_residual_are_those_of_single_motions() {
     let ring = BalancerBallParams {
-        ball_mass: 0.02,
-        track_radius: 0.1,
         eccentricity: 1e-3,
         eccentricity_phase: 0.4,
         node_line: 1.0,
@@ -314,14 +301,14 @@ fn masses_with_the_residual_are_those_of_single_motions() {
         dry_torque: 1e-3,
         friction_rate: 20.0,
         rolling_inertia: 0.4,
-        ..BalancerBallFamily::defaults()
+        ..BalancerBallParams::new(0.02, 0.1)
     };
     let level =
         BalancerBallParams { gravity: 0.0, tilt: 0.0, node_line: 0.0, eccentricity: 0.0, housing_mass: 0.0, dry_torque: 0.0, ..ring };
     let sprung = BalancerBallParams { tilt_stiffness: 20.0, tilt_damping: 1e-3, ..ring };
     let on = |z: f64| BallBalancer::new(Attach::at("wheel", z), 2).track(1, 0.8, 0.02, 0.3).masses(&[1.0, 1.2, 0.7]);
-    let disc = DiscParams { mass: 3.0, diametral_inertia: 0.02, polar_inertia: 0.035, eccentricity: 2e-4, ..DiscFamily::defaults() };
-    let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedFamily::defaults() };
+    let disc = DiscParams { diametral_inertia: 0.02, polar_inertia: 0.035, eccentricity: 2e-4, ..DiscParams::new(3.0) };
+    let shaft = ShaftLumpedParams { stiffness: [3e5; 2], tilt_stiffness: 900.0, material_damping: 1e-5, ..ShaftLumpedParams::new() };
     let link = || Link::Between(Attach::on("wheel"), Attach::ground());
     let cases = [
         (on(0.0), ring, true, false),

@@ -3,7 +3,6 @@
 mod common;
 
 use common::Base;
-use laval::model::params::Family;
 use laval::model::system::System;
 use laval::parts::disc::*;
 use laval::solve::motion::{Motion, SpinLaw};
@@ -61,7 +60,7 @@ fn allocations(system: &System, law: SpinLaw, account: bool) -> u64 {
 fn right_sides_do_not_allocate() {
     let base = Base { fill: Some(0.7), ..Base::default() };
     let system = base.builder().build().unwrap();
-    let wheel = DiscParams { mass: 1.0, polar_inertia: 0.3, ..DiscFamily::defaults() };
+    let wheel = DiscParams { polar_inertia: 0.3, ..DiscParams::new(1.0) };
     let free = base.builder().part("wheel", Disc::planar(), wheel).free_spin().build().unwrap();
     let level = base.builder().horizontal().build().unwrap();
     let ramp = || SpinLaw::Programme(Programme::ramp(100.0, 900.0, 0.3, Shape::Smooth, 0.2).unwrap());

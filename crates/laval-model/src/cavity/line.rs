@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The line is where roots that grow are counted from, over and over, at all speeds alike. There the sum of all harmonics is smooth on the scale m. A piece is made when
-//! it is first asked for, and halved until its last coefficients say that it is exact to [`SHARE`]; before many places were asked for the sum is taken as it is, so
+//! it is first asked for, and halved until its last coefficients say that it is exact to `SHARE`; before many places were asked for the sum is taken as it is, so
 //! that what is asked once costs no more.
 
 use super::{Cavity, Tilt, Truncation};

@@ -1,5 +1,5 @@
 //! Parts composed at run time: the object-safe faces of [`Part`](super::part::Part) and of the [capabilities](super::capability), one method
-//! slot per scalar. Every part has them ([`erasure`](super::erasure)).
+//! slot per scalar. Every part has them (module `erasure`).
 
 use super::blocks::Blocks;
 use super::capability::frequency::Domain;

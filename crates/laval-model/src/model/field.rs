@@ -2,7 +2,7 @@
 //! the sweep axes follow.
 
 use crate::diagnostic::Span;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Admissible interval of a number, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -277,6 +277,8 @@ pub enum Value {
 pub struct Values {
     map: BTreeMap<String, (Value, Option<Span>)>,
     units: BTreeMap<String, Vec<Option<String>>>,
+    /// Fields that stand by default.
+    defaults: BTreeSet<String>,
     /// The whole block in the file.
     pub span: Option<Span>,
 }
@@ -284,6 +286,7 @@ pub struct Values {
 impl Values {
     /// Sets a value.
     pub fn set(&mut self, name: &str, value: Value, span: Option<Span>) {
+        self.defaults.remove(name);
         self.map.insert(name.to_string(), (value, span));
     }
     /// The value of a field, if present (defaults are filled in by the reader).
@@ -294,9 +297,13 @@ impl Values {
     pub fn span_of(&self, name: &str) -> Option<Span> {
         self.map.get(name).and_then(|(_, s)| s.clone()).or_else(|| self.span.clone())
     }
-    /// The file says this field: it does not stand by default.
+    /// A field that was left out has its default now.
+    pub fn mark_default(&mut self, name: &str) {
+        self.defaults.insert(name.to_string());
+    }
+    /// The field was given: it does not stand by default.
     pub fn written(&self, name: &str) -> bool {
-        self.map.get(name).is_some_and(|(_, span)| span.is_some())
+        self.map.contains_key(name) && !self.defaults.contains(name)
     }
     /// Sets the units in which the entries of a [`FieldKind::StateMap`] were given.
     pub fn set_units(&mut self, name: &str, units: Vec<Option<String>>) {
@@ -307,9 +314,10 @@ impl Values {
     pub fn units_of(&self, name: &str) -> &[Option<String>] {
         self.units.get(name).map_or(&[], Vec::as_slice)
     }
-    /// Removes all places in the file, for comparisons.
+    /// Removes all places in the file, and what stands by default, for comparisons.
     pub fn forget_spans(&mut self) {
         self.span = None;
+        self.defaults.clear();
         for (value, span) in self.map.values_mut() {
             *span = None;
             match value {

@@ -12,6 +12,8 @@ pub struct ParamSlot {
     pub unit: &'static str,
     /// Admissible interval.
     pub bounds: Bounds,
+    /// Value where none is given; required parameters have none.
+    pub default: Option<f64>,
 }
 
 /// A set of parameters with a struct for every scalar and a lift between them. Written by [`params!`](crate::params).
@@ -20,23 +22,22 @@ pub trait Family: Send + Sync + 'static {
     type P<S: Scalar>: Copy + Send + Sync;
     /// The declarations.
     const FIELDS: &'static [Field];
+    /// Their defaults in SI units; required parameters have none.
+    const DEFAULTS: &'static [Option<f64>];
     /// How many scalars (a lateral pair counts two).
     const COUNT: usize;
     /// From consecutive scalars.
     fn from_slice<S: Scalar>(v: &[S]) -> Self::P<S>;
     /// To consecutive scalars.
     fn to_vec(p: &Self::P<f64>) -> Vec<f64>;
-    /// All defaults; required parameters are NaN.
-    fn defaults() -> Self::P<f64>;
     /// The scalar slots in order.
     fn slots() -> Vec<ParamSlot> {
         let mut out = Vec::with_capacity(Self::COUNT);
-        for f in Self::FIELDS {
+        for (f, &default) in Self::FIELDS.iter().zip(Self::DEFAULTS) {
             match f.kind {
-                FieldKind::Quantity { unit, bounds } => out.push(ParamSlot { name: f.name.into(), unit, bounds }),
+                FieldKind::Quantity { unit, bounds } => out.push(ParamSlot { name: f.name.into(), unit, bounds, default }),
                 FieldKind::Lateral { unit, bounds } => {
-                    out.push(ParamSlot { name: format!("{}.x", f.name), unit, bounds });
-                    out.push(ParamSlot { name: format!("{}.y", f.name), unit, bounds });
+                    out.extend(["x", "y"].map(|half| ParamSlot { name: format!("{}.{half}", f.name), unit, bounds, default }));
                 }
                 _ => {}
             }
@@ -68,12 +69,12 @@ pub struct NoParams;
 impl Family for NoParams {
     type P<S: Scalar> = ();
     const FIELDS: &'static [Field] = &[];
+    const DEFAULTS: &'static [Option<f64>] = &[];
     const COUNT: usize = 0;
     fn from_slice<S: Scalar>(_: &[S]) {}
     fn to_vec(_: &()) -> Vec<f64> {
         Vec::new()
     }
-    fn defaults() {}
 }
 
 /// Declares the parameters of a part once: name, shape (`scalar` or `lateral`), unit, bounds, default, meaning.
@@ -87,8 +88,9 @@ impl Family for NoParams {
 ///         gap: scalar, "m", Bounds::up_to(1.0), default 0.0, "gap on each side";
 ///     }
 /// }
-/// let p = StopParams { stiffness: [1e6, 2e6], ..StopFamily::defaults() };
+/// let p = StopParams::new([1e6, 2e6]);
 /// assert_eq!(StopFamily::to_vec(&p), [1e6, 2e6, 0.0]);
+/// let with_gap = StopParams { gap: 1e-3, ..p };
 /// ```
 #[macro_export]
 macro_rules! params {
@@ -97,7 +99,7 @@ macro_rules! params {
     }) => {
         $(#[$m])*
         #[derive(Clone, Copy, Debug, PartialEq)]
-        pub struct $p<S = f64> { $( #[doc = concat!($doc, " [", $unit, "]")] pub $name: $crate::model::params::shape::$shape<S>, )* }
+        pub struct $p<S = f64> { $( #[doc = concat!($doc, ", `", $unit, "`")] pub $name: $crate::model::params::shape::$shape<S>, )* }
         #[doc = concat!("Marker that lifts [`", stringify!($p), "`] between scalars.")]
         pub struct $fam;
         impl $crate::model::params::Family for $fam {
@@ -110,6 +112,7 @@ macro_rules! params {
                     default: $crate::params!(@text $($default, $unit)?),
                     doc: $doc,
                 }, )* ];
+            const DEFAULTS: &'static [Option<f64>] = &[ $( $crate::params!(@value $($default)?), )* ];
             const COUNT: usize = 0 $( + $crate::params!(@len $shape) )*;
             #[inline(always)]
             #[allow(unused_mut, unused_variables, unused_assignments)]
@@ -123,10 +126,26 @@ macro_rules! params {
                 $( $crate::params!(@write $shape, v, p.$name); )*
                 v
             }
-            fn defaults() -> $p<f64> {
-                $p { $( $name: $crate::params!(@default $shape, $($default)?), )* }
+        }
+        $crate::params!(@new $p () () $( $name $shape $how $($default)?; )*);
+    };
+    (@new $p:ident ($($argument:tt)*) ($($field:tt)*)) => {
+        #[allow(clippy::new_without_default, dead_code)]
+        impl $p<f64> {
+            /// The required parameters, in the order of the declaration; all others at their defaults.
+            pub fn new($($argument)*) -> Self {
+                $p { $($field)* }
             }
         }
+    };
+    (@new $p:ident ($($argument:tt)*) ($($field:tt)*) $name:ident scalar required; $($rest:tt)*) => {
+        $crate::params!(@new $p ($($argument)* $name: f64,) ($($field)* $name,) $($rest)*);
+    };
+    (@new $p:ident ($($argument:tt)*) ($($field:tt)*) $name:ident lateral required; $($rest:tt)*) => {
+        $crate::params!(@new $p ($($argument)* $name: [f64; 2],) ($($field)* $name,) $($rest)*);
+    };
+    (@new $p:ident ($($argument:tt)*) ($($field:tt)*) $name:ident $shape:ident default $default:literal; $($rest:tt)*) => {
+        $crate::params!(@new $p ($($argument)*) ($($field)* $name: $crate::params!(@default $shape, $default),) $($rest)*);
     };
     (@len scalar) => { 1 };
     (@len lateral) => { 2 };
@@ -134,14 +153,14 @@ macro_rules! params {
     (@kind lateral, $unit:literal, $b:expr) => { $crate::model::field::FieldKind::Lateral { unit: $unit, bounds: $b } };
     (@required required) => { true };
     (@required default) => { false };
+    (@value) => { None };
+    (@value $d:literal) => { Some($d) };
     (@text) => { "" };
     (@text $d:literal, $unit:literal) => { concat!($d, " ", $unit) };
     (@read scalar, $v:ident, $i:ident) => { $v[$i] };
     (@read lateral, $v:ident, $i:ident) => { [$v[$i], $v[$i + 1]] };
     (@write scalar, $v:ident, $x:expr) => { $v.push($x) };
     (@write lateral, $v:ident, $x:expr) => { $v.extend($x) };
-    (@default scalar, ) => { f64::NAN };
     (@default scalar, $d:literal) => { $d };
-    (@default lateral, ) => { [f64::NAN; 2] };
     (@default lateral, $d:literal) => { [$d; 2] };
 }

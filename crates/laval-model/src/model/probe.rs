@@ -97,7 +97,7 @@ fn attached<'a>(system: &'a System, body: &'a str) -> impl Iterator<Item = f64> 
 mod tests {
     use super::*;
     use crate::model::builder::Builder;
-    use crate::model::params::Family;
+
     use crate::parts::{bearing_cubic::*, disc::*};
 
     /// A tilt moves the points above and below the reference point to opposite sides, and not the point itself.
@@ -105,7 +105,7 @@ mod tests {
     fn points_tilt_and_reference() {
         let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("d", z), Attach::ground()));
         let law = BearingCubicParams { stiffness: [1e3; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
-        let disc = |diametral: f64| DiscParams { mass: 1.0, diametral_inertia: diametral, polar_inertia: 0.01, ..DiscFamily::defaults() };
+        let disc = |diametral: f64| DiscParams { diametral_inertia: diametral, polar_inertia: 0.01, ..DiscParams::new(1.0) };
         let build = |b: Builder| {
             let b = b.part("upper", spring(0.1), law).part("other", spring(0.1), law).part("lower", spring(-0.2), law);
             b.part("middle", spring(0.0), law).build().unwrap_or_else(|d| panic!("{d:?}"))

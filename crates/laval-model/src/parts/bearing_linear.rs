@@ -385,7 +385,7 @@ mod tests {
     /// A forward circle at deflection r receives pi r^2 (kxy - kyx) per turn, a backward one loses it.
     #[test]
     fn positive_kxy_with_negative_kyx_feeds_forward_whirl() {
-        let p = BearingLinearParams { kxy: 3e5, kyx: -1e5, ..BearingLinearFamily::defaults() };
+        let p = BearingLinearParams { kxy: 3e5, kyx: -1e5, ..BearingLinearParams::new() };
         let bearing = BearingLinear::constant(link());
         for (direction, sign) in [(1.0, 1.0), (-1.0, -1.0)] {
             let (q, v) = ([1e-3, 0.0], [0.0, direction * 1e-3 * 200.0]);
@@ -399,7 +399,7 @@ mod tests {
     #[test]
     fn a_table_is_exact_at_its_rows_and_marks_speeds_outside() {
         let bearing = BearingLinear::tabulated(link(), table());
-        let p = BearingLinearFamily::defaults();
+        let p = BearingLinearParams::new();
         for (speed, kxx, inside) in [(200.0, 3e6, true), (600.0, 3.5e6, true), (900.0, 3.5e6, false), (49.0, 1e6, false)] {
             assert!((bearing.coefficients(&p, speed).value[0] - kxx).abs() < 1e-6);
             let at = At { q: &[0.0; 2], v: &[0.0; 2], a: &[0.0; 2], z: &[], phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
@@ -459,7 +459,7 @@ mod tests {
 
     #[test]
     fn beyond_its_ends_a_table_holds_or_goes_straight_on() {
-        let p = BearingLinearFamily::defaults();
+        let p = BearingLinearParams::new();
         let kxx = |beyond, speed| BearingLinear::tabulated(link(), table().beyond(beyond)).coefficients(&p, speed);
         let end = kxx(Beyond::Hold, 600.0 - 1e-6).slope[0];
         let (held, straight) = (kxx(Beyond::Hold, 700.0), kxx(Beyond::Linear, 700.0));
@@ -479,9 +479,9 @@ crate::conformance! {
         isotropic: BearingLinear::constant(tests::link()),
             BearingLinearParams { kxx: 1e6, kxy: 2e5, kyx: -2e5, kyy: 1e6, cxx: 500.0, cxy: -60.0, cyx: 60.0, cyy: 500.0 },
             Options::default();
-        tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearFamily::defaults(),
+        tabulated: BearingLinear::tabulated(tests::link(), tests::table()), BearingLinearParams::new(),
             Options { speed: 650.0, ..Options::anisotropic() };
-        straight_on: BearingLinear::tabulated(tests::link(), tests::table().beyond(Beyond::Linear)), BearingLinearFamily::defaults(),
+        straight_on: BearingLinear::tabulated(tests::link(), tests::table().beyond(Beyond::Linear)), BearingLinearParams::new(),
             Options { speed: 650.0, ..Options::anisotropic() };
     }
 }

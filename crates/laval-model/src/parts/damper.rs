@@ -156,7 +156,6 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
 mod tests {
     use super::*;
     use crate::model::field::{Attach, Value};
-    use crate::model::params::Family;
 
     pub(super) fn to_ground() -> Link {
         Link::Between(Attach::on("drum"), Attach::ground())
@@ -172,17 +171,17 @@ mod tests {
         Damper::build(&values, &mut params, &mut d);
         assert!(d.0[0].to_string().contains("same in x and y"));
         // and through an override of one parameter
-        assert_eq!(Damper::rotating(to_ground()).check(&DamperParams { damping: [10.0, 20.0], ..DamperFamily::defaults() }).len(), 1);
-        assert!(Damper::fixed(to_ground()).check(&DamperParams { damping: [10.0, 20.0], ..DamperFamily::defaults() }).is_empty());
+        assert_eq!(Damper::rotating(to_ground()).check(&DamperParams::new([10.0, 20.0])).len(), 1);
+        assert!(Damper::fixed(to_ground()).check(&DamperParams::new([10.0, 20.0])).is_empty());
     }
 }
 
 crate::conformance! {
     Damper {
-        fixed: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0; 2], ..DamperFamily::defaults() }, Options::default();
-        fixed_anisotropic: Damper::fixed(tests::to_ground()), DamperParams { damping: [42.0, 10.0], ..DamperFamily::defaults() }, Options::anisotropic();
+        fixed: Damper::fixed(tests::to_ground()), DamperParams::new([42.0; 2]), Options::default();
+        fixed_anisotropic: Damper::fixed(tests::to_ground()), DamperParams::new([42.0, 10.0]), Options::anisotropic();
         tilting: Damper::fixed(tests::to_ground()).with_tilt(), DamperParams { damping: [42.0, 10.0], tilt_damping: 0.3 }, Options::anisotropic();
         rotating_tilting: Damper::rotating(tests::to_ground()).with_tilt(), DamperParams { damping: [42.0; 2], tilt_damping: 0.3 }, Options::default();
-        rotating: Damper::rotating(tests::to_ground()), DamperParams { damping: [42.0; 2], ..DamperFamily::defaults() }, Options::default();
+        rotating: Damper::rotating(tests::to_ground()), DamperParams::new([42.0; 2]), Options::default();
     }
 }

@@ -313,17 +313,16 @@ impl Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::params::Family;
 
     #[test]
     fn mistakes_are_told() {
-        let p = DiscParams { mass: 1.0, diametral_inertia: 0.01, polar_inertia: 0.03, ..DiscFamily::defaults() };
+        let p = DiscParams { diametral_inertia: 0.01, polar_inertia: 0.03, ..DiscParams::new(1.0) };
         let wrong = Disc::tilting().check(&p);
         assert_eq!(wrong[0].0, "polar_inertia");
         assert!(wrong[0].1.contains("above twice its diametral inertia"));
         // a thin disc is at the limit
         assert!(Disc::tilting().check(&DiscParams { polar_inertia: 0.02, ..p }).is_empty());
-        let skewed = DiscParams { mass: 1.0, skew: 0.01, ..DiscFamily::defaults() };
+        let skewed = DiscParams { skew: 0.01, ..DiscParams::new(1.0) };
         assert!(Disc::planar().check(&skewed)[0].1.contains("give diametral_inertia"));
         assert_eq!(Disc::planar().check(&DiscParams { skew: 0.0, centre_of_mass: 0.1, ..skewed })[0].0, "centre_of_mass");
     }
@@ -331,7 +330,7 @@ mod tests {
     /// One part whose unbalances stand for eccentricity, unbalance at a height, and a pair in two planes: the same forces.
     #[test]
     fn several_unbalances_are_the_sum_of_each() {
-        let p = DiscParams { mass: 2.0, polar_inertia: 0.02, diametral_inertia: 0.03, centre_of_mass: 0.05, ..DiscFamily::defaults() };
+        let p = DiscParams { polar_inertia: 0.02, diametral_inertia: 0.03, centre_of_mass: 0.05, ..DiscParams::new(2.0) };
         let forces = |disc: Disc, p: &DiscParams| {
             let mut b = Blocks::default();
             b.reset(4, 0, 50.0);
@@ -375,7 +374,7 @@ mod tests {
     /// Unbalance in two languages: m e and an unbalance are the same force.
     #[test]
     fn eccentricity_and_unbalance_are_one() {
-        let base = DiscParams { mass: 2.0, eccentricity_phase: 0.3, ..DiscFamily::defaults() };
+        let base = DiscParams { eccentricity_phase: 0.3, ..DiscParams::new(2.0) };
         let blocks = |p: &DiscParams| {
             let mut b = Blocks::default();
             b.reset(2, 0, 50.0);
@@ -391,7 +390,7 @@ mod tests {
 crate::conformance! {
     Disc {
         planar: Disc::planar(),
-            DiscParams { mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscFamily::defaults() },
+            DiscParams { eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(2.4) },
             Options::default();
         tilting: Disc::tilting(),
             DiscParams {
@@ -400,7 +399,7 @@ crate::conformance! {
             },
             Options::default();
         planar_unbalances: Disc::planar().unbalanced(2e-4, 0.3, 0.0).unbalanced(1e-4, 2.0, 0.0),
-            DiscParams { mass: 2.4, eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscFamily::defaults() },
+            DiscParams { eccentricity: 1e-3, eccentricity_phase: 0.7, unbalance: 3e-4, polar_inertia: 0.02, ..DiscParams::new(2.4) },
             Options::default();
         tilting_unbalances: Disc::tilting().unbalanced(2e-4, 0.3, 0.1).unbalanced(1e-4, 2.0, -0.07),
             DiscParams {

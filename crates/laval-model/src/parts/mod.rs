@@ -63,9 +63,8 @@ pub fn kind<P: Part>() -> PartKind {
 
 fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Built> {
     let mut params = ParamValues::default();
-    let defaults = P::Family::to_vec(&P::Family::defaults());
-    for (slot, default) in P::Family::slots().iter().zip(defaults) {
-        if !default.is_nan() {
+    for slot in P::Family::slots() {
+        if let Some(default) = slot.default {
             params.set(&slot.name, default);
         }
     }

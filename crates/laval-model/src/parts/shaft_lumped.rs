@@ -406,7 +406,6 @@ fn least(p: &ShaftLumpedParams) -> f64 {
 mod tests {
     use super::*;
     use crate::model::field::{Attach, Value};
-    use crate::model::params::Family;
 
     pub(super) fn joint() -> Link {
         Link::Between(Attach::on("drum"), Attach::ground())
@@ -429,7 +428,7 @@ mod tests {
             stiffness: [12.0 * ei / (l * l * l); 2],
             coupling: -6.0 * ei / (l * l),
             tilt_stiffness: 4.0 * ei / l,
-            ..ShaftLumpedFamily::defaults()
+            ..ShaftLumpedParams::new()
         };
         let shaft = ShaftLumped::with_tilt(joint());
         assert!(shaft.check(&p).is_empty());
@@ -448,7 +447,7 @@ mod tests {
         let (deflection, slope) = (l * l * l / (3.0 * ei), -l * l / (2.0 * ei));
         let force = |coupling: f64| {
             let stiffness = [12.0 * ei / (l * l * l); 2];
-            let p = ShaftLumpedParams { stiffness, coupling, tilt_stiffness: 4.0 * ei / l, ..ShaftLumpedFamily::defaults() };
+            let p = ShaftLumpedParams { stiffness, coupling, tilt_stiffness: 4.0 * ei / l, ..ShaftLumpedParams::new() };
             let shaft = ShaftLumped::with_tilt(joint());
             assert!(shaft.check(&p).is_empty());
             shaft.apply(&shaft.matrix(&p), &[deflection, 0.0, 0.0, slope])
@@ -481,7 +480,7 @@ mod tests {
                 below: if lower.is_some() { a } else { 0.0 },
                 above: if upper.is_some() { b } else { 0.0 },
                 modulus: e,
-                ..ShaftLumpedFamily::defaults()
+                ..ShaftLumpedParams::new()
             };
             let free = ShaftLumped::lateral(joint()).round(lower, upper);
             assert!(free.check(&p).is_empty(), "{:?}", free.check(&p));
@@ -491,7 +490,7 @@ mod tests {
             let m = ShaftLumped::with_tilt(joint()).round(lower, upper).matrix(&p);
             assert!(((m[0][0] - m[0][3] * m[3][0] / m[3][3]) / should - 1.0).abs() < 1e-12 && m[1][2] == -m[0][3]);
         }
-        let p = ShaftLumpedParams { diameter: d, below: a, ..ShaftLumpedFamily::defaults() };
+        let p = ShaftLumpedParams { diameter: d, below: a, ..ShaftLumpedParams::new() };
         assert!(ShaftLumped::with_tilt(joint()).round(Some(Pinned), None).check(&p)[0].1.contains("holds nothing"));
         let p = ShaftLumpedParams { inner_diameter: d, ..p };
         assert_eq!(ShaftLumped::with_tilt(joint()).round(Some(Clamped), None).check(&p)[0].0, "inner_diameter");
@@ -521,35 +520,21 @@ mod tests {
         assert_eq!(build(&[("tilt_stiffness", 10.0)]).0.size(), 4);
         assert!(build(&[("material_damping", 1e-5)]).1.is_empty());
         assert!(build(&[("material_damping", 1e-5), ("stiffness.y", 2e6)]).1[0].contains("equally stiff"));
-        let p = ShaftLumpedParams { stiffness: [1e6; 2], coupling: 2e4, tilt_stiffness: 100.0, ..ShaftLumpedFamily::defaults() };
+        let p = ShaftLumpedParams { stiffness: [1e6; 2], coupling: 2e4, tilt_stiffness: 100.0, ..ShaftLumpedParams::new() };
         assert!(ShaftLumped::with_tilt(joint()).check(&p)[0].1.contains("at most sqrt"));
-        let p = ShaftLumpedParams { stiffness: [1e6; 2], cross_stiffness: 2e6, ..ShaftLumpedFamily::defaults() };
+        let p = ShaftLumpedParams { stiffness: [1e6; 2], cross_stiffness: 2e6, ..ShaftLumpedParams::new() };
         assert_eq!(ShaftLumped::lateral(joint()).check(&p)[0].0, "cross_stiffness");
     }
 }
 
 #[cfg(test)]
 fn tried(stiffness: [f64; 2], cross_stiffness: f64, coupling: f64, tilt_stiffness: f64, material_damping: f64) -> ShaftLumpedParams {
-    ShaftLumpedParams {
-        stiffness,
-        cross_stiffness,
-        coupling,
-        tilt_stiffness,
-        material_damping,
-        ..<ShaftLumpedFamily as crate::model::params::Family>::defaults()
-    }
+    ShaftLumpedParams { stiffness, cross_stiffness, coupling, tilt_stiffness, material_damping, ..ShaftLumpedParams::new() }
 }
 
 #[cfg(test)]
 fn tried_round(below: f64, above: f64, material_damping: f64) -> ShaftLumpedParams {
-    ShaftLumpedParams {
-        diameter: 0.03,
-        inner_diameter: 0.01,
-        below,
-        above,
-        material_damping,
-        ..<ShaftLumpedFamily as crate::model::params::Family>::defaults()
-    }
+    ShaftLumpedParams { diameter: 0.03, inner_diameter: 0.01, below, above, material_damping, ..ShaftLumpedParams::new() }
 }
 
 crate::conformance! {

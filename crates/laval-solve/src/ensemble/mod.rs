@@ -11,7 +11,7 @@
 //! ```
 //!
 //! with n the nonlinear parts only, one call for each and all lanes. Where the mass depends on the configuration, such as that of balls in a ring, the linear
-//! parts are compiled and the others called with their masses ([`varying`]). Any other motion is evaluated part by part.
+//! parts are compiled and the others called with their masses (`varying`). Any other motion is evaluated part by part.
 
 mod crew;
 mod general;

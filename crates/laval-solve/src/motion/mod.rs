@@ -11,8 +11,8 @@
 //! The energy account appends four integrals from the start: heat, work of the parts' own sources, work of the drive, work of the weight. Stored energy
 //! changes by `-heat + sources + drive + weight`: what is missing is the error of the integration.
 //!
-//! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column ([`single`]) or, beside memory
-//! states, dense ([`compiled`]), and only nonlinear parts and memory states are evaluated at every call.
+//! A machine of constant mass at constant speed is compiled once: its linear parts become one matrix, column by column (`single`) or, beside memory
+//! states, dense (`compiled`), and only nonlinear parts and memory states are evaluated at every call.
 //!
 //! Theory: `docs/theory/motion-in-time.md#first-order-system`.
 

@@ -21,6 +21,7 @@ impl Context<'_> {
             let text = self.out.0.drain(before..).map(|d| d.to_string()).collect::<Vec<_>>().join("; ");
             self.out.push(Diagnostic::error("declaration.default", format!("the declared default {:?} cannot be used: {text}", f.default)));
         }
+        values.mark_default(f.name);
     }
 }
 

@@ -12,6 +12,7 @@ pub mod writer;
 
 mod absent;
 mod blocks;
+mod constructed;
 mod declared;
 mod draft;
 mod examine;
@@ -32,6 +33,7 @@ mod values;
 mod tests;
 
 pub use assemble::{Loaded, NamedStudy, Refusal, assemble, catalog, load, load_bytes};
+pub use constructed::{construct, construct_kind};
 pub use reader::{read, read_bytes, read_json};
 pub use render::{Form, render, to_json as diagnostics_json};
 pub use writer::{canonical, write, write_json};

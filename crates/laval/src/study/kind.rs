@@ -45,7 +45,8 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
 
-/// A study with its type forgotten; it ends when its context says so, wherever it is.
+/// Running a [`Study`], with its type known or forgotten: a machine that is too large, or beyond the tables of its parts, is
+/// refused, and a run ends when its context says so, wherever it is. Programs call these methods, not those of [`Study`].
 pub trait ErasedStudy: Send + Sync {
     /// The word in the file.
     fn kind(&self) -> &'static str;

@@ -2,7 +2,7 @@
 //!
 //! A case is one Markdown page: what is required, where the expected numbers come from and what kind of evidence they are, how the
 //! source's symbols map to the words of a machine file, the machine with its studies, the expected values with their tolerances, and
-//! the verdict. [`check`] runs the machine the ordinary way, compares, and says whether the verdicts still hold; [`gallery`] writes
+//! the verdict. `check` runs the machine the ordinary way, compares, and says whether the verdicts still hold; `gallery` writes
 //! what was found as pages. `docs/validation.md` describes the format.
 //!
 //! ````

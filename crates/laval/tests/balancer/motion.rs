@@ -5,7 +5,6 @@ use crate::common;
 use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::{At, Link};
 use laval::model::system::{System, Workspace};
 use laval::model::tangent::{Tangent, TangentScratch};
@@ -34,7 +33,7 @@ struct Case {
 impl Case {
     fn build(&self) -> System {
         let link = || Link::Between(Attach::on("disc"), Attach::ground());
-        let shaft = ShaftLumpedParams { stiffness: [self.stiffness; 2], ..ShaftLumpedFamily::defaults() };
+        let shaft = ShaftLumpedParams { stiffness: [self.stiffness; 2], ..ShaftLumpedParams::new() };
         let mut b = Builder::new("balancer")
             .speed(100.0)
             .part("disc", Disc::planar(), self.disc)
@@ -51,19 +50,17 @@ impl Case {
 /// The machine of the source: two balls of 3.6 g on a housing of 1.5 kg.
 fn source() -> Case {
     Case {
-        disc: DiscParams { mass: 8.91, eccentricity: 50e-6, polar_inertia: 0.05, ..DiscFamily::defaults() },
+        disc: DiscParams { eccentricity: 50e-6, polar_inertia: 0.05, ..DiscParams::new(8.91) },
         stiffness: 2922676.0,
         damping: 1e-3,
         balancer: BallBalancer::new(Attach::on("disc"), 2).planar(),
         ring: BalancerBallParams {
-            ball_mass: 0.0036,
-            track_radius: 0.2,
             eccentricity: 50e-6,
             tilt: PI / 20.0,
             node_line: PI / 6.0,
             housing_mass: 1.5,
             gravity: EARTH,
-            ..BalancerBallFamily::defaults()
+            ..BalancerBallParams::new(0.0036, 0.2)
         },
         motor: None,
     }
@@ -108,13 +105,11 @@ fn equations_of_motion_through_the_parts() {
             if case == "one_track" { one.masses(&[1.0, 1.5]) } else { one.track(1, 0.11 / 0.15, 0.0, 0.0).masses(&[1.0, 1.5, 0.75]) };
         for balancer in [balancer.clone().free().planar(), balancer.free()] {
             let machine = Case {
-                disc: DiscParams { mass: 3.0, eccentricity: 2e-3, polar_inertia: 0.04, ..DiscFamily::defaults() },
+                disc: DiscParams { eccentricity: 2e-3, polar_inertia: 0.04, ..DiscParams::new(3.0) },
                 stiffness: 5e4,
                 damping: 12.0,
                 balancer,
                 ring: BalancerBallParams {
-                    ball_mass: 0.02,
-                    track_radius: 0.15,
                     eccentricity: 1e-3,
                     eccentricity_phase: 0.5,
                     node_line: 0.8,
@@ -124,9 +119,9 @@ fn equations_of_motion_through_the_parts() {
                     tilt_damping: 0.02,
                     drag: 0.003,
                     gravity: EARTH,
-                    ..BalancerBallFamily::defaults()
+                    ..BalancerBallParams::new(0.02, 0.15)
                 },
-                motor: Some(MotorParams { torque: get("motor_torque")[0], drag: 0.01, ..MotorFamily::defaults() }),
+                motor: Some(MotorParams { drag: 0.01, ..MotorParams::new(get("motor_torque")[0]) }),
             };
             let system = machine.build();
             // the table has the spin angle third, the machine last
@@ -182,11 +177,11 @@ fn equations_of_motion_through_the_parts() {
 fn flat_ring_follows_the_published_equations() {
     let table = rows(include_str!("../reference/balancer/planar_transient.csv"));
     let machine = Case {
-        disc: DiscParams { mass: 1.0, eccentricity: 0.01, polar_inertia: 1.0, ..DiscFamily::defaults() },
+        disc: DiscParams { eccentricity: 0.01, polar_inertia: 1.0, ..DiscParams::new(1.0) },
         stiffness: 1.0,
         damping: 0.02,
         balancer: BallBalancer::new(Attach::on("disc"), 2).planar(),
-        ring: BalancerBallParams { ball_mass: 0.05, track_radius: 1.0, drag: 0.0025, ..BalancerBallFamily::defaults() },
+        ring: BalancerBallParams { drag: 0.0025, ..BalancerBallParams::new(0.05, 1.0) },
         motor: None,
     };
     let times: Vec<f64> = table.iter().map(|r| number(r[0])).collect();
@@ -279,8 +274,8 @@ fn run_ups_with_free_tilt() {
 /// A tilting disc on a shaft that holds its tilt, with or without weight and losses.
 fn tilting(balancer: BallBalancer, ring: BalancerBallParams, tilt_stiffness: f64, damping: f64, free: bool) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
-    let disc = DiscParams { mass: 8.91, eccentricity: 5e-4, polar_inertia: 0.05, diametral_inertia: 0.03, ..DiscFamily::defaults() };
-    let shaft = ShaftLumpedParams { stiffness: [2e6; 2], tilt_stiffness, ..ShaftLumpedFamily::defaults() };
+    let disc = DiscParams { eccentricity: 5e-4, polar_inertia: 0.05, diametral_inertia: 0.03, ..DiscParams::new(8.91) };
+    let shaft = ShaftLumpedParams { stiffness: [2e6; 2], tilt_stiffness, ..ShaftLumpedParams::new() };
     let b = Builder::new("tilting")
         .part("disc", Disc::tilting(), disc)
         .part("shaft", ShaftLumped::with_tilt(link()), shaft)
@@ -361,9 +356,9 @@ fn free_spin_keeps_angular_momentum_and_energy() {
 /// Two balls of unequal mass on two flat tracks hold the unbalance in a triangle; the ring centre stays on the axis.
 #[test]
 fn unequal_balls_balance_in_a_triangle() {
-    let ring = BalancerBallParams { ball_mass: 0.02, track_radius: 0.2, drag: 0.01, ..BalancerBallFamily::defaults() };
+    let ring = BalancerBallParams { drag: 0.01, ..BalancerBallParams::new(0.02, 0.2) };
     let machine = Case {
-        disc: DiscParams { mass: 8.0, eccentricity: 4e-4, polar_inertia: 0.05, ..DiscFamily::defaults() },
+        disc: DiscParams { eccentricity: 4e-4, polar_inertia: 0.05, ..DiscParams::new(8.0) },
         stiffness: 2e6,
         damping: 400.0,
         balancer: BallBalancer::new(Attach::on("disc"), 1).track(1, 0.75, 0.0, 0.0).masses(&[1.0, 0.8]).planar(),
@@ -383,19 +378,18 @@ fn unequal_balls_balance_in_a_triangle() {
 fn two_planes_balance_a_couple() {
     let point = |z: f64| Link::Between(Attach::at("rotor", z), Attach::ground());
     let rotor = DiscParams {
-        mass: 10.0,
         eccentricity: 2e-5,
         eccentricity_phase: 0.4,
         polar_inertia: 0.05,
         diametral_inertia: 0.3,
         skew: 6e-4,
         skew_phase: -1.1,
-        ..DiscFamily::defaults()
+        ..DiscParams::new(10.0)
     };
-    let ring = BalancerBallParams { ball_mass: 0.005, track_radius: 0.1, drag: 1e-3, ..BalancerBallFamily::defaults() };
+    let ring = BalancerBallParams { drag: 1e-3, ..BalancerBallParams::new(0.005, 0.1) };
     let mut b = Builder::new("long rotor").part("rotor", Disc::tilting(), rotor);
     for (name, z) in [("lower", -0.16), ("upper", 0.16)] {
-        let spring = ShaftLumpedParams { stiffness: [5e5; 2], ..ShaftLumpedFamily::defaults() };
+        let spring = ShaftLumpedParams { stiffness: [5e5; 2], ..ShaftLumpedParams::new() };
         b = b.part(format!("{name} spring"), ShaftLumped::lateral(point(z)), spring);
         b = b.part(format!("{name} damper"), Damper::fixed(point(z)), DamperParams { damping: [300.0; 2], tilt_damping: 0.0 });
     }

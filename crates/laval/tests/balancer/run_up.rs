@@ -6,7 +6,6 @@ use common::{number, rows};
 use laval::file::load;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{End, Outcome};
@@ -21,8 +20,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 fn machine(row: &[&str]) -> System {
     let [beta, gamma, tilt, r, damping, drag, jx, jz] = [2, 3, 4, 5, 6, 7, 8, 9].map(|k| number(row[k]));
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
-    let disc = DiscParams { mass: 8.91, eccentricity: 50e-6, polar_inertia: 0.05, ..DiscFamily::defaults() };
-    let shaft = ShaftLumpedParams { stiffness: [number(row[1]); 2], ..ShaftLumpedFamily::defaults() };
+    let disc = DiscParams { eccentricity: 50e-6, polar_inertia: 0.05, ..DiscParams::new(8.91) };
+    let shaft = ShaftLumpedParams { stiffness: [number(row[1]); 2], ..ShaftLumpedParams::new() };
     let b = Builder::new("run-up").part("shaft", ShaftLumped::lateral(link()), shaft).part(
         "air",
         Damper::fixed(link()),
@@ -42,8 +41,6 @@ fn machine(row: &[&str]) -> System {
     let free = row[0].contains("free") || row[0] == "early window .3";
     let tilt_damping = if row[0].contains("c_alpha=.1") { 0.1 } else { 1e-3 };
     let ring = BalancerBallParams {
-        ball_mass: 0.0036,
-        track_radius: r,
         eccentricity: 50e-6,
         eccentricity_phase: gamma,
         tilt: if free { 0.0 } else { tilt },
@@ -54,7 +51,7 @@ fn machine(row: &[&str]) -> System {
         diametral_inertia: jx,
         polar_inertia: jz,
         tilt_damping: if free { tilt_damping } else { 0.0 },
-        ..BalancerBallFamily::defaults()
+        ..BalancerBallParams::new(0.0036, r)
     };
     let balancer = BallBalancer::new(Attach::on("disc"), 2).planar();
     b.part("balancer", if free { balancer.free() } else { balancer }, ring).build().unwrap()

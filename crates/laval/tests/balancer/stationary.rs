@@ -6,7 +6,6 @@ use common::{number, rows};
 use laval::diagnostic::{Diagnostic, Diagnostics};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, RangeValue, Value, Values};
-use laval::model::params::Family;
 use laval::model::part::{At, Dof, Layout, Link, Observed, Params, Part, Physics, Rows};
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome};
@@ -110,11 +109,11 @@ impl Case {
         let (s1, s2, gamma) = self.eccentricities;
         let unbalance = c(mr * s1, 0.0) + C64::cis(gamma).scale(mb * s2);
         let ground = || Link::Between(Attach::on("disc"), Attach::ground());
-        let disc = DiscParams { mass: mr + mb, unbalance: unbalance.abs(), eccentricity_phase: unbalance.arg(), ..DiscFamily::defaults() };
+        let disc = DiscParams { unbalance: unbalance.abs(), eccentricity_phase: unbalance.arg(), ..DiscParams::new(mr + mb) };
         let ring = RingParams { ball_mass: self.ball, radius: self.radius, eccentricity: s2, phase: gamma, drag: self.drag };
         Builder::new("balancer")
             .part("disc", Disc::planar(), disc)
-            .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness, ..ShaftLumpedFamily::defaults() })
+            .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness, ..ShaftLumpedParams::new() })
             .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2], tilt_damping: 0.0 })
             .part("ring", Ring(self.balls), ring)
     }
@@ -428,8 +427,8 @@ fn limits_of_existence_are_those_of_the_closed_form() {
 fn a_machine_without_movable_masses_has_one_state() {
     let ground = || Link::Between(Attach::on("disc"), Attach::ground());
     let system = Builder::new("plain")
-        .part("disc", Disc::planar(), DiscParams { mass: 4.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
-        .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness: [1e6; 2], ..ShaftLumpedFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(4.0) })
+        .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness: [1e6; 2], ..ShaftLumpedParams::new() })
         .part("air", Damper::fixed(ground()), DamperParams { damping: [50.0; 2], tilt_damping: 0.0 })
         .build()
         .unwrap();
@@ -485,8 +484,6 @@ impl Tilted {
     fn system(self) -> System {
         let ground = || Link::Between(Attach::on("disc"), Attach::ground());
         let ring = BalancerBallParams {
-            ball_mass: 0.0036,
-            track_radius: self.radius,
             eccentricity: 50e-6,
             eccentricity_phase: PI / 40.0,
             tilt: self.tilt,
@@ -494,16 +491,12 @@ impl Tilted {
             housing_mass: 1.5,
             drag: 1e-3,
             gravity: 9.81,
-            ..BalancerBallFamily::defaults()
+            ..BalancerBallParams::new(0.0036, self.radius)
         };
         let balancer = BallBalancer::new(Attach::on("disc"), 2).planar();
         Builder::new("balancer")
-            .part("disc", Disc::planar(), DiscParams { mass: 8.91, eccentricity: 50e-6, ..DiscFamily::defaults() })
-            .part(
-                "shaft",
-                ShaftLumped::lateral(ground()),
-                ShaftLumpedParams { stiffness: [self.stiffness; 2], ..ShaftLumpedFamily::defaults() },
-            )
+            .part("disc", Disc::planar(), DiscParams { eccentricity: 50e-6, ..DiscParams::new(8.91) })
+            .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness: [self.stiffness; 2], ..ShaftLumpedParams::new() })
             .part("air", Damper::fixed(ground()), DamperParams { damping: [self.damping; 2], tilt_damping: 0.0 })
             .part("ring", balancer, ring)
             .build()

@@ -5,7 +5,6 @@ use laval::diagnostic::Diagnostics;
 use laval::file::load;
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
-use laval::model::params::Family;
 use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, Rows};
 use laval::model::system::{System, Workspace};
 use laval::outcome::{Data, End, Finding, Level, Outcome};
@@ -443,8 +442,8 @@ fn internal_states_turn_with_the_rotor() {
     let (m, e, k, own, time, damping) = (2.0, 1e-4, 8e4, 5e4, 4e-3, 30.0);
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let system = Builder::new("slow")
-        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
-        .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(m) })
+        .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedParams::new() })
         .part("air", Damper::fixed(link()), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
         .part("slow", Slow, SlowParams { stiffness: own, time })
         .build()

@@ -7,7 +7,6 @@ use laval::file::load;
 use laval::laval_num::univariate::root;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::{At, Link, Rows};
 use laval::model::system::{System, Workspace};
 use laval::outcome::{Data, End, Level, Outcome};
@@ -288,8 +287,8 @@ fn a_motor_that_cannot_follow_is_told() {
 fn bench(balancer: BallBalancer, ring: BalancerBallParams) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     Builder::new("bench")
-        .part("disc", Disc::planar(), DiscParams { mass: 1e7, polar_inertia: 1e7, ..DiscFamily::defaults() })
-        .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [1e9; 2], ..ShaftLumpedFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { polar_inertia: 1e7, ..DiscParams::new(1e7) })
+        .part("shaft", ShaftLumped::lateral(link()), ShaftLumpedParams { stiffness: [1e9; 2], ..ShaftLumpedParams::new() })
         .part("air", Damper::fixed(link()), DamperParams { damping: [1e3; 2], tilt_damping: 0.0 })
         .part("balancer", balancer, ring)
         .build()
@@ -297,7 +296,7 @@ fn bench(balancer: BallBalancer, ring: BalancerBallParams) -> System {
 }
 
 fn ring() -> BalancerBallParams {
-    BalancerBallParams { ball_mass: 0.01, track_radius: 0.1, gravity: 9.81, ..BalancerBallFamily::defaults() }
+    BalancerBallParams { gravity: 9.81, ..BalancerBallParams::new(0.01, 0.1) }
 }
 
 /// The motion on the bench at standstill after some time.

@@ -2,7 +2,6 @@
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
@@ -70,7 +69,7 @@ impl Base {
         let link = Link::Between(Attach::on("drum"), Attach::on("base"));
         let bearing = if self.isotropic { BearingCubic::isotropic(link) } else { BearingCubic::per_axis(link) };
         let ground = Link::Between(Attach::on("drum"), Attach::ground());
-        let disc = DiscParams { mass: 2.4, eccentricity: self.e * l, eccentricity_phase: self.phase, ..DiscFamily::defaults() };
+        let disc = DiscParams { eccentricity: self.e * l, eccentricity_phase: self.phase, ..DiscParams::new(2.4) };
         let base = FoundationParams { mass: self.foundation, stiffness: [self.c2; 2], damping: [self.chi0; 2] };
         let law = BearingCubicParams { stiffness: [self.c0; 2], cubic_stiffness: [self.c1 / (l * l); 2], valid_to: 0.0 };
         let mut b = Builder::new("base set")
@@ -80,12 +79,8 @@ impl Base {
             .part("air", Damper::fixed(ground), DamperParams { damping: [self.chi; 2], tilt_damping: 0.0 });
         if let Some(r) = self.fill {
             let p = LiquidParams {
-                cavity_radius: 0.07 * l,
-                cavity_height: 0.06 * l,
-                density: 1000.0 / (l * l * l),
-                free_surface_radius: 0.07 * r * l,
                 wave_damping: self.wave_damping,
-                ..LiquidFamily::defaults()
+                ..LiquidParams::new(0.07 * l, 0.06 * l, 1000.0 / (l * l * l), 0.07 * r * l)
             };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
         }

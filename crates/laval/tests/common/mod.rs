@@ -9,7 +9,6 @@ pub use base::Base;
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
@@ -42,7 +41,7 @@ impl Planar {
         let l = 1.0 / self.metre;
         let joint = || Link::Between(Attach::on("drum"), Attach::on("base"));
         let mut b = Builder::new("planar")
-            .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 1e-3 * l, ..DiscFamily::defaults() })
+            .part("drum", Disc::planar(), DiscParams { eccentricity: 1e-3 * l, ..DiscParams::new(2.4) })
             .part("base", Foundation, FoundationParams { mass: self.base, stiffness: [3.26e5; 2], damping: [self.chi0; 2] })
             .part(
                 "bearing",
@@ -56,12 +55,8 @@ impl Planar {
             );
         if self.fill < 1.0 {
             let p = LiquidParams {
-                cavity_radius: 0.07 * l,
-                cavity_height: 0.06 * l,
-                density: 1000.0 / (l * l * l),
-                free_surface_radius: 0.07 * self.fill * l,
                 wave_damping: self.delta,
-                ..LiquidFamily::defaults()
+                ..LiquidParams::new(0.07 * l, 0.06 * l, 1000.0 / (l * l * l), 0.07 * self.fill * l)
             };
             let fill = if self.fill > 0.0 { Fill::Partial } else { Fill::Full };
             b = b.part("liquid", Liquid::new(Attach::on("drum"), fill), p);

@@ -101,7 +101,7 @@ fn declaring(declared: bool, time: TimeForm, strength: [f64; 2], cubic: f64, hor
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let bearing = BearingCubicParams { stiffness: [SPRING; 2], cubic_stiffness: [cubic; 2], valid_to: 0.0 };
     let b = Builder::new("fractional")
-        .part("disc", Disc::planar(), DiscParams { mass: MASS, unbalance: LOAD, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { unbalance: LOAD, ..DiscParams::new(MASS) })
         .part("bearing", BearingCubic::isotropic(link()), bearing)
         .part("polymer", Fractional { link: link(), time, declared }, FractionalParams { strength, order: ORDER });
     if horizontal { b.horizontal() } else { b }.build().unwrap()

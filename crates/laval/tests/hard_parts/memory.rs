@@ -5,7 +5,6 @@ use laval::diagnostic::Diagnostics;
 use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
-use laval::model::params::Family;
 use laval::model::part::{Dof, DofKind, Layout, Link, Params, Part, Physics};
 use laval::model::system::System;
 use laval::params;
@@ -96,7 +95,7 @@ fn law(rotor: bool, s: C64, w: f64) -> C64 {
 fn machine(rotor: bool, spring: Option<[f64; 2]>) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let mut b = Builder::new("relaxing")
-        .part("disc", Disc::planar(), DiscParams { mass: MASS, eccentricity: ECCENTRICITY, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: ECCENTRICITY, ..DiscParams::new(MASS) })
         .part("joint", Relaxing { link: link(), rotor }, RelaxingParams { stiffness: REST, modulus: MODULUS });
     if let Some(stiffness) = spring {
         let p = BearingCubicParams { stiffness, cubic_stiffness: [0.0; 2], valid_to: 0.0 };

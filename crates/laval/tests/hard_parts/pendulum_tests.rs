@@ -5,7 +5,6 @@ use super::tools::{advance, contained, map, relative};
 use crate::common::base::request;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
@@ -40,7 +39,7 @@ const CASE: Case = Case { isotropic: true, damping: 30.0, drag: 2e-3, hinge_phas
 fn machine(case: Case) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let bearing = if case.isotropic { BearingCubic::isotropic(link()) } else { BearingCubic::per_axis(link()) };
-    let disc = DiscParams { mass: 4.0, eccentricity: 2e-4, polar_inertia: 0.02, ..DiscFamily::defaults() };
+    let disc = DiscParams { eccentricity: 2e-4, polar_inertia: 0.02, ..DiscParams::new(4.0) };
     let arm = PendulumParams { mass: 0.05, arm: 0.03, hinge: 0.05, hinge_phase: case.hinge_phase, drag: case.drag };
     let b = Builder::new("pendulum")
         .speed(150.0)

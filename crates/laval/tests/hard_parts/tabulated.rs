@@ -5,7 +5,6 @@ use laval::diagnostic::Diagnostics;
 use laval::model::blocks::Blocks;
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Bounds, Field, ParamValues, Values};
-use laval::model::params::Family;
 use laval::model::part::{Layout, Link, Params, Part, Physics};
 use laval::model::system::System;
 use laval::params;
@@ -82,8 +81,8 @@ const ECCENTRICITY: f64 = 1e-4;
 fn machine(table: &[Row], cubic: f64) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let b = Builder::new("tabulated")
-        .part("disc", Disc::planar(), DiscParams { mass: MASS, eccentricity: ECCENTRICITY, ..DiscFamily::defaults() })
-        .part("bearing", Tabulated { link: link(), table: table.to_vec() }, TabulatedFamily::defaults());
+        .part("disc", Disc::planar(), DiscParams { eccentricity: ECCENTRICITY, ..DiscParams::new(MASS) })
+        .part("bearing", Tabulated { link: link(), table: table.to_vec() }, TabulatedParams::new());
     if cubic == 0.0 {
         return b.build().unwrap();
     }

@@ -7,7 +7,6 @@ use common::planar_file::{oil, planar_file};
 use laval::file::{Form, load, render};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, End, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
@@ -211,7 +210,7 @@ fn jeffcott(isotropic: bool, k3: f64, c: f64, e: f64) -> Builder {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let bearing = if isotropic { BearingCubic::isotropic(link()) } else { BearingCubic::per_axis(link()) };
     Builder::new("one disc")
-        .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: e, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(M) })
         .part("spring", bearing, BearingCubicParams { stiffness: [K; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 })
         .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
 }
@@ -346,7 +345,7 @@ fn two_axes(swap: bool) -> Builder {
     let two = |a: f64, b: f64| if swap { [b, a] } else { [a, b] };
     let link = || Link::Between(Attach::on("drum"), Attach::on("base"));
     Builder::new("two axes")
-        .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 5e-5, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams { eccentricity: 5e-5, ..DiscParams::new(2.4) })
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: two(3e5, 5e5), damping: two(7.0, 9.0) })
         .part(
             "bearing",

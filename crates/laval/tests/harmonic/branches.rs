@@ -6,7 +6,6 @@ use common::base::{Base, defect, request, run};
 use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
@@ -180,7 +179,7 @@ fn a_short_range_does_not_mislead_about_closing() {
     let (m, e, k, k3) = (10.0f64, 2e-5, 1e6, 2e13f64);
     for c in [200.0, 240.0, 280.0, 290.0] {
         let link = || Link::Between(Attach::on("rotor"), Attach::ground());
-        let disc = DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() };
+        let disc = DiscParams { eccentricity: e, ..DiscParams::new(m) };
         let law = BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 };
         let built = Builder::new("jeffcott")
             .part("rotor", Disc::planar(), disc)

@@ -5,7 +5,6 @@ use crate::common;
 use common::base::{request, run};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::balance::orbit::Orbit;
@@ -26,7 +25,7 @@ const RANGE: (f64, f64) = (200.0, 3000.0);
 fn machine(k: [f64; 2]) -> Builder {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     Builder::new("rotor with a stop")
-        .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
         .part("spring", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: k, cubic_stiffness: [0.0; 2], valid_to: 0.0 })
         .part("air", Damper::fixed(link()), DamperParams { damping: [C; 2], tilt_damping: 0.0 })
         .part("stop", Stop::new(link()), StopParams { stiffness: STOP, gap: GAP, damping: 0.0 })
@@ -122,7 +121,7 @@ fn tangents_through_contact_are_those_of_differences() {
         let stop = StopParams { stiffness: STOP, gap: GAP, damping };
         let link = Link::Between(Attach::on("disc"), Attach::ground());
         let plain = Builder::new("disc")
-            .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+            .part("disc", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
             .part(
                 "spring",
                 BearingCubic::per_axis(link.clone()),

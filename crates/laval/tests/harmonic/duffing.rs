@@ -3,7 +3,6 @@
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
@@ -37,7 +36,7 @@ const WEAK: Duffing = Duffing { d: 10.0, c: 1e10, e: 3e-3 };
 impl Duffing {
     fn system(self) -> System {
         let link = || Link::Between(Attach::on("drum"), Attach::ground());
-        let disc = DiscParams { mass: 1.0, eccentricity: self.e, ..DiscFamily::defaults() };
+        let disc = DiscParams { eccentricity: self.e, ..DiscParams::new(1.0) };
         let law = BearingCubicParams { stiffness: [0.0, 1e7], cubic_stiffness: [self.c, 0.0], valid_to: 0.0 };
         Builder::new("duffing")
             .part("drum", Disc::planar(), disc)

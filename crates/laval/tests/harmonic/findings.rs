@@ -6,7 +6,6 @@ use common::base::Base;
 use laval::diagnostic::Diagnostic;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, Finding, Mark, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
@@ -22,7 +21,7 @@ const K: f64 = 1e6;
 fn machine(cubic: f64, c: f64) -> Builder {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     Builder::new("one disc")
-        .part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
         .part(
             "spring",
             BearingCubic::isotropic(link()),
@@ -36,10 +35,10 @@ fn machine(cubic: f64, c: f64) -> Builder {
 fn no_sweep_jumps_from_unstable_states() {
     let link = || Link::Between(Attach::on("other"), Attach::ground());
     let beside = |cross: f64| {
-        machine(1e12, 170.0).part("other", Disc::planar(), DiscParams { mass: 1.0, ..DiscFamily::defaults() }).part(
+        machine(1e12, 170.0).part("other", Disc::planar(), DiscParams::new(1.0)).part(
             "seal",
             BearingLinear::constant(link()),
-            BearingLinearParams { kxx: 1e6, kyy: 1e6, kxy: cross, kyx: -cross, cxx: 50.0, cyy: 50.0, ..BearingLinearFamily::defaults() },
+            BearingLinearParams { kxx: 1e6, kyy: 1e6, kxy: cross, kyx: -cross, cxx: 50.0, cyy: 50.0, ..BearingLinearParams::new() },
         )
     };
     let of = |cross: f64| study(beside(cross), Request::over(300.0, 1500.0)).unwrap();

@@ -6,7 +6,6 @@ use common::base::{Base, defect};
 use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family as _;
 use laval::model::part::{At, Link};
 use laval::model::system::{System, Workspace};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
@@ -150,7 +149,7 @@ fn duffing_frequency_is_elliptic() {
     let link = Link::Between(Attach::on("disc"), Attach::ground());
     let law = BearingCubicParams { stiffness: [2e6; 2], cubic_stiffness: [3e12; 2], valid_to: 0.0 };
     let system = Builder::new("one body")
-        .part("disc", Disc::planar(), DiscParams { mass: 3.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(3.0) })
         .part("spring", BearingCubic::per_axis(link), law)
         .build()
         .unwrap();
@@ -217,7 +216,7 @@ fn families_of_a_merged_band_come_from_infinity() {
 fn unequal_planes_whirl_apart() {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let system = Builder::new("two planes")
-        .part("disc", Disc::planar(), DiscParams { mass: 3.0, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams::new(3.0))
         .part(
             "spring",
             BearingCubic::per_axis(link()),
@@ -249,7 +248,7 @@ fn unequal_planes_whirl_apart() {
 #[test]
 fn unfit_machines_are_refused() {
     let linear = Builder::new("linear")
-        .part("disc", Disc::planar(), DiscParams { mass: 3.0, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams::new(3.0))
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [1e6; 2], damping: [1.0; 2] })
         .part(
             "air",

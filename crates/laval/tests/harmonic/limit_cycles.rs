@@ -6,7 +6,6 @@ use common::base::{Base, defect};
 use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
@@ -162,7 +161,7 @@ fn internal_damping_whirls_softly() {
     let (m, k, c1, external, internal) = (3.0, 2e6, 3e12, 40.0, 60.0);
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let system = Builder::new("internal damping")
-        .part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams::new(m))
         .part("spring", BearingCubic::isotropic(link()), BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [c1; 2], valid_to: 0.0 })
         .part("air", Damper::fixed(link()), DamperParams { damping: [external; 2], tilt_damping: 0.0 })
         .part("shaft", Damper::rotating(link()), DamperParams { damping: [internal; 2], tilt_damping: 0.0 })

@@ -6,7 +6,6 @@ use common::base::{Base, request, run, states_at};
 use common::{number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family as _;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
@@ -107,7 +106,7 @@ fn averaging_judges_one_mode() {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let builder = |cubic: f64| {
         Builder::new("one body")
-            .part("disc", Disc::planar(), DiscParams { mass: 3.0, eccentricity: 2e-5, ..DiscFamily::defaults() })
+            .part("disc", Disc::planar(), DiscParams { eccentricity: 2e-5, ..DiscParams::new(3.0) })
             .part(
                 "spring",
                 BearingCubic::per_axis(link()),

@@ -2,7 +2,6 @@
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::Outcome;
@@ -20,8 +19,8 @@ fn link() -> Link {
 }
 
 fn machine(shaft: f64, bearing: impl FnOnce(Builder) -> Builder, horizontal: bool) -> System {
-    let disc = DiscParams { mass: M, ..DiscFamily::defaults() };
-    let shaft = ShaftLumpedParams { stiffness: [shaft; 2], ..ShaftLumpedFamily::defaults() };
+    let disc = DiscParams::new(M);
+    let shaft = ShaftLumpedParams { stiffness: [shaft; 2], ..ShaftLumpedParams::new() };
     let b = bearing(Builder::new("m").part("disc", Disc::planar(), disc).part("shaft", ShaftLumped::lateral(link()), shaft));
     (if horizontal { b.horizontal() } else { b }).build().unwrap()
 }
@@ -96,7 +95,7 @@ fn a_bearing_that_alone_holds_the_rotor_is_refused() {
     assert!(refused(&machine(K, hertz(true, M * G / K), true)).contains("preload"));
     // held, but in one direction only
     let one = |b: Builder| {
-        let side = ShaftLumpedParams { stiffness: [K, 0.0], ..ShaftLumpedFamily::defaults() };
+        let side = ShaftLumpedParams { stiffness: [K, 0.0], ..ShaftLumpedParams::new() };
         hertz(true, 1e-4)(b).part("side", ShaftLumped::lateral(link()), side)
     };
     assert!(refused(&machine(0.0, one, false)).contains("preload"));
@@ -117,7 +116,7 @@ fn weight_alone_closes_a_bearing() {
         let f = frequencies(&system);
         assert!((f[0] / across - 1.0).abs() < 1e-4 * soft + 1e-10 && (f[f.len() - 1] / along - 1.0).abs() < 1e-4 * soft + 1e-10, "{f:?}");
     }
-    let disc = |mass: f64| DiscParams { mass, ..DiscFamily::defaults() };
+    let disc = |mass: f64| DiscParams::new(mass);
     let upper = BearingHertz::radial(Link::Between(Attach::on("upper"), Attach::on("disc")));
     let law = BearingHertzParams { coefficient: CB, clearance: gap };
     let stacked = hertz(true, gap)(Builder::new("stacked").part("disc", Disc::planar(), disc(M)))
@@ -135,15 +134,8 @@ fn weight_alone_closes_a_bearing() {
 #[test]
 fn only_what_the_bearing_joins_must_be_held() {
     let beside = |b: Builder| {
-        let liquid = LiquidParams {
-            cavity_radius: 0.07,
-            cavity_height: 0.06,
-            density: 1000.0,
-            free_surface_radius: 0.05,
-            wave_damping: 0.0,
-            ..LiquidFamily::defaults()
-        };
-        hertz(true, 1e-4)(b).part("other", Disc::planar(), DiscParams { mass: M, ..DiscFamily::defaults() }).part(
+        let liquid = LiquidParams { wave_damping: 0.0, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.05) };
+        hertz(true, 1e-4)(b).part("other", Disc::planar(), DiscParams::new(M)).part(
             "liquid",
             Liquid::new(Attach::on("disc"), Fill::Partial),
             liquid,

@@ -5,7 +5,6 @@ use crate::common;
 use common::base::{Base, request, run, states_at};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
@@ -57,7 +56,7 @@ fn exchange_of_the_axes_changes_nothing() {
         let two = |a: f64, b: f64| if swap { [b, a] } else { [a, b] };
         let link = || Link::Between(Attach::on("drum"), Attach::on("base"));
         Builder::new("two axes")
-            .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 5e-5, ..DiscFamily::defaults() })
+            .part("drum", Disc::planar(), DiscParams { eccentricity: 5e-5, ..DiscParams::new(2.4) })
             .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: two(3e5, 5e5), damping: two(7.0, 9.0) })
             .part(
                 "bearing",
@@ -150,14 +149,13 @@ fn weight_brings_even_orders() {
 fn tilting_disc_on_two_bearings() {
     for (isotropic, symmetry) in [(true, Symmetry::Circular), (false, Symmetry::Quarter)] {
         let disc = DiscParams {
-            mass: 5.0,
             eccentricity: 1e-4,
             polar_inertia: 0.06,
             diametral_inertia: 0.04,
             skew: 2e-3,
             skew_phase: 1.0,
             centre_of_mass: 0.02,
-            ..DiscFamily::defaults()
+            ..DiscParams::new(5.0)
         };
         let bearing = |z: f64| {
             let link = Link::Between(Attach::at("disc", z), Attach::ground());
@@ -186,9 +184,11 @@ fn tilting_disc_on_two_bearings() {
 fn undamped_resonance_ends() {
     let link = Link::Between(Attach::on("disc"), Attach::ground());
     let p = BearingCubicParams { stiffness: [2e6; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
-    let b = Builder::new("undamped")
-        .part("disc", Disc::planar(), DiscParams { mass: 3.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
-        .part("spring", BearingCubic::isotropic(link), p);
+    let b = Builder::new("undamped").part("disc", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(3.0) }).part(
+        "spring",
+        BearingCubic::isotropic(link),
+        p,
+    );
     let r = run(b, Request { stability: false, ..request(100.0, 3000.0) });
     let peak = (2e6f64 / 3.0).sqrt();
     assert_eq!(r.branches.len(), 2);

@@ -5,7 +5,6 @@ use crate::common;
 use common::base::{request, run};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome};
@@ -28,7 +27,7 @@ fn link() -> Link {
 /// A rotor held by nothing but a bearing with clearance: at rest its place is open.
 fn clearance(damping: f64) -> Builder {
     Builder::new("clearance")
-        .part("rotor", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
         .part("bearing", BearingHertz::radial(link()), BearingHertzParams { coefficient: HERTZ, clearance: GAP })
         .part("loss", Damper::fixed(link()), DamperParams { damping: [damping; 2], tilt_damping: 0.0 })
 }
@@ -105,7 +104,7 @@ fn a_sweep_tells_every_jump_it_meets() {
 /// A rotor on a spring with a cubic part.
 fn sprung(cubic: f64, horizontal: bool) -> System {
     let b = Builder::new("sprung")
-        .part("rotor", Disc::planar(), DiscParams { mass: 10.0, eccentricity: 2e-5, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: 2e-5, ..DiscParams::new(10.0) })
         .part(
             "spring",
             BearingCubic::per_axis(link()),

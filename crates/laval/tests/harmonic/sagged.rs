@@ -6,7 +6,6 @@ use common::base::run;
 use laval::file::load;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::Outcome;
 use laval::parts::{bearing_cubic::*, bearing_hertz::*, damper::*, disc::*};
@@ -27,7 +26,7 @@ const G: f64 = 9.80665;
 fn rotor(gap: f64, horizontal: bool) -> Builder {
     let link = || Link::Between(Attach::on("rotor"), Attach::ground());
     let b = Builder::new("clearance")
-        .part("rotor", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
         .part("bearing", BearingHertz::radial(link()), BearingHertzParams { coefficient: HERTZ, clearance: gap })
         .part("loss", Damper::fixed(link()), DamperParams { damping: [C; 2], tilt_damping: 0.0 });
     if horizontal { b.horizontal() } else { b }
@@ -129,7 +128,7 @@ fn the_motion_about_the_sag_is_found() {
 fn hardening() -> Builder {
     let link = || Link::Between(Attach::on("rotor"), Attach::ground());
     Builder::new("hardening")
-        .part("rotor", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(2.0) })
         .part(
             "spring",
             BearingCubic::isotropic(link()),
@@ -209,7 +208,7 @@ fn amplitudes_of_both_axes_and_first_order_forces_are_those_of_the_closed_form()
     let link = || Link::Between(Attach::on("rotor"), Attach::ground());
     let (m, e, k, c) = (2.0, 1e-5, [1e6, 2e6], 150.0);
     let builder = Builder::new("two stiffnesses")
-        .part("rotor", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(m) })
         .part("spring", BearingCubic::per_axis(link()), BearingCubicParams { stiffness: k, cubic_stiffness: [0.0; 2], valid_to: 0.0 })
         .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 });
     let o = study(builder, 200.0, 1500.0);

@@ -5,7 +5,6 @@ use crate::common;
 use common::Planar;
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Value, Values};
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{End, Outcome};
@@ -29,12 +28,12 @@ fn link() -> Link {
 }
 
 fn disc() -> Builder {
-    Builder::new("disc").part("disc", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
+    Builder::new("disc").part("disc", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
 }
 
 /// A Jeffcott rotor whose shaft material is damped.
 fn jeffcott() -> System {
-    let shaft = ShaftLumpedParams { stiffness: [K; 2], material_damping: INNER / K, ..ShaftLumpedFamily::defaults() };
+    let shaft = ShaftLumpedParams { stiffness: [K; 2], material_damping: INNER / K, ..ShaftLumpedParams::new() };
     let air = DamperParams { damping: [OUTER; 2], tilt_damping: 0.0 };
     disc().part("shaft", ShaftLumped::lateral(link()).damped(), shaft).part("air", Damper::fixed(link()), air).build().unwrap()
 }

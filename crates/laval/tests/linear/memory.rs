@@ -8,7 +8,7 @@ use laval::model::builder::Builder;
 use laval::model::capability::{Contacts, FrequencyDomain};
 use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, RangeValue, Values};
-use laval::model::params::{Family, NoParams};
+use laval::model::params::NoParams;
 use laval::model::part::{At, Dof, DofKind, Domain, Layout, Link, Params, Part, Physics, Rows, TimeForm, Uses};
 use laval::model::system::System;
 use laval::outcome::Status;
@@ -90,7 +90,7 @@ const MASS: f64 = 4.0;
 
 fn machine(rotor: bool, impedance: bool) -> System {
     Builder::new("relaxing")
-        .part("disc", Disc::planar(), DiscParams { mass: MASS, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(MASS) })
         .part("shaft", Relaxing { rotor, impedance }, ())
         .build()
         .unwrap()

@@ -4,7 +4,6 @@ use laval::model::blocks::Grid;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::linear::{Form, LinearModel, LinearScratch};
-use laval::model::params::Family;
 use laval::model::part::{At, Link};
 use laval::model::system::System;
 use laval::model::tangent::{Tangent, TangentScratch};
@@ -15,7 +14,7 @@ use laval_num::dense::{Lu, Mat};
 fn base(fill: Option<f64>) -> System {
     let joint = || Link::Between(Attach::on("drum"), Attach::on("base"));
     let mut b = Builder::new("base set")
-        .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 1e-3, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams { eccentricity: 1e-3, ..DiscParams::new(2.4) })
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [3.26e5; 2], damping: [6.59; 2] })
         .part(
             "bearing",
@@ -28,14 +27,7 @@ fn base(fill: Option<f64>) -> System {
             DamperParams { damping: [42.0; 2], tilt_damping: 0.0 },
         );
     if let Some(r) = fill {
-        let p = LiquidParams {
-            cavity_radius: 0.07,
-            cavity_height: 0.06,
-            density: 1000.0,
-            free_surface_radius: 0.07 * r,
-            wave_damping: 0.0,
-            ..LiquidFamily::defaults()
-        };
+        let p = LiquidParams { wave_damping: 0.0, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.07 * r) };
         b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
     }
     b.build().unwrap()

@@ -5,7 +5,6 @@ use crate::common;
 use common::{Planar, number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, foundation::*};
@@ -107,7 +106,7 @@ fn reversed_rotation_exchanges_forward_and_backward() {
 fn orthotropic(swap: bool) -> System {
     let s = |x: f64, y: f64| if swap { [y, x] } else { [x, y] };
     Builder::new("orthotropic")
-        .part("disc", Disc::planar(), DiscParams { mass: 3.0, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams::new(3.0))
         .part("base", Foundation, FoundationParams { mass: 20.0, stiffness: s(4e5, 7e5), damping: s(30.0, 50.0) })
         .part(
             "bearing",
@@ -148,7 +147,7 @@ fn units_do_not_matter() {
 fn rotating_damping_destabilises_above_its_onset() {
     let (m, k, ce, ci): (f64, f64, f64, f64) = (5.0, 2e6, 120.0, 80.0);
     let system = Builder::new("Kimball")
-        .part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams::new(m))
         .part(
             "shaft",
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
@@ -200,7 +199,7 @@ fn full_and_empty_cavities() {
 fn tilting_disc_splits_gyroscopically() {
     // A theta'' - i C W theta' + k theta = 0
     let (a, cp, k): (f64, f64, f64) = (0.02, 0.03, 800.0);
-    let disc = DiscParams { mass: 4.0, diametral_inertia: a, polar_inertia: cp, ..DiscFamily::defaults() };
+    let disc = DiscParams { diametral_inertia: a, polar_inertia: cp, ..DiscParams::new(4.0) };
     let h = 0.1;
     // two springs at +-h hold the tilt: k = 2 kb h^2
     let kb = k / (2.0 * h * h);
@@ -225,10 +224,10 @@ fn tilting_disc_splits_gyroscopically() {
 fn flat_orbits_have_no_direction() {
     let (m, kx, ky): (f64, f64, f64) = (2.0, 1e6, 1.2e6);
     for (g, flat) in [(0.1f64, true), (3.0, true), (10.0, false), (30.0, false)] {
-        let p = BearingLinearParams { kxx: kx, kyy: ky, cxy: g, cyx: -g, ..BearingLinearFamily::defaults() };
+        let p = BearingLinearParams { kxx: kx, kyy: ky, cxy: g, cyx: -g, ..BearingLinearParams::new() };
         let link = Link::Between(Attach::on("disc"), Attach::ground());
         let system = Builder::new("flat")
-            .part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() })
+            .part("disc", Disc::planar(), DiscParams::new(m))
             .part("bearing", BearingLinear::constant(link), p)
             .build()
             .unwrap();
@@ -290,7 +289,7 @@ fn the_study_says_what_is_unstable() {
 fn turning_state_of_an_isotropic_cubic_bearing() {
     let (m, e, k, k3, d, w): (f64, f64, f64, f64, f64, f64) = (3.0, 1e-3, 4e6, 5e11, 400.0, 900.0);
     let system = Builder::new("cubic")
-        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(m) })
         .part(
             "bearing",
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),

@@ -4,7 +4,6 @@ use crate::common;
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Finding, Outcome};
@@ -46,10 +45,10 @@ const E: f64 = 1e-5;
 
 /// A rotor on an undamped spring with an absorber of the mass ratio mu.
 fn absorber(mu: f64) -> System {
-    let linear = |k: f64| BearingLinearParams { kxx: k, kyy: k, ..BearingLinearFamily::defaults() };
+    let linear = |k: f64| BearingLinearParams { kxx: k, kyy: k, ..BearingLinearParams::new() };
     Builder::new("absorber")
-        .part("rotor", Disc::planar(), DiscParams { mass: M, eccentricity: E, ..DiscFamily::defaults() })
-        .part("tuner", Disc::planar(), DiscParams { mass: mu * M, ..DiscFamily::defaults() })
+        .part("rotor", Disc::planar(), DiscParams { eccentricity: E, ..DiscParams::new(M) })
+        .part("tuner", Disc::planar(), DiscParams::new(mu * M))
         .part("frame", BearingLinear::constant(Link::Between(Attach::on("rotor"), Attach::ground())), linear(K))
         .part(
             "spring",
@@ -148,7 +147,7 @@ fn the_tuned_absorber_is_found() {
 fn rotor(c: f64, k: f64) -> System {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     Builder::new("one disc")
-        .part("disc", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(2.0) })
         .part("spring", BearingCubic::isotropic(link()), BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 })
         .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
         .build()

@@ -44,21 +44,14 @@ fn forward_stiffness(system: &System, first: usize, s: C64, speed: f64) -> C64 {
 const MASS: f64 = 0.01;
 
 fn drum_with_liquid(ratio: f64, damping: f64) -> (System, f64) {
-    let p = LiquidParams {
-        cavity_radius: 0.07,
-        cavity_height: 0.06,
-        density: 1000.0,
-        free_surface_radius: 0.07 * ratio,
-        wave_damping: damping,
-        ..LiquidFamily::defaults()
-    };
+    let p = LiquidParams { wave_damping: damping, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.07 * ratio) };
     let fill = match ratio {
         0.0 => Fill::Full,
         1.0 => Fill::Empty,
         _ => Fill::Partial,
     };
     let system = Builder::new("drum")
-        .part("drum", Disc::planar(), DiscParams { mass: MASS, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams::new(MASS))
         .part("liquid", Liquid::new(Attach::on("drum"), fill), p)
         .build()
         .unwrap();
@@ -153,14 +146,7 @@ fn waves_of_the_free_surface() {
 fn liquid_keeps_its_momentum_at_varying_speed() {
     for ratio in [0.95, 0.667, 0.2] {
         let liquid = Liquid::new(Attach::on("drum"), Fill::Partial);
-        let p = LiquidParams {
-            cavity_radius: 0.07,
-            cavity_height: 0.06,
-            density: 1000.0,
-            free_surface_radius: 0.07 * ratio,
-            wave_damping: 0.0,
-            ..LiquidFamily::defaults()
-        };
+        let p = LiquidParams { wave_damping: 0.0, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.07 * ratio) };
         let p: Vec<D1> = LiquidFamily::to_vec(&p).into_iter().map(D1::lift).collect();
         let full = PI * 0.07 * 0.07 * 0.06 * 1000.0;
         let (outer, real) = (full * ratio * ratio, full * (1.0 - ratio * ratio));
@@ -214,7 +200,7 @@ fn synchronous_surface_is_centred_on_the_spin_axis() {
 }
 
 fn tilting(speed_dependent: DiscParams, tilt_stiffness: f64) -> System {
-    let p = ShaftLumpedParams { stiffness: [1e5; 2], tilt_stiffness, ..ShaftLumpedFamily::defaults() };
+    let p = ShaftLumpedParams { stiffness: [1e5; 2], tilt_stiffness, ..ShaftLumpedParams::new() };
     Builder::new("top")
         .part("disc", Disc::tilting(), speed_dependent)
         .part("shaft", ShaftLumped::with_tilt(to_ground("disc")), p)
@@ -226,7 +212,7 @@ fn tilting(speed_dependent: DiscParams, tilt_stiffness: f64) -> System {
 #[test]
 fn gyroscopic_split() {
     let (a, cp, kt) = (0.013, 0.021, 800.0);
-    let system = tilting(DiscParams { mass: 2.0, polar_inertia: cp, diametral_inertia: a, ..DiscFamily::defaults() }, kt);
+    let system = tilting(DiscParams { polar_inertia: cp, diametral_inertia: a, ..DiscParams::new(2.0) }, kt);
     for speed in [0.0, 200.0, 900.0] {
         let root = ((cp * speed).powi(2) + 4.0 * a * kt).sqrt();
         for w in [(cp * speed + root) / (2.0 * a), (cp * speed - root) / (2.0 * a)] {
@@ -240,7 +226,7 @@ fn gyroscopic_split() {
 #[test]
 fn skewed_disc_turns_steadily() {
     let (a, cp, kt, tau, w, phase, at_angle) = (0.013, 0.021, 800.0, 0.01, 150.0, 0.8, 0.5);
-    let p = DiscParams { mass: 2.0, polar_inertia: cp, diametral_inertia: a, skew: tau, skew_phase: at_angle, ..DiscFamily::defaults() };
+    let p = DiscParams { polar_inertia: cp, diametral_inertia: a, skew: tau, skew_phase: at_angle, ..DiscParams::new(2.0) };
     let system = tilting(p, kt);
     let theta = C64::cis(phase + at_angle).scale((a - cp) * w * w * tau / (kt - (a - cp) * w * w));
     let (rate, accel) = (theta.mul_i().scale(w), theta.scale(-w * w));
@@ -258,8 +244,7 @@ fn skewed_disc_turns_steadily() {
 #[test]
 fn offset_centre_of_mass_couples_translation_and_tilt() {
     let (m, h, a, cp, w) = (2.0, 0.06, 0.013, 0.021, 150.0);
-    let p =
-        DiscParams { mass: m, polar_inertia: cp, diametral_inertia: a, centre_of_mass: h, eccentricity: 1e-4, ..DiscFamily::defaults() };
+    let p = DiscParams { polar_inertia: cp, diametral_inertia: a, centre_of_mass: h, eccentricity: 1e-4, ..DiscParams::new(m) };
     let z = stiffness(&tilting(p, 800.0), c(0.0, w), 0.0);
     // kinetic energy m |z + h (beta - i alpha)|^2/2 + A |theta|^2/2
     assert!((z[(0, 3)] - c(-m * h * w * w, 0.0)).abs() < 1e-9 && (z[(1, 2)] - c(m * h * w * w, 0.0)).abs() < 1e-9);
@@ -273,13 +258,13 @@ fn rotating_damping_destabilises_forward_whirl_above_its_onset() {
     let w0 = f64::sqrt(k / m);
     let onset = w0 * (1.0 + ce / ci);
     let base = || {
-        Builder::new("rotor").part("disc", Disc::planar(), DiscParams { mass: m, ..DiscFamily::defaults() }).part(
+        Builder::new("rotor").part("disc", Disc::planar(), DiscParams::new(m)).part(
             "air",
             Damper::fixed(to_ground("disc")),
             DamperParams { damping: [ce; 2], tilt_damping: 0.0 },
         )
     };
-    let shaft = |b: f64| ShaftLumpedParams { stiffness: [k; 2], material_damping: b, ..ShaftLumpedFamily::defaults() };
+    let shaft = |b: f64| ShaftLumpedParams { stiffness: [k; 2], material_damping: b, ..ShaftLumpedParams::new() };
     let with_damper = base()
         .part("shaft", ShaftLumped::lateral(to_ground("disc")), shaft(0.0))
         .part("inner", Damper::rotating(to_ground("disc")), DamperParams { damping: [ci; 2], tilt_damping: 0.0 })

@@ -5,7 +5,6 @@ use crate::common;
 use common::{Planar, number, rows};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, RangeValue};
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome};
@@ -65,7 +64,7 @@ fn first_resonance_and_antiresonance() {
 fn jeffcott_rotor() {
     let (m, e, k, d): (f64, f64, f64, f64) = (3.0, 2e-5, 4e6, 150.0);
     let system = Builder::new("Jeffcott")
-        .part("disc", Disc::planar(), DiscParams { mass: m, eccentricity: e, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(m) })
         .part(
             "shaft",
             BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
@@ -99,7 +98,7 @@ fn small_unbalance_is_no_more_work() {
     use laval::solve::{extrema::curve, rest::rest};
     let rotor = |eccentricity: f64, stiffness: f64| {
         Builder::new("rotor")
-            .part("disc", Disc::planar(), DiscParams { mass: 1.0, eccentricity, ..DiscFamily::defaults() })
+            .part("disc", Disc::planar(), DiscParams { eccentricity, ..DiscParams::new(1.0) })
             .part(
                 "shaft",
                 BearingCubic::isotropic(Link::Between(Attach::on("disc"), Attach::ground())),
@@ -166,7 +165,7 @@ fn critical_speed_of_a_gyroscopic_tilt() {
     let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
     let p = BearingCubicParams { stiffness: [k / (2.0 * h * h); 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
     let system = Builder::new("gyro")
-        .part("disc", Disc::tilting(), DiscParams { mass: 4.0, diametral_inertia: a, polar_inertia: cp, ..DiscFamily::defaults() })
+        .part("disc", Disc::tilting(), DiscParams { diametral_inertia: a, polar_inertia: cp, ..DiscParams::new(4.0) })
         .part("upper", spring(h), p)
         .part("lower", spring(-h), p)
         .build()
@@ -216,7 +215,7 @@ fn the_response_satisfies_the_characteristic_equations() {
 fn an_undamped_resonance_has_no_amplitude() {
     let rotor = |damping: f64| {
         Builder::new("rotor")
-            .part("disc", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 1e-5, ..DiscFamily::defaults() })
+            .part("disc", Disc::planar(), DiscParams { eccentricity: 1e-5, ..DiscParams::new(2.0) })
             .part(
                 "spring",
                 BearingCubic::per_axis(Link::Between(Attach::on("disc"), Attach::ground())),

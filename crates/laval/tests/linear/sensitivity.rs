@@ -5,7 +5,6 @@ use crate::common;
 use common::base::Base;
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::outcome::{Data, Outcome, Table};
@@ -76,7 +75,7 @@ fn near(a: f64, b: f64, relative: f64) {
 fn disc(mass: f64, k: f64, cubic: f64, c: f64, e: f64) -> Builder {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     Builder::new("one disc")
-        .part("disc", Disc::planar(), DiscParams { mass, eccentricity: e, ..DiscFamily::defaults() })
+        .part("disc", Disc::planar(), DiscParams { eccentricity: e, ..DiscParams::new(mass) })
         .part(
             "spring",
             BearingCubic::isotropic(link()),

@@ -6,10 +6,9 @@ use common::base::{request, states_at};
 use laval::diagnostic::Diagnostics;
 use laval::file::{Loaded, canonical, load};
 use laval::model::builder::Builder;
-use laval::model::params::Family;
 use laval::model::system::System;
 use laval::outcome::{Data, End, Finding, Outcome};
-use laval::parts::disc::{Disc, DiscFamily, DiscParams};
+use laval::parts::disc::{Disc, DiscParams};
 use laval::solve::harmonic::balance::orbit::Orbit;
 use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::branches::response::respond;
@@ -360,7 +359,7 @@ fn mistakes_are_told_where_they_stand() {
     assert_eq!(format!("{a:?}"), format!("{b:?}"));
     assert_eq!(numbers(&a, "cells", "x"), [0.0, 1e-3, 0.0, 1e-3, 0.0, 1e-3]);
     let l = loaded(&machine(600.0, "0 deg"), &fine);
-    let disc = DiscParams { mass: 2.4, polar_inertia: 0.1, ..DiscFamily::defaults() };
+    let disc = DiscParams { polar_inertia: 0.1, ..DiscParams::new(2.4) };
     let free = Builder::new("free").part("drum", Disc::planar(), disc).free_spin().build().unwrap();
     assert_eq!(l.studies[0].study.admit(&free).unwrap_err().code, "basins.free_spin");
 }

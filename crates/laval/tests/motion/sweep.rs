@@ -7,9 +7,8 @@ use common::{Base, number, rows};
 use laval::diagnostic::Diagnostics;
 use laval::file::{Loaded, canonical, load};
 use laval::model::builder::Builder;
-use laval::model::params::Family;
 use laval::outcome::{Data, End, Outcome, Table};
-use laval::parts::disc::{Disc, DiscFamily, DiscParams};
+use laval::parts::disc::{Disc, DiscParams};
 use laval::solve::harmonic::balance::orbit::Orbit;
 use laval::solve::harmonic::balance::problem::Balance;
 use laval::store::Keep;
@@ -396,7 +395,7 @@ fn mistakes_are_told_where_they_stand() {
         assert!(told.0.iter().any(|d| d.code == code), "{study}: {told:?}");
     }
     let l = loaded(LINEAR, "speed = { from = 1, to = 5 }");
-    let disc = DiscParams { mass: 2.0, polar_inertia: 0.1, ..DiscFamily::defaults() };
+    let disc = DiscParams { polar_inertia: 0.1, ..DiscParams::new(2.0) };
     let free = Builder::new("free").part("disc", Disc::planar(), disc).free_spin().build().unwrap();
     assert_eq!(l.studies[0].study.admit(&free).unwrap_err().code, "sweep.free_spin");
 }

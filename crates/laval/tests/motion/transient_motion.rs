@@ -8,7 +8,7 @@ use common::Base;
 use laval::model::blocks::{Axes, Blocks, Memory};
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Field, ParamValues, Values};
-use laval::model::params::{Family, NoParams};
+use laval::model::params::NoParams;
 use laval::model::part::*;
 use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
@@ -80,7 +80,7 @@ fn ball_machine(free: bool, damped: bool) -> System {
     let joint = Link::Between(Attach::on("drum"), Attach::ground());
     let mut b = Builder::new("balls")
         .speed(120.0)
-        .part("drum", Disc::planar(), DiscParams { mass: 2.0, eccentricity: 2e-3, polar_inertia: 0.01, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams { eccentricity: 2e-3, polar_inertia: 0.01, ..DiscParams::new(2.0) })
         .part(
             "spring",
             BearingCubic::isotropic(joint.clone()),
@@ -96,7 +96,6 @@ fn ball_machine(free: bool, damped: bool) -> System {
 
 fn tilting(horizontal: bool) -> System {
     let disc = DiscParams {
-        mass: 2.0,
         eccentricity: 1e-3,
         eccentricity_phase: 0.4,
         polar_inertia: 0.02,
@@ -104,7 +103,7 @@ fn tilting(horizontal: bool) -> System {
         skew: 0.01,
         skew_phase: 1.0,
         centre_of_mass: 0.03,
-        ..DiscFamily::defaults()
+        ..DiscParams::new(2.0)
     };
     let link = |z| Link::Between(Attach::at("drum", z), Attach::ground());
     let bearing = |k: f64| BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [2e9; 2], valid_to: 0.0 };
@@ -152,7 +151,7 @@ fn all_machines() -> Vec<(System, SpinLaw)> {
         (
             liquid()
                 .builder()
-                .part("flywheel", Disc::planar(), DiscParams { mass: 1.0, polar_inertia: 0.3, ..DiscFamily::defaults() })
+                .part("flywheel", Disc::planar(), DiscParams { polar_inertia: 0.3, ..DiscParams::new(1.0) })
                 .free_spin()
                 .build()
                 .unwrap(),
@@ -287,7 +286,7 @@ fn announced_times_change_nothing() {
 fn with_memory(states: usize, fastest: f64) -> System {
     let link = Link::Between(Attach::on("drum"), Attach::on("base"));
     Builder::new("memory")
-        .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(2.4) })
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [3e5; 2], damping: [100.0; 2] })
         .part("shaft", Relaxing { link: link.clone(), states, fastest }, ())
         .part("stop", BearingCubic::isotropic(link), BearingCubicParams { stiffness: [0.0; 2], cubic_stiffness: [1e10; 2], valid_to: 0.0 })
@@ -416,16 +415,9 @@ fn angular_momentum_of_a_free_rotor_is_conserved() {
 /// The liquid's force is the rate of its momentum at any speed: a rotor and its liquid without supports keep theirs.
 #[test]
 fn liquid_keeps_its_momentum_while_the_speed_changes() {
-    let disc = DiscParams { mass: 2.4, eccentricity: 0.0, ..DiscFamily::defaults() };
+    let disc = DiscParams { eccentricity: 0.0, ..DiscParams::new(2.4) };
     let (radius, free) = (0.07f64, 0.05f64);
-    let liquid = LiquidParams {
-        cavity_radius: radius,
-        cavity_height: 0.06,
-        density: 1000.0,
-        free_surface_radius: free,
-        wave_damping: 0.0,
-        ..LiquidFamily::defaults()
-    };
+    let liquid = LiquidParams { wave_damping: 0.0, ..LiquidParams::new(radius, 0.06, 1000.0, free) };
     let system = Builder::new("free")
         .part("drum", Disc::planar(), disc)
         .part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), liquid)

@@ -8,7 +8,7 @@ use laval::model::builder::Builder;
 use laval::model::capability::Contacts;
 use laval::model::erased;
 use laval::model::field::{Attach, Field, ParamValues, Value, Values};
-use laval::model::params::{Family, NoParams};
+use laval::model::params::NoParams;
 use laval::model::part::*;
 use laval::model::system::System;
 use laval::outcome::{Data, End, Level, Outcome};
@@ -67,7 +67,7 @@ fn finding(o: &Outcome, id: &str) -> f64 {
 
 /// The base set with a linear bearing.
 fn linear(e: f64, fill: Option<f64>, chi: f64, chi0: f64) -> System {
-    let disc = DiscParams { mass: 2.4, eccentricity: e, polar_inertia: 0.01, ..DiscFamily::defaults() };
+    let disc = DiscParams { eccentricity: e, polar_inertia: 0.01, ..DiscParams::new(2.4) };
     let joint = Link::Between(Attach::on("drum"), Attach::on("base"));
     let ground = Link::Between(Attach::on("drum"), Attach::ground());
     let mut b = Builder::new("linear")
@@ -80,14 +80,7 @@ fn linear(e: f64, fill: Option<f64>, chi: f64, chi0: f64) -> System {
         )
         .part("air", Damper::fixed(ground), DamperParams { damping: [chi; 2], tilt_damping: 0.0 });
     if let Some(r) = fill {
-        let p = LiquidParams {
-            cavity_radius: 0.07,
-            cavity_height: 0.06,
-            density: 1000.0,
-            free_surface_radius: 0.07 * r,
-            wave_damping: 0.0,
-            ..LiquidFamily::defaults()
-        };
+        let p = LiquidParams { wave_damping: 0.0, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.07 * r) };
         b = b.part("liquid", Liquid::new(Attach::on("drum"), Fill::Partial), p);
     }
     b.build().unwrap()
@@ -330,7 +323,7 @@ fn kick_is_an_impulse_the_balance_knows() {
 
 #[test]
 fn free_spin_keeps_energy_and_reports_its_speed() {
-    let disc = DiscParams { mass: 2.0, eccentricity: 2e-3, polar_inertia: 0.01, ..DiscFamily::defaults() };
+    let disc = DiscParams { eccentricity: 2e-3, polar_inertia: 0.01, ..DiscParams::new(2.0) };
     let spring = BearingCubicParams { stiffness: [4e4; 2], cubic_stiffness: [1e9; 2], valid_to: 0.0 };
     let system = Builder::new("free")
         .speed(130.0)

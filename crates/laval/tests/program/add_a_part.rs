@@ -4,10 +4,9 @@ mod rubber_ring;
 
 use laval::model::builder::Builder;
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::model::system::GRAVITY;
-use laval::parts::disc::{Disc, DiscFamily, DiscParams};
+use laval::parts::disc::{Disc, DiscParams};
 use laval::parts::kind;
 use laval::solve::rest::rest;
 use rubber_ring::{RubberRing, RubberRingParams};
@@ -68,7 +67,7 @@ fn the_part_carries_a_rotor() {
     let ring = RubberRingParams { stiffness: k, doubling: a, damping: 50.0 };
     let system = Builder::new("ring")
         .horizontal()
-        .part("drum", Disc::planar(), DiscParams { mass, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams::new(mass))
         .part("ring", RubberRing(Link::Between(Attach::on("drum"), Attach::ground())), ring)
         .build()
         .unwrap();

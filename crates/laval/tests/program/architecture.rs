@@ -24,6 +24,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("report", &["outcome", "columns"]),
     ("file", &["model", "parts", "study"]),
     ("validation", &["file", "study", "outcome", "report"]),
+    ("prelude", &["model", "parts", "study", "outcome", "file"]),
 ];
 const OPEN: &[&str] = &["units", "diagnostic", "hash", "plain", "build", "folder"];
 
@@ -138,6 +139,25 @@ fn modules_use_only_what_they_may() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The trait of a part knows what it is given and its capabilities; none of these know the trait.
+#[test]
+fn what_a_part_is_given_does_not_know_the_part() {
+    let of_model = |s: &&Source| s.module == "model";
+    let apart = ["context.rs", "blocks.rs", "params.rs", "lanes.rs", "erased.rs"];
+    let (mut wrong, mut seen) = (Vec::new(), 0);
+    for source in sources().iter().filter(of_model) {
+        let capability = source.path.components().any(|c| c.as_os_str() == "capability");
+        if !capability && !apart.iter().any(|name| source.path.ends_with(format!("model/{name}"))) {
+            continue;
+        }
+        seen += 1;
+        for (number, line) in source.lines.iter().filter(|(_, l)| l.contains("part::") || l.contains("erasure::")) {
+            wrong.push(format!("{}:{number}: {line}", source.path.display()));
+        }
+    }
+    assert!(wrong.is_empty() && seen >= 15, "{seen}\n{}", wrong.join("\n"));
 }
 
 /// An analysis knows no concrete part: the word of a kind is no literal in its code.

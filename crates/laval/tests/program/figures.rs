@@ -5,7 +5,6 @@ use crate::common;
 use common::Planar;
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, RangeValue};
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Axis, Band, Data, Figure, Finding, Line, Mark, Outcome, Panel, Points, Rule, Table};
 use laval::parts::{disc::*, shaft_lumped::*};
@@ -84,8 +83,8 @@ fn a_high_mode_does_not_press_the_others_together() {
     let link = |body: &str| Link::Between(Attach::on(body), Attach::ground());
     let mut b = Builder::new("two");
     for (body, k) in [("low", 1e6), ("high", 1e10)] {
-        let disc = DiscParams { mass: 1.0, ..DiscFamily::defaults() };
-        let spring = ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedFamily::defaults() };
+        let disc = DiscParams::new(1.0);
+        let spring = ShaftLumpedParams { stiffness: [k; 2], ..ShaftLumpedParams::new() };
         b = b.part(body, Disc::planar(), disc).part(format!("{body} spring"), ShaftLumped::lateral(link(body)), spring);
     }
     let system = b.build().unwrap();

@@ -3,6 +3,7 @@
 mod add_a_part;
 mod all_mistakes;
 mod architecture;
+mod constructed;
 mod docs;
 mod figures;
 mod findings;

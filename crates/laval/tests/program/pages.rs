@@ -8,13 +8,13 @@ fn root() -> PathBuf {
 }
 
 /// A machine in which every point that an example may name exists.
-const BESIDE: &str = "[machine]\nspeed = \"3000 rpm\"\n\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = \"2.4 kg\"\n\
+pub const BESIDE: &str = "[machine]\nspeed = \"3000 rpm\"\n\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = \"2.4 kg\"\n\
     polar_inertia = \"0.01 kg m^2\"\neccentricity = \"20 um\"\n\n\
     [[part]]\nkind = \"foundation\"\nname = \"support\"\nmass = \"25 kg\"\nstiffness = \"3.26e5 N/m\"\ndamping = \"6.59 N s/m\"\n\n\
     [[part]]\nkind = \"bearing_cubic\"\nname = \"spring\"\nbetween = [\"drum\", \"support\"]\nlaw = \"isotropic\"\nstiffness = \"1e7 N/m\"\ncubic_stiffness = \"1e12 N/m^3\"\n\n";
 
 /// What a block must have beside it to be complete.
-fn beside(what: &str, kind: &str) -> String {
+pub fn beside(what: &str, kind: &str) -> String {
     let c = catalog();
     let example = |word: &str, kind: &str| {
         let block = c.blocks.iter().find(|b| b.word == word).unwrap();

@@ -5,7 +5,6 @@ use laval::file::load;
 use laval::model::builder::Builder;
 use laval::model::conformance::{Options, assert_none, check};
 use laval::model::field::Attach;
-use laval::model::params::Family;
 use laval::model::part::Link;
 use laval::outcome::{Data, Finding, Outcome};
 use laval::parts::{bearing_cubic::*, disc::*};
@@ -42,7 +41,7 @@ fn a_free_rotor_turns_about_its_principal_axis() {
     let (disc, diametral, polar, hinge_height) = (10.0, 0.5, 0.2, 0.3);
     let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
     let soft = BearingCubicParams { stiffness: [1e-3; 2], cubic_stiffness: [0.0; 2], valid_to: 0.0 };
-    let inertia = DiscParams { mass: disc, diametral_inertia: diametral, polar_inertia: polar, ..DiscFamily::defaults() };
+    let inertia = DiscParams { diametral_inertia: diametral, polar_inertia: polar, ..DiscParams::new(disc) };
     let (tilt, m, hinge, l, speed) = (0.9f64, 0.04, 0.15, 0.1, 1e3);
     let cup = SwingingCup { hinge, body: Hanging::point(m, l), damping: 0.0, gravity: 9.80665 };
     let ring = Ring { cup, held: Some(tilt), count: 1, mass_differences: vec![], centre_differences: vec![] };

@@ -35,10 +35,11 @@ pub fn check_fields<P: Part>() -> Vec<Failure> {
         }
     }
     let slot_required = |name: &str| P::Family::FIELDS.iter().any(|f| f.required && name.split('.').next() == Some(f.name));
-    for (slot, value) in P::Family::slots().iter().zip(P::Family::to_vec(&P::Family::defaults())) {
+    for slot in P::Family::slots() {
         let Bounds { min, max, .. } = slot.bounds;
         let (ordered, required) = (min <= max, slot_required(&slot.name));
-        if !ordered || required != value.is_nan() || !(required || slot.bounds.contains(value)) {
+        if !ordered || required != slot.default.is_none() || slot.default.is_some_and(|value| !slot.bounds.contains(value)) {
+            let value = slot.default.map_or("none".into(), |value| value.to_string());
             fail(format!("default {value} of \"{}\" does not fit its bounds", slot.name));
         }
     }

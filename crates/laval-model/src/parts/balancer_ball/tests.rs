@@ -2,12 +2,9 @@
 
 use super::*;
 use crate::model::field::Value;
-use crate::model::params::Family;
 
 pub(super) fn ring() -> BalancerBallParams {
     BalancerBallParams {
-        ball_mass: 0.02,
-        track_radius: 0.15,
         eccentricity: 1e-3,
         eccentricity_phase: 0.5,
         tilt: 0.2,
@@ -16,7 +13,7 @@ pub(super) fn ring() -> BalancerBallParams {
         diametral_inertia: 0.01,
         polar_inertia: 0.018,
         drag: 3e-3,
-        ..BalancerBallFamily::defaults()
+        ..BalancerBallParams::new(0.02, 0.15)
     }
 }
 

@@ -19,7 +19,7 @@
 //! frozen       a rigid ring: ml, A = ml [(R^2 + r0^2)/4 + h^2/12], C = ml (R^2 + r0^2)/2
 //! ```
 //!
-//! In time spatial, and whatever has a viscosity, is a rational function with a stated error: [timed].
+//! In time spatial, and whatever has a viscosity, is a rational function with a stated error: timed.
 //!
 //! With viscosity the plane flow (of every slice) has its exact force in the frequency domain, and spatial its tilt reaction with ends without friction.
 //!
@@ -29,7 +29,7 @@
 //!
 //! Validity: surface displacement well below the layer thickness, cavity always wetted (W^2 r0 above the local acceleration), no viscosity but
 //! delta or the viscosity given, spin-up slow against r0^2/(14.7 nu). planar: motion without tilt. planar_tilt is an approximation that takes tilt inertia
-//! away from a tall cavity. The cavity is straight; it may be off the shaft and skew to it ([offset]). Ends without friction: the Ekman layers of real ends are
+//! away from a tall cavity. The cavity is straight; it may be off the shaft and skew to it (offset). Ends without friction: the Ekman layers of real ends are
 //! not in any model.
 //!
 //! Theory: `docs/theory/liquid-plane-flow.md#state-form`, `docs/theory/liquid-in-three-dimensions.md#simplified-models`.

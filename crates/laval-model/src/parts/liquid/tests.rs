@@ -2,17 +2,9 @@
 
 use super::*;
 use crate::model::field::Value;
-use crate::model::params::Family as _;
 
 pub(super) fn cavity(free: f64, wave_damping: f64) -> LiquidParams {
-    LiquidParams {
-        cavity_radius: 0.07,
-        cavity_height: 0.06,
-        density: 1000.0,
-        free_surface_radius: 0.07 * free,
-        wave_damping,
-        ..LiquidFamily::defaults()
-    }
+    LiquidParams { wave_damping, ..LiquidParams::new(0.07, 0.06, 1000.0, 0.07 * free) }
 }
 
 /// A cavity off its shaft.

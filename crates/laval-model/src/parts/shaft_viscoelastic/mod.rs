@@ -44,7 +44,6 @@ use crate::model::blocks::{Axes, Blocks, Memory};
 use crate::model::capability::FrequencyDomain;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
-use crate::model::params::Family;
 use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm};
 use crate::params;
 use crate::units::{format_number, format_si};
@@ -277,7 +276,7 @@ fn creeps(relaxed: f64) -> String {
 /// Parameters that say one term.
 fn parameters(term: &Term) -> ShaftViscoelasticParams {
     let &Term { amplitude, exponent, decay } = term;
-    ShaftViscoelasticParams { amplitude, exponent, decay, ..ShaftViscoelasticFamily::defaults() }
+    ShaftViscoelasticParams { amplitude, exponent, decay, ..ShaftViscoelasticParams::new() }
 }
 
 const KERNEL: [&str; 3] = ["amplitude", "exponent", "decay"];
@@ -435,7 +434,7 @@ decay = "0.05 1/s"                  # b
         let mut layout = Layout::point(self.link.clone());
         let built = match &self.law {
             Law::Weak(w) if w.own => parameters(&w.terms[0]),
-            _ => ShaftViscoelasticFamily::defaults(),
+            _ => ShaftViscoelasticParams::new(),
         };
         for k in 0..self.exponentials() {
             let rate = self.exponential(&built, k).rate;
@@ -572,9 +571,9 @@ crate::conformance! {
     ShaftViscoelastic {
         rotor: tests::weak(Frame::Rotor), tests::params(), Options { states: 6, ..Options::default() };
         fixed: tests::weak(Frame::Fixed), tests::params(), Options { states: 6, ..Options::default() };
-        several: tests::several(), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticFamily::defaults() }, Options { states: 4, ..Options::default() };
-        exponentials: tests::prony(Frame::Rotor), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticFamily::defaults() }, Options::default();
-        prony_fixed: tests::prony(Frame::Fixed), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticFamily::defaults() }, Options::default();
+        several: tests::several(), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options { states: 4, ..Options::default() };
+        exponentials: tests::prony(Frame::Rotor), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options::default();
+        prony_fixed: tests::prony(Frame::Fixed), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() }, Options::default();
         geometry: tests::weak(Frame::Rotor).on(Supports::Clamped), tests::round(), Options { states: 4, ..Options::default() };
     }
 }

@@ -10,7 +10,7 @@ pub(super) fn link() -> Link {
     Link::Between(Attach::on("drum"), Attach::ground())
 }
 pub(super) fn params() -> ShaftViscoelasticParams {
-    ShaftViscoelasticParams { stiffness: 2e6, amplitude: 0.008, exponent: 0.15, decay: 0.05, ..ShaftViscoelasticFamily::defaults() }
+    ShaftViscoelasticParams { stiffness: 2e6, amplitude: 0.008, exponent: 0.15, decay: 0.05, ..ShaftViscoelasticParams::new() }
 }
 pub(super) fn round() -> ShaftViscoelasticParams {
     ShaftViscoelasticParams { stiffness: 0.0, modulus: 2e11, diameter: 0.02, length: 1.0, position: 0.3, ..params() }
@@ -59,7 +59,7 @@ fn memory_in_rotor_axes_is_shifted_by_the_spin() {
 #[test]
 fn exponentials_are_their_own_time_form() {
     for frame in [Frame::Rotor, Frame::Fixed] {
-        let (part, p) = (prony(frame), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticFamily::defaults() });
+        let (part, p) = (prony(frame), ShaftViscoelasticParams { stiffness: 2e6, ..ShaftViscoelasticParams::new() });
         let mut b = Blocks::default();
         b.reset(2, 0, 80.0);
         part.linear(&p, 80.0, &mut b);

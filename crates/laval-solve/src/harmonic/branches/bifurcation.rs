@@ -11,7 +11,7 @@
 //! | -1, motion without symmetry | -1 | period doubling: a motion of twice the period branches off |
 //! | a complex pair | a complex pair | Neimark-Sacker: a second frequency appears beside the spin |
 //!
-//! Branches judged on Hill's determinant, whose decaying exponents are not all known: [`crate::harmonic::branches::on_determinant`].
+//! Branches judged on Hill's determinant, whose decaying exponents are not all known: `crate::harmonic::branches::on_determinant`.
 //!
 //! Theory: `docs/theory/harmonic-balance.md#bifurcations`.
 

@@ -1,7 +1,7 @@
 //! Starts from motions in time: an ensemble of starts of any size is integrated until the motions nearly repeat, and their nonlinear coordinates over one
 //! period are expanded into harmonics. Newton's method needs no more than that; a motion that does not repeat within some turns gives no start.
 //!
-//! What motions settle on is stable, and of any period up to [`LONGEST`] turns: isolated branches that no guess at a form of the motion finds.
+//! What motions settle on is stable, and of any period up to `LONGEST` turns: isolated branches that no guess at a form of the motion finds.
 
 use crate::ensemble::{self, Ended, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
 use crate::harmonic::balance::motion::put;

@@ -11,7 +11,7 @@
 //! tends to one as orders are added.
 //!
 //! Exponents repeat with i w, so that one strip of the width w holds all of them. The number of those that grow is counted by the argument principle, right of the margin from
-//! which on the parts are analytic ([`strip`]); orders are added until count and exponents settle. Of what decays only the exponents that starts lead to are known.
+//! which on the parts are analytic (`strip`); orders are added until count and exponents settle. Of what decays only the exponents that starts lead to are known.
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
 

@@ -5,7 +5,7 @@
 //!
 //! - circular motion of an isotropic machine: eigenvalues of a constant matrix in the rotating frame;
 //! - motion so small that A hardly varies: eigenvalues of its mean, when the second-order bound of the rest is below the tolerance;
-//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see [`crate::harmonic::stability::monodromy`]).
+//! - otherwise: the map itself by adaptive integration of order 8, in blocks that do not couple (see `crate::harmonic::stability::monodromy`).
 //!
 //! Theory: `docs/theory/harmonic-balance.md#stability`.
 

@@ -2,7 +2,7 @@
 
 use laval::model::builder::Builder;
 use laval::model::field::{Attach, Field, ParamValues, Values};
-use laval::model::params::{Family, NoParams};
+use laval::model::params::NoParams;
 use laval::model::part::*;
 use laval::model::system::System;
 use laval::parts::{disc::*, foundation::*};
@@ -53,7 +53,7 @@ impl Part for Bristle {
 pub fn machine(horizontal: bool) -> System {
     let link = Link::Between(Attach::on("drum"), Attach::on("base"));
     let b = Builder::new("bristles")
-        .part("drum", Disc::planar(), DiscParams { mass: 2.4, eccentricity: 1e-4, ..DiscFamily::defaults() })
+        .part("drum", Disc::planar(), DiscParams { eccentricity: 1e-4, ..DiscParams::new(2.4) })
         .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [3e5; 2], damping: [100.0; 2] })
         .part("brush", Bristle { link }, ());
     if horizontal { b.horizontal() } else { b }.build().unwrap()

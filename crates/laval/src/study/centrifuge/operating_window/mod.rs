@@ -13,7 +13,7 @@
 //! allowed. `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin, the next larger ones deciding with a thousandth of the weight each (or serves another
 //! objective). At every speed the machine carries its cups at the tilt of that speed.
 //!
-//! Symbols: w spin speed; w_s nearest speed at which the largest growth rate passes -sig0 ([`borders`]); p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
+//! Symbols: w spin speed; w_s nearest speed at which the largest growth rate passes -sig0 (`borders`); p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
 //!
 //! Validity: that of the parts and of the separation; a margin that cannot be had counts as not kept. The robust window is asserted at the corners of the uncertain
 //! parameters, which bounds it where margins depend on them monotonically.
