@@ -137,9 +137,11 @@ fn stated_error_of_tilt() {
 /// What cannot be had says what can: that is then had, and two thirds of it are not.
 #[test]
 fn a_refused_error_says_what_can_be_had() {
-    for (name, nu, speed, wish) in [("G1", 1e-6, 300.0, 1e-4), ("G3", 1e-5, -200.0, 1e-5)] {
+    // the whole series costs ten times as much as three of its harmonics
+    let cases = [("G1", 1e-6, 300.0, Truncation::None, 1e-4), ("G3", 1e-6, -200.0, Truncation::At(5), 1e-6)];
+    for (name, nu, speed, truncation, wish) in cases {
         let cavity = cavities().into_iter().find(|c| c.0 == name).unwrap().1;
-        let of = |accuracy: f64| cavity.tilt_viscous_in_time(speed, nu, Truncation::None, accuracy, &|| false);
+        let of = |accuracy: f64| cavity.tilt_viscous_in_time(speed, nu, truncation, accuracy, &|| false);
         let reached = match of(wish) {
             Err(Refused::Accuracy { reached }) => reached,
             other => panic!("{name}: {other:?}"),
