@@ -10,6 +10,7 @@ use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::branches::measure::Measure;
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::Context;
+use laval_num::complex::C64;
 use laval_num::newton::{Options, newton};
 
 const MACHINE: &str = r#"
@@ -146,5 +147,34 @@ fn a_window_needs_more_than_stability() {
             assert_eq!(open.contains(name), checked != Some(name), "{limits}: {open}");
         }
         assert!(!open.contains("stable"), "{open}");
+    }
+}
+
+/// The velocity on an ellipse is the speed times the semi-major axis, reached between the instants of a
+/// period at which forces are sampled: the window ends where that passes the limit.
+#[test]
+fn a_limit_on_the_velocity_is_reached_between_instants() {
+    let (m, e, kx, ky, c, limit): (f64, f64, f64, f64, f64, f64) = (1.0, 1e-5, 1e5, 2e5, 5.0, 2e-3);
+    for phase in [0.0, 0.7] {
+        let text = format!(
+            "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m}\neccentricity = {e}\neccentricity_phase = {phase}\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nkxx = {kx}\nkyy = {ky}\ncxx = {c}\ncyy = {c}\n\
+             [limits]\nvelocity = {limit}\n[[study]]\nkind = \"operating_window\"\nspeed = {{ from = 50, to = 300, points = 8 }}\n"
+        );
+        let loaded = load(&text).unwrap_or_else(|d| panic!("{:?}", d.0));
+        let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("window")).unwrap();
+        // x + i y of both circles: the semi-major axis is half the sum of |X + i Y| and |X - i Y|
+        let velocity = |w: f64| {
+            let axis = |k: f64| C64::real(m * e * w * w) / C64 { re: k - m * w * w, im: c * w };
+            let (x, y) = (axis(kx), axis(ky) * C64 { re: 0.0, im: -1.0 });
+            0.5 * w * ((x + y.mul_i()).abs() + (x - y.mul_i()).abs())
+        };
+        let (mut low, mut high) = (50.0, 300.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if velocity(middle) < limit { low = middle } else { high = middle }
+        }
+        let ends = edges(&o, "ends");
+        assert!(ends.len() == 1 && (ends[0].value.unwrap() / low - 1.0).abs() < 1e-8, "{:?} {low}", o.findings);
     }
 }

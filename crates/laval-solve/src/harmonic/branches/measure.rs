@@ -7,6 +7,7 @@ use crate::harmonic::balance::orbit::Orbit;
 use crate::model::blocks::Blocks;
 use crate::model::erased::Evaluate;
 use crate::model::part::{At, Rows};
+use crate::model::probe::Probe;
 use crate::model::system::{Slot, System, Workspace, gather};
 use laval_num::complex::C64;
 use std::f64::consts::TAU;
@@ -130,6 +131,25 @@ impl Measure {
             Measure::Force(_) => vertex(square, (tau, best), h).0,
         }
     }
+}
+
+/// Largest velocity of what a probe measures over a period, m/s or rad/s.
+pub fn fastest(probe: &Probe, orbit: &Orbit) -> f64 {
+    let samples = SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1));
+    let h = TAU / samples as f64;
+    let square = |tau: f64| {
+        let [_, [x, y], _] = orbit.probe_at(probe, tau);
+        x * x + y * y
+    };
+    let (mut tau, mut best) = (0.0, square(0.0));
+    for j in 1..samples {
+        let r = square(h * j as f64);
+        // NaN stays
+        if !(r <= best) {
+            (tau, best) = (h * j as f64, r);
+        }
+    }
+    vertex(square, (tau, best), h).1.sqrt() * orbit.frequency.abs()
 }
 
 /// Newton's method on the rate of the squared distance, where it leads to more.

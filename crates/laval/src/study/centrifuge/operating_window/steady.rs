@@ -6,7 +6,7 @@ use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::{Balance, Discretisation};
-use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::harmonic::branches::measure::{Measure, fastest};
 use crate::solve::harmonic::branches::response::{Request, Response, respond};
 use crate::solve::harmonic::stability::floquet::Stability;
 use crate::solve::linear_response::response;
@@ -80,11 +80,6 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         let tau = TAU * j as f64 / SAMPLES as f64;
         orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
         q.iter_mut().zip(offset).for_each(|(q, o)| *q += o);
-        for (k, p) in system.probes().iter().enumerate().filter(|p| !p.1.is_tilt()) {
-            let [x, y] = p.of(&v);
-            raise(&mut out.velocity[p.body], x.hypot(y));
-            raise(&mut out.points[k][1], x.hypot(y));
-        }
         let at =
             At { q: &q, v: &v, a: &a, z: &z, phase: order as f64 * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
         for (slot, o) in system.observe(&at, &mut ws) {
@@ -112,6 +107,11 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         let size = Measure::Probe(k).largest(system, orbit, order).0;
         raise(&mut of[p.body], size);
         raise(&mut out.points[k][0], size);
+        if !p.is_tilt() {
+            let velocity = fastest(p, orbit);
+            raise(&mut out.velocity[p.body], velocity);
+            raise(&mut out.points[k][1], velocity);
+        }
     }
     if offset.iter().all(|o| *o == 0.0) {
         for slot in Measure::forces(system) {
