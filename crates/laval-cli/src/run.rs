@@ -69,7 +69,7 @@ fn prepare(args: &Args) -> Result<(Input, Loaded), u8> {
         input.complain(&loaded.warnings);
     }
     if loaded.studies.is_empty() {
-        let d = Diagnostic::error("request.studies", format!("{} asks for no study", args.file.display()));
+        let d = Diagnostic::error("request.studies", format!("{} contains no study", args.file.display()));
         return Err(wrong(d.help("add a [[study]] block; laval studies lists the kinds")));
     }
     if !args.only.is_empty() {

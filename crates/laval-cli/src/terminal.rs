@@ -10,7 +10,7 @@ use terminal_size::{Width, terminal_size_of};
 /// Standard output took not all it was given.
 static LOST: AtomicBool = AtomicBool::new(false);
 
-/// Prints results. A closed pipe (`laval parts | head`) ends the output quietly; any other failure is told once, and [`lost`] says so.
+/// Prints results. A closed pipe (`laval parts | head`) ends the output quietly; any other failure is reported once, and [`lost`] says so.
 pub fn print(text: &str) {
     put(&plain::lines(text));
 }

@@ -51,7 +51,7 @@ pub fn validate(args: &Args) -> u8 {
     });
     let changed: Vec<&Page> = pages.iter().filter(|p| !p.holds()).collect();
     for page in &changed {
-        terminal::complain_painted(&format!("\n{}", told(page)));
+        terminal::complain_painted(&format!("\n{}", reported(page)));
     }
     match write(&args.out, &pages) {
         Ok(()) => {}
@@ -99,7 +99,7 @@ fn nearest_folder() -> Result<PathBuf, Diagnostic> {
 }
 
 /// Why a page is not as it states.
-fn told(page: &Page) -> String {
+fn reported(page: &Page) -> String {
     let mut s = format!("{}: {}\n{}", plain::line(page.id()), page.verdict(), page.complaint(terminal::diagnostics()));
     if let Page::Checked(c) = page {
         if c.verdict().is_some_and(|v| v != c.case.verdict) {

@@ -188,7 +188,7 @@ fn what_is_no_machine_file() {
         dir.laval([command, "empty.toml"]).refused(&["no parts", "[machine]"]);
     }
     assert_eq!(dir.laval(["check", "idle.toml"]).done(), "ok: 3 parts, 2 coordinates, no studies\n");
-    dir.laval(["run", "idle.toml"]).refused(&["asks for no study", "laval studies"]);
+    dir.laval(["run", "idle.toml"]).refused(&["contains no study", "laval studies"]);
 }
 
 #[test]
@@ -250,8 +250,8 @@ fn check_says_what_a_run_would_refuse() {
     let said = dir.laval(["check", "pump.toml"]);
     said.refused(&["studies \"campbell\", \"critical_speeds\"", "no stiffness at rest"]);
     assert_eq!(said.err.matches("no stiffness at rest").count(), 1, "{}", said.err);
-    let told: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
-    assert_eq!((&told["ok"], told["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
+    let reported: serde_json::Value = serde_json::from_str(&dir.laval(["check", "pump.toml", "--json"]).out).unwrap();
+    assert_eq!((&reported["ok"], reported["diagnostics"].as_array().unwrap().len()), (&false.into(), 1));
     // a run says it once as well, and does the rest
     let run = dir.laval(["run", "pump.toml"]);
     assert_eq!((run.code, run.err.matches("no stiffness at rest").count()), (1, 1), "{}", run.err);
@@ -275,7 +275,7 @@ fn results_of_a_study_that_is_gone_are_removed() {
     dir.laval(["run", "pump.toml"]).done();
     assert!(dir.0.join("out/pump/small-motions/modes.csv").is_file());
     dir.file("out/pump/small-motions/notes.txt", "mine");
-    // not asked for, but still in the file
+    // not requested, but still in the file
     dir.laval(["run", "pump.toml", "--only", "response"]).done();
     assert!(dir.0.join("out/pump/small-motions/modes.csv").is_file());
     dir.file("pump.toml", SMALL);
@@ -342,7 +342,7 @@ fn templates_are_sound_and_never_overwrite() {
         assert_eq!(dir.laval(["new", name]).done(), format!("{name}.toml\n"));
         let file = format!("{name}.toml");
         assert!(dir.laval(["check", &file]).done().starts_with("ok: "));
-        // progress is told when a machine is slow or busy
+        // progress is reported when a machine is slow or busy
         dir.laval(["run", &file, "--quiet"]).done();
         assert!(dir.0.join("out").join(name).join("report.html").exists());
         let results = json(&dir.0.join("out").join(name).join("results.json"));

@@ -51,7 +51,7 @@ impl std::fmt::Display for SamplingError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             SamplingError::Empty => f.write_str("sampling needs at least one sample and a fraction of at least one"),
-            SamplingError::Aliased(a, b) => write!(f, "too few samples: orders {a} and {b} cannot be told apart"),
+            SamplingError::Aliased(a, b) => write!(f, "too few samples: orders {a} and {b} cannot be distinguished"),
             SamplingError::Fraction(a, b) => write!(f, "orders {a} and {b} do not share the symmetry that a part of a period needs"),
         }
     }

@@ -70,7 +70,7 @@ pub enum Cause {
     NotFinite,
     /// The problem could not be evaluated.
     Undefined(&'static str),
-    /// The user asked to stop.
+    /// The user stopped it.
     Cancelled,
 }
 

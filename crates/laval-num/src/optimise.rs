@@ -10,7 +10,7 @@ use crate::dense::{Mat, dot, norm};
 use crate::sampling::Points;
 use crate::sampling::distribution::normal_quantile;
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// Where the search begins, in the unit cube.

@@ -133,7 +133,7 @@ mod tests {
         let f: Vec<C64> = x.iter().map(|x| crate::analytic::sqrt(x.mul_i()) + C64::one()).collect();
         let found = poles(&x, &f, &vec![1.0; x.len()], 1e-6, 40).unwrap();
         assert!(found.len() > 4 && found.iter().all(|p| p.im > 0.0), "{found:?}");
-        // where little is asked no poles are spent: 11 of them if the weights chose places but no denominator
+        // where little is requested no poles are spent: 11 of them if the weights chose places but no denominator
         let weights: Vec<f64> = x.iter().map(|x| if x.abs() > 0.1 { 1.0 } else { 1e-9 }).collect();
         assert!(poles(&x, &f, &weights, 1e-7, 40).unwrap().len() <= 9);
         assert!(poles(&x, &f, &vec![1.0; x.len()], 1e-7, 40).unwrap().len() > 20);

@@ -14,7 +14,7 @@ use laval_num::complex::c;
 /// A maximum or minimum of an amplitude.
 #[derive(Clone, Copy, Debug)]
 pub struct Extremum {
-    /// Probe, in the order asked for.
+    /// Probe, in the order requested.
     pub probe: usize,
     /// A maximum.
     pub maximum: bool,
@@ -59,7 +59,7 @@ pub struct Seeds {
     pub strongest: Vec<Strongest>,
 }
 
-/// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` is told the spectra computed
+/// Speeds around every crossing of a frequency with the spin speed, spaced by the width of its resonance; `each` receives the spectra computed
 /// so far and stops the search by saying false.
 ///
 /// # Errors

@@ -84,7 +84,7 @@ pub fn unlinearised(system: &System, about: &Equilibrium) -> Option<Diagnostic> 
         (!fine).then(|| {
             Diagnostic::error("rest.refused", format!("\"{}\" cannot be linearised at rest: {reason}", slot.name))
                 .at(slot.span.clone())
-                .help("ask a nonlinear study or one in time, or give the part a preload")
+                .help("use a nonlinear study or one in time, or give the part a preload")
         })
     })
 }

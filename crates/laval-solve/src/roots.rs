@@ -43,7 +43,7 @@ const TERMS: u64 = 8_000_000;
 /// Relative distance of a zero of the rough function from the root it stands for.
 pub const SAME: f64 = 1e-6;
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Request<'a> {
     /// Growth that counts, 1/s: roots that grow faster are counted.
@@ -187,7 +187,7 @@ fn rectangles(domains: &[Domain], speed: f64, margin: f64, reach: f64, growing: 
     if places.is_empty() {
         out.push(Piece { growth: (bottom, reach), band: (low, reach), bare: false });
     } else {
-        // what grows or decays beside the waves does not depend on whether those on the axis can be told apart
+        // what grows or decays beside the waves does not depend on whether those on the axis can be distinguished
         for growth in [(bottom.max(least), reach), (bottom, -least)] {
             out.extend(pieces(&waves, (low, reach)).map(|(band, bare)| Piece { growth, band, bare }));
         }

@@ -25,13 +25,13 @@ pub struct Sample {
     pub sector: Option<Sector>,
     /// Largest modulus of all eigenvalues, 1/s: the scale of rounding.
     pub size: f64,
-    /// Asked for (not added to catch what lies between).
+    /// Requested (not added to catch what lies between).
     pub on_grid: bool,
     /// Another mode than the strongest at the speed before.
     pub other: bool,
-    /// Number of roots that grow faster than the threshold, where the argument principle was asked and agrees with the roots found.
+    /// Number of roots that grow faster than the threshold, where the argument principle was requested and agrees with the roots found.
     pub growing: Option<usize>,
-    /// It was asked.
+    /// It was requested.
     pub counted: bool,
 }
 
@@ -148,7 +148,7 @@ fn symmetric(s: &Spectrum) -> bool {
     })
 }
 
-/// Stability of a machine over ascending speeds; `each` is told the spectra computed so far before every
+/// Stability of a machine over ascending speeds; `each` receives the spectra computed so far before every
 /// one and stops the work by saying false.
 ///
 /// # Errors

@@ -105,7 +105,7 @@ struct Follower<'a> {
     state: State<'a>,
     /// Largest frequency followed, rad/s.
     limit: f64,
-    /// Told of the speed of the grid and of the spectra computed so far; says whether to go on.
+    /// Receives the speed of the grid and of the spectra computed so far; says whether to go on.
     each: &'a mut dyn FnMut(usize, u64) -> bool,
     /// Speed of the grid under way.
     place: usize,
@@ -232,7 +232,7 @@ fn band(spectrum: &mut Spectrum, limit: f64) {
     });
 }
 
-/// Follows all modes with frequencies up to `limit` (rad/s) over the speeds (ascending): what lies above it is not compared, and cannot be confused. Before every spectrum `each` is told the number of the speed and of the spectra computed so
+/// Follows all modes with frequencies up to `limit` (rad/s) over the speeds (ascending): what lies above it is not compared, and cannot be confused. Before every spectrum `each` receives the number of the speed and of the spectra computed so
 /// far, and stops the work by saying false.
 ///
 /// # Errors

@@ -75,8 +75,8 @@ fn bench(side: usize, speed: f64) -> Option<()> {
 
 fn main() {
     let side: usize = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(200).max(3);
-    let asked: Vec<f64> = std::env::args().filter_map(|a| a.parse().ok()).skip(1).collect();
-    let speeds = if asked.is_empty() { vec![2.0, 2.5, 3.0] } else { asked };
+    let requested: Vec<f64> = std::env::args().filter_map(|a| a.parse().ok()).skip(1).collect();
+    let speeds = if requested.is_empty() { vec![2.0, 2.5, 3.0] } else { requested };
     println!("processor: {}", processor());
     let Ok(one) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return println!("no thread") };
     one.install(|| {

@@ -104,14 +104,14 @@ fn reactions() {
         let backward = || cavity.tilt(black_box(c(-speed, 0.0)), speed, Truncation::None);
         println!("    backward synchronous: {:.3} us", time(backward).0);
         println!("    planar, viscous: {:.3} us", time(|| cavity.planar_viscous(black_box(w), speed, 1e-6)).0);
-        let told = |what: &str, w: C64, (took, tilt): (f64, Tilt<f64>)| {
+        let reported = |what: &str, w: C64, (took, tilt): (f64, Tilt<f64>)| {
             let share = took / tilt.harmonics as f64;
             let error = tilt.error / tilt.value.abs();
             println!("    {what} at {} + {} i: {took:.1} us, {} harmonics of {share:.3} us, error {error:.0e}", w.re, w.im, tilt.harmonics);
         };
         for w in [c(50.0, 10.0), c(150.0, -10.0), c(400.0, 0.0), c(-200.0, 0.0), c(-100.001, 0.0)] {
-            told("spatial", w, time(|| cavity.tilt(black_box(w), speed, Truncation::None)));
-            told("spatial, viscous", w, time(|| cavity.tilt_viscous(black_box(w), speed, 1e-6, Truncation::None)));
+            reported("spatial", w, time(|| cavity.tilt(black_box(w), speed, Truncation::None)));
+            reported("spatial, viscous", w, time(|| cavity.tilt_viscous(black_box(w), speed, 1e-6, Truncation::None)));
         }
     }
 }

@@ -10,8 +10,8 @@ use laval::model::field::Attach;
 use laval::model::part::Link;
 use laval::model::system::System;
 use laval::parts::{balancer_ball::*, bearing_linear::*, disc::*, liquid::*, motor::*, shaft_lumped::*, stop::*};
-use laval::solve::ensemble::{self, Ended, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
-use laval::solve::motion::flight::{Choice, Plan, fly};
+use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start};
+use laval::solve::motion::trajectory::{Choice, Plan, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::{Programme, Shape};
 use laval_num::lanes::Level;
@@ -27,7 +27,7 @@ struct Member {
     time: f64,
 }
 
-struct Fleet {
+struct Members {
     members: Vec<Member>,
     outputs: u64,
     relative: f64,
@@ -36,7 +36,7 @@ struct Fleet {
 
 type Row = (LegEnd, Vec<f64>, Vec<(f64, f64)>);
 
-impl Voyage for Fleet {
+impl EnsembleTask for Members {
     type Log = Vec<(f64, f64)>;
     type Row = Row;
     fn start(&self, index: usize) -> Result<Start<Self::Log>, Row> {
@@ -58,8 +58,8 @@ impl Voyage for Fleet {
 fn sail(members: &[Member], form: Form, outputs: u64, settings: Settings) -> Vec<Row> {
     // the tolerance that each method reaches with steps of its own
     let relative = if settings.method == Method::Stiff { 1e-11 } else { 1e-13 };
-    let fleet = Fleet { members: members.to_vec(), outputs, relative, most_steps: u64::MAX };
-    ensemble::run(&fleet, &members[0].system, form, 0..members.len(), settings).unwrap()
+    let all = Members { members: members.to_vec(), outputs, relative, most_steps: u64::MAX };
+    ensemble::run(&all, &members[0].system, form, 0..members.len(), settings).unwrap()
 }
 
 /// The same motion by the integrator of single motions, with the states at `outputs`.
@@ -79,9 +79,9 @@ fn alone(m: &Member, outputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
         cancel: &|| false,
         progress: &|_| {},
     };
-    let flight = fly(&mut motion, &m.y, &plan).unwrap();
-    let first = flight.states.chunks(m.y.len()).map(|y| y[0]).collect();
-    (flight.state, first)
+    let trajectory = simulate(&mut motion, &m.y, &plan).unwrap();
+    let first = trajectory.states.chunks(m.y.len()).map(|y| y[0]).collect();
+    (trajectory.state, first)
 }
 
 /// Deviation of two states over the sizes of the first's positions, velocities and so on.
@@ -364,8 +364,8 @@ fn crossings_do_not_lengthen_the_work() {
     let members = touching(6);
     let all = sail(&members, Form::Constant, 0, Settings::default());
     assert!(all.iter().all(|r| r.0 == LegEnd::Reached));
-    let fleet = Fleet { members, outputs: 0, relative: 1e-13, most_steps: 200 };
-    let rows = ensemble::run(&fleet, &fleet.members[0].system, Form::Constant, 0..6, Settings::default()).unwrap();
+    let all = Members { members, outputs: 0, relative: 1e-13, most_steps: 200 };
+    let rows = ensemble::run(&all, &all.members[0].system, Form::Constant, 0..6, Settings::default()).unwrap();
     assert!(rows.iter().all(|r| r.0 == LegEnd::WorkLimit), "{:?}", rows.iter().map(|r| r.0).collect::<Vec<_>>());
 }
 

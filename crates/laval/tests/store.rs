@@ -38,13 +38,13 @@ impl Drop for Dir {
 }
 
 #[derive(Default)]
-struct Told {
+struct Reported {
     notes: Mutex<Vec<String>>,
     reports: Mutex<Vec<(u64, u64)>>,
     restored: Mutex<Vec<(u64, u64)>>,
 }
 
-impl Progress for Told {
+impl Progress for Reported {
     fn report(&self, done: u64, total: u64) {
         self.reports.lock().unwrap().push((done, total));
     }
@@ -77,8 +77,8 @@ fn rows(range: Range<usize>) -> Vec<Cells> {
     vec![Cells::Float(x), Cells::Int(steps), Cells::Text(why)]
 }
 
-fn run(keep: &Keep, told: &Told, mut computed: impl FnMut(usize)) -> Result<Results, Diagnostic> {
-    let context = Context { progress: told, keep: Some(keep), ..Context::quiet("s") };
+fn run(keep: &Keep, reported: &Reported, mut computed: impl FnMut(usize)) -> Result<Results, Diagnostic> {
+    let context = Context { progress: reported, keep: Some(keep), ..Context::quiet("s") };
     store::run(plan(), &context, |range, counter| {
         computed(range.start / CHUNK);
         counter.add(range.len() as u64);
@@ -94,7 +94,7 @@ fn files(dir: &Path) -> BTreeMap<String, Vec<u8>> {
 
 fn undisturbed() -> BTreeMap<String, Vec<u8>> {
     let dir = Dir::new(&format!("whole-{:?}", std::thread::current().id()));
-    let results = run(&dir.keep(), &Told::default(), |_| {}).unwrap();
+    let results = run(&dir.keep(), &Reported::default(), |_| {}).unwrap();
     assert!(results.complete() && results.end() == End::Reached && results.remark().is_none());
     drop(results);
     files(&dir.0)
@@ -122,14 +122,14 @@ fn assert_same_rows(results: &Results) {
     assert_eq!(next, ROWS);
 }
 
-/// The process that is killed; does nothing when it is not asked to be it.
+/// The process that is killed; does nothing when it is not requested to be it.
 #[test]
 fn killed_process() {
     let Some(folder) = std::env::var_os("LAVAL_STORE_FOLDER") else { return };
     let dir = std::mem::ManuallyDrop::new(Dir(PathBuf::from(folder)));
     let log = PathBuf::from(std::env::var_os("LAVAL_STORE_LOG").unwrap());
     let mut log = fs::OpenOptions::new().append(true).create(true).open(log).unwrap();
-    run(&dir.keep(), &Told::default(), |chunk| writeln!(log, "{chunk}").unwrap()).unwrap();
+    run(&dir.keep(), &Reported::default(), |chunk| writeln!(log, "{chunk}").unwrap()).unwrap();
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn killed_at_twenty_random_moments_and_resumed_the_files_are_those_of_the_undist
 fn between_chunk_and_manifest_nothing_is_lost_or_repeated() {
     let dir = Dir::new("between");
     let before = {
-        run(&dir.keep(), &Told::default(), |_| {}).unwrap();
+        run(&dir.keep(), &Reported::default(), |_| {}).unwrap();
         files(&dir.0)
     };
     // the manifest as it was before chunk 7, whose file stands; an unfinished chunk 8; nothing after
@@ -192,23 +192,23 @@ fn between_chunk_and_manifest_nothing_is_lost_or_repeated() {
         fs::remove_file(dir.0.join(format!("chunk-{i:06}.parquet"))).unwrap();
     }
     fs::write(dir.0.join(".laval-1-0.part"), b"half").unwrap();
-    let told = Told::default();
+    let reported = Reported::default();
     let mut computed = Vec::new();
-    let results = run(&dir.keep(), &told, |c| computed.push(c)).unwrap();
+    let results = run(&dir.keep(), &reported, |c| computed.push(c)).unwrap();
     assert_same_rows(&results);
     drop(results);
     assert_eq!(computed, (8..ROWS.div_ceil(CHUNK)).collect::<Vec<_>>());
-    assert_eq!(*told.restored.lock().unwrap(), [(160, ROWS as u64)]);
-    assert_eq!(told.reports.lock().unwrap().first(), Some(&(180, ROWS as u64)));
-    assert_eq!(told.reports.lock().unwrap().last(), Some(&(ROWS as u64, ROWS as u64)));
-    assert!(told.notes.lock().unwrap().is_empty());
+    assert_eq!(*reported.restored.lock().unwrap(), [(160, ROWS as u64)]);
+    assert_eq!(reported.reports.lock().unwrap().first(), Some(&(180, ROWS as u64)));
+    assert_eq!(reported.reports.lock().unwrap().last(), Some(&(ROWS as u64, ROWS as u64)));
+    assert!(reported.notes.lock().unwrap().is_empty());
     assert!(files(&dir.0) == before);
 }
 
 #[test]
 fn damaged_and_missing_chunks_are_computed_again_and_told() {
     let dir = Dir::new("damaged");
-    drop(run(&dir.keep(), &Told::default(), |_| {}).unwrap());
+    drop(run(&dir.keep(), &Reported::default(), |_| {}).unwrap());
     let before = files(&dir.0);
     let path = dir.0.join("chunk-000003.parquet");
     let mut bytes = fs::read(&path).unwrap();
@@ -218,11 +218,11 @@ fn damaged_and_missing_chunks_are_computed_again_and_told() {
     fs::remove_file(dir.0.join("chunk-000005.parquet")).unwrap();
     // a whole file, of another chunk
     fs::copy(dir.0.join("chunk-000010.parquet"), dir.0.join("chunk-000009.parquet")).unwrap();
-    let told = Told::default();
+    let reported = Reported::default();
     let mut computed = Vec::new();
-    drop(run(&dir.keep(), &told, |c| computed.push(c)).unwrap());
+    drop(run(&dir.keep(), &reported, |c| computed.push(c)).unwrap());
     assert_eq!(computed, [3, 5, 9]);
-    let notes = told.notes.lock().unwrap();
+    let notes = reported.notes.lock().unwrap();
     assert_eq!(notes.len(), 3);
     assert!(notes[0].contains("chunk-000003.parquet is damaged: rows 60 to 79 are computed again"), "{notes:?}");
     assert!(notes[1].contains("missing") && notes[2].contains("damaged"), "{notes:?}");
@@ -235,14 +235,14 @@ fn no_flipped_bit_of_a_chunk_that_no_manifest_names_is_believed() {
     let small = || Plan { rows: 60, ..plan() };
     let keep = dir.keep();
     let notes = |computed: &mut Vec<usize>| {
-        let told = Told::default();
-        let context = Context { progress: &told, keep: Some(&keep), ..Context::quiet("s") };
+        let reported = Reported::default();
+        let context = Context { progress: &reported, keep: Some(&keep), ..Context::quiet("s") };
         let results = store::run(small(), &context, |range, _| {
             computed.push(range.start / CHUNK);
             Ok(Some(rows(range)))
         });
         assert!(results.unwrap().complete());
-        told.notes.into_inner().unwrap()
+        reported.notes.into_inner().unwrap()
     };
     notes(&mut Vec::new());
     let before = files(&dir.0);
@@ -267,7 +267,7 @@ fn no_flipped_bit_of_a_chunk_that_no_manifest_names_is_believed() {
 #[test]
 fn rows_of_another_build_or_processor_are_not_continued() {
     let dir = Dir::new("build");
-    drop(run(&dir.keep(), &Told::default(), |_| {}).unwrap());
+    drop(run(&dir.keep(), &Reported::default(), |_| {}).unwrap());
     let path = dir.0.join("manifest.json");
     let whole = fs::read_to_string(&path).unwrap();
     for (key, own) in [("build", laval::build::ID), ("processor", laval::build::processor())] {
@@ -277,7 +277,7 @@ fn rows_of_another_build_or_processor_are_not_continued() {
         // what that build has written: its hash is another one
         manifest["input_hash"] = format!("sha256:{:064}", 0).into();
         fs::write(&path, manifest.to_string()).unwrap();
-        let d = run(&dir.keep(), &Told::default(), |_| panic!("computed")).err().unwrap();
+        let d = run(&dir.keep(), &Reported::default(), |_| panic!("computed")).err().unwrap();
         assert_eq!(d.code, "store.changed");
         assert!(d.message.contains("of another build of the program or another processor"), "{}", d.message);
         assert!(d.message.contains(&format!("{key} was \"other\", now \"{own}\"")), "{}", d.message);
@@ -287,10 +287,10 @@ fn rows_of_another_build_or_processor_are_not_continued() {
 #[test]
 fn changed_input_is_refused_with_what_changed_and_fresh_starts_anew() {
     let dir = Dir::new("changed");
-    drop(run(&dir.keep(), &Told::default(), |_| {}).unwrap());
+    drop(run(&dir.keep(), &Reported::default(), |_| {}).unwrap());
     let before = files(&dir.0);
     let changed = Keep { input: json!({"part": [{"name": "drum", "mass": 2.5}], "study": {"points": 3}}), ..dir.keep() };
-    let d = run(&changed, &Told::default(), |_| panic!("computed")).err().unwrap();
+    let d = run(&changed, &Reported::default(), |_| panic!("computed")).err().unwrap();
     assert_eq!(d.code, "store.changed");
     assert!(d.message.contains("part.drum.mass was 2.4, now 2.5"), "{}", d.message);
     assert!(d.help.as_deref().unwrap().contains("--out") && d.help.as_deref().unwrap().contains("--fresh"));
@@ -301,12 +301,12 @@ fn changed_input_is_refused_with_what_changed_and_fresh_starts_anew() {
     assert!(d.message.contains("number of rows was 1030, now 1031"), "{}", d.message);
     let fresh = Keep { fresh: true, ..changed.clone() };
     let mut computed = 0;
-    drop(run(&fresh, &Told::default(), |_| computed += 1).unwrap());
+    drop(run(&fresh, &Reported::default(), |_| computed += 1).unwrap());
     assert_eq!(computed, ROWS.div_ceil(CHUNK));
     // and is now what the folder belongs to
-    drop(run(&changed, &Told::default(), |_| panic!("computed")).unwrap());
+    drop(run(&changed, &Reported::default(), |_| panic!("computed")).unwrap());
     fs::write(dir.0.join("manifest.json"), "{ \"format\": 99 }").unwrap();
-    assert_eq!(run(&changed, &Told::default(), |_| {}).err().unwrap().code, "store.manifest");
+    assert_eq!(run(&changed, &Reported::default(), |_| {}).err().unwrap().code, "store.manifest");
 }
 
 #[test]
@@ -316,27 +316,27 @@ fn starting_anew_removes_no_file_of_others() {
     for foreign in ["{ \"name\": \"a web page\" }", "{ \"format\": 2 }", "no JSON", "[1, 2]"] {
         fs::create_dir_all(&dir.0).unwrap();
         fs::write(dir.0.join("manifest.json"), foreign).unwrap();
-        let d = run(&fresh, &Told::default(), |_| panic!("computed")).err().unwrap();
+        let d = run(&fresh, &Reported::default(), |_| panic!("computed")).err().unwrap();
         assert_eq!(d.code, "store.foreign", "{foreign}");
         assert_eq!(fs::read_to_string(dir.0.join("manifest.json")).unwrap(), foreign);
     }
     // one of an older layout is the program's own
     fs::write(dir.0.join("manifest.json"), "{ \"format\": 1, \"laval\": \"0.0.9\" }").unwrap();
-    drop(run(&fresh, &Told::default(), |_| {}).unwrap());
-    drop(run(&fresh, &Told::default(), |_| {}).unwrap());
+    drop(run(&fresh, &Reported::default(), |_| {}).unwrap());
+    drop(run(&fresh, &Reported::default(), |_| {}).unwrap());
 }
 
 #[test]
 fn a_folder_in_use_is_refused_until_its_process_has_ended() {
     let dir = Dir::new("lock");
-    let first = run(&dir.keep(), &Told::default(), |_| {}).unwrap();
-    let d = run(&dir.keep(), &Told::default(), |_| {}).err().unwrap();
+    let first = run(&dir.keep(), &Reported::default(), |_| {}).unwrap();
+    let d = run(&dir.keep(), &Reported::default(), |_| {}).err().unwrap();
     assert_eq!(d.code, "folder.locked");
     assert!(d.message.contains(&format!("(number {})", std::process::id())), "{}", d.message);
     drop(first);
     // what a killed process leaves: its number in the file, and no lock
     fs::write(dir.0.join(".lock"), "4194304").unwrap();
-    drop(run(&dir.keep(), &Told::default(), |_| panic!("computed")).unwrap());
+    drop(run(&dir.keep(), &Reported::default(), |_| panic!("computed")).unwrap());
     assert_eq!(fs::read(dir.0.join(".lock")).unwrap(), b"");
 }
 
@@ -357,7 +357,7 @@ fn cancelled_drops_the_chunk_at_hand_and_goes_on_from_there() {
     assert_eq!(results.numbers("steps").unwrap().len(), 60);
     drop(results);
     let mut computed = Vec::new();
-    drop(run(&keep, &Told::default(), |c| computed.push(c)).unwrap());
+    drop(run(&keep, &Reported::default(), |c| computed.push(c)).unwrap());
     assert_eq!(computed.first(), Some(&3));
     assert!(files(&dir.0) == undisturbed());
 }
@@ -387,7 +387,7 @@ fn an_error_of_the_computation_keeps_what_was_written() {
     let wrong = store::run(plan(), &context, |_, _| Ok(Some(vec![Cells::Float(vec![1.0])]))).err().unwrap();
     assert_eq!(wrong.code, "store.columns");
     let mut computed = Vec::new();
-    drop(run(&keep, &Told::default(), |c| computed.push(c)).unwrap());
+    drop(run(&keep, &Reported::default(), |c| computed.push(c)).unwrap());
     assert_eq!(computed.first(), Some(&2));
     assert!(files(&dir.0) == undisturbed());
 }
@@ -399,7 +399,7 @@ fn folders_that_cannot_be_made_or_written_are_told() {
     fs::write(dir.0.join("file"), "").unwrap();
     for folder in [dir.0.join("file"), dir.0.join("file/below")] {
         let keep = Keep { folder: folder.clone(), ..dir.keep() };
-        let d = run(&keep, &Told::default(), |_| panic!("computed")).err().unwrap();
+        let d = run(&keep, &Reported::default(), |_| panic!("computed")).err().unwrap();
         assert_eq!(d.code, "folder.make");
         assert!(d.message.contains(&folder.display().to_string()) && d.help.unwrap().contains("--out"), "{}", d.message);
     }
@@ -407,7 +407,7 @@ fn folders_that_cannot_be_made_or_written_are_told() {
     for name in [".lock", "manifest.json", "chunk-000000.parquet"] {
         let keep = Keep { folder: dir.0.join(format!("with-{name}")), ..dir.keep() };
         fs::create_dir_all(keep.folder.join(name)).unwrap();
-        let d = run(&keep, &Told::default(), |_| panic!("computed")).err().unwrap();
+        let d = run(&keep, &Reported::default(), |_| panic!("computed")).err().unwrap();
         assert!(d.message.contains(name), "{}", d.message);
     }
 }
@@ -422,7 +422,7 @@ fn a_disk_that_fails_keeps_what_was_written() {
             fs::create_dir(&blocked).unwrap();
         }
     };
-    let d = run(&dir.keep(), &Told::default(), computed).err().unwrap();
+    let d = run(&dir.keep(), &Reported::default(), computed).err().unwrap();
     assert_eq!(d.code, "store.write");
     assert!(d.message.contains("chunk-000004.parquet"), "{}", d.message);
     assert!(d.message.contains("4 of 52 chunks are complete and kept"), "{}", d.message);
@@ -430,7 +430,7 @@ fn a_disk_that_fails_keeps_what_was_written() {
     fs::remove_dir(&blocked).unwrap();
     assert!(files(&dir.0).keys().all(|name| !name.ends_with(".part")));
     let mut computed = Vec::new();
-    drop(run(&dir.keep(), &Told::default(), |c| computed.push(c)).unwrap());
+    drop(run(&dir.keep(), &Reported::default(), |c| computed.push(c)).unwrap());
     assert_eq!(computed.first(), Some(&4));
     assert!(files(&dir.0) == undisturbed());
 }

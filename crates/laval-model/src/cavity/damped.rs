@@ -52,7 +52,7 @@ const AGAIN: usize = 6;
 
 /// Share of the accuracy that the harmonics and polynomials left out may take, and the most of it where no more of them can be had.
 const LEFT_OUT: [f64; 2] = [0.5, 0.8];
-/// What is tried where the accuracy asked for cannot be had: each so much larger than the one before, so many, up to the last.
+/// What is tried where the accuracy requested cannot be had: each so much larger than the one before, so many, up to the last.
 const STEP: f64 = 1.25;
 const TRIED: usize = 24;
 const LOOSEST: f64 = 0.1;
@@ -80,7 +80,7 @@ struct Damped {
 type Known = Vec<(C64, C64, f64)>;
 
 impl Cavity<f64> {
-    /// The reaction on tilt at this speed as a sum over waves, of which there are as many as the `accuracy` asks for. `stop` is asked now and then.
+    /// The reaction on tilt at this speed as a sum over waves, of which there are as many as the `accuracy` requires. `stop` is polled now and then.
     ///
     /// # Errors
     /// What it cannot be had for; of an accuracy out of reach a larger one, for which it can be had: that was tried.

@@ -41,7 +41,7 @@ pub(super) const TOPS: f64 = 1.1;
 const TAKEN: f64 = 2.0;
 /// Reactions that may be computed for one form.
 const WORK: usize = 240_000;
-/// Where the accuracy asked for cannot be had: how much larger one is tried.
+/// Where the accuracy requested cannot be had: how much larger one is tried.
 const LARGER: f64 = 1.5;
 /// Steps to a top.
 const CLIMB: usize = 24;
@@ -73,7 +73,7 @@ pub enum Refused {
     Reaction,
     /// It would have to be computed too often.
     Work,
-    /// The search was asked to stop.
+    /// The search was requested to stop.
     Stopped,
 }
 
@@ -94,7 +94,7 @@ struct Reaction<'a> {
 }
 
 impl Cavity<f64> {
-    /// The reaction on displacement at this speed. `stop` is asked now and then.
+    /// The reaction on displacement at this speed. `stop` is polled now and then.
     ///
     /// # Errors
     /// As [`tilt_viscous_in_time`](Self::tilt_viscous_in_time).

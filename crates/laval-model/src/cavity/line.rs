@@ -5,8 +5,8 @@
 //! ```
 //!
 //! The line is where roots that grow are counted from, over and over, at all speeds alike. There the sum of all harmonics is smooth on the scale m. A piece is made when
-//! it is first asked for, and halved until its last coefficients say that it is exact to `SHARE`; before many places were asked for the sum is taken as it is, so
-//! that what is asked once costs no more.
+//! it is first requested, and halved until its last coefficients say that it is exact to `SHARE`; before many places were requested the sum is taken as it is, so
+//! that what is requested once costs no more.
 
 use super::{Cavity, Tilt, Truncation};
 use laval_num::analytic::value;
@@ -23,7 +23,7 @@ const PLACES: usize = 18;
 /// Width of the widest pieces over the speed, and how often they are halved.
 const WIDEST: f64 = 0.5;
 const HALVINGS: u32 = 13;
-/// Places asked for before the first piece is made.
+/// Places requested before the first piece is made.
 const FIRST: u64 = 20_000;
 /// Cavities that are remembered.
 const REMEMBERED: usize = 64;
@@ -35,7 +35,7 @@ type Piece = Option<Arc<[C64; PLACES]>>;
 struct Known {
     /// r0/R and H/R.
     cavity: [u64; 2],
-    asked: u64,
+    requested: u64,
     pieces: HashMap<(u32, i64), Piece>,
 }
 
@@ -98,12 +98,12 @@ impl Lines {
             if all.len() == REMEMBERED {
                 drop(all.remove(0));
             }
-            all.push(Known { cavity: key, asked: 0, pieces: HashMap::new() });
+            all.push(Known { cavity: key, requested: 0, pieces: HashMap::new() });
             all.len() - 1
         });
         let known = &mut all[at];
-        known.asked += 1;
-        (known.asked > FIRST).then(|| known.pieces.get(&name).cloned())
+        known.requested += 1;
+        (known.requested > FIRST).then(|| known.pieces.get(&name).cloned())
     }
 
     fn keep(&self, key: [u64; 2], name: (u32, i64), piece: Piece) {
@@ -165,7 +165,7 @@ mod tests {
         let lifted = Cavity { radius: Dual::lift(0.13), free: Dual::lift(0.09), height: Dual::lift(0.31), density: Dual::lift(900.0) };
         let lines = Lines::default();
         lines.known([(0.09f64 / 0.13).to_bits(), (0.31f64 / 0.13).to_bits()], (0, 0));
-        lines.0.lock().unwrap()[0].asked = FIRST;
+        lines.0.lock().unwrap()[0].requested = FIRST;
         let mut read = 0;
         for speed in [40.0, 333.0] {
             for k in 0..400 {
@@ -186,7 +186,7 @@ mod tests {
         assert_eq!(read, 800);
     }
 
-    /// What is asked a few times is the sum itself.
+    /// What is requested a few times is the sum itself.
     #[test]
     fn nothing_is_made_for_few() {
         let lines = Lines::default();

@@ -15,7 +15,7 @@
 //! in the liquid. Waves without number are then taken together with their neighbours: sums of shares and of `a_j x_j` stay, and so do reality and signs. At
 //! `w = W` the form is exact whatever it leaves out.
 //!
-//! What is close to a wave on the real axis cannot be told from afar: the error is that for motions that grow or decay at no less than [`MARGIN`] of the speed.
+//! What is close to a wave on the real axis cannot be distinguished from afar: the error is that for motions that grow or decay at no less than [`MARGIN`] of the speed.
 //!
 //! Symbols as in [cavity](super); derived from the equations there.
 //!
@@ -64,7 +64,7 @@ struct Ladder {
 }
 
 impl Cavity<f64> {
-    /// The tilt reaction as a sum over waves, of which there are as many as the `accuracy` asks for; `None` where so many do not reach it. `count` waves at the most.
+    /// The tilt reaction as a sum over waves, of which there are as many as the `accuracy` requires; `None` where so many do not reach it. `count` waves at the most.
     pub fn tilt_in_time(&self, truncation: Truncation, accuracy: f64, count: usize) -> Option<Fitted> {
         let levels: Vec<(usize, usize)> = match truncation {
             Truncation::At(last) if last > MOST_HARMONICS => return None,

@@ -1,4 +1,4 @@
-//! What a part or a study may be told: one declaration each, from which the file reader, the schema, the documentation and
+//! What a part or a study may be given: one declaration each, from which the file reader, the schema, the documentation and
 //! the sweep axes follow.
 
 use crate::diagnostic::Span;

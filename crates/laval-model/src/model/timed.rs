@@ -39,7 +39,7 @@ impl System {
         self.slots().iter().filter(|slot| matches!(slot.physics, Physics::Frequency(TimeForm::None(_))))
     }
 
-    /// The same; `None` when `stop`, which is asked now and then, said so.
+    /// The same; `None` when `stop`, which is polled now and then, said so.
     ///
     /// # Errors
     /// As [`timed`](Self::timed).

@@ -183,7 +183,7 @@ mod tests {
     /// c0 d + c1 d^3 = 0 at d = sqrt(-c0/c1): 0.1 mm for 1e6 N/m and -1e14 N/m^3, 10 mm for -1e10 N/m^3.
     #[test]
     fn a_force_that_turns_round_within_reach_is_told() {
-        let told = |cubic: f64, valid_to: f64| {
+        let reported = |cubic: f64, valid_to: f64| {
             let mut p = ParamValues::default();
             for (name, x) in [
                 ("stiffness.x", 1e6),
@@ -199,9 +199,9 @@ mod tests {
             assert!(!d.has_errors());
             d.0.len()
         };
-        assert_eq!([told(-1e14, 0.0), told(-1e10, 0.0), told(8e10, 0.0), told(0.0, 0.0)], [1, 0, 0, 0]);
+        assert_eq!([reported(-1e14, 0.0), reported(-1e10, 0.0), reported(8e10, 0.0), reported(0.0, 0.0)], [1, 0, 0, 0]);
         // the range of the law decides where it is stated
-        assert_eq!([told(-1e14, 0.09e-3), told(-1e14, 0.11e-3), told(-1e10, 9e-3), told(-1e10, 11e-3)], [0, 1, 0, 1]);
+        assert_eq!([reported(-1e14, 0.09e-3), reported(-1e14, 0.11e-3), reported(-1e10, 9e-3), reported(-1e10, 11e-3)], [0, 1, 0, 1]);
     }
 
     #[test]

@@ -96,7 +96,7 @@ impl Table {
                     wrong.push(format!("column {name}: row {} is not a finite number", row + 1));
                     None
                 }
-                Err(_) => None, // the speeds, told above
+                Err(_) => None, // the speeds, reported above
             }
         });
         if wrong.is_empty() { Ok(Table { columns, beyond: Beyond::Refuse }) } else { Err(wrong) }

@@ -257,7 +257,7 @@ mod mistakes {
     use super::*;
     use crate::model::field::Value;
 
-    fn told(curve: &'static str, table: Option<Value>, params: &[(&str, f64)]) -> String {
+    fn reported(curve: &'static str, table: Option<Value>, params: &[(&str, f64)]) -> String {
         let (mut values, mut given, mut d) = (Values::default(), ParamValues::default(), Diagnostics::default());
         values.set("curve", Value::Choice(curve), None);
         if let Some(table) = table {
@@ -274,12 +274,12 @@ mod mistakes {
     #[test]
     fn are_told() {
         let table = |w: [f64; 2]| Some(Value::Columns([("speed", w.to_vec()), ("share", vec![1.0, 0.5])].into()));
-        assert!(told("linear", None, &[]).contains("needs synchronous_speed"));
-        assert!(told("limited_power", None, &[]).contains("needs power"));
-        assert!(told("table", None, &[]).contains("needs a table"));
-        assert!(told("linear", table([0.0, 1.0]), &[("synchronous_speed", 5.0)]).contains("a table is given beside curve"));
-        assert!(told("table", table([1.0, 1.0]), &[]).contains("row"));
-        assert_eq!(told("table", table([0.0, 1.0]), &[]), "");
+        assert!(reported("linear", None, &[]).contains("needs synchronous_speed"));
+        assert!(reported("limited_power", None, &[]).contains("needs power"));
+        assert!(reported("table", None, &[]).contains("needs a table"));
+        assert!(reported("linear", table([0.0, 1.0]), &[("synchronous_speed", 5.0)]).contains("a table is given beside curve"));
+        assert!(reported("table", table([1.0, 1.0]), &[]).contains("row"));
+        assert_eq!(reported("table", table([0.0, 1.0]), &[]), "");
         let p = MotorParams { torque: -1.0, ..tests::params() };
         assert_eq!(Motor::new(Curve::LimitedPower).check(&p)[0].0, "power");
         assert_eq!(Motor::new(Curve::Linear).check(&MotorParams { synchronous_speed: 0.0, ..p })[0].0, "synchronous_speed");

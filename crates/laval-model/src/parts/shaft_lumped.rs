@@ -500,22 +500,22 @@ mod tests {
     fn fields_choose_the_variant_and_mistakes_are_told() {
         let (mut values, mut params) = (Values::default(), ParamValues::default());
         values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
-        let told = |values: &Values, params: &mut ParamValues| {
+        let reported = |values: &Values, params: &mut ParamValues| {
             let mut d = Diagnostics::default();
             let part = ShaftLumped::build(values, params, &mut d);
             (part.map(|p| (p.size(), p.round)), d.0.iter().map(|d| d.message.clone()).collect::<Vec<_>>())
         };
-        assert_eq!(told(&values, &mut params).1, ["the shaft has no stiffness"]);
+        assert_eq!(reported(&values, &mut params).1, ["the shaft has no stiffness"]);
         params.set("below", 0.2);
-        assert_eq!(told(&values, &mut params).1, ["below is given without a diameter"]);
+        assert_eq!(reported(&values, &mut params).1, ["below is given without a diameter"]);
         params.set("diameter", 0.02);
-        assert_eq!(told(&values, &mut params), (Some((4, Some(Round { lower: Some(Held::Clamped), upper: None }))), vec![]));
+        assert_eq!(reported(&values, &mut params), (Some((4, Some(Round { lower: Some(Held::Clamped), upper: None }))), vec![]));
         values.set("moment", Value::Flag(false), None);
-        assert_eq!(told(&values, &mut params).0.unwrap().0, 2);
+        assert_eq!(reported(&values, &mut params).0.unwrap().0, 2);
         values.set("upper_end", Value::Choice("pinned"), Some(0..1));
-        assert_eq!(told(&values, &mut params).1, ["upper_end is given without the length above"]);
+        assert_eq!(reported(&values, &mut params).1, ["upper_end is given without the length above"]);
         params.set("stiffness.x", 1e6);
-        assert_eq!(told(&values, &mut params).1, ["stiffness is given beside the diameter of a round shaft"]);
+        assert_eq!(reported(&values, &mut params).1, ["stiffness is given beside the diameter of a round shaft"]);
         assert_eq!(build(&[]).0.size(), 2);
         assert_eq!(build(&[("tilt_stiffness", 10.0)]).0.size(), 4);
         assert!(build(&[("material_damping", 1e-5)]).1.is_empty());

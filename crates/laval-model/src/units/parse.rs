@@ -26,7 +26,7 @@ impl Number {
             return Err(UnitError::new("number.range", range, "the number is too large"));
         }
         if decimal == 0.0 && self.mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
-            return Err(UnitError::new("number.range", range, "the number is too small to be told from 0"));
+            return Err(UnitError::new("number.range", range, "the number is too small to be distinguished from 0"));
         }
         Ok(value)
     }

@@ -146,7 +146,7 @@ fn mistakes_are_said_well() {
         ("-inf mm", "m", "a finite number is needed, not inf"),
         ("1e400 m", "m", "the number is too large"),
         ("1e306 km", "mm", "the number is too large"),
-        ("1e-400 m", "m", "the number is too small to be told from 0"),
+        ("1e-400 m", "m", "the number is too small to be distinguished from 0"),
         ("20 degC/s", "K/s", "a temperature in degC stands alone (for differences and in products write K)"),
         ("5 m^", "m", "a power is a number, as in m^2, m^1.5 or m^(10/9)"),
         ("5 N/(m s", "N/(m s)", "a closing parenthesis is missing"),

@@ -8,7 +8,7 @@ use std::fmt;
 pub enum Failure {
     /// The equations mean nothing here (outside a law's domain, a closed gap, an inner solve without result).
     Undefined(&'static str),
-    /// The user asked to stop.
+    /// The user stopped it.
     Cancelled,
 }
 
@@ -36,7 +36,7 @@ pub trait Zero {
     /// Typical size of the parameter, positive: a change by it weighs as much as a change of one unknown by its scale.
     fn parameter_scale(&self) -> f64;
 
-    /// Residual `r` and, where asked for, exact `jac[(i, j)]` = dr_i/dx_j and `dr_dp[i]` = dr_i/dp. All arrive filled with zeros.
+    /// Residual `r` and, where requested, exact `jac[(i, j)]` = dr_i/dx_j and `dr_dp[i]` = dr_i/dp. All arrive filled with zeros.
     /// Equations need no scaling: they are weighed by the rows of the scaled Jacobian.
     fn eval(&mut self, x: &[f64], p: f64, r: &mut [f64], jac: Option<&mut Mat>, dr_dp: Option<&mut [f64]>) -> Result<(), Failure>;
 
@@ -67,7 +67,7 @@ pub trait Zero {
         f64::INFINITY
     }
 
-    /// Whether to stop; asked once per Newton iteration.
+    /// Whether to stop; requested once per Newton iteration.
     fn cancelled(&self) -> bool {
         false
     }

@@ -386,7 +386,7 @@ fn veering_asks_for_intermediate_points() {
     let mut t = Track::new(&coupled(0.0, e));
     let wanted = t.next(&coupled(0.5, e));
     assert!(wanted.ambiguous && (wanted.worst_mac - 0.5).abs() < 0.1);
-    // Bisect as asked: branches never cross, so in order of value the identity must result, at every point.
+    // Bisect as requested: branches never cross, so in order of value the identity must result, at every point.
     let (mut l, mut h) = (0.0, 0.5);
     let mut points = 0;
     while l < 1.0 {

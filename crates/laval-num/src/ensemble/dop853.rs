@@ -1,6 +1,6 @@
 //! One step of the explicit method of order 8 in lanes.
 
-use super::Crew;
+use super::EnsembleProblem;
 use super::method::{Attempt, Ends, Method, bounded};
 use crate::lanes::{Bits, LaneBits, LaneScalar};
 use crate::ode::nystrom::{self as pairs, Pair};
@@ -15,7 +15,7 @@ const MAX_FACTOR: f64 = 6.0;
 /// Storage of the method: states and stages of the members.
 pub(super) struct Dop853<S> {
     ends: Ends<S>,
-    /// State of a stage, with the crew's room behind it.
+    /// State of a stage, with the problem's room behind it.
     w: Vec<S>,
     /// Stage after stage; stage 12 is f at the end of the step.
     k: Vec<S>,
@@ -105,7 +105,7 @@ impl<S: LaneScalar> Sums<S> {
 impl<S: LaneScalar> Dop853<S> {
     /// Stages `from` to `to`, one after the other; a single place where the right side is inlined.
     #[inline(always)]
-    fn stages<C: Crew<S>>(&mut self, crew: &mut C, from: usize, to: usize) {
+    fn stages<C: EnsembleProblem<S>>(&mut self, problem: &mut C, from: usize, to: usize) {
         let (n, h, positions) = (self.ends.n, self.h, self.ends.positions);
         let others = n - positions;
         for i in from..=to {
@@ -113,7 +113,7 @@ impl<S: LaneScalar> Dop853<S> {
             let t = if i == 11 || i == 12 { self.t1 } else { self.t0 + h.scale(C[i]) };
             // the end of the step has the time of the stage before it
             if i != 12 {
-                crew.time(t);
+                problem.time(t);
             }
             let from = Stage { y: &self.ends.y0[..n], h, k: &self.k, positions, c: C[i] };
             let w = &mut state[..n];
@@ -134,7 +134,7 @@ impl<S: LaneScalar> Dop853<S> {
                 14 => from.state(w, &pairs::P14),
                 _ => from.state(w, &pairs::P15),
             }
-            crew.rhs(t, state, &mut self.k[i * stride(others)..][..others]);
+            problem.rhs(t, state, &mut self.k[i * stride(others)..][..others]);
         }
     }
 
@@ -199,10 +199,10 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
 
     /// Derivative at the start of the `fresh` lanes, and the length of a first step.
     #[inline(always)]
-    fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S {
+    fn begin<C: EnsembleProblem<S>>(&mut self, problem: &mut C, t0: S, t1: S, fresh: Bits) -> S {
         let (n, p) = (self.ends.n, self.ends.positions);
         let (f, g) = self.rows.split_at_mut(n);
-        let h = self.ends.first_step::<C, Self>(crew, (t0, t1), (&mut self.w, f, &mut g[..n]));
+        let h = self.ends.first_step::<C, Self>(problem, (t0, t1), (&mut self.w, f, &mut g[..n]));
         for j in 0..n - p {
             self.k[j] = super::lanes_of(fresh, f[p + j], self.k[j]);
         }
@@ -210,9 +210,9 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
     }
 
     #[inline(always)]
-    fn attempt<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, h: S) -> Attempt<S> {
+    fn attempt<C: EnsembleProblem<S>>(&mut self, problem: &mut C, t0: S, t1: S, h: S) -> Attempt<S> {
         (self.t0, self.t1, self.h) = (t0, t1, h);
-        self.stages(crew, 1, 12);
+        self.stages(problem, 1, 12);
         let (error, finite) = self.error();
         let accepted = S::bits(error.lt(S::one()));
         let factor = bounded(S::cst(SAFETY) / Self::root(error), MIN_FACTOR, MAX_FACTOR);
@@ -221,8 +221,8 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
 
     /// The interpolant of order 7 over the step.
     #[inline(always)]
-    fn dense<C: Crew<S>>(&mut self, crew: &mut C) {
-        self.stages(crew, 13, 15);
+    fn dense<C: EnsembleProblem<S>>(&mut self, problem: &mut C) {
+        self.stages(problem, 13, 15);
         let (n, p, h) = (self.ends.n, self.ends.positions, self.h);
         let end = 12 * stride(n - p);
         for j in 0..n {

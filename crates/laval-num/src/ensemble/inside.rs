@@ -1,7 +1,7 @@
 //! What happens inside an accepted step of one lane: outputs and events.
 
 use super::method::Method;
-use super::{Crew, Roster, Seat};
+use super::{EnsembleProblem, Roster, Seat};
 use crate::lanes::{LANES, LaneScalar};
 use crate::univariate::bracket;
 
@@ -60,10 +60,10 @@ impl Inside {
     }
 
     /// Outputs and events at the start of a leg; `false` if something is not a number.
-    pub fn begin<S: LaneScalar, C: Crew<S>, M: Method<S>>(
+    pub fn begin<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(
         &mut self,
         lane: usize,
-        crew: &mut C,
+        problem: &mut C,
         roster: &mut Roster<S>,
         method: &M,
         t0: f64,
@@ -71,10 +71,10 @@ impl Inside {
         method.ends().state(lane, &mut self.y);
         let mut fine = self.y.iter().all(|x| x.is_finite());
         while fine && roster.next_output[lane] <= t0 {
-            roster.give(lane, crew, &self.y);
+            roster.give(lane, problem, &self.y);
         }
         for i in 0..self.events {
-            let g = crew.event(lane, i, t0, &self.y);
+            let g = problem.event(lane, i, t0, &self.y);
             fine &= !g.is_nan();
             self.values[lane * self.events + i] = g;
         }
@@ -83,10 +83,10 @@ impl Inside {
 
     /// Gives the outputs and events of the step in order. `Some` is the time of the crossing that ends the leg, its state then is
     /// [`Inside::state`].
-    pub fn look<S: LaneScalar, C: Crew<S>, M: Method<S>>(
+    pub fn look<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(
         &mut self,
         lane: usize,
-        crew: &mut C,
+        problem: &mut C,
         roster: &mut Roster<S>,
         method: &M,
         t0: f64,
@@ -105,12 +105,12 @@ impl Inside {
                 break;
             }
             let b = if p == PROBES { t1 } else { t0 + (t1 - t0) * (p as f64 / PROBES as f64) };
-            self.locate::<S, C, M>(lane, crew, span, a, b);
+            self.locate::<S, C, M>(lane, problem, span, a, b);
             for k in 0..self.found.len() {
                 let (index, t) = self.found[k];
-                self.outputs_until::<S, C, M>(lane, crew, roster, span, t);
+                self.outputs_until::<S, C, M>(lane, problem, roster, span, t);
                 M::eval(&self.extract, span, t, &mut self.y);
-                if crew.crossed(lane, index, t, &self.y) {
+                if problem.crossed(lane, index, t, &self.y) {
                     self.crossing[lane] = index;
                     self.seat[..self.n].copy_from_slice(&self.y);
                     return Some(t);
@@ -118,30 +118,37 @@ impl Inside {
             }
             a = b;
         }
-        self.outputs_until::<S, C, M>(lane, crew, roster, span, t1);
+        self.outputs_until::<S, C, M>(lane, problem, roster, span, t1);
         None
     }
 
-    fn outputs_until<S: LaneScalar, C: Crew<S>, M: Method<S>>(
+    fn outputs_until<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(
         &mut self,
         lane: usize,
-        crew: &mut C,
+        problem: &mut C,
         roster: &mut Roster<S>,
         span: (f64, f64),
         until: f64,
     ) {
         while roster.next_output[lane] <= until {
             M::eval(&self.extract, span, roster.next_output[lane], &mut self.y);
-            roster.give(lane, crew, &self.y);
+            roster.give(lane, problem, &self.y);
         }
     }
 
     /// Collects the crossings between the probes `a` and `b` in order of time. An event that is not a number crosses nothing.
-    fn locate<S: LaneScalar, C: Crew<S>, M: Method<S>>(&mut self, lane: usize, crew: &mut C, span: (f64, f64), a: f64, b: f64) {
+    fn locate<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(
+        &mut self,
+        lane: usize,
+        problem: &mut C,
+        span: (f64, f64),
+        a: f64,
+        b: f64,
+    ) {
         self.found.clear();
         M::eval(&self.extract, span, b, &mut self.y);
         for i in 0..self.events {
-            self.probe[i] = crew.event(lane, i, b, &self.y);
+            self.probe[i] = problem.event(lane, i, b, &self.y);
         }
         for i in 0..self.events {
             let (ga, gb) = (self.values[lane * self.events + i], self.probe[i]);
@@ -152,7 +159,7 @@ impl Inside {
             let (extract, y) = (&self.extract, &mut self.y);
             let zero = bracket(a, ga, b, gb, |t| {
                 M::eval(extract, span, t, y);
-                crew.event(lane, i, t, y)
+                problem.event(lane, i, t, y)
             });
             if let Some((_, t)) = zero {
                 self.found.push((i, t));
@@ -164,9 +171,9 @@ impl Inside {
 
 impl<S: LaneScalar> Roster<S> {
     /// Gives the output that is due and notes the next.
-    fn give<C: Crew<S>>(&mut self, lane: usize, crew: &mut C, y: &[f64]) {
+    fn give<C: EnsembleProblem<S>>(&mut self, lane: usize, problem: &mut C, y: &[f64]) {
         let (index, grid) = (self.output[lane], self.legs[lane].outputs);
-        crew.output(lane, index, self.next_output[lane], y);
+        problem.output(lane, index, self.next_output[lane], y);
         self.output[lane] = index + 1;
         self.next_output[lane] = if index + 1 < grid.count { grid.time(index + 1) } else { f64::INFINITY };
     }

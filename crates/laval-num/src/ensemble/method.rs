@@ -1,6 +1,6 @@
 //! What a one-step method in lanes gives, and the ends of a step that all methods keep.
 
-use super::Crew;
+use super::EnsembleProblem;
 use crate::lanes::{Bits, LaneBits, LaneScalar};
 
 /// Outcome of a step tried in all lanes.
@@ -16,18 +16,18 @@ pub(super) struct Attempt<S> {
 pub(super) trait Method<S: LaneScalar>: Sized {
     /// The root of the method's order.
     fn root(x: S) -> S;
-    /// For `n` states, of which the first are so many positions, with the crew's room behind them.
+    /// For `n` states, of which the first are so many positions, with the problem's room behind them.
     fn new(n: usize, positions: usize, room: usize) -> Self;
     fn ends(&self) -> &Ends<S>;
     fn ends_mut(&mut self) -> &mut Ends<S>;
     /// Makes all storage of a lane harmless.
     fn clear(&mut self, lane: usize);
     /// Prepares the `fresh` lanes and proposes the length of a first step.
-    fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, fresh: Bits) -> S;
+    fn begin<C: EnsembleProblem<S>>(&mut self, problem: &mut C, t0: S, t1: S, fresh: Bits) -> S;
     /// Tries the step of every lane from `t0` to `t1 = t0 + h`.
-    fn attempt<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, h: S) -> Attempt<S>;
+    fn attempt<C: EnsembleProblem<S>>(&mut self, problem: &mut C, t0: S, t1: S, h: S) -> Attempt<S>;
     /// The interpolant over the step.
-    fn dense<C: Crew<S>>(&mut self, crew: &mut C);
+    fn dense<C: EnsembleProblem<S>>(&mut self, problem: &mut C);
     /// Makes the end of the step the start of the next in the lanes given.
     fn advance(&mut self, accepted: Bits);
     /// The lane's interpolant and its ends, to be read at several times.
@@ -45,7 +45,7 @@ pub(super) struct Ends<S> {
     pub positions: usize,
     pub relative: Vec<S>,
     pub absolute: Vec<S>,
-    /// States at both ends of the step, each with the crew's room behind it.
+    /// States at both ends of the step, each with the problem's room behind it.
     pub y0: Vec<S>,
     pub y1: Vec<S>,
 }
@@ -86,14 +86,19 @@ impl<S: LaneScalar> Ends<S> {
     /// Length of a first step by one explicit Euler step (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.4);
     /// leaves the derivative at the start in `f`.
     #[inline(always)]
-    pub fn first_step<C: Crew<S>, M: Method<S>>(&mut self, crew: &mut C, (t0, t1): (S, S), (w, f, g): (&mut [S], &mut [S], &mut [S])) -> S {
+    pub fn first_step<C: EnsembleProblem<S>, M: Method<S>>(
+        &mut self,
+        problem: &mut C,
+        (t0, t1): (S, S),
+        (w, f, g): (&mut [S], &mut [S], &mut [S]),
+    ) -> S {
         let n = self.n;
         let mut h0 = S::zero();
         for round in 0..2 {
             // a single place where the right side is inlined
             let state = if round == 0 { &mut self.y0[..] } else { &mut *w };
-            crew.time(t0 + h0);
-            rates(crew, t0 + h0, self.positions, state, &mut *g);
+            problem.time(t0 + h0);
+            rates(problem, t0 + h0, self.positions, state, &mut *g);
             if round == 1 {
                 break;
             }
@@ -150,9 +155,9 @@ impl<S: LaneScalar> Ends<S> {
 
 /// The rates of all states.
 #[inline(always)]
-pub(super) fn rates<S: LaneScalar, C: Crew<S>>(crew: &mut C, t: S, positions: usize, y: &mut [S], dy: &mut [S]) {
+pub(super) fn rates<S: LaneScalar, C: EnsembleProblem<S>>(problem: &mut C, t: S, positions: usize, y: &mut [S], dy: &mut [S]) {
     let (of_positions, others) = dy.split_at_mut(positions);
-    crew.rhs(t, y, others);
+    problem.rhs(t, y, others);
     of_positions.copy_from_slice(&y[positions..2 * positions]);
 }
 

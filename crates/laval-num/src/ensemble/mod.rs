@@ -1,7 +1,7 @@
 //! Time integration of many members at once, in lanes, each with its own time, step and end; a lane whose member is finished takes the
 //! next one from the queue, so that no member waits for another.
 //!
-//! A [`Crew`] supplies the equations and the members; [`run`] integrates until the crew has no more. Within a lane every operation depends on
+//! An [`EnsembleProblem`] supplies the equations and the members; [`run`] integrates until the problem has no more members. Within a lane every operation depends on
 //! that lane alone, so the bits of a member do not depend on its neighbours, on the lane it rides in, or on the processor level.
 
 mod dop853;
@@ -75,7 +75,7 @@ pub struct Seat<'a> {
 pub enum LegEnd {
     /// At its end.
     Reached,
-    /// A crossing for which [`Crew::crossed`] said so: index of the event.
+    /// A crossing for which [`EnsembleProblem::crossed`] said so: index of the event.
     Event(usize),
     /// No step above the resolution of time succeeded.
     StepTooSmall(Cause),
@@ -101,7 +101,7 @@ pub struct Ended {
 }
 
 /// Equations y' = f(t, y) for the members in the lanes, and where members come from and go.
-pub trait Crew<S: LaneScalar> {
+pub trait EnsembleProblem<S: LaneScalar> {
     /// Number of states.
     fn dim(&self) -> usize;
     /// Number p of positions: the first p states, whose rates are the p states behind them.
@@ -112,11 +112,11 @@ pub trait Crew<S: LaneScalar> {
     fn room(&self) -> usize {
         0
     }
-    /// What of the right side depends on time alone, as sines of phases: called before [`Crew::rhs`] with its time, ahead of the arithmetic that
+    /// What of the right side depends on time alone, as sines of phases: called before [`EnsembleProblem::rhs`] with its time, ahead of the arithmetic that
     /// gives its states, so that a processor does both side by side. Inlined like `rhs`.
     fn time(&mut self, t: S);
     /// The right side in all lanes, each at its own time, but for the positions: `dy` holds the rates of the states behind them. `y` are the
-    /// states and [`Crew::room`] entries for any use. Must be `#[inline(always)]`, as must what it calls. A lane without a member, or one whose member is failing, may hold any values.
+    /// states and [`EnsembleProblem::room`] entries for any use. Must be `#[inline(always)]`, as must what it calls. A lane without a member, or one whose member is failing, may hold any values.
     fn rhs(&mut self, t: S, y: &mut [S], dy: &mut [S]);
     /// Puts the next member into `lane`, its parameters into the equations. `None` when there is no more.
     fn load(&mut self, lane: usize, seat: Seat) -> Option<Leg>;
@@ -136,7 +136,7 @@ pub trait Crew<S: LaneScalar> {
     fn crossed(&mut self, _lane: usize, _index: usize, _t: f64, _y: &[f64]) -> bool {
         true
     }
-    /// Asked between steps; `true` leaves all members where they are.
+    /// Polled between steps; `true` leaves all members where they are.
     fn cancelled(&self) -> bool {
         false
     }
@@ -166,27 +166,27 @@ struct Roster<S> {
 /// Steps between questions whether to cancel.
 const PATIENCE: u32 = 64;
 
-/// Integrates all members of the crew with the explicit method of order 8, 8(5,3) of Dormand and Prince; dense output of order 7.
+/// Integrates all members of the problem with the explicit method of order 8, 8(5,3) of Dormand and Prince; dense output of order 7.
 ///
 /// The local error is kept as in [`crate::ode::Control`]; the step control is proportional, with no memory but that of a rejection.
 /// Returns `false` when cancelled.
 #[inline(always)]
-pub fn run<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
-    travel::<S, C, Dop853<S>>(crew)
+pub fn run<S: LaneScalar, C: EnsembleProblem<S>>(problem: &mut C) -> bool {
+    travel::<S, C, Dop853<S>>(problem)
 }
 
 /// The same with an implicit method of order 5, stiffly accurate and L-stable: Rodas5P of G. Steinebach, BIT Numer. Math. 63 (2023) 27; dense
 /// output of order 4. Jacobians are differences of right sides. For equations some of whose motions die out far faster than what is sought.
 #[inline(always)]
-pub fn run_stiff<S: LaneScalar, C: Crew<S>>(crew: &mut C) -> bool {
-    travel::<S, C, Rodas<S>>(crew)
+pub fn run_stiff<S: LaneScalar, C: EnsembleProblem<S>>(problem: &mut C) -> bool {
+    travel::<S, C, Rodas<S>>(problem)
 }
 
 #[inline(always)]
-fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
-    let n = crew.dim();
-    let mut method = M::new(n, crew.positions(), crew.room());
-    let mut inside = Inside::new(n, crew.events());
+fn travel<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(problem: &mut C) -> bool {
+    let n = problem.dim();
+    let mut method = M::new(n, problem.positions(), problem.room());
+    let mut inside = Inside::new(n, problem.events());
     let zero = S::zero();
     let mut r = Roster {
         t: zero,
@@ -203,7 +203,7 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
         repeated: 0,
     };
     for lane in 0..LANES {
-        r.load(lane, crew, &mut method, &mut inside);
+        r.load(lane, problem, &mut method, &mut inside);
     }
     let mut patience = 0;
     while r.active != 0 {
@@ -211,12 +211,12 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
         spend(2000 + 200 * n as u64);
         if patience >= PATIENCE {
             patience = 0;
-            if crew.cancelled() {
+            if problem.cancelled() {
                 return false;
             }
         }
         if r.fresh != 0 {
-            r.begin(crew, &mut method, &mut inside);
+            r.begin(problem, &mut method, &mut inside);
             continue;
         }
         let h = S::select(r.shortest.lt(r.next), r.next, r.shortest);
@@ -224,7 +224,7 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
         let last = (r.t_end - r.t).le(h.scale(1.01));
         let t1 = S::select(last, r.t_end, r.t + h);
         let h_used = t1 - r.t;
-        let attempt = method.attempt(crew, r.t, t1, h_used);
+        let attempt = method.attempt(problem, r.t, t1, h_used);
         let accepted = attempt.accepted.0 & r.active;
         let factor = bound_after_rejection(attempt.factor, r.repeated);
         let proposed = h_used * factor;
@@ -235,10 +235,10 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
         r.repeated = rejected;
         let mut stopped = 0;
         if accepted != 0 {
-            let wanted = accepted & r.wants_inside(t1, crew.events());
+            let wanted = accepted & r.wants_inside(t1, problem.events());
             if wanted != 0 {
-                method.dense(crew);
-                stopped = r.inside(wanted, t1, crew, &mut method, &mut inside);
+                method.dense(problem);
+                stopped = r.inside(wanted, t1, problem, &mut method, &mut inside);
             }
             let advanced = accepted & !stopped;
             r.t = if advanced == Bits::MAX { t1 } else { lanes_of(advanced, t1, r.t) };
@@ -259,7 +259,7 @@ fn travel<S: LaneScalar, C: Crew<S>, M: Method<S>>(crew: &mut C) -> bool {
                 () if attempt.finite.get(lane) => LegEnd::StepTooSmall(Cause::Error),
                 () => LegEnd::StepTooSmall(Cause::NotFinite),
             };
-            r.end(lane, end, crew, &mut method, &mut inside);
+            r.end(lane, end, problem, &mut method, &mut inside);
         }
     }
     true
@@ -279,10 +279,10 @@ impl<S: LaneScalar> Roster<S> {
         self.repeated &= !(1 << lane);
     }
 
-    /// Takes members from the crew until one can be put into the lane.
-    fn load<C: Crew<S>, M: Method<S>>(&mut self, lane: usize, crew: &mut C, method: &mut M, inside: &mut Inside) {
+    /// Takes members from the problem until one can be put into the lane.
+    fn load<C: EnsembleProblem<S>, M: Method<S>>(&mut self, lane: usize, problem: &mut C, method: &mut M, inside: &mut Inside) {
         let seat = inside.seat();
-        match crew.load(lane, seat) {
+        match problem.load(lane, seat) {
             Some(leg) => {
                 method.ends_mut().seat(lane, inside.state(), inside.relative(), inside.absolute());
                 self.set(lane, leg);
@@ -302,35 +302,35 @@ impl<S: LaneScalar> Roster<S> {
         method.clear(lane);
     }
 
-    /// Outcome of a leg: the crew continues the member, or the next one takes its place.
-    fn end<C: Crew<S>, M: Method<S>>(&mut self, lane: usize, end: LegEnd, crew: &mut C, method: &mut M, inside: &mut Inside) {
+    /// Outcome of a leg: the problem continues the member, or the next one takes its place.
+    fn end<C: EnsembleProblem<S>, M: Method<S>>(&mut self, lane: usize, end: LegEnd, problem: &mut C, method: &mut M, inside: &mut Inside) {
         let ended =
             Ended { end, t: self.t.get(lane), next_step: self.next.get(lane), steps: self.steps[lane], rejected: self.rejected[lane] };
         let y = inside.state_mut();
         method.ends().state(lane, y);
-        match crew.ended(lane, &ended, y) {
+        match problem.ended(lane, &ended, y) {
             Some(leg) => {
                 method.ends_mut().set_state(lane, y);
                 self.set(lane, leg);
             }
-            None => self.load(lane, crew, method, inside),
+            None => self.load(lane, problem, method, inside),
         }
     }
 
     /// Starts the fresh lanes: derivative, length of the first step, outputs and events at the start.
     #[inline(always)]
-    fn begin<C: Crew<S>, M: Method<S>>(&mut self, crew: &mut C, method: &mut M, inside: &mut Inside) {
+    fn begin<C: EnsembleProblem<S>, M: Method<S>>(&mut self, problem: &mut C, method: &mut M, inside: &mut Inside) {
         let fresh = self.fresh;
-        let length = method.begin(crew, self.t, self.t_end, fresh);
+        let length = method.begin(problem, self.t, self.t_end, fresh);
         self.fresh = 0;
         let (length, t0, t1) = (length.to_array(), self.t.to_array(), self.t_end.to_array());
         for lane in each(fresh) {
             let first = self.legs[lane].first_step.unwrap_or(length[lane]);
             self.next = self.next.with(lane, first);
             // NaN fails
-            let fine = first > 0.0 && t1[lane] > t0[lane] && inside.begin(lane, crew, self, method, t0[lane]);
+            let fine = first > 0.0 && t1[lane] > t0[lane] && inside.begin(lane, problem, self, method, t0[lane]);
             if !fine {
-                self.end(lane, LegEnd::NoStart, crew, method, inside);
+                self.end(lane, LegEnd::NoStart, problem, method, inside);
             }
         }
     }
@@ -348,11 +348,18 @@ impl<S: LaneScalar> Roster<S> {
     }
 
     /// Outputs and events of the step in the lanes `wanted`; the lanes in which a crossing ends the leg, put to their time and state.
-    fn inside<C: Crew<S>, M: Method<S>>(&mut self, wanted: Bits, t1: S, crew: &mut C, method: &mut M, inside: &mut Inside) -> Bits {
+    fn inside<C: EnsembleProblem<S>, M: Method<S>>(
+        &mut self,
+        wanted: Bits,
+        t1: S,
+        problem: &mut C,
+        method: &mut M,
+        inside: &mut Inside,
+    ) -> Bits {
         let (t0, t1) = (self.t.to_array(), t1.to_array());
         let mut stopped = 0;
         for lane in each(wanted) {
-            if let Some(t) = inside.look(lane, crew, self, method, t0[lane], t1[lane]) {
+            if let Some(t) = inside.look(lane, problem, self, method, t0[lane], t1[lane]) {
                 stopped |= 1 << lane;
                 self.t = self.t.with(lane, t);
                 method.ends_mut().set_state(lane, inside.state());

@@ -11,7 +11,7 @@
 //! Source: G. Steinebach, Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within the Julia Differential Equations
 //! package, BIT Numer. Math. 63 (2023) 27.
 
-use super::Crew;
+use super::EnsembleProblem;
 use super::method::{Attempt, Ends, Method, bounded, rates};
 use crate::lanes::{Bits, LaneBits, LaneScalar};
 
@@ -94,7 +94,7 @@ const LEAST_SIZE: f64 = 1e-30;
 /// Storage of the method.
 pub(super) struct Rodas<S: LaneScalar> {
     ends: Ends<S>,
-    /// State of a call of the right side, with the crew's room behind it, and what it gives.
+    /// State of a call of the right side, with the problem's room behind it, and what it gives.
     w: Vec<S>,
     f: Vec<S>,
     /// Right side at the start, derivative in time.
@@ -335,12 +335,12 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
     }
 
     #[inline(always)]
-    fn begin<C: Crew<S>>(&mut self, crew: &mut C, t0: S, t1: S, _: Bits) -> S {
-        self.ends.first_step::<C, Self>(crew, (t0, t1), (&mut self.w, &mut self.f0, &mut self.f))
+    fn begin<C: EnsembleProblem<S>>(&mut self, problem: &mut C, t0: S, t1: S, _: Bits) -> S {
+        self.ends.first_step::<C, Self>(problem, (t0, t1), (&mut self.w, &mut self.f0, &mut self.f))
     }
 
     #[inline(always)]
-    fn attempt<Cr: Crew<S>>(&mut self, crew: &mut Cr, t0: S, t1: S, h: S) -> Attempt<S> {
+    fn attempt<Cr: EnsembleProblem<S>>(&mut self, problem: &mut Cr, t0: S, t1: S, h: S) -> Attempt<S> {
         self.h = h;
         let n = self.ends.n;
         // a single place where the right side is inlined
@@ -355,9 +355,9 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
             };
             self.prepare(&call);
             if !matches!(call, Call::State(_)) {
-                crew.time(t);
+                problem.time(t);
             }
-            rates(crew, t, self.ends.positions, &mut self.w, &mut self.f);
+            rates(problem, t, self.ends.positions, &mut self.w, &mut self.f);
             self.take(&call);
         }
         for j in 0..n {
@@ -371,7 +371,7 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
     }
 
     #[inline(always)]
-    fn dense<Cr: Crew<S>>(&mut self, _: &mut Cr) {
+    fn dense<Cr: EnsembleProblem<S>>(&mut self, _: &mut Cr) {
         let n = self.ends.n;
         for (row, h) in self.rows.chunks_exact_mut(n.max(1)).zip(&H) {
             for (j, x) in row.iter_mut().enumerate() {
@@ -428,7 +428,7 @@ mod tests {
 
     /// y' = -2 t y^2: y = 1/(1 + t^2).
     struct Bell;
-    impl<S: LaneScalar> Crew<S> for Bell {
+    impl<S: LaneScalar> EnsembleProblem<S> for Bell {
         fn dim(&self) -> usize {
             1
         }
@@ -480,7 +480,7 @@ mod tests {
         assert!(order.iter().zip(expected).all(|(o, e)| (o - e).abs() < 0.1), "{order:?}: {a:?} {b:?}");
     }
 
-    /// Matrices of which some lanes ask for exchanges and others do not.
+    /// Matrices of which some lanes require exchanges and others do not.
     struct Solve;
     impl Kernel for Solve {
         type Out = ();

@@ -29,7 +29,7 @@ struct Member {
     start: f64,
 }
 
-impl<S: LaneScalar> Crew<S> for Oscillators<'_, S> {
+impl<S: LaneScalar> EnsembleProblem<S> for Oscillators<'_, S> {
     fn dim(&self) -> usize {
         2
     }
@@ -85,7 +85,7 @@ impl Kernel for Go<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, self.1, |crew: &mut Oscillators<S>| run(crew))
+        found(self.0, self.1, |problem: &mut Oscillators<S>| run(problem))
     }
 }
 
@@ -94,14 +94,14 @@ impl Kernel for GoStiff<'_> {
     type Out = Found;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> Found {
-        found(self.0, 1, |crew: &mut Oscillators<S>| run_stiff(crew))
+        found(self.0, 1, |problem: &mut Oscillators<S>| run_stiff(problem))
     }
 }
 
 #[inline(always)]
 fn found<S: LaneScalar>(list: &[Member], positions: usize, go: impl FnOnce(&mut Oscillators<S>) -> bool) -> Found {
     let mut found = Found::default();
-    let mut crew = Oscillators {
+    let mut problem = Oscillators {
         parameters: [S::one(); 3],
         positions,
         queue: list.iter(),
@@ -109,7 +109,7 @@ fn found<S: LaneScalar>(list: &[Member], positions: usize, go: impl FnOnce(&mut 
         results: &mut found.results,
         outputs: &mut found.outputs,
     };
-    assert!(go(&mut crew));
+    assert!(go(&mut problem));
     found.results.sort_by_key(|r| r.0);
     found.outputs.sort_by_key(|o| (o.0, o.1));
     found
@@ -261,7 +261,7 @@ fn events_are_located() {
 #[test]
 fn a_leg_can_be_limited_and_continued() {
     struct Twice<'a, S>(Oscillators<'a, S>, u32);
-    impl<S: LaneScalar> Crew<S> for Twice<'_, S> {
+    impl<S: LaneScalar> EnsembleProblem<S> for Twice<'_, S> {
         fn dim(&self) -> usize {
             2
         }
@@ -300,9 +300,9 @@ fn a_leg_can_be_limited_and_continued() {
                 results: &mut results,
                 outputs: &mut outputs,
             };
-            let mut crew = Twice(inner, 0);
-            assert!(run(&mut crew));
-            let times = crew.1;
+            let mut problem = Twice(inner, 0);
+            assert!(run(&mut problem));
+            let times = problem.1;
             (results[0].1, results[0].2.clone(), times)
         }
     }
@@ -323,7 +323,7 @@ struct Relaxing<'a, S> {
     ends: [f64; LANES],
 }
 
-impl<S: LaneScalar> Crew<S> for Relaxing<'_, S> {
+impl<S: LaneScalar> EnsembleProblem<S> for Relaxing<'_, S> {
     fn dim(&self) -> usize {
         1
     }
@@ -357,8 +357,8 @@ fn fast_decay_does_not_shorten_the_steps() {
         fn run<S: LaneScalar>(self) -> Self::Out {
             let mut results = vec![];
             let (rate, speed) = (S::one(), S::one());
-            let mut crew = Relaxing { rate, speed, queue: self.0.iter(), results: &mut results, ends: [0.0; LANES] };
-            assert!(run_stiff(&mut crew));
+            let mut problem = Relaxing { rate, speed, queue: self.0.iter(), results: &mut results, ends: [0.0; LANES] };
+            assert!(run_stiff(&mut problem));
             results
         }
     }

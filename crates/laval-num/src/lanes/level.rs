@@ -172,7 +172,7 @@ impl<F: Apply<T>, T> Slots<F> for T {
     }
 }
 
-/// Work to be compiled once for a scalar, as a function of its own, instead of wherever it is asked for.
+/// Work to be compiled once for a scalar, as a function of its own, instead of wherever it is requested.
 pub trait Routine<S> {
     /// Result.
     type Out;

@@ -21,7 +21,7 @@ use super::reg::{Reg, SIGN};
 /// Adding `1.5 * 2^52` rounds to the nearest integer and leaves that integer in the low bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// Up to this magnitude `sin_cos` reduces the angle itself; beyond it asks the standard library, lane by lane.
+/// Up to this magnitude `sin_cos` reduces the angle itself; beyond it uses the standard library, lane by lane.
 pub const SIN_COS_DIRECT: f64 = 1e6;
 
 // pi/2 in three parts of 33 bits and a rest: integer multiples below 2^20 of the parts are exact

@@ -1,4 +1,4 @@
-//! What is asked of an integration and how it ended: tolerances, limits, work, and the choice of the first step.
+//! Requirements of an integration and how it ended: tolerances, limits, work, and the choice of the first step.
 
 use super::event::Event;
 use super::system::{Failure, Ode};
@@ -34,7 +34,7 @@ impl Tolerance {
     }
 }
 
-/// What is asked of an integration.
+/// Requirements of an integration.
 ///
 /// The local error estimate e of a step from y to w is kept to rms(e_i / (a_i + r_i max(|y_i|, |w_i|))) < 1 with absolute tolerances a
 /// (in the unit of the state) and relative tolerances r. A state that starts at zero is governed by a alone, which must
@@ -55,7 +55,7 @@ pub struct Control<'a> {
     pub outputs: &'a [f64],
     /// Events to locate.
     pub events: &'a [Event<'a>],
-    /// Asked before every step; `true` ends the integration. Reading an atomic flag here is the usual way to stop on Ctrl-C.
+    /// Polled before every step; `true` ends the integration. Reading an atomic flag here is the usual way to stop on Ctrl-C.
     pub cancel: Option<&'a dyn Fn() -> bool>,
 }
 

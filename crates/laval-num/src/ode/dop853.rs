@@ -201,7 +201,7 @@ impl<S: Ode + ?Sized> Trial<'_, S> {
         if e5 == 0.0 { 0.0 } else { self.h.abs() * e5 / ((e5 + 0.01 * e3) * self.n as f64).sqrt() }
     }
 
-    /// The cubic rows from both ends, and where asked for the rows of degree 4 to 7.
+    /// The cubic rows from both ends, and where requested the rows of degree 4 to 7.
     #[inline(always)]
     fn extend<const B: usize>(&mut self) -> Result<bool, Failure> {
         let (n, count, h) = (self.n, self.count::<B>(), self.h);

@@ -41,7 +41,7 @@ const SAME_LENGTH: f64 = 1e-6;
 ///
 /// The error estimate is of order 3; following the source it is held to the tolerances r' = r^(2/3)/10, a' = a r'/r, at which the error of the
 /// formula itself is about r. A state with r = 0 keeps its absolute tolerance. Inside a step, at outputs and events, the error is about r', not r:
-/// where that matters, ask for a smaller tolerance.
+/// where that matters, require a smaller tolerance.
 #[derive(Clone, Debug, Default)]
 pub struct Radau {
     /// Newton's iteration stops when its estimated error is this fraction of the (transformed) tolerance; chosen from the tolerance if absent.

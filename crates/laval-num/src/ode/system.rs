@@ -34,7 +34,7 @@ pub trait Ode {
     ///
     /// A value that is not finite rejects the step, which is then tried smaller; an error ends the integration.
     fn rhs(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Failure>;
-    /// Times at which the right side is asked next, in this order, if the step runs to its end: what depends on time alone may be computed for all of
+    /// Times at which the right side is requested next, in this order, if the step runs to its end: what depends on time alone may be computed for all of
     /// them side by side. Other times may come between.
     fn ahead(&mut self, _times: &[f64]) {}
 }

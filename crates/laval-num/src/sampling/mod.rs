@@ -1,4 +1,4 @@
-//! Sampling of uncertain inputs and what can be told from it: points of the unit cube addressable by index, distributions by their
+//! Sampling of uncertain inputs and what can be distinguished from it: points of the unit cube addressable by index, distributions by their
 //! quantile functions, quantiles with confidence intervals, sensitivity indices of Sobol and Morris.
 
 pub mod distribution;
@@ -21,7 +21,7 @@ pub enum Points {
 }
 
 impl Points {
-    /// Coordinate `dimension` of point `index`: a function of its arguments alone, whatever was asked before.
+    /// Coordinate `dimension` of point `index`: a function of its arguments alone, whatever was requested before.
     ///
     /// ```
     /// use laval_num::sampling::Points;

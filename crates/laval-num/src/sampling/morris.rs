@@ -1,7 +1,7 @@
 //! Screening by elementary effects (Morris 1991; mu* after Campolongo et al. 2007).
 //!
 //! Equations: a trajectory changes one input after the other by D = 1/2 on a grid of four levels 1/8, 3/8, 5/8, 7/8 (the middles of the quarters,
-//! so that distributions without ends are never asked for their ends); the effect of input i is `d_i = (f(x + D e_i) - f(x)) / D`. Over all
+//! so that the ends of distributions without ends are never needed); the effect of input i is `d_i = (f(x + D e_i) - f(x)) / D`. Over all
 //! trajectories mu is its mean, mu* the mean of its size, sigma its standard deviation.
 
 use super::quantile::Interval;

@@ -172,7 +172,7 @@ mod tests {
                 held += usize::from(x.first.low <= s && s <= x.first.high) + usize::from(x.total.low <= t && t <= x.total.high);
             }
         }
-        // 240 intervals; those of one sample hang together, so more play than the binomial
+        // 240 intervals; those of one sample hang together, so a wider margin than the binomial
         assert!((213..=240).contains(&held), "{held}");
     }
 

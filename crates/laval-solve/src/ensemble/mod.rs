@@ -1,6 +1,6 @@
 //! Many motions of one machine at once, with other parameters, speeds or starts: in lanes on every core.
 //!
-//! A [`Voyage`] says where each member starts, what is watched on the way and what is kept of it; [`run`] integrates all members and returns what
+//! A [`EnsembleTask`] says where each member starts, what is watched on the way and what is kept of it; [`run`] integrates all members and returns what
 //! was kept, in order. The result of a member does not depend on the others, on the number of threads or on the processor level, bit for bit.
 //!
 //! Members share the parts, coordinates and states of one machine and differ in parameters, spin and state. A machine with constant mass at
@@ -13,15 +13,15 @@
 //! with n the nonlinear parts only, one call for each and all lanes. Where the mass depends on the configuration, such as that of balls in a ring, the linear
 //! parts are compiled and the others called with their masses (`varying`). Any other motion is evaluated part by part.
 
-mod crew;
 mod general;
+mod lane_run;
 mod varying;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{Drive, System};
 use crate::motion::SpinLaw;
-use crew::{Hands, LaneCrew, Riders};
+use lane_run::{LaneRun, MemberSource, RunningMembers};
 pub use laval_num::ensemble::{Ended, Grid, Leg, LegEnd};
 use laval_num::lanes::{Kernel, LaneScalar, Level, dispatch};
 use laval_num::work::Here;
@@ -44,7 +44,7 @@ pub struct Start<T> {
     pub absolute: Vec<f64>,
     /// First leg.
     pub leg: Leg,
-    /// What the voyage remembers of the member while it is under way.
+    /// What the task remembers of the member while it is under way.
     pub log: T,
 }
 
@@ -57,7 +57,7 @@ pub enum Next<R> {
 }
 
 /// Members, what is watched of them and what is kept.
-pub trait Voyage: Sync {
+pub trait EnsembleTask: Sync {
     /// What is remembered of a member under way.
     type Log: Send;
     /// What is kept of it.
@@ -70,7 +70,7 @@ pub trait Voyage: Sync {
     fn ended(&self, index: usize, log: &mut Self::Log, ended: &Ended, y: &mut [f64]) -> Next<Self::Row>;
     /// A member is finished; for progress.
     fn finished(&self) {}
-    /// Asked now and then; `true` leaves all members where they are.
+    /// Polled now and then; `true` leaves all members where they are.
     fn cancelled(&self) -> bool {
         false
     }
@@ -153,7 +153,7 @@ impl Form {
 }
 
 /// Integrates the members `range`; their rows in order, or `None` when cancelled. `base` is the machine whose parts the members share.
-pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>, settings: Settings) -> Option<Vec<V::Row>> {
+pub fn run<V: EnsembleTask>(task: &V, base: &System, form: Form, range: Range<usize>, settings: Settings) -> Option<Vec<V::Row>> {
     let count = range.len();
     let threads = if settings.threads == 0 { rayon::current_num_threads() } else { settings.threads };
     // fewer members than lanes on all threads: fill the lanes of one before using the next
@@ -163,40 +163,40 @@ pub fn run<V: Voyage>(voyage: &V, base: &System, form: Form, range: Range<usize>
     let take = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&i| i < range.end);
     let keep = |index: usize, row: V::Row| {
         rows.lock().unwrap_or_else(PoisonError::into_inner).push((index, row));
-        voyage.finished();
+        task.finished();
     };
     let (take, keep) = (&take as &(dyn Fn() -> Option<usize> + Sync), &keep as &(dyn Fn(usize, V::Row) + Sync));
-    let sail = || {
-        let mut riders = Riders { voyage, logs: std::array::from_fn(|_| None), take, keep };
-        dispatch(settings.level, Sail { hands: &mut riders, base, form, method: settings.method })
+    let on_thread = || {
+        let mut running = RunningMembers { task, logs: std::array::from_fn(|_| None), take, keep };
+        dispatch(settings.level, RunMembers { hands: &mut running, base, form, method: settings.method })
     };
     let here = Here::now();
     let counted = |_| {
         let _counted = here.enter();
-        sail()
+        on_thread()
     };
-    let whole = if threads == 1 { sail() } else { (0..threads).into_par_iter().map(counted).reduce(|| true, |a, b| a && b) };
+    let whole = if threads == 1 { on_thread() } else { (0..threads).into_par_iter().map(counted).reduce(|| true, |a, b| a && b) };
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|r: &(usize, V::Row)| r.0);
     (whole && rows.len() == count).then(|| rows.into_iter().map(|r| r.1).collect())
 }
 
 /// The lanes of one thread.
-struct Sail<'a> {
-    hands: &'a mut dyn Hands,
+struct RunMembers<'a> {
+    hands: &'a mut dyn MemberSource,
     base: &'a System,
     form: Form,
     method: Method,
 }
 
-impl Kernel for Sail<'_> {
+impl Kernel for RunMembers<'_> {
     type Out = bool;
     #[inline(always)]
     fn run<S: LaneScalar>(self) -> bool {
-        let mut crew = LaneCrew::<S>::new(self.hands, self.base, self.form);
+        let mut lane_run = LaneRun::<S>::new(self.hands, self.base, self.form);
         match self.method {
-            Method::Explicit => laval_num::ensemble::run(&mut crew),
-            Method::Stiff => laval_num::ensemble::run_stiff(&mut crew),
+            Method::Explicit => laval_num::ensemble::run(&mut lane_run),
+            Method::Stiff => laval_num::ensemble::run_stiff(&mut lane_run),
         }
     }
 }

@@ -35,7 +35,7 @@ pub struct Growth {
     pub from: f64,
 }
 
-/// Log-slope of the envelope over the second half of a flight. Its points are the largest displacements of half turns of the displacement; of windows,
+/// Log-slope of the envelope over the second half of a trajectory. Its points are the largest displacements of half turns of the displacement; of windows,
 /// where the displacement keeps its direction through four turns of the spin (each of `turn`, s). `None` when there are fewer than eight.
 pub fn growth(windows: &[Window], turn: f64) -> Option<Growth> {
     growth_of(windows, turn, 8)

@@ -20,9 +20,9 @@ pub(super) mod compiled;
 pub(super) mod constant;
 mod direct;
 pub mod envelope;
-pub mod flight;
 mod single;
 mod stiff;
+pub mod trajectory;
 
 use super::programme::{Programme, Spin};
 use crate::diagnostic::Diagnostic;
@@ -232,7 +232,7 @@ impl<'a> Motion<'a> {
         self.steady.is_some()
     }
 
-    /// Phase and speed at a state; the acceleration is that of the programme (0 when free: ask [`Motion::accelerations`]).
+    /// Phase and speed at a state; the acceleration is that of the programme (0 when free: see [`Motion::accelerations`]).
     pub fn spin(&self, t: f64, y: &[f64]) -> Spin {
         match &self.law {
             SpinLaw::Programme(p) => p.at(t),

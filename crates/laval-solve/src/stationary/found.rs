@@ -1,4 +1,4 @@
-//! What a search for stationary states is asked, and what it finds.
+//! Request and result of a search for stationary states.
 
 use super::images::Images;
 use crate::exact::multiplicity;
@@ -130,7 +130,7 @@ pub struct Located {
     pub bracket: (f64, f64),
     /// Growing roots before and behind it along the branch.
     pub growing: (usize, usize),
-    /// Both sides were told apart to rounding.
+    /// Both sides were distinguished to rounding.
     pub located: bool,
 }
 

@@ -52,14 +52,14 @@ pub struct Zone {
     pub corners: Vec<Vec<f64>>,
     /// All of them were: else friction holds the masses farther on, to another state.
     pub closed: bool,
-    /// Largest growth rate with the masses held, 1/s; NaN where it cannot be told.
+    /// Largest growth rate with the masses held, 1/s; NaN where it cannot be determined.
     pub growth: f64,
 }
 
 impl Search<'_> {
     /// What dry friction makes of a state; `None` where nothing is held.
     ///
-    /// `goes_on` is told of every corner; those left when it says no count as not found.
+    /// `goes_on` receives every corner; those left when it says no count as not found.
     ///
     /// # Errors
     /// Eigenvalues that cannot be computed.
@@ -97,7 +97,7 @@ impl Search<'_> {
         system.grips(&at, &mut Workspace::default())
     }
 
-    /// How far from a state of a continuum friction holds the masses; `None` where nothing is held. `tried` numbers the ways, of which `goes_on` is told.
+    /// How far from a state of a continuum friction holds the masses; `None` where nothing is held. `tried` numbers the ways, which `goes_on` receives.
     pub fn slack(&mut self, state: &State, tried: u32, goes_on: &mut dyn FnMut(u64) -> bool) -> Option<Slack> {
         let about = self.problem.equilibrium(&state.x, state.speed);
         let held = self.gripped(&about, state.speed);

@@ -59,7 +59,7 @@ impl<'a> Probe<'a> {
         (force, rate)
     }
 
-    /// Whether the forces change as the coordinates do; `change` is told whether it acts on places.
+    /// Whether the forces change as the coordinates do; `change` receives whether it acts on places.
     fn same(&self, change: &dyn Fn(&mut [f64], bool)) -> bool {
         // rows that are zero but for rounding do not speak for themselves
         let near = |a: &[f64], b: &[f64]| {

@@ -1,7 +1,7 @@
 //! All states of a machine that are at rest in axes that turn with the rotor, over a range of speeds: many starts, continuation along the speed from
 //! every new state, stability along the branches, and the places where it changes.
 //!
-//! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is told instead.
+//! No finite number of starts proves that a list of states is complete. How many starts led to states that were known before is reported instead.
 //!
 //! Theory: `docs/theory/equilibria.md#states-in-rotating-axes`.
 
@@ -196,7 +196,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The whole search; `each` is told how far it is and says whether to go on.
+    /// The whole search; `each` receives how far it is and says whether to go on.
     ///
     /// # Errors
     /// A spectrum that cannot be computed.

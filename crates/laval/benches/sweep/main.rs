@@ -15,7 +15,7 @@ mod processor;
 
 use clock::clock;
 use laval::model::system::System;
-use laval::solve::ensemble::{self, Ended, Form, Leg, Next, Settings, Start, Voyage};
+use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, Next, Settings, Start};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval_num::lanes::Level;
@@ -79,7 +79,7 @@ struct FromRest {
 /// State at the end, and steps.
 type Row = (Vec<f64>, u64);
 
-impl Voyage for FromRest {
+impl EnsembleTask for FromRest {
     type Log = ();
     type Row = Row;
     fn start(&self, index: usize) -> Result<Start<()>, Row> {
@@ -151,16 +151,16 @@ fn main() {
         let (hand, ends) = least(clock, 5, || by_hand.sweep(Level::best(), &speeds, periods, 1e-8, 1e-11));
         report("by hand, lanes", hand, work, None, deviation(case, &speeds, &ends), &ends);
         for level in Level::supported() {
-            let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
+            let task = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
             let (time, ends) = least(clock, 5, || {
                 let settings = Settings { level, threads: 1, ..Settings::default() };
-                ensemble::run(&voyage, &system, Form::of(&system, true), 0..speeds.len(), settings).unwrap_or_default()
+                ensemble::run(&task, &system, Form::of(&system, true), 0..speeds.len(), settings).unwrap_or_default()
             });
             report(&format!("ensemble, {}", level.name()), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
         }
-        let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
+        let task = FromRest { system: system.clone(), speeds: speeds.clone(), span: periods, tolerance: 1e-8 };
         let (time, ends) = least(wall, 3, || {
-            ensemble::run(&voyage, &system, Form::of(&system, true), 0..speeds.len(), Settings::default()).unwrap_or_default()
+            ensemble::run(&task, &system, Form::of(&system, true), 0..speeds.len(), Settings::default()).unwrap_or_default()
         });
         let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
         report(&format!("ensemble, {threads} threads"), time, work, Some(hand), deviation(case, &speeds, &ends), &ends);
@@ -182,10 +182,10 @@ fn source_study() {
     let system = Arc::new(system);
     let speeds: Vec<f64> = (1..=5000).map(f64::from).collect();
     println!("the complete study of the source: 5000 speeds, 25 s each, case A");
-    let voyage = FromRest { system: system.clone(), speeds: speeds.clone(), span: |_| 25.0, tolerance: 1e-8 };
+    let task = FromRest { system: system.clone(), speeds: speeds.clone(), span: |_| 25.0, tolerance: 1e-8 };
     let run = |threads| {
         let settings = Settings { threads, ..Settings::default() };
-        ensemble::run(&voyage, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default()
+        ensemble::run(&task, &system, Form::of(&system, true), 0..5000, settings).unwrap_or_default()
     };
     let (time, ends) = least(wall, 1, || run(1));
     let steps: u64 = ends.iter().map(|e| e.1).sum();

@@ -40,12 +40,12 @@ pub struct Refusal {
 }
 
 impl Loaded {
-    /// Asks every study whether this machine can answer it; one refusal for all that refuse for the same reason.
+    /// Whether this machine can answer every study; one refusal for all that refuse for the same reason.
     pub fn refusals(&self) -> Vec<Refusal> {
         self.refusals_by(|study| study.admit(&self.system))
     }
 
-    /// The same before a run in such a context: one that is cancelled asks no more of what takes long.
+    /// The same before a run in such a context: one that is cancelled skips what takes long.
     pub fn refusals_in(&self, context: &Context) -> Vec<Refusal> {
         self.refusals_by(|study| study.prepare(&self.system, context))
     }

@@ -39,7 +39,7 @@ pub struct Finding {
 pub enum Level {
     /// A result.
     Info,
-    /// A result that asks for attention.
+    /// A result that requires attention.
     Warning,
     /// A result outside the validity of its model.
     Invalid,
@@ -98,7 +98,7 @@ impl Finding {
         Self::new(Level::Info, id, text)
     }
 
-    /// A result that asks for attention.
+    /// A result that requires attention.
     pub fn warning(id: impl Into<String>, text: impl Into<String>) -> Self {
         Self::new(Level::Warning, id, text)
     }

@@ -231,7 +231,7 @@ fn unique<'a>(what: &'static str, names: impl Iterator<Item = &'a str>) -> Resul
 /// How a study ended. Everything but [`End::Reached`] leaves results that are right as far as they go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
-    /// The end asked for.
+    /// The end requested.
     Reached,
     /// Continuation could not go on: its step fell below the smallest allowed.
     StepTooSmall {
@@ -252,7 +252,7 @@ pub enum End {
     },
     /// Stopped by the user.
     Cancelled,
-    /// The machine cannot answer what was asked; a finding says why.
+    /// The machine cannot answer what was requested; a finding says why.
     Refused,
     /// The largest number of points was computed before the end was reached.
     MaxPoints,
@@ -276,7 +276,7 @@ impl End {
         }
     }
 
-    /// Whether the study did all that was asked.
+    /// Whether the study did all that was requested.
     pub fn is_complete(&self) -> bool {
         matches!(self, End::Reached)
     }
@@ -347,7 +347,7 @@ impl Status {
     }
 }
 
-/// An outcome that contradicts itself: a mistake of the study's author, told instead of drawn.
+/// An outcome that contradicts itself: a mistake of the study's author, reported instead of drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum OutcomeError {
     /// A column is longer or shorter than the columns before it.

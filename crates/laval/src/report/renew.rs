@@ -223,7 +223,7 @@ mod tests {
         renew(&d.0, &report(&["a", "b", "c"], &["a", "b", "c"]), FORMATS).unwrap();
         renew(&d.0, &report(&["b"], &["b", "c"]), FORMATS).unwrap();
         assert!(!d.has("a") && d.has("b/t.csv") && d.has("results.json"));
-        // in the file but not asked for this time
+        // in the file but not requested this time
         assert!(d.has("c/t.csv"));
         renew(&d.0, &report(&["b"], &["b"]), FORMATS).unwrap();
         assert!(!d.has("c"), "remembered over a run that did not touch it");
@@ -272,7 +272,7 @@ mod tests {
         renew(&d.0, &report(&["a"], &["a"]), FORMATS).unwrap();
         let without = Report { outcomes: vec![Outcome::new("k", "a")], ..Report::default() };
         renew(&d.0, &without, &[Format::Json]).unwrap();
-        assert!(d.has("a/t.csv"), "that format was not asked for");
+        assert!(d.has("a/t.csv"), "that format was not requested");
         renew(&d.0, &without, FORMATS).unwrap();
         assert!(!d.has("a"));
     }

@@ -546,7 +546,7 @@ fn pad(lo: f64, hi: f64, by: f64, log: bool) -> (f64, f64) {
     }
 }
 
-/// Axis over a range from the data, or over the range that was asked for; never degenerate.
+/// Axis over a range from the data, or over the range that was requested; never degenerate.
 fn axis_view(axis: &Axis, data: Option<(f64, f64)>) -> AxisView {
     let log = axis.scale == Scale::Log;
     let wanted = axis.range.filter(|(a, b)| a.is_finite() && b.is_finite() && a < b && (!log || *a > 0.0));

@@ -2,7 +2,7 @@
 //!
 //! [`particle`] and [`frame`] state the equations; [`closed`] solves them at constant speed, [`motion`] integrates them otherwise, [`drift`] does so for drag in balance
 //! with the field, [`exit`] finds when and where a particle leaves the liquid of a [`vessel`]. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`]; a [`batch`] with its run-up and the [`recovery`] it reaches are what
-//! studies ask for, with the [`slowest`] particle of all;
+//! studies require, with the [`slowest`] particle of all;
 //! [`load`] is what cups do to the rotor, [`carried`] the part of the machine that does it; [`measures`] are what engineers compare centrifuges by, [`validity`] tells where the model ends.
 
 pub mod batch;

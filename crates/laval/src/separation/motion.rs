@@ -143,12 +143,12 @@ pub struct Moment {
     pub state: [f64; STATES],
 }
 
-/// How a journey ended, and the moments asked for.
+/// How a journey ended, and the moments requested.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrival {
     /// The exit, unless the time ran out first.
     pub exit: Option<Exit>,
-    /// At the times asked for that were reached.
+    /// At the times requested that were reached.
     pub moments: Vec<Moment>,
     /// At the end.
     pub last: Moment,

@@ -134,7 +134,7 @@ pub struct Needed {
     pub last: Option<[f64; 3]>,
 }
 
-/// Told of every path that is computed; what it answers says whether to go on.
+/// Receives every path that is computed; what it answers says whether to go on.
 pub type Watch<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// The recovery of a batch at one speed.

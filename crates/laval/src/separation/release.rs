@@ -88,8 +88,8 @@ impl Spinning<'_> {
             return Ok(times.into_iter().map(moment).collect());
         }
         let Some(journey) = self.journey(r.particle) else { return Ok(vec![]) };
-        let asked: Vec<f64> = times.iter().map(|&t| counted(t) * (1.0 - 1e-12)).collect();
-        let arrival = journey.follow(journey.start_from(r.place, r.velocity), counted(until), tolerance, &asked)?;
+        let requested: Vec<f64> = times.iter().map(|&t| counted(t) * (1.0 - 1e-12)).collect();
+        let arrival = journey.follow(journey.start_from(r.place, r.velocity), counted(until), tolerance, &requested)?;
         let seen = arrival.moments.iter().zip(times);
         Ok(seen
             .map(|(m, t)| {

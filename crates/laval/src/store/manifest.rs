@@ -73,7 +73,7 @@ impl Manifest {
         flatten("", &self.identity(), &mut old);
         flatten("", &now.identity(), &mut new);
         let mut keys: Vec<&String> = old.keys().chain(new.keys().filter(|k| !old.contains_key(*k))).collect();
-        // the number of rows and columns follows from what was asked: the cause before its effects
+        // the number of rows and columns follows from what was requested: the cause before its effects
         keys.sort_by_key(|k| (!k.starts_with("input."), k.as_str()));
         let absent = "not given".to_string();
         let word = |map: &BTreeMap<String, String>, k: &String| map.get(k).unwrap_or(&absent).clone();

@@ -62,7 +62,7 @@ pub struct Keep {
 pub trait Host: Sync {
     /// Where to keep results; `None` keeps them in memory.
     fn keep(&self) -> Option<&Keep>;
-    /// The user asked to stop.
+    /// The user stopped it.
     fn cancelled(&self) -> bool;
     /// `done` of `total` rows.
     fn report(&self, done: u64, total: u64);
@@ -144,7 +144,7 @@ impl Rows<'_> {
         self.host.part(self.part.load(Ordering::Relaxed).max(0) as f64 / 1000.0);
         self.host.report(done.min(self.total), self.total);
     }
-    /// The user asked to stop.
+    /// The user stopped it.
     pub fn cancelled(&self) -> bool {
         self.host.cancelled()
     }
@@ -340,7 +340,7 @@ impl Results {
         Some(
             Finding::warning("incomplete", format!("Only {{}} of {} {rows} were computed{how}.", self.plan.rows))
                 .value(self.done as f64, "")
-                .evidence(format!("{rows} asked for"), self.plan.rows as f64, ""),
+                .evidence(format!("{rows} requested"), self.plan.rows as f64, ""),
         )
     }
 }

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// Told how far a study is.
+/// Receives how far a study is.
 pub trait Progress: Sync {
     /// `done` of `total` units of work (`total` 0: unknown).
     fn report(&self, done: u64, total: u64);
@@ -65,7 +65,7 @@ impl Context<'static> {
 }
 
 impl Context<'_> {
-    /// The user asked to stop.
+    /// The user stopped it.
     pub fn cancelled(&self) -> bool {
         self.cancel.load(Ordering::Relaxed)
     }
@@ -83,7 +83,7 @@ impl Context<'_> {
         !self.cancelled() && done < self.work_limit && work::spent() < self.work_limit.saturating_mul(STEP)
     }
 
-    /// The end of a study that did all it was asked, or stopped because [`goes_on`](Self::goes_on) said no.
+    /// The end of a study that did all it was requested, or stopped because [`goes_on`](Self::goes_on) said no.
     pub fn end(&self, complete: bool) -> End {
         match (complete, self.cancelled()) {
             (true, _) => End::Reached,

@@ -20,10 +20,10 @@ pub trait Study: Send + Sync + Sized + 'static {
     const FIELDS: &'static [Field];
     /// Builds the study from its fields for this machine; says all that is wrong in `diagnostics`.
     fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self>;
-    /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or asks
+    /// Spin speeds at which the study needs the coefficients of the parts; none where it does not rest on the motion of the machine, or runs
     /// another study. Beyond the tables of parts a study is refused, or its findings are marked.
     fn spin_speeds(&self, system: &System) -> Vec<SpinSpeeds>;
-    /// Whether this machine can answer the question at all, found out in a few milliseconds: `laval check` asks it, and so does a run before it begins.
+    /// Whether this machine can answer the question at all, found out in a few milliseconds: called by `laval check`, and by a run before it begins.
     ///
     /// # Errors
     /// Why it cannot, naming the part.

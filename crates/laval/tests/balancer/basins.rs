@@ -1,4 +1,4 @@
-//! Basins of the planar balancer with two balls: against a table, and motions told before their end against motions followed to it.
+//! Basins of the planar balancer with two balls: against a table, and motions recognised before their end against motions followed to it.
 
 use crate::common;
 
@@ -36,7 +36,7 @@ fn words(o: &Outcome, table: &str, column: &str) -> Vec<String> {
     }
 }
 
-fn told(o: &Outcome) {
+fn reported(o: &Outcome) {
     o.findings.iter().for_each(|f| println!("    {}", f.sentence()));
     println!("    {:?}", o.work);
 }
@@ -61,7 +61,7 @@ fn starts_of_the_table_end_where_it_says() {
         let own: Vec<&Vec<&str>> = table.iter().filter(|r| number(r[0]) == speed).collect();
         let ends = [number(own[0][1]), number(own[143][1])];
         let o = run(&planar(speed, &plane([ends[0]; 2], [ends[1]; 2], 12, "relative_tolerance = 1e-11")));
-        told(&o);
+        reported(&o);
         let found = words(&o, "cells", "end");
         // the first angle of the table runs slowest
         let at = |k: usize| found[(k % 12) * 12 + k / 12].clone();
@@ -87,13 +87,13 @@ fn starts_of_the_table_end_where_it_says() {
     }
 }
 
-/// Of 4356 starts told before their end, 196 on a grid that lies in theirs are followed to the end by the same steps: they agree but for starts at borders. (Where the
-/// balls first move chaotically, as at a speed of 2.5, other tolerances lead a sixth of the starts elsewhere: that is not what is asked here.)
+/// Of 4356 starts recognised before their end, 196 on a grid that lies in theirs are followed to the end by the same steps: they agree but for starts at borders. (Where the
+/// balls first move chaotically, as at a speed of 2.5, other tolerances lead a sixth of the starts elsewhere: that is not what is requested here.)
 #[test]
 fn motions_told_early_end_there() {
     let ends = |points: usize, more: &str| {
         let o = run(&planar(2.0, &plane([-3.1, -3.0], [3.1, 3.05], points, more)));
-        told(&o);
+        reported(&o);
         (words(&o, "cells", "end"), o)
     };
     let (early, o) = ends(66, "check = 300");
@@ -130,7 +130,7 @@ fn motions_told_early_end_there() {
 fn run_ups_lead_to_states_too() {
     let study = "from = { \"ring.ball_1\" = -2.0 }\nto = { \"ring.ball_1\" = 2.0 }\npoints = 3\nrun_up = { from = 5, to = 400, points = 3 }\ninitial = { \"ring.ball_2\" = 0.4 }";
     let o = run(&planar(3.0, study));
-    told(&o);
+    reported(&o);
     let table = o.find_table("cells").unwrap();
     let durations: Vec<f64> = (0..9).map(|r| table.column("y").unwrap().number(r).unwrap()).collect();
     assert_eq!(durations, [5.0, 5.0, 5.0, 202.5, 202.5, 202.5, 400.0, 400.0, 400.0]);

@@ -110,12 +110,12 @@ fn run_ups_of_the_summary() {
     let mut compared = 0;
     for row in table.iter().filter(|r| r[0] != "T=3") {
         let system = machine(row);
-        let told = number(row[25]) >= number(row[10]);
+        let reported = number(row[25]) >= number(row[10]);
         let found = pass(&system, row, 1e-11);
         let off = |x: f64, column: usize| (1e6 * x - number(row[column])).abs() / number(row[column]);
         let worst = [off(found.peak.0, 11), off(found.late[0], 14), off(found.late[1], 15), off(found.late[2], 16)];
         println!("{} {} {}: {worst:?}", row[0], row[2], row[7]);
-        if !told {
+        if !reported {
             // the ring flips early, and everything behind depends on the last digits: nothing of it can be compared
             continue;
         }

@@ -369,11 +369,11 @@ fn least_external_damping() {
             let after = value.iter().zip(growth).find(|(v, g)| **v > *f && **g != 0.0).unwrap().1;
             assert_eq!(*after < 0.0, *gains, "{r:?}");
         }
-        let told = o.findings.iter().find(|f| f.id == "least").unwrap();
+        let reported = o.findings.iter().find(|f| f.id == "least").unwrap();
         if let Some((want, _)) = wanted.iter().find(|w| w.1) {
-            assert!((told.value.unwrap() - want).abs() < 2e-9 * want, "{told:?}");
+            assert!((reported.value.unwrap() - want).abs() < 2e-9 * want, "{reported:?}");
         } else {
-            assert!(told.value.is_none() && told.text.contains("is unstable at all 61 values"), "{told:?}");
+            assert!(reported.value.is_none() && reported.text.contains("is unstable at all 61 values"), "{reported:?}");
         }
     }
 }
@@ -461,11 +461,11 @@ fn what_knows_a_direction_is_refused_by_name() {
 #[test]
 fn wrong_requests_are_told() {
     let system = SOURCE.system();
-    let told = |list: &[(&str, Value)]| built(&system, list).1.0.iter().map(|d| d.to_string()).collect::<Vec<_>>();
-    assert!(told(&[range(900.0, 100.0, 5)])[0].contains("from a lower to a higher value"));
+    let reported = |list: &[(&str, Value)]| built(&system, list).1.0.iter().map(|d| d.to_string()).collect::<Vec<_>>();
+    assert!(reported(&[range(900.0, 100.0, 5)])[0].contains("from a lower to a higher value"));
     let vary = |path: &str| ("stabilise", Value::ParameterRange(path.into(), RangeValue { from: 1.0, to: 2.0, points: None }));
-    assert!(told(&[range(100.0, 900.0, 5), vary("air.dmping"), ("stabilise_at", Value::Number(500.0))])[0].contains("air.dmping"));
-    assert!(told(&[range(100.0, 900.0, 5), vary("air.damping")])[0].contains("needs the speed"));
+    assert!(reported(&[range(100.0, 900.0, 5), vary("air.dmping"), ("stabilise_at", Value::Number(500.0))])[0].contains("air.dmping"));
+    assert!(reported(&[range(100.0, 900.0, 5), vary("air.damping")])[0].contains("needs the speed"));
 }
 
 /// The source's machine with its balancer: node line, tilt and what differs from [`SOURCE`].

@@ -102,10 +102,13 @@ fn limits_over_the_ball_mass_are_those_of_the_closed_form() {
 fn a_state_that_is_stable_wherever_it_exists_is_made_stable_by_existing() {
     let study = "speed = { from = 890, to = 900, points = 2 }\nseeds = 1\nstabilise = { parameter = \"balancer.ball_mass\", from = \"0.1 g\", to = \"10 g\" }";
     let o = run(&[], study);
-    let told = all(&o, "least")[0];
+    let reported = all(&o, "least")[0];
     let want = needed(900.0) / 0.2;
-    assert!(told.value.is_some_and(|m| (m - want).abs() < 1e-11 * want), "{told:?} {want}");
-    assert!(told.level == Level::Info && told.text.contains("exists and is stable when balancer.ball_mass rises above"), "{told:?}");
+    assert!(reported.value.is_some_and(|m| (m - want).abs() < 1e-11 * want), "{reported:?} {want}");
+    assert!(
+        reported.level == Level::Info && reported.text.contains("exists and is stable when balancer.ball_mass rises above"),
+        "{reported:?}"
+    );
     // and values of the table above it are stable, those below are none
     let (value, growth) = (column(&o, "stabilised", "value"), column(&o, "stabilised", "growth"));
     assert!(value.iter().zip(growth).all(|(m, g)| if *m < want { g.is_nan() } else { *g <= 0.0 }));
@@ -232,8 +235,8 @@ fn harm_is_reported_from_a_thousandth_on() {
         let stable = (0..left.len()).filter(|&k| whole(&o, "states", "growing")[k] == 0).map(|k| left[k] / without[k]);
         let most = stable.fold(0.0, f64::max);
         assert!((most - 1.0) / added > 0.9 && (most - 1.0) / added <= 1.0 + 1e-9, "{added}: {most}");
-        let told: Vec<f64> = all(&o, "harm").iter().filter_map(|f| f.value).collect();
-        assert_eq!(told.len(), usize::from(harm), "{:?}", o.findings);
-        assert!(told.iter().all(|v| (v - most).abs() < 1e-9), "{told:?} {most}");
+        let reported: Vec<f64> = all(&o, "harm").iter().filter_map(|f| f.value).collect();
+        assert_eq!(reported.len(), usize::from(harm), "{:?}", o.findings);
+        assert!(reported.iter().all(|v| (v - most).abs() < 1e-9), "{reported:?} {most}");
     }
 }

@@ -1,5 +1,5 @@
 //! The study `stationary` on machines that are not the example: continua of balanced states, unequal balls, several balancers, tilting bodies, a shaft with
-//! memory, what is refused, and what a balancing engineer is told.
+//! memory, what is refused, and the findings for balancing.
 
 use laval::diagnostic::Diagnostics;
 use laval::file::load;
@@ -132,7 +132,7 @@ fn a_continuum_of_an_eccentric_ring_balances_partly() {
     assert!(whole(&o, "continua", "free").iter().all(|n| *n == 1));
     let last = whole(&o, "continua", "stable").last().copied().unwrap();
     assert!(last > 0 && last <= *whole(&o, "continua", "samples").last().unwrap());
-    // one of the continuum needs as much damping as it needs, which is told
+    // one of the continuum needs as much damping as it needs, which is reported
     let study = format!("{SPEEDS}\nstabilise = {{ parameter = \"losses.damping\", from = 1e-3, to = 1000 }}");
     let o = run(&machine(&[EQUAL], "", &study));
     let least = one(&o, "least");
@@ -307,7 +307,7 @@ fn odd_machines_come_to_an_end() {
     }
 }
 
-/// What stops a study is told, and what it had until then is kept.
+/// What stops a study is reported, and what it had until then is kept.
 #[test]
 fn a_limit_of_work_stops_the_study() {
     let text = machine(&[], "", &format!("{SPEEDS}\nchart = {{ parameter = \"balancer.ball_mass\", from = 1e-3, to = 1e-2, points = 5 }}"));
@@ -331,8 +331,8 @@ fn what_cannot_be_answered_is_refused() {
     assert!(refused(&machine(&[lying], "", SPEEDS)).contains("weight of \"disc\" pulls to one side"));
     // a parameter that would make it so
     let one_way = format!("{SPEEDS}\nstabilise = {{ parameter = \"shaft.stiffness.x\", from = 2e6, to = 2.92e6 }}");
-    let told = refused(&machine(&[], "", &one_way));
-    assert!(told.contains("at shaft.stiffness.x = 2000000") && told.contains("differs in x"), "{told}");
+    let reported = refused(&machine(&[], "", &one_way));
+    assert!(reported.contains("at shaft.stiffness.x = 2000000") && reported.contains("differs in x"), "{reported}");
     let absent = format!("{SPEEDS}\nerrors = [{{ parameter = \"balancer.tlt\", from = 0, to = 0.01 }}]");
     assert!(load(&machine(&[], "", &absent)).err().unwrap().0.iter().any(|d| d.message.contains("balancer.tlt")));
     let without_speed = format!("{SPEEDS}\nerrors = [{{ parameter = \"balancer.tilt\", from = 0, to = 0.01 }}]");
@@ -358,7 +358,7 @@ fn the_engineer_is_told_where_balls_do_harm() {
     // up to the speed where the state with both together loses its stability
     let stable = all(&o, "stable_states");
     assert!(stable.iter().any(|f| f.value == Some(evidence(harm, "to"))), "{stable:?} {harm:?}");
-    // between harm and balance there is a gap, which is told with the same ends
+    // between harm and balance there is a gap, which is reported with the same ends
     let gap = one(&o, "no_stable_state");
     let balanced = one(&o, "balanced_stable");
     assert_eq!(gap.value.unwrap(), evidence(balanced, "from"));

@@ -178,8 +178,8 @@ fn bad_machines_are_told() {
         ("eccentricity = \"2 um\"", "eccentricity = \"120 mm\"", "lies outside the track"),
         ("body_tilt = false", "tilt = 0.1", ""),
     ] {
-        let told = wrong(&EXAMPLE.replace(from, to));
-        assert!(told.contains(what) && told.is_empty() == what.is_empty(), "{to}: {told}");
+        let reported = wrong(&EXAMPLE.replace(from, to));
+        assert!(reported.contains(what) && reported.is_empty() == what.is_empty(), "{to}: {reported}");
     }
     // weight across a horizontal axis acts on the balls through the port; along it there is none
     let level = EXAMPLE.replace("[machine]", "[machine]\naxis = \"horizontal\"");
@@ -194,8 +194,8 @@ fn bad_machines_are_told() {
         ("torque = 3\npower = 5\ntable = { speed = [0, 1], share = [1, 0] }", "a table is given beside"),
         ("torque = 3\ncurve = \"table\"\ntable = { speed = [1, 0], share = [1, 0] }", "row"),
     ] {
-        let told = wrong(&driven(keys));
-        assert!(told.contains(what), "{keys}: {told}");
+        let reported = wrong(&driven(keys));
+        assert!(reported.contains(what), "{keys}: {reported}");
     }
     let free = load(&driven("torque = 3").replace("[machine]", "[machine]\ndrive = \"free\"")).unwrap();
     let refused = free.refusals();
@@ -433,13 +433,13 @@ fn what_balls_do_is_no_resonance() {
     assert!(rate > 0.3 && rate < 1.2 && (evidence(&slipping, "masses_caught", "mean slip") - (rate - 3.0)).abs() < 0.02, "{rate}");
     let peaks: Vec<f64> = slipping.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
     assert!(peaks.len() <= 1 && peaks.iter().all(|w| *w < 1.5), "{peaks:?}");
-    // with balls that weigh nothing to speak of the critical speed is passed and told
+    // with balls that weigh nothing to speak of the critical speed is passed and reported
     let plain = run(&machine(1e-9), 0);
     let peaks: Vec<f64> = plain.findings.iter().filter(|f| f.id == "peak").map(|f| f.value.unwrap()).collect();
     assert!(peaks.len() == 1 && (0.95..1.2).contains(&peaks[0]) && !has(&plain, "swings"), "{:?}", plain.findings);
 }
 
-/// The absolute tolerance that is not given follows the relative one: the energy is accounted for as sharply as it was asked.
+/// The absolute tolerance that is not given follows the relative one: the energy is accounted for as sharply as it was requested.
 #[test]
 fn a_sharper_tolerance_keeps_a_sharper_account() {
     let sharp = EXAMPLE.replace("duration = \"3 s\"", "duration = \"0.5 s\"").replacen(

@@ -70,6 +70,6 @@ fn refusals() {
             ("cavity_height = \"300 mm\"", "cavity_height = \"600 mm\""),
         ],
     );
-    let told = run(&tall).unwrap_err();
-    assert!(told.contains("the approximation is no machine") && told.contains("no inertia is left"), "{told}");
+    let reported = run(&tall).unwrap_err();
+    assert!(reported.contains("the approximation is no machine") && reported.contains("no inertia is left"), "{reported}");
 }

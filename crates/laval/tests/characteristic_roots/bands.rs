@@ -149,7 +149,7 @@ fn growth_beside_accumulating_waves_is_counted() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Many waves on the axis: which of them is which cannot always be told, what grows beside them can, in a spectrum and by itself.
+/// Many waves on the axis: which of them is which cannot always be determined, what grows beside them can, in a spectrum and by itself.
 #[test]
 fn growth_beside_many_waves_is_proven() {
     let wrong: Vec<String> = [(9, 0.66), (9, 0.13), (19, 0.66), (19, 0.99)]

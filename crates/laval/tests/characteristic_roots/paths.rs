@@ -215,7 +215,7 @@ fn exponents_are_counted_at_every_speed() {
     assert!(met[0] > 5 && met[1] > 12, "{met:?}");
 }
 
-/// Orders among the inertial waves of an ideal liquid are told; odd orders are not among them, and viscosity has an answer.
+/// Orders among the inertial waves of an ideal liquid are reported; odd orders are not among them, and viscosity has an answer.
 #[test]
 fn orders_inside_the_dense_range() {
     let study = |symmetry: &str| {
@@ -236,21 +236,21 @@ fn orders_inside_the_dense_range() {
         ["half", "viscosity", "axial_harmonics", "strip"].iter().all(|w| refused.help.as_ref().is_some_and(|h| h.contains(w))),
         "{refused}"
     );
-    let told = |text: &str| run(text).unwrap().findings.into_iter().find(|f| f.id == "inside_dense_range");
-    assert!(told(&format!("{ideal}{}", study("half"))).is_none());
+    let reported = |text: &str| run(text).unwrap().findings.into_iter().find(|f| f.id == "inside_dense_range");
+    assert!(reported(&format!("{ideal}{}", study("half"))).is_none());
     // of the waves of a few harmonics there is a response, and it is said to be that of these waves
     let few = with_bearing(&truncated(FILE, 3), "5 um");
-    let finding = told(&format!("{few}{}", study("none"))).unwrap();
+    let finding = reported(&format!("{few}{}", study("none"))).unwrap();
     assert!(
         finding.sentence().contains("Order 2 of the motion lies inside") && finding.sentence().contains("axial harmonics kept"),
         "{}",
         finding.sentence()
     );
     assert_eq!(finding.value, Some(62.0));
-    assert!(told(&format!("{few}{}", study("half"))).is_none());
+    assert!(reported(&format!("{few}{}", study("half"))).is_none());
     // of a motion of three turns of the rotor there are more, of one sign and the other
     let thrice = study("half").replace("harmonics = 3", "harmonics = 7\nsubharmonic = 3");
-    let finding = told(&format!("{few}{thrice}")).unwrap();
+    let finding = reported(&format!("{few}{thrice}")).unwrap();
     let orders: Vec<f64> = finding.evidence.iter().filter(|e| e.what == "order").map(|e| e.value).collect();
     let should = [-1.0 / 3.0, 1.0 / 3.0, 5.0 / 3.0, 7.0 / 3.0];
     assert!(orders.len() == 4 && orders.iter().zip(should).all(|(a, b)| (a - b).abs() < 1e-12), "{orders:?}");
@@ -258,7 +258,7 @@ fn orders_inside_the_dense_range() {
     assert!(refused.code == "harmonic.dense" && refused.message.contains("-0.3333, 0.3333, 1.6667, 2.3333"), "{refused}");
     // the linear response has the orders 1 and -1 alone, where all is known in closed form
     let linear = "\n[[study]]\nkind = \"forced_response\"\nspeed = { from = \"60 rad/s\", to = \"62 rad/s\", points = 5 }\n";
-    assert!(told(&format!("{}{linear}", spatial(FILE))).is_none());
+    assert!(reported(&format!("{}{linear}", spatial(FILE))).is_none());
     let thick = with_bearing(&viscous(&truncated(FILE, 3), "1e-4"), "5 um");
-    assert!(told(&format!("{thick}{}", study("none"))).is_none());
+    assert!(reported(&format!("{thick}{}", study("none"))).is_none());
 }

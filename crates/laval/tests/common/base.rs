@@ -88,7 +88,7 @@ impl Base {
     }
 }
 
-/// What nearly every test asks for.
+/// What nearly every test requires.
 pub fn request(lo: f64, hi: f64) -> Request {
     Request { truncation: 1e-9, max_points: 20_000, ..Request::over(lo, hi) }
 }

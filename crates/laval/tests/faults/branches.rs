@@ -70,8 +70,11 @@ fn what_the_integration_leaves_is_not_called_settling() {
         let speeds = "speed = { from = \"480 rpm\", to = \"540 rpm\", points = 3 }\nstart = \"up\"";
         run(&format!("{machine}[[study]]\nkind = \"sweep\"\n{speeds}\n{more}\n"), "sweep").0
     };
-    let told = findings(&sweep(""), "not_settled").iter().map(|f| f.text.clone()).collect::<Vec<_>>();
-    assert!(!told.is_empty() && told.iter().all(|t| t.contains("relative_tolerance") && !t.contains("largest number")), "{told:?}");
+    let reported = findings(&sweep(""), "not_settled").iter().map(|f| f.text.clone()).collect::<Vec<_>>();
+    assert!(
+        !reported.is_empty() && reported.iter().all(|t| t.contains("relative_tolerance") && !t.contains("largest number")),
+        "{reported:?}"
+    );
     let o = sweep("relative_tolerance = 1e-11");
     assert!(words(&o, "sweep", "motion").iter().all(|m| m == "periodic"), "{:?}", o.findings);
 }

@@ -74,8 +74,8 @@ fn a_machine_that_diverges_is_called_so_by_every_study() {
     }
     let (o, _) = run(text, "nonlinear_response");
     assert!(o.findings[0].text.contains("unstable"), "{:?}", o.findings[0]);
-    let told = finding(&o, "unstable_states");
-    assert_eq!(told.level, Level::Warning);
+    let reported = finding(&o, "unstable_states");
+    assert_eq!(reported.level, Level::Warning);
     near(column(&o, "response", "growth rate").into_iter().fold(f64::NEG_INFINITY, f64::max), growth, 1e-6);
     assert!(findings(&o, "jump_up").is_empty() && findings(&o, "jump_down").is_empty(), "{:?}", o.findings);
 }

@@ -242,7 +242,7 @@ impl Sources {
         out
     }
 
-    /// What separates, what is separated and what is kept to, and a study that asks for it.
+    /// What separates, what is separated and what is kept to, and a study that requires it.
     fn separating(&self, r: &mut Random, hostility: usize, names: &[String], out: &mut String) {
         // most random sizes fit no cup: some of the usual ones are kept, at another scale
         let length = |r: &mut Random, x: f64| {

@@ -9,7 +9,7 @@ use laval::model::part::{Dof, DofKind, Layout, Link, Params, Part, Physics};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
-use laval::solve::ensemble::{self, Ended, Form, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
+use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, LegEnd, Method, Next, Settings, Start};
 use laval::solve::harmonic::stability::floquet::Unjudged;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
@@ -223,7 +223,7 @@ struct OnOrbit {
     time: f64,
 }
 
-impl Voyage for OnOrbit {
+impl EnsembleTask for OnOrbit {
     type Log = ();
     type Row = (LegEnd, u64, Vec<f64>);
     fn start(&self, index: usize) -> Result<Start<()>, Self::Row> {
@@ -270,13 +270,13 @@ fn stiff_lanes_follow_the_orbit() {
         assert!(refused.message.contains("\"joint\""), "{refused}");
         ensemble::admit(&system, Method::Stiff).unwrap();
         let form = Form::of(&system, true);
-        let voyage = OnOrbit {
+        let task = OnOrbit {
             system: Arc::new(system),
             speed: orbit.speed,
             starts: (0..5).map(|k| state(turned(k))).collect(),
             time: turns * std::f64::consts::TAU / orbit.speed,
         };
-        let rows = ensemble::run(&voyage, &voyage.system, form, 0..5, Settings { method: Method::Stiff, ..Settings::default() }).unwrap();
+        let rows = ensemble::run(&task, &task.system, form, 0..5, Settings { method: Method::Stiff, ..Settings::default() }).unwrap();
         for (k, (end, steps, y)) in rows.iter().enumerate() {
             let expected = state(turned(k) + turns);
             assert_eq!(*end, LegEnd::Reached);

@@ -46,8 +46,8 @@ fn growth_within_its_error_is_no_instability() {
     let exact = of_states(&o, "growth converged");
     let unstable = exact.iter().filter(|g| **g > 0.0).count();
     assert!(unstable > 0 && unstable < exact.len(), "{exact:?}");
-    let told = finding(&o, "unstable");
-    assert!(told.level == Level::Warning && told.value == Some(unstable as f64), "{told:?} {exact:?}");
+    let reported = finding(&o, "unstable");
+    assert!(reported.level == Level::Warning && reported.value == Some(unstable as f64), "{reported:?} {exact:?}");
 }
 
 /// Growth that is zero to its error has no sign that averaging could miss; beyond the error the signs of all
@@ -60,8 +60,8 @@ fn averaging_is_compared_where_growth_has_a_sign() {
     let o = methods(DAMPED, THREE);
     let (exact, slow) = (of_states(&o, "growth converged"), of_states(&o, "growth of slow motion"));
     let wrong = exact.iter().zip(&slow).filter(|(e, s)| (**e > 0.0) != (**s > 0.0)).count();
-    let told = finding(&o, "averaging_stability");
-    assert!(told.value == Some(wrong as f64) && told.text.contains(&format!("{wrong} of {} states", exact.len())), "{told:?}");
+    let reported = finding(&o, "averaging_stability");
+    assert!(reported.value == Some(wrong as f64) && reported.text.contains(&format!("{wrong} of {} states", exact.len())), "{reported:?}");
 }
 
 /// A disc on a bearing `k + c a^2`, 1000 rad/s at small amplitudes.
@@ -101,9 +101,9 @@ fn a_whirl_meets_the_spin_where_their_frequencies_are_equal() {
         let o = backbone(cubic, speed);
         let amplitude = ((2.0 * speed * speed - 2e6) / cubic).sqrt();
         assert_eq!((2e-5..1e-4).contains(&amplitude), met, "{amplitude}");
-        let told = findings(&o, "synchronous");
-        assert_eq!(!told.is_empty(), met, "{told:?}");
-        assert!(told.iter().all(|f| (f.value.unwrap() / amplitude - 1.0).abs() < 1e-6), "{told:?} {amplitude}");
-        assert_eq!(o.special_points.iter().filter(|p| p.kind == "synchronous").count(), told.len());
+        let reported = findings(&o, "synchronous");
+        assert_eq!(!reported.is_empty(), met, "{reported:?}");
+        assert!(reported.iter().all(|f| (f.value.unwrap() / amplitude - 1.0).abs() < 1e-6), "{reported:?} {amplitude}");
+        assert_eq!(o.special_points.iter().filter(|p| p.kind == "synchronous").count(), reported.len());
     }
 }

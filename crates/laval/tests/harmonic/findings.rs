@@ -30,7 +30,7 @@ fn machine(cubic: f64, c: f64) -> Builder {
         .part("air", Damper::fixed(link()), DamperParams { damping: [c; 2], tilt_damping: 0.0 })
 }
 
-/// States from which a machine jumps are told as long as they are stable: an instability of another body, which knows nothing of the disc, takes the jump away.
+/// States from which a machine jumps are reported as long as they are stable: an instability of another body, which knows nothing of the disc, takes the jump away.
 #[test]
 fn no_sweep_jumps_from_unstable_states() {
     let link = || Link::Between(Attach::on("other"), Attach::ground());
@@ -47,10 +47,10 @@ fn no_sweep_jumps_from_unstable_states() {
     let (calm, wild) = (of(4e4), of(1e5));
     assert!(has(&calm, "jump_up") && has(&calm, "jump_down") && !has(&calm, "sweep_up_unstable"), "{:?}", calm.findings);
     assert!(!has(&wild, "jump_up") && !has(&wild, "jump_down") && !has(&wild, "no_jump_up"), "{:?}", wild.findings);
-    let told = said(&wild, "sweep_up_unstable");
-    near(told.value.unwrap(), said(&calm, "jump_up").value.unwrap(), 1e-6);
+    let reported = said(&wild, "sweep_up_unstable");
+    near(reported.value.unwrap(), said(&calm, "jump_up").value.unwrap(), 1e-6);
     let growth = laval_num::complex::c(-1e6, 1e5).sqrt().re.abs();
-    assert!(evidence(told, "growth rate before it") > 0.5 * (growth - 25.0), "{told:?}");
+    assert!(evidence(reported, "growth rate before it") > 0.5 * (growth - 25.0), "{reported:?}");
     // no masses move here
     assert!(!has(&wild, "masses_elsewhere"));
     // and the figure calls a jump what the findings do
@@ -217,14 +217,14 @@ fn refusals_say_what_to_do() {
 
 #[test]
 fn the_other_sense_of_rotation_says_the_same() {
-    let told = |speeds: (f64, f64)| {
+    let reported = |speeds: (f64, f64)| {
         let o = study(machine(0.0, 20.0), Request::over(speeds.0, speeds.1)).expect("a response");
         let ids: Vec<String> = o.findings.iter().map(|f| f.id.clone()).collect();
         let largest = said(&o, "largest_displacement");
         (ids, largest.value, evidence(largest, "speed"), said(&o, "no_jump_up").text.clone(), said(&o, "no_jump_down").text.clone())
     };
-    let (ids, largest, at, up, down) = told((200.0, 2000.0));
-    let (mirrored, same, there, faster, slower) = told((-2000.0, -200.0));
+    let (ids, largest, at, up, down) = reported((200.0, 2000.0));
+    let (mirrored, same, there, faster, slower) = reported((-2000.0, -200.0));
     assert_eq!(ids, mirrored);
     near(same.expect("an amplitude"), largest.expect("an amplitude"), 1e-9);
     near(there, -at, 1e-9);

@@ -244,7 +244,7 @@ fn unequal_planes_whirl_apart() {
     }
 }
 
-/// What cannot be asked is refused by name.
+/// What cannot be requested is refused by name.
 #[test]
 fn unfit_machines_are_refused() {
     let linear = Builder::new("linear")

@@ -55,10 +55,10 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// Every cell has the numbers that `nonlinear_response` finds for a machine that is written with these parameters.
-fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], asked: &str) {
-    let map = loaded(liquid, &format!("{axes}\n{asked}"));
+fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], requested: &str) {
+    let map = loaded(liquid, &format!("{axes}\n{requested}"));
     let o = run(&map);
-    let text = format!("{}{liquid}\n[[study]]\nkind = \"nonlinear_response\"\n{asked}", rotor());
+    let text = format!("{}{liquid}\n[[study]]\nkind = \"nonlinear_response\"\n{requested}", rotor());
     let single = load(&text).unwrap();
     let cells = o.find_table("map").unwrap().rows();
     for row in 0..cells {
@@ -73,10 +73,10 @@ fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], asked: &str) {
         let peak = own.findings.iter().find(|f| f.id == "largest_displacement").unwrap();
         let speed = peak.evidence.iter().find(|e| e.what == "speed").unwrap().value;
         assert!(same(number(&o, "peak_speed", row), speed));
-        let told = own.findings.iter().filter(|f| f.id == "unstable_states").filter_map(|f| f.value).fold(0.0, f64::max);
+        let reported = own.findings.iter().filter(|f| f.id == "unstable_states").filter_map(|f| f.value).fold(0.0, f64::max);
         // the middle of a curve that folds beyond the range is unstable, but no instability of the machine
         let (growth, folded) = (number(&o, "growth", row), word(&o, "sweeps", row) == "jumps down only");
-        assert!(if folded { growth <= told } else { growth == told }, "{at:?} {growth} {told}");
+        assert!(if folded { growth <= reported } else { growth == reported }, "{at:?} {growth} {reported}");
         let kinds = own.find_table("bifurcations").map_or(0, |t| match &t.column("kind").unwrap().data {
             Data::Text(v) => v.iter().filter(|k| *k == "Neimark-Sacker").count(),
             _ => 0,
@@ -90,17 +90,17 @@ fn agrees_with_single(liquid: &str, axes: &str, paths: [&str; 2], asked: &str) {
 fn cells_are_single_responses_bit_for_bit() {
     let axes = "x = { parameter = \"drum.eccentricity\", from = \"10 um\", to = \"1 mm\", points = 3 }\nx_spacing = \"logarithmic\"\n\
         y = { parameter = \"air.damping\", from = 42, to = 420, points = 2 }";
-    let asked = "speed = { from = 25, to = 8000 }";
-    agrees_with_single("", axes, ["drum.eccentricity", "air.damping"], asked);
+    let requested = "speed = { from = 25, to = 8000 }";
+    agrees_with_single("", axes, ["drum.eccentricity", "air.damping"], requested);
 }
 
 #[test]
 fn cells_of_a_machine_with_liquid_tell_where_it_whirls_by_itself() {
     let axes = "x = { parameter = \"oil.free_surface_radius\", from = \"46.69 mm\", to = \"65 mm\", points = 2 }\n\
         y = { parameter = \"air.damping\", from = 42, to = 420, points = 2 }";
-    let asked = "speed = { from = 1500, to = 3500 }\nharmonics = 3";
-    agrees_with_single(&oil("46.69 mm", "20"), axes, ["oil.free_surface_radius", "air.damping"], asked);
-    let o = run(&loaded(&oil("46.69 mm", "20"), &format!("{axes}\n{asked}")));
+    let requested = "speed = { from = 1500, to = 3500 }\nharmonics = 3";
+    agrees_with_single(&oil("46.69 mm", "20"), axes, ["oil.free_surface_radius", "air.damping"], requested);
+    let o = run(&loaded(&oil("46.69 mm", "20"), &format!("{axes}\n{requested}")));
     assert!(finding(&o, "neimark_sacker_machines") >= 1.0, "{:?}", o.findings);
 }
 

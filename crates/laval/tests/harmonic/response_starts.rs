@@ -94,9 +94,9 @@ fn a_sweep_tells_every_jump_it_meets() {
     let o = NonlinearResponse::new(Request::over(100.0, 0.5 * (down[0] + up[1]))).run(&system, &Context::quiet("response")).unwrap();
     let cut = speeds(&o, "jump_down");
     assert!(cut.len() == 2 && cut.iter().zip(&down).all(|(a, b)| (a - b).abs() < 1e-7 * b), "{cut:?} {down:?}");
-    let told: Vec<bool> =
+    let reported: Vec<bool> =
         o.findings.iter().filter(|f| f.id == "jump_down").map(|f| f.text.contains("onto the states from low speed")).collect();
-    assert_eq!(told, [true, false]);
+    assert_eq!(reported, [true, false]);
     assert!(!o.findings.iter().any(|f| f.text.contains("states are stable there")));
     assert_eq!(speeds(&o, "jump_up").len(), 1);
 }

@@ -186,9 +186,9 @@ fn stability_is_told_of_the_stretch_that_loses_it() {
     let o = inner_damping(17.2538, 5_542_780.0, 5.32324e14, [412.597, 5287.68], 2.85263e-6, wanted);
     let (up, down) = (value(&o, "jump_up"), value(&o, "jump_down"));
     let lost = o.findings.iter().find(|f| f.id == "stability_lost").unwrap();
-    let told = o.findings.iter().find(|f| f.id == "unstable_states").unwrap();
+    let reported = o.findings.iter().find(|f| f.id == "unstable_states").unwrap();
     let fold = format!("beyond their fold at {} rad/s", laval::outcome::significant(down, 4));
-    assert!(lost.text.contains(&fold) && told.text.contains(&fold), "{} {}", lost.text, told.text);
+    assert!(lost.text.contains(&fold) && reported.text.contains(&fold), "{} {}", lost.text, reported.text);
     assert!(down < lost.value.unwrap() && lost.value.unwrap() < up, "{lost:?}");
     let onset = (5_542_780.0f64 / 17.2538).sqrt() * (1.0 + 412.597 / 5287.68);
     assert!((lost.value.unwrap() / onset - 1.0).abs() < 0.03, "{lost:?} {onset}");

@@ -72,7 +72,7 @@ fn a_run_up_shows_the_third_superharmonic() {
     }
     assert!(o.find_table("waterfall").is_some());
     assert!(["waterfall", "order_spectra"].iter().all(|n| o.figures.iter().any(|f| f.name == *n)));
-    // outputs asked for are still those
+    // outputs requested are still those
     assert_eq!(o.find_table("motion").unwrap().rows(), 50);
 }
 
@@ -89,7 +89,7 @@ fn a_self_excited_whirl_is_no_multiple_of_the_spin() {
     assert!(f.subject.contains("forward"));
     let whirl = 2325.125757;
     // it is highest while it grows, when its frequency is not yet that of the cycle
-    assert!((evidence(f, "order there") - whirl / 2500.0).abs() < evidence(f, "orders told apart there"), "{f:?}");
+    assert!((evidence(f, "order there") - whirl / 2500.0).abs() < evidence(f, "orders distinguished there"), "{f:?}");
     assert!((evidence(f, "largest amplitude") / 0.006778466542 - 1.0).abs() < 0.1, "{f:?}");
     // the last window holds the settled whirl
     let t = o.find_table("waterfall").unwrap();
@@ -144,8 +144,8 @@ fn a_motion_that_outputs_do_not_resolve() {
     let until = column(&coarse, "envelope", "t");
     assert!((until[until.len() - 1] - duration).abs() < 0.01 * duration && until.len() == envelope.len());
     let last = size(&radius[radius.len() - 24..]);
-    let told = envelope[envelope.len() - 1];
-    assert!(told >= last * (1.0 - 1e-3), "{told} {last}");
+    let reported = envelope[envelope.len() - 1];
+    assert!(reported >= last * (1.0 - 1e-3), "{reported} {last}");
 }
 
 #[test]

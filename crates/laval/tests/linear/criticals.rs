@@ -108,7 +108,7 @@ fn a_peak_without_a_crossing_is_reported() {
     assert!((finding(&found[0], "margin").value.unwrap() / distance - 1.0).abs() < 1e-8);
 }
 
-/// A disc that tilts in isotropic bearings: unbalance and skew excite no backward whirl, so that it has no peak and asks for no margin.
+/// A disc that tilts in isotropic bearings: unbalance and skew excite no backward whirl, so that it has no peak and requires no margin.
 #[test]
 fn a_backward_critical_speed_has_no_peak_and_asks_for_no_margin() {
     let machine = |speed: f64| {

@@ -155,8 +155,8 @@ fn impedance_answers_in_frequency_and_as_modes() {
         let findings: Vec<String> = out.findings.iter().map(|f| f.id.to_string()).collect();
         (all, findings)
     };
-    let ((formula, told), (states, _)) = (modes(&exact), modes(&memory));
-    assert!(told.iter().any(|id| id == "all_roots"), "{told:?}");
+    let ((formula, reported), (states, _)) = (modes(&exact), modes(&memory));
+    assert!(reported.iter().any(|id| id == "all_roots"), "{reported:?}");
     for z in states.iter().filter(|z| z.im > 1.0) {
         assert!(formula.iter().any(|f| (*f - *z).abs() < 1e-9 * z.abs()), "{z:?} is not among {formula:?}");
     }

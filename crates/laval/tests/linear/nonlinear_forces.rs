@@ -14,7 +14,7 @@ use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::{Context, Study};
 use std::f64::consts::TAU;
 
-fn told(base: Base, speed: Option<f64>, request: Request) -> Outcome {
+fn reported(base: Base, speed: Option<f64>, request: Request) -> Outcome {
     let builder = match speed {
         Some(w) => base.builder().speed(w),
         None => base.builder(),
@@ -71,7 +71,7 @@ fn self_centring_agrees_with_the_table() {
         let n = |k: &str| number(row[heads.iter().position(|h| *h == k).unwrap()]);
         let base = Base { fill: filled(row[0]), ..Base::default() };
         let top = n("speed_rad_per_s");
-        let o = told(base, None, one_harmonic(0.9 * top, top));
+        let o = reported(base, None, one_harmonic(0.9 * top, top));
         let speeds = column(&o, "speed");
         // where several states exist at the top, that of the smallest motion
         let at: Vec<usize> = (0..speeds.len()).filter(|&i| speeds[i] == top).collect();
@@ -95,12 +95,12 @@ fn self_centring_agrees_with_the_table() {
     }
 }
 
-/// The displacement tends to -m e/(m + mL), the difference falls like the inverse square of the speed, and what is told of the speed of 1 % is so.
+/// The displacement tends to -m e/(m + mL), the difference falls like the inverse square of the speed, and what is reported of the speed of 1 % is so.
 #[test]
 fn the_way_to_self_centring_is_told() {
     for (fill, mass) in [(None, 2.4), (Some(0.667), 2.4 + 0.92362824)] {
         let base = Base { fill, isotropic: true, phase: 0.7, ..Base::default() };
-        let o = told(base, None, Request { stability: false, ..Request::over(5e3, 4e4) });
+        let o = reported(base, None, Request { stability: false, ..Request::over(5e3, 4e4) });
         let f = said(&o, "self_centring", "drum");
         let goal = 2.4e-3 / mass;
         near(f.value.unwrap(), goal, 1e-8);
@@ -116,8 +116,8 @@ fn the_way_to_self_centring_is_told() {
         near(said(&o, "force_limit", "bearing").value.unwrap(), c0 * goal + c1 * goal.powi(3), 1e-8);
         assert!(all(&o, "self_centring", "base").is_empty() && all(&o, "force_limit", "air").is_empty());
     }
-    // below the resonances nothing is told of a limit far away
-    let o = told(Base::default(), None, Request { stability: false, ..Request::over(300.0, 1500.0) });
+    // below the resonances nothing is reported of a limit far away
+    let o = reported(Base::default(), None, Request { stability: false, ..Request::over(300.0, 1500.0) });
     assert!(o.findings.iter().all(|f| f.id != "self_centring" && f.id != "force_limit"));
 }
 
@@ -125,7 +125,7 @@ fn the_way_to_self_centring_is_told() {
 #[test]
 fn forces_balance_in_every_state() {
     let base = Base { isotropic: true, chi: 600.0, ..Base::default() };
-    let o = told(base, None, Request { stability: false, ..Request::over(25.0, 8e3) });
+    let o = reported(base, None, Request { stability: false, ..Request::over(25.0, 8e3) });
     let (w, z2) = (column(&o, "speed"), column(&o, "base first order"));
     let (bearing, ground) = (column(&o, "bearing force"), column(&o, "base ground force"));
     assert!(w.len() > 100);
@@ -140,7 +140,7 @@ fn forces_balance_in_every_state() {
 fn largest_forces_over_the_period() {
     let base = Base { chi: 600.0, ..Base::default() };
     let request = Request { stability: false, ..Request::over(25.0, 8e3) };
-    let o = told(base, None, request);
+    let o = reported(base, None, request);
     let system = base.builder().build().unwrap();
     let response = common::base::run(base.builder(), request);
     let mut balance = Balance::new(&system, response.discretisation.whole(), request.speeds, None).unwrap();
@@ -172,7 +172,7 @@ fn the_force_of_the_bearing_vanishes_where_the_foundation_is_in_tune() {
     let tuned = (3.26e5f64 / 25.0).sqrt();
     for (chi0, fill) in [(0.0, None), (6.59, None), (6.59, Some(0.8))] {
         let base = Base { chi0, fill, ..Base::default() };
-        let o = told(base, None, Request { stability: false, ..Request::over(60.0, 600.0) });
+        let o = reported(base, None, Request { stability: false, ..Request::over(60.0, 600.0) });
         let f = said(&o, "vanishing_force", "bearing");
         near(f.value.unwrap(), tuned, 1e-3);
         let left = evidence(f, "force there");
@@ -197,7 +197,7 @@ fn tuned_foundations_agree_with_the_table() {
         let n = |k: &str| number(row[heads.iter().position(|h| *h == k).unwrap()]);
         let (speed, fill) = (n("speed_rad_per_s"), filled(row[0]));
         let base = Base { chi: n("chi_kg_per_s"), chi0: n("chi0_kg_per_s"), fill, ..Base::default() };
-        let o = told(base, Some(speed), Request { stability: true, ..one_harmonic(0.9 * speed, 1.1 * speed) });
+        let o = reported(base, Some(speed), Request { stability: true, ..one_harmonic(0.9 * speed, 1.1 * speed) });
         let f = said(&o, "foundation_tuning", "bearing");
         near(f.value.unwrap(), n("c2_N_per_m"), 1e-12);
         let left = evidence(f, "force when tuned");
@@ -213,7 +213,7 @@ fn tuned_foundations_agree_with_the_table() {
     }
     // nothing is said of a speed outside the range, and of machines without one
     for speed in [None, Some(9e3)] {
-        let o = told(Base::default(), speed, one_harmonic(300.0, 2000.0));
+        let o = reported(Base::default(), speed, one_harmonic(300.0, 2000.0));
         assert!(o.findings.iter().all(|f| f.id != "foundation_tuning"));
     }
 }

@@ -148,13 +148,13 @@ fn critical_speeds_of_an_undamped_empty_machine_are_its_frequencies() {
 fn a_machine_at_rest_is_at_no_distance_from_its_critical_speeds() {
     use laval::study::critical_speeds::CriticalSpeeds;
     let study = CriticalSpeeds { speed: RangeValue { from: 20.0, to: 4000.0, points: None }, orders: vec![1.0], margin: 0.1 };
-    let told = |speed: f64| {
+    let reported = |speed: f64| {
         let system = Planar { chi: 0.0, chi0: 0.0, ..Planar::default() }.builder().speed(speed).build().expect("a machine");
         let out = study.run(&system, &Context::quiet("critical")).expect("critical speeds");
         assert_eq!(out.find_table("critical_speeds").map(|t| t.rows()), Some(4), "{speed}");
         out.findings.iter().any(|f| f.id == "margin")
     };
-    assert!(told(100.0) && !told(0.0));
+    assert!(reported(100.0) && !reported(0.0));
 }
 
 #[test]
@@ -325,11 +325,11 @@ fn the_major_axis_of_an_orbit_points_to_its_farthest_point() {
             let of = |f: &dyn Fn([f64; 2]) -> f64| orbit.clone().map(f).sum::<f64>();
             let (xx, yy, xy) = (of(&|p| p[0] * p[0]), of(&|p| p[1] * p[1]), of(&|p| p[0] * p[1]));
             let principal = 0.5 * (2.0 * xy).atan2(xx - yy);
-            let told = r.direction(b.x);
-            assert!(told > -std::f64::consts::FRAC_PI_2 && told <= std::f64::consts::FRAC_PI_2, "{told}");
-            assert!(turn(told - principal) < 1e-9, "{speed} {}: {told} {principal}", b.name);
-            assert!(turn(told - far[1].atan2(far[0])) < 0.02, "{speed} {}: {told} {far:?}", b.name);
-            assert!(turn(told) > 1e-4, "{speed} {}: {told}", b.name);
+            let reported = r.direction(b.x);
+            assert!(reported > -std::f64::consts::FRAC_PI_2 && reported <= std::f64::consts::FRAC_PI_2, "{reported}");
+            assert!(turn(reported - principal) < 1e-9, "{speed} {}: {reported} {principal}", b.name);
+            assert!(turn(reported - far[1].atan2(far[0])) < 0.02, "{speed} {}: {reported} {far:?}", b.name);
+            assert!(turn(reported) > 1e-4, "{speed} {}: {reported}", b.name);
         }
         // the study hands on the same
         let out = run(&system, speed, speed + 2.0);

@@ -71,8 +71,8 @@ fn unbalances_without_sense_are_refused() {
         ("{ unbalance = [\"30 g\"] }", "30 g"),
     ] {
         let text = format!("[machine]\nspeed = 300\n\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 40\nunbalances = {list}\n");
-        let told = load(&text).err().unwrap_or_else(|| panic!("{text}")).0.iter().map(|d| format!("{d}")).collect::<String>();
-        assert!(told.contains(what), "{list}: {told}");
+        let reported = load(&text).err().unwrap_or_else(|| panic!("{text}")).0.iter().map(|d| format!("{d}")).collect::<String>();
+        assert!(reported.contains(what), "{list}: {reported}");
     }
     let flat = "[machine]\nspeed = 300\n\n[[part]]\nkind = \"disc\"\nname = \"rotor\"\nmass = 40\nunbalances = { unbalance = [1e-5], at = [0.1] }\n";
     assert!(load(flat).err().is_some_and(|d| d.0.iter().any(|d| d.message.contains("does not tilt"))));
@@ -120,9 +120,9 @@ fn entries_of_a_list_are_refused_by_every_study_that_varies_parameters() {
                    [[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"rotor\", \"ground\"]\nkxx = 1.2e7\nkyy = 1.2e7\n\n[[study]]\n";
     let refused = |kind: &str, study: String, path: &str| {
         let text = format!("{machine}kind = \"{kind}\"\n{study}\n");
-        let told = load(&text).err().unwrap_or_else(|| panic!("{kind} varies {path}")).0;
-        let errors: Vec<_> = told.iter().filter(|d| d.severity == Severity::Error).collect();
-        let [d] = errors[..] else { panic!("{kind} {path}: {told:?}") };
+        let reported = load(&text).err().unwrap_or_else(|| panic!("{kind} varies {path}")).0;
+        let errors: Vec<_> = reported.iter().filter(|d| d.severity == Severity::Error).collect();
+        let [d] = errors[..] else { panic!("{kind} {path}: {reported:?}") };
         assert_eq!(d.code, "parameter.unknown", "{kind}: {d:?}");
         assert!(d.message.contains(path) && d.message.contains("\"unbalances\" is a list"), "{kind}: {}", d.message);
         assert!(d.help.as_deref().is_some_and(|h| h.contains("eccentricity_phase")), "{kind}: {:?}", d.help);

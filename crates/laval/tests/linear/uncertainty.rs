@@ -219,8 +219,8 @@ fn stopped_and_continued_gives_what_the_undisturbed_study_gives() {
     let watch = StopAfter(&stop, 40, AtomicU64::new(0));
     let o = run_in(&settings, &Context { cancel: &stop, progress: &watch, keep: Some(&keep), ..Context::quiet("u") });
     assert_eq!(o.end, End::Cancelled);
-    let told = o.findings.iter().find(|f| f.id == "incomplete").unwrap().sentence();
-    assert!(told.contains("of 100 rows") && told.contains("the same command continues"), "{told}");
+    let reported = o.findings.iter().find(|f| f.id == "incomplete").unwrap().sentence();
+    assert!(reported.contains("of 100 rows") && reported.contains("the same command continues"), "{reported}");
     assert!(o.find_table("samples").unwrap().rows() < 100);
     let continued = run_in(&settings, &Context { keep: Some(&keep), ..Context::quiet("u") });
     assert_eq!(format!("{continued:?}"), format!("{:?}", run(&settings)));

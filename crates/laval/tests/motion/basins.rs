@@ -158,9 +158,9 @@ fn disturbances_are_measured_from_the_undisturbed_start() {
         let nearest = others.fold(f64::INFINITY, f64::min);
         if nearest.is_finite() {
             left += 1;
-            let told = finding(&o, "smallest_disturbance");
-            assert!((told.value.unwrap() - nearest).abs() < 1e-12, "{told:?} {nearest}");
-            assert!(told.evidence.iter().any(|e| e.what == "farthest nearer cell that does not" && e.value < nearest));
+            let reported = finding(&o, "smallest_disturbance");
+            assert!((reported.value.unwrap() - nearest).abs() < 1e-12, "{reported:?} {nearest}");
+            assert!(reported.evidence.iter().any(|e| e.what == "farthest nearer cell that does not" && e.value < nearest));
         } else {
             assert!(finding(&o, "undisturbed").text.contains("every cell of the grid"));
         }
@@ -231,8 +231,8 @@ fn neither_threads_nor_interruptions_change_anything() {
     };
     let first = until(100, true);
     assert_eq!(first.end, End::Cancelled);
-    let told = finding(&first, "incomplete");
-    assert!(told.value.unwrap() >= 64.0 && first.find_table("cells").unwrap().rows() < 196);
+    let reported = finding(&first, "incomplete");
+    assert!(reported.value.unwrap() >= 64.0 && first.find_table("cells").unwrap().rows() < 196);
     assert!(!first.findings.iter().any(|f| f.id == "smallest_disturbance"));
     assert_eq!(format!("{:?}", until(u64::MAX, false)), format!("{one:?}"));
     std::fs::remove_dir_all(folder).unwrap();
@@ -262,7 +262,7 @@ impl Progress for Heard {
     }
 }
 
-/// A machine that grows is told beforehand, its motions are followed until they are out of sight and no further, and that is what is said of them.
+/// A machine that grows is reported beforehand, its motions are followed until they are out of sight and no further, and that is what is said of them.
 #[test]
 fn an_unstable_machine_is_told_at_once() {
     // cross-coupling against little damping: growth (sqrt(k/m) given) about kxy/(2 m w) - d/(2 m)
@@ -277,8 +277,8 @@ fn an_unstable_machine_is_told_at_once() {
     assert!(jobs.len() == 1 && jobs[0].contains("10 motions to follow (9 cells and the undisturbed start)"), "{jobs:?}");
     let (k, m): (f64, f64) = (1.1e7, 2.4);
     let growth = 1e6 / (2.0 * m * (k / m).sqrt()) - 100.0 / (2.0 * m);
-    let told: f64 = jobs[0].split("grows by ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-    assert!((told - growth).abs() < 0.02 * growth, "{told} {growth}");
+    let reported: f64 = jobs[0].split("grows by ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((reported - growth).abs() < 0.02 * growth, "{reported} {growth}");
     assert_eq!(finding(&o, "failed_motions").value, Some(9.0));
     assert!(finding(&o, "failed_motions").text.contains("grows without bound"));
     assert!(finding(&o, "undisturbed").text.ends_with("grows without bound."));
@@ -322,8 +322,8 @@ fn failed_cells_are_values() {
     let o = run(&soft, &format!("speed = 800\npoints = 6\ntolerance = 1e-3\n{}", PLANE.replace("12 mm", "20 mm")));
     let ends = texts(&o, "cells", "end");
     let failed = ends.iter().filter(|e| *e == "failed").count();
-    let told: f64 = o.findings.iter().filter(|f| f.id == "failed_motions").filter_map(|f| f.value).sum();
-    assert!(failed > 0 && failed < 36 && told == failed as f64, "{failed} {told}");
+    let reported: f64 = o.findings.iter().filter(|f| f.id == "failed_motions").filter_map(|f| f.value).sum();
+    assert!(failed > 0 && failed < 36 && reported == failed as f64, "{failed} {reported}");
     assert_eq!(numbers(&o, "attractors", "cells").iter().sum::<f64>() + failed as f64, 36.0);
 }
 
@@ -346,11 +346,11 @@ fn mistakes_are_told_where_they_stand() {
         (format!("{fine}initial = {{ \"drum.x\" = \"1 s\" }}"), "unit.dimension", "drum.x"),
     ] {
         let text = format!("{}\n[[study]]\nkind = \"basins\"\n{study}", machine(600.0, "0 deg"));
-        let told = load(&text).map(drop).unwrap_err();
-        let found = told.0.iter().find(|d| d.code == code).unwrap_or_else(|| panic!("{study}: {told:?}"));
+        let reported = load(&text).map(drop).unwrap_err();
+        let found = reported.0.iter().find(|d| d.code == code).unwrap_or_else(|| panic!("{study}: {reported:?}"));
         let span = found.span.clone().unwrap();
         assert!(text[span].contains(place), "{study}: {found:?}");
-        assert_eq!(told.0.len(), 1, "{study}: {told:?}");
+        assert_eq!(reported.0.len(), 1, "{study}: {reported:?}");
     }
     // the order in which the two are written does not matter
     let swapped = both("\"drum.y'\" = 0, \"drum.x\" = 0", "\"drum.x\" = \"1 mm\", \"drum.y'\" = \"2 m/s\"");

@@ -93,9 +93,9 @@ fn a_liquid_is_valid_from_a_time_on() {
         )
     };
     let o = run(&machine(0.0));
-    let told: Vec<_> = o.findings.iter().filter(|f| f.id == "validity").collect();
-    assert!(told.iter().all(|f| f.level != Level::Invalid && !f.text.contains("without bound")), "{told:?}");
-    let wall = told.iter().find(|f| f.text.contains("wall acceleration")).unwrap();
+    let reported: Vec<_> = o.findings.iter().filter(|f| f.id == "validity").collect();
+    assert!(reported.iter().all(|f| f.level != Level::Invalid && !f.text.contains("without bound")), "{reported:?}");
+    let wall = reported.iter().find(|f| f.text.contains("wall acceleration")).unwrap();
     let standstill = wall.text.contains("at standstill");
     assert!(standstill || wall.text.contains("not valid before"), "{wall:?}");
     if !standstill {

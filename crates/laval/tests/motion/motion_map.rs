@@ -116,8 +116,9 @@ fn machines_that_do_not_exist() {
     assert_eq!(numbers(a, "amplitude.drum"), numbers(b, "amplitude.drum")[..4].to_vec());
     let classes = words(b, "class");
     assert!(classes[..4].iter().all(|c| c != "failed") && classes[6..].iter().all(|c| c == "failed"), "{classes:?}");
-    let told = part.findings.iter().filter(|f| f.id == "failed_machines");
-    let (count, named) = told.fold((0.0, true), |(n, all), f| (n + f.value.unwrap(), all && f.text.contains("oil.free_surface_radius")));
+    let reported = part.findings.iter().filter(|f| f.id == "failed_machines");
+    let (count, named) =
+        reported.fold((0.0, true), |(n, all), f| (n + f.value.unwrap(), all && f.text.contains("oil.free_surface_radius")));
     assert!(named && count == classes.iter().filter(|c| *c == "failed").count() as f64);
 }
 
@@ -153,7 +154,7 @@ fn mistakes_are_told() {
     assert!(map(&format!("{long}\nspeed = {{ from = 1, to = 200, points = 600 }}")).contains("too large"));
 }
 
-/// A period of one turn is told as such; the words of the legend are those of the table.
+/// A period of one turn is reported as such; the words of the legend are those of the table.
 #[test]
 fn classes_follow_periods() {
     let o = run(&text(

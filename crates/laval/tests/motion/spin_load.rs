@@ -1,4 +1,4 @@
-//! Torques on the spin: what drives it is told from what does not, and what it turns counts once it is in the file.
+//! Torques on the spin: what drives it is distinguished from what does not, and what it turns counts once it is in the file.
 
 use laval::file::load;
 use laval::outcome::{Data, Finding, Outcome};

@@ -379,8 +379,8 @@ fn failed_motions_are_values() {
     let motion = texts(&o, "sweep", "motion");
     let failed = motion.iter().filter(|m| *m == "failed").count();
     assert!(failed > 0 && motion.iter().filter(|m| *m == "periodic").count() > 0);
-    let told: f64 = o.findings.iter().filter(|f| f.id == "failed_motions").filter_map(|f| f.value).sum();
-    assert_eq!(told, failed as f64);
+    let reported: f64 = o.findings.iter().filter(|f| f.id == "failed_motions").filter_map(|f| f.value).sum();
+    assert_eq!(reported, failed as f64);
 }
 
 #[test]
@@ -391,8 +391,8 @@ fn mistakes_are_told_where_they_stand() {
         ("speed = { from = 1, to = 5 }\nwaterfall = \"drum\"", "sweep.waterfall"),
         ("speed = { from = 1, to = 5 }\ninitial = { \"disc.w\" = 1 }", "coordinate.unknown"),
     ] {
-        let told = with(LINEAR, study).map(drop).unwrap_err();
-        assert!(told.0.iter().any(|d| d.code == code), "{study}: {told:?}");
+        let reported = with(LINEAR, study).map(drop).unwrap_err();
+        assert!(reported.0.iter().any(|d| d.code == code), "{study}: {reported:?}");
     }
     let l = loaded(LINEAR, "speed = { from = 1, to = 5 }");
     let disc = DiscParams { polar_inertia: 0.1, ..DiscParams::new(2.0) };
@@ -458,12 +458,12 @@ damping = 234.348
     for points in [8, 12, 20, 40] {
         let study = format!("start = \"up\"\ntolerance = 1e-4\nperiods = 48\nspeed = {{ from = 411.26, to = 2467.56, points = {points} }}");
         let o = run(machine, &study);
-        let told: Vec<f64> = o.findings.iter().filter(|f| f.id == "jump_up").map(|f| f.value.unwrap()).collect();
-        assert_eq!(told.len(), 1, "{points}: {:?}", o.findings);
+        let reported: Vec<f64> = o.findings.iter().filter(|f| f.id == "jump_up").map(|f| f.value.unwrap()).collect();
+        assert_eq!(reported.len(), 1, "{points}: {:?}", o.findings);
         let near = 2056.3 / f64::from(points - 1) / 16.0;
-        assert!((told[0] - lo).abs() < near, "{points}: {told:?} {lo}");
+        assert!((reported[0] - lo).abs() < near, "{points}: {reported:?} {lo}");
         let at = numbers(&o, "jumps", "placed_before")[0];
-        assert!(told[0] - at <= near, "{at} {told:?}");
+        assert!(reported[0] - at <= near, "{at} {reported:?}");
         // up to the row before the fold the motion is that of the upper branch
         let (speed, amplitude) = (numbers(&o, "sweep", "speed"), numbers(&o, "sweep", "amplitude.d"));
         for (w, a) in speed.iter().zip(&amplitude).filter(|x| *x.0 < 0.999 * lo) {

@@ -266,7 +266,7 @@ impl Part for Relaxing {
     }
 }
 
-/// Times announced ahead change no bit, whichever of them are then asked for.
+/// Times announced ahead change no bit, whichever of them are then requested.
 #[test]
 fn announced_times_change_nothing() {
     for (system, law) in all_machines() {
@@ -546,7 +546,7 @@ fn frequency_only_parts_are_refused() {
 /// Asked for an explicit method, a machine with memory says which part forbids it; left to itself it takes the implicit one.
 #[test]
 fn memory_needs_the_implicit_method() {
-    use laval::solve::motion::flight::{Choice, Plan, fly};
+    use laval::solve::motion::trajectory::{Choice, Plan, simulate};
     let system = with_memory(20, 1e7);
     let mut m = motion(&system, constant(300.0));
     let y = vec![0.0; m.dim()];
@@ -564,10 +564,10 @@ fn memory_needs_the_implicit_method() {
         cancel: &|| false,
         progress: &|_| {},
     };
-    let d = fly(&mut m, &y, &plan).err().unwrap();
+    let d = simulate(&mut m, &y, &plan).err().unwrap();
     assert!(d.message.contains("\"shaft\"") && d.help.as_deref() == Some("use method = \"stiff\""), "{d}");
     plan.choice = Choice::Auto;
-    let f = fly(&mut m, &y, &plan).unwrap();
+    let f = simulate(&mut m, &y, &plan).unwrap();
     assert!(f.stiff && f.run.end == End::Reached && f.times == [0.0, 0.01, 0.02]);
     assert_eq!(f.states.len(), 3 * m.dim());
 }

@@ -1,4 +1,4 @@
-//! Where motions in time begin, when their growth can be told, and what turning the other way means.
+//! Where motions in time begin, when their growth can be determined, and what turning the other way means.
 
 use laval::file::load;
 use laval::outcome::{Data, Outcome};

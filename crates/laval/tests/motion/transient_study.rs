@@ -14,7 +14,7 @@ use laval::model::system::System;
 use laval::outcome::{Data, End, Level, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*, liquid::*};
 use laval::solve::motion::envelope::growth;
-use laval::solve::motion::flight::{Choice, Flight, Plan, fly};
+use laval::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval::study::run_up::RunUp;
@@ -135,7 +135,7 @@ fn study_reaches_the_reference_end_state_and_closes_its_balance() {
     assert!(column(&o, "observed", "bearing.force").iter().all(|x| x.is_finite()));
 }
 
-fn flight(motion: &mut Motion, y: &[f64], t_end: f64, windows: usize, tolerance: f64) -> Flight {
+fn trajectory(motion: &mut Motion, y: &[f64], t_end: f64, windows: usize, tolerance: f64) -> Trajectory {
     let plan = Plan {
         t_end,
         choice: Choice::Explicit,
@@ -150,7 +150,7 @@ fn flight(motion: &mut Motion, y: &[f64], t_end: f64, windows: usize, tolerance:
         cancel: &|| false,
         progress: &|_| {},
     };
-    fly(motion, y, &plan).unwrap()
+    simulate(motion, y, &plan).unwrap()
 }
 
 /// Growth and whirl frequency from the envelope against eigenvalues (e = 0, linear bearing): damping, fill, speed, growth, frequency.
@@ -178,7 +178,7 @@ fn growth_from_time_is_the_eigenvalue() {
         let mut y = vec![0.0; m.dim()];
         y[0] = 1e-4;
         // by half time all else is below the growing mode by exp(-25)
-        let f = flight(&mut m, &y, 50.0 / rate, 200, 1e-11);
+        let f = trajectory(&mut m, &y, 50.0 / rate, 200, 1e-11);
         let g = growth(&f.windows[0], std::f64::consts::TAU / speed).unwrap();
         assert!((g.rate - rate).abs() < 1e-6 * rate, "{chi} {fill} {speed}: {} {rate} {:e}", g.rate, g.uncertainty);
         assert!((g.frequency - frequency).abs() < 1e-6 * frequency, "{} {frequency}", g.frequency);
@@ -340,9 +340,9 @@ fn free_spin_keeps_energy_and_reports_its_speed() {
     assert!((finding(&o, "end_speed") - 130.0).abs() > 1e-3);
     let change = column(&o, "energy", "change");
     assert!(change[0] == 0.0 && change.iter().zip(column(&o, "energy", "stored")).all(|(c, s)| *c == s - stored));
-    let told = &o.figures.iter().find(|f| f.name == "energy").unwrap().panels[0].marks;
-    assert!(told.iter().all(|m| !matches!(m, laval::outcome::Mark::Line(l) if l.y == "stored")), "{told:?}");
-    // a programme is refused when asked, so that it hides no other refusal
+    let reported = &o.figures.iter().find(|f| f.name == "energy").unwrap().panels[0].marks;
+    assert!(reported.iter().all(|m| !matches!(m, laval::outcome::Mark::Line(l) if l.y == "stored")), "{reported:?}");
+    // a programme is refused when requested, so that it hides no other refusal
     let given = [("to", number(200.0)), ("duration", number(1.0))];
     let up = RunUp::build(&values(&given), &system, &mut Diagnostics::default()).unwrap();
     assert!(up.admit(&system).unwrap_err().message.contains("free") && up.run(&system, &Context::quiet("t")).is_err());
@@ -388,10 +388,10 @@ fn wrong_inputs_are_told() {
         both.set(name, number(x), None);
     }
     both.set("points", Value::Integer(100), Some(0..3));
-    let mut told = Diagnostics::default();
+    let mut reported = Diagnostics::default();
     assert!(
-        Transient::build(&both, &system, &mut told).is_none() && format!("{told:?}").contains("both output_step and points"),
-        "{told:?}"
+        Transient::build(&both, &system, &mut reported).is_none() && format!("{reported:?}").contains("both output_step and points"),
+        "{reported:?}"
     );
     let late = [("duration", number(1.0)), ("speed", number(1.0)), ("kick", states(&[("drum.x'", 1.0)])), ("kick_time", number(2.0))];
     assert!(refused::<Transient>(&system, &late).contains("after the end"));
@@ -427,10 +427,10 @@ fn limits_and_cancellation_leave_partial_results() {
     assert_eq!(o.end, End::Cancelled);
     assert!(o.find_table("motion").unwrap().rows() > 1);
     // what was stopped has no end
-    let told: Vec<String> = o.findings.iter().map(|f| f.sentence()).collect();
+    let reported: Vec<String> = o.findings.iter().map(|f| f.sentence()).collect();
     assert!(
-        told.iter().any(|s| s.contains("where it was stopped")) && !told.iter().any(|s| s.to_lowercase().contains("the end")),
-        "{told:?}"
+        reported.iter().any(|s| s.contains("where it was stopped")) && !reported.iter().any(|s| s.to_lowercase().contains("the end")),
+        "{reported:?}"
     );
     let _ = Silent;
 }

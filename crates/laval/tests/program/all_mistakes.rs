@@ -326,7 +326,7 @@ fn what_refers_to_a_broken_block_is_not_blamed() {
     // a coordinate of a part that is joined to nothing is known
     assert_eq!(codes(&[("in = \"drum\"", "in = \"drun\""), ("\"rotor.x\"", "\"oil.surface_x\"")]), ["body.missing"]);
     assert_eq!(codes(&[("in = \"drum\"", "in = \"drun\""), ("\"rotor.x\"", "\"oil.surface\"")]), ["body.missing", "coordinate.unknown"]);
-    // a bearing that cannot be built is no body, and what is attached to it is told later
+    // a bearing that cannot be built is no body, and what is attached to it is reported later
     let broken = [
         ("law = \"per_axis\"\nstiffness = \"1.1e7 N/m\"", "law = \"isotropic\"\nstiffness = { x = 1e7, y = 2e7 }"),
         ("in = \"drum\"", "in = \"bearing\""),
@@ -422,10 +422,10 @@ fn values_of_no_machine_are_refused_or_told() {
     for (from, to) in [("\"2.4 kg\"", "\"1e-300 kg\""), ("\"25 kg\"", "\"1e-300 kg\""), ("\"880 kg/m^3\"", "\"1e-300 kg/m^3\"")] {
         assert_eq!(codes(&[(from, to)]), ["value.bounds"]);
     }
-    let told = |cubic: &str| {
+    let reported = |cubic: &str| {
         let text = MACHINE.replace("8.7e10 N/m^3", cubic);
         load(&text).unwrap_or_else(|d| panic!("{d:?}")).warnings.0.iter().map(|d| d.code).collect::<Vec<_>>()
     };
-    assert_eq!(told("-1e14 N/m^3"), ["bearing_cubic.reversal"]);
-    assert!(told("-1e10 N/m^3").is_empty());
+    assert_eq!(reported("-1e14 N/m^3"), ["bearing_cubic.reversal"]);
+    assert!(reported("-1e10 N/m^3").is_empty());
 }

@@ -141,6 +141,33 @@ fn modules_use_only_what_they_may() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Words that only this program used, for which the field has terms of its own.
+#[test]
+fn private_words_are_gone() {
+    const PRIVATE: [&str; 9] = ["told", "asked", "voyage", "flight", "fleet", "riders", "atlas", "crew", "sail"];
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let (mut found, mut folders, mut files) = (Vec::new(), vec![root.join("docs"), root.join("crates")], vec![root.join("README.md")]);
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+            let tests = entry.ends_with("tests") || entry.ends_with("benches");
+            match entry.extension().and_then(|e| e.to_str()) {
+                Some("rs" | "md") => files.push(entry),
+                None if entry.is_dir() && !tests => folders.push(entry),
+                _ => {}
+            }
+        }
+    }
+    for file in &files {
+        for (k, line) in std::fs::read_to_string(file).unwrap().lines().enumerate() {
+            let mut words = line.split(|c: char| !c.is_ascii_alphabetic()).map(str::to_lowercase);
+            if let Some(word) = words.find(|w| PRIVATE.contains(&w.as_str())) {
+                found.push(format!("{}:{}: {word}", file.display(), k + 1));
+            }
+        }
+    }
+    assert!(files.len() > 300 && found.is_empty(), "{} files\n{}", files.len(), found.join("\n"));
+}
+
 /// The trait of a part knows what it is given and its capabilities; none of these know the trait.
 #[test]
 fn what_a_part_is_given_does_not_know_the_part() {

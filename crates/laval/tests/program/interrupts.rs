@@ -297,23 +297,23 @@ fn what_no_memory_holds_is_refused_before_it_begins() {
     let machine = shaft(120);
     for (study, points) in many {
         for (points, fits) in [(*points, false), (100, true)] {
-            let asked = study.replace("POINTS", &points.to_string()).replace("STEP", &format!("{:e}", 0.01 / points as f64));
-            let l = load(&format!("{machine}[[study]]\n{asked}\n")).unwrap_or_else(|d| panic!("{study}: {d:?}"));
+            let requested = study.replace("POINTS", &points.to_string()).replace("STEP", &format!("{:e}", 0.01 / points as f64));
+            let l = load(&format!("{machine}[[study]]\n{requested}\n")).unwrap_or_else(|d| panic!("{study}: {d:?}"));
             let refused = l.refusals();
             let codes: Vec<&str> = refused.iter().map(|r| r.diagnostic.code).collect();
             if fits {
-                assert!(!codes.contains(&"request.memory"), "{asked}: {codes:?}");
+                assert!(!codes.contains(&"request.memory"), "{requested}: {codes:?}");
                 continue;
             }
-            assert_eq!(codes, ["request.memory"], "{asked}");
+            assert_eq!(codes, ["request.memory"], "{requested}");
             let d = &refused[0].diagnostic;
             assert!(
                 (d.message.contains(&points.to_string()) || study.contains("sweep")) && d.message.contains("GB") && d.help.is_some(),
-                "{asked}: {d:?}"
+                "{requested}: {d:?}"
             );
             // nobody who leaves the check out runs into it either
             let d = l.studies[0].study.run(&l.system, &Context::quiet("study")).unwrap_err();
-            assert_eq!(d.code, "request.memory", "{asked}");
+            assert_eq!(d.code, "request.memory", "{requested}");
         }
     }
 }

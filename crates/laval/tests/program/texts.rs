@@ -62,9 +62,9 @@ parameter = { parameter = "drum.polar_inertia", from = "0.01 kg m^2", to = "0.03
 fn a_limit_that_is_printed_can_be_written_into_the_file() {
     let with = |coupling: &str| MACHINE.replace("tilt_stiffness", &format!("coupling = \"{coupling}\"\ntilt_stiffness"));
     // sqrt(1.6e6 * 1e4) = 126491.106..
-    let told = said(&with("2e5 N/rad"));
-    let limit = told.split("= ").nth(1).and_then(|t| t.split(':').next()).expect("a limit").to_string();
-    assert!(limit.len() < 16 && limit.ends_with("N/rad"), "{told}");
+    let reported = said(&with("2e5 N/rad"));
+    let limit = reported.split("= ").nth(1).and_then(|t| t.split(':').next()).expect("a limit").to_string();
+    assert!(limit.len() < 16 && limit.ends_with("N/rad"), "{reported}");
     assert!(load(&with(&limit)).is_ok(), "{limit}: {}", said(&with(&limit)));
     let (number, prefix) = limit.trim_end_matches("N/rad").split_once(' ').expect("a unit");
     let value = number.parse::<f64>().expect("a number") * if prefix == "k" { 1e3 } else { 1.0 };
@@ -103,9 +103,9 @@ fn a_study_that_runs_another_does_not_offer_itself() {
     };
     let modes = "[[study]]\nkind = \"modes\"\n";
     for name in ["mode", "tolerance", "tolerances"] {
-        let told = said(&format!("{MACHINE}{modes}{}", uncertain(name)));
-        assert!(told.contains("tudies of this file that can be run: modes\n"), "{told}");
-        assert!(!told.contains("did you mean \"tolerances\""), "{told}");
+        let reported = said(&format!("{MACHINE}{modes}{}", uncertain(name)));
+        assert!(reported.contains("tudies of this file that can be run: modes\n"), "{reported}");
+        assert!(!reported.contains("did you mean \"tolerances\""), "{reported}");
     }
     let alone = said(&format!("{MACHINE}{}", uncertain("modes")));
     assert!(alone.contains("{ kind = \"modes\", .. }"), "{alone}");
@@ -129,7 +129,7 @@ fn numbers_of_samples_say_what_and_whose_they_are() {
     let found = names(&run(&text(critical, normal)));
     assert!(found.iter().any(|n| n == "margin to the nearest critical speed, over the operating speed"), "{found:?}");
     assert!(found.iter().any(|n| n.starts_with("response_peak drum")), "{found:?}");
-    // samples that fail are told with a number, not with a gap in its place
+    // samples that fail are reported with a number, not with a gap in its place
     let wide = "\"drum.polar_inertia\", distribution = \"uniform\", from = \"0.02 kg m^2\", to = \"0.03 kg m^2\"";
     let o = run(&text("[[study]]\nkind = \"modes\"\nname = \"inner\"\n", wide));
     let failed = o.findings.iter().find(|f| f.id == "failed_samples").expect("some samples have no machine").sentence();

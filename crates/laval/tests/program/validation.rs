@@ -12,7 +12,7 @@ fn pages() -> Vec<Page> {
 }
 
 /// What has changed, for the message of the test.
-fn told(page: &Page) -> String {
+fn reported(page: &Page) -> String {
     let mut s = format!("{}: {}\n{}", page.id(), page.verdict(), page.complaint(Form::Lines));
     if let Page::Checked(c) = page {
         for (e, found) in c.case.expected.iter().zip(&c.compared).filter(|(e, found)| e.stated != found.row) {
@@ -25,7 +25,7 @@ fn told(page: &Page) -> String {
 #[test]
 fn every_case_has_the_verdict_it_states() {
     let pages = pages();
-    let changed: Vec<String> = pages.iter().filter(|p| !p.holds()).map(told).collect();
+    let changed: Vec<String> = pages.iter().filter(|p| !p.holds()).map(reported).collect();
     assert!(changed.is_empty(), "{} of {} cases:\n{}", changed.len(), pages.len(), changed.join("\n"));
     // cases that disagree stay
     assert!(pages.len() >= 60);

@@ -87,13 +87,13 @@ fn the_closed_form_window() {
     for row in rows(include_str!("../reference/separation/operating_window_example.csv")) {
         let n = |i: usize| number(row[i]);
         let o = run(&jeffcott(n(0)));
-        // the shortest time the machine allows, whatever is asked
+        // the shortest time the machine allows, whatever is requested
         assert!((evidence(&o, "shortest_time") / n(9) - 1.0).abs() < 1e-6, "{}", evidence(&o, "shortest_time"));
         let t = o.find_table("window").unwrap();
         if row[8] == "infeasible" {
             assert_eq!(t.rows(), 0);
             assert!(o.findings.iter().any(|f| f.id == "excluding" && f.text.contains("\"separation\" and \"stable\"")));
-            // the time must be relaxed by the ratio of the shortest to the one asked for
+            // the time must be relaxed by the ratio of the shortest to the one requested
             assert!((evidence(&o, "relaxation") / (n(9) / n(0)) - 1.0).abs() < 1e-6);
             continue;
         }
@@ -405,7 +405,7 @@ map = { parameter = "air.damping", from = 300, to = 100 }
     lines.iter_mut().for_each(|l| l.0 -= first);
     let all = ["study.range", "operating_window.objective", "operating_window.separation", "parameter.unknown", "study.range"];
     assert_eq!(lines, all.into_iter().enumerate().collect::<Vec<_>>(), "{found:?}");
-    // what is asked of the separation as well
+    // what is requested of the separation as well
     let text = jeffcott(3000.0)
         .replace("particle_density = 2000", "particle_density = 1000")
         .replace("start = \"slowest\"", "time = \"1 h\"\nbranch_policy = \"reached\"");
@@ -542,7 +542,7 @@ particles = 16
 }
 
 /// A horizontal rotor starts its passage where it hangs: the sag is no displacement of the run-up, and a limit below it is kept. The torque of a rotor without polar inertia is
-/// told to be without it.
+/// reported to be without it.
 #[test]
 fn passages_of_horizontal_machines_start_sagged() {
     let machine = |inertia: &str| {

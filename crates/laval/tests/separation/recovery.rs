@@ -381,21 +381,21 @@ programme = {{ time = [0, 30, 90], speed = [{speeds}] }}
     }
     // with the inertia of every particle the speed is not searched for, and that is said
     let o = run(&file(150.0, "stokes").replace("particles = 64", "particles = 16\nmodel = \"exact\""), 0);
-    let told = o.findings.iter().find(|f| f.id == "speed_needed").unwrap();
-    assert!(told.value.is_none() && told.text.contains("drifting"), "{}", told.text);
+    let reported = o.findings.iter().find(|f| f.id == "speed_needed").unwrap();
+    assert!(reported.value.is_none() && reported.text.contains("drifting"), "{}", reported.text);
 }
 
 /// What a study tells of its progress.
 #[derive(Default)]
-struct Told(std::sync::Mutex<Vec<(u64, u64)>>);
+struct Reported(std::sync::Mutex<Vec<(u64, u64)>>);
 
-impl laval::study::Progress for Told {
+impl laval::study::Progress for Reported {
     fn report(&self, done: u64, total: u64) {
         self.0.lock().unwrap().push((done, total));
     }
 }
 
-/// Particles that are integrated one by one tell how far they are, to the end, and stop when asked to.
+/// Particles that are integrated one by one tell how far they are, to the end, and stop when requested to.
 #[test]
 fn integrations_tell_how_far_they_are() {
     let text = format!(
@@ -410,11 +410,11 @@ particles = 64
 "#
     );
     let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
-    let told = Told::default();
+    let reported = Reported::default();
     let cancel = laval::study::Cancel::default();
-    let context = Context { name: "coarse", cancel: &cancel, progress: &told, work_limit: u64::MAX, keep: None };
+    let context = Context { name: "coarse", cancel: &cancel, progress: &reported, work_limit: u64::MAX, keep: None };
     let o = loaded.studies[0].study.run(&loaded.system, &context).unwrap();
-    let seen = told.0.lock().unwrap().clone();
+    let seen = reported.0.lock().unwrap().clone();
     assert!(o.end == laval::outcome::End::Reached && seen.len() > 8, "{seen:?}");
     assert!(seen.iter().all(|s| s.0 <= s.1 && s.1 == seen[0].1) && seen.last().is_some_and(|s| s.0 == s.1), "{seen:?}");
     cancel.store(true, std::sync::atomic::Ordering::Relaxed);

@@ -196,10 +196,10 @@ fn run(text: &str) -> Vec<Result<Outcome, String>> {
 fn studies_of_the_file() {
     assert!(run(FILE).iter().all(Result::is_ok));
     let text = changed(FILE, &[("density = \"1000", "viscosity = 1e-5\ndensity = \"1000"), ("points = 120 }", "points = 3 }")]);
-    let told = run(&text);
-    let ids = |k: usize| -> Vec<&str> { told[k].as_ref().unwrap().findings.iter().map(|f| f.id.as_str()).collect() };
+    let reported = run(&text);
+    let ids = |k: usize| -> Vec<&str> { reported[k].as_ref().unwrap().findings.iter().map(|f| f.id.as_str()).collect() };
     assert!(ids(0).contains(&"all_roots") && ids(2).contains(&"all_counted"), "{:?} {:?}", ids(0), ids(2));
-    assert!(told[1].is_ok());
+    assert!(reported[1].is_ok());
 }
 
 /// Where the reaction of a liquid cannot be had to a millionth nothing is said to grow without bound.
@@ -207,8 +207,8 @@ fn studies_of_the_file() {
 fn a_response_that_is_not_known_is_told() {
     let text = changed(&model(FILE, "spatial"), &[("density = \"1000", "viscosity = 1e-9\ndensity = \"1000")]);
     let blocks = text.split("\n[[").filter(|b| !b.contains("kind = \"modes\"") && !b.contains("kind = \"stability_map\""));
-    let told = run(&changed(&blocks.collect::<Vec<_>>().join("\n[["), &[("points = 100 }", "points = 9 }")])).remove(0).unwrap();
-    let ids: Vec<&str> = told.findings.iter().map(|f| f.id.as_str()).collect();
+    let reported = run(&changed(&blocks.collect::<Vec<_>>().join("\n[["), &[("points = 100 }", "points = 9 }")])).remove(0).unwrap();
+    let ids: Vec<&str> = reported.findings.iter().map(|f| f.id.as_str()).collect();
     assert!(ids.contains(&"response_unknown") && !ids.contains(&"undamped_resonance"), "{ids:?}");
     let system = build(&text);
     let finite = |w: f64| laval::solve::linear_response::is_known(&system, &|w| rest(&system, w), w).unwrap();

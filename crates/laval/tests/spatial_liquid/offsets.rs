@@ -230,8 +230,8 @@ fn refusals() {
     // the k = 0 term takes more than the rotor has
     let light = changed(&model(FILE, "planar_tilt"), &[("diametral_inertia = \"0.70 kg m^2\"", "diametral_inertia = \"0.30 kg m^2\"")]);
     let tall = changed(&light, &[("cavity_height = \"300 mm\"", "cavity_height = \"600 mm\"")]);
-    let told = wrong(&tall);
-    assert!(told.contains("part.inertia") && told.contains("no inertia is left for rotor.tilt_x"), "{told}");
+    let reported = wrong(&tall);
+    assert!(reported.contains("part.inertia") && reported.contains("no inertia is left for rotor.tilt_x"), "{reported}");
     assert!(wrong(&light).is_empty(), "{}", wrong(&light));
     // and of the values of a parameter
     let system = build(&light);

@@ -128,7 +128,7 @@ fn roots_of_the_tables() {
             far += usize::from(!(near < 1e-5 * w));
         }
         println!("{name} {speed}: {} roots, farthest {worst:.1e} of the speed", own.len());
-        // no farther than the error that was asked for
+        // no farther than the error that was requested
         assert!(far == 0, "{name} {speed}: {worst:e}");
     }
 }
@@ -138,7 +138,7 @@ pub(super) fn run(text: &str) -> Outcome {
     machine.studies[0].study.run(&machine.system, &Context::quiet("study")).unwrap_or_else(|d| panic!("{d}"))
 }
 
-/// S1 in time: the rate at which its motion grows and the frequency are those of the exact root; the form, its error and what it does to the roots are told.
+/// S1 in time: the rate at which its motion grows and the frequency are those of the exact root; the form, its error and what it does to the roots are reported.
 #[test]
 fn growth_in_time() {
     let text = model(FILE, "spatial");
@@ -219,7 +219,7 @@ fn studies_of_motion() {
 #[test]
 fn refusals() {
     let transient = "[[study]]\nkind = \"transient\"\nduration = \"0.1 s\"\n";
-    let told = |liquid: &str, study: &str| -> String {
+    let reported = |liquid: &str, study: &str| -> String {
         let text = changed(&model(FILE, "spatial"), &[("model = \"spatial\"", &format!("model = \"spatial\"\n{liquid}"))]);
         let head = text.split("[[study]]").next().unwrap().to_string();
         match load(&format!("{head}{study}")) {
@@ -227,13 +227,13 @@ fn refusals() {
             Err(d) => format!("{d:?}"),
         }
     };
-    assert!(told("axial_harmonics = 301", transient).contains("up to axial_harmonics = 161"));
-    assert!(told("time_error = 1e-6", transient).contains("allow a larger time_error"));
-    let water = told("viscosity = 1e-6", transient);
+    assert!(reported("axial_harmonics = 301", transient).contains("up to axial_harmonics = 161"));
+    assert!(reported("time_error = 1e-6", transient).contains("allow a larger time_error"));
+    let water = reported("viscosity = 1e-6", transient);
     assert!(water.contains("160 waves do not give its reaction on tilt with a relative error of 0.0001; try time_error = 0.0"), "{water}");
     assert!(water.contains("model = \"strip\""), "{water}");
-    assert!(told("viscosity = 1e-5\naxial_harmonics = 301", transient).contains("up to axial_harmonics = 161"));
-    assert!(told("time_error = 1e-9", transient).contains("time_error"));
+    assert!(reported("viscosity = 1e-5\naxial_harmonics = 301", transient).contains("up to axial_harmonics = 161"));
+    assert!(reported("time_error = 1e-9", transient).contains("time_error"));
     let strip = changed(FILE, &[("model = \"strip\"", "model = \"strip\"\ntime_error = 1e-3")]);
     assert!(format!("{:?}", load(&strip).err().unwrap()).contains("strip without viscosity is exact in time"));
 }

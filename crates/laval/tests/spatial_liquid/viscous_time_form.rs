@@ -297,17 +297,17 @@ fn a_search_that_is_stopped_ends() {
     let cavity = cavity("G1");
     let mut seen = 0;
     for after in [0u32, 3, 40, 400] {
-        let asked = Cell::new(0);
+        let requested = Cell::new(0);
         let stop = || {
-            asked.set(asked.get() + 1);
-            asked.get() > after
+            requested.set(requested.get() + 1);
+            requested.get() > after
         };
         let found = cavity.tilt_viscous_in_time(420.0, 1e-6, Truncation::None, 2e-2, &stop);
-        // asked no more once it has said so
+        // requested no more once it has said so
         assert!(
-            found == Err(Refused::Stopped) && asked.get() == after + 1 || found.is_ok() && asked.get() <= after,
+            found == Err(Refused::Stopped) && requested.get() == after + 1 || found.is_ok() && requested.get() <= after,
             "{after}: {}",
-            asked.get()
+            requested.get()
         );
         seen += u32::from(found.is_err());
     }
@@ -354,13 +354,13 @@ fn a_standstill_is_refused_with_what_can_be_done() {
 /// Where the speed changes, or there are several, it is refused by name.
 #[test]
 fn refusals() {
-    let told = |study: &str| match load(&one(0.05, 1e-3, 100.0, study)) {
+    let reported = |study: &str| match load(&one(0.05, 1e-3, 100.0, study)) {
         Ok(m) => m.studies[0].study.run(&m.system, &Context::quiet("study")).err().map(|d| d.to_string()).unwrap_or_default(),
         Err(d) => format!("{d:?}"),
     };
-    let up = told("[[study]]\nkind = \"run_up\"\nfrom = \"90 rad/s\"\nto = \"100 rad/s\"\nduration = \"0.3 s\"\n");
+    let up = reported("[[study]]\nkind = \"run_up\"\nfrom = \"90 rad/s\"\nto = \"100 rad/s\"\nduration = \"0.3 s\"\n");
     assert!(up.contains("\"water\" has no form in the time domain: the layer of a viscous liquid depends on the speed"), "{up}");
     assert!(up.contains("constant speed only"), "{up}");
-    let sweep = told("[[study]]\nkind = \"sweep\"\nspeed = { from = \"60 rad/s\", to = \"70 rad/s\", points = 2 }\n");
+    let sweep = reported("[[study]]\nkind = \"sweep\"\nspeed = { from = \"60 rad/s\", to = \"70 rad/s\", points = 2 }\n");
     assert!(sweep.contains("\"water\"") && sweep.contains("made for one"), "{sweep}");
 }

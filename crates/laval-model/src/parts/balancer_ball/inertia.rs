@@ -210,7 +210,7 @@ impl<S: Scalar> Masses<'_, S> {
 }
 
 impl BallBalancer {
-    /// Adds inertia and weight, and the masses where they are asked for.
+    /// Adds inertia and weight, and the masses where they are requested.
     #[inline(always)]
     pub(super) fn add_inertia<S: Scalar>(
         &self,

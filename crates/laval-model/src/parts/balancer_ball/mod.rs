@@ -191,7 +191,7 @@ impl BallBalancer {
     fn centre<S: Scalar>(p: &BalancerBallParams<S>) -> Complex<S> {
         if p.eccentricity.is_nothing() { Complex::zero() } else { direction(p.eccentricity_phase).scale(p.eccentricity) }
     }
-    /// All rows, and the masses where they are asked for.
+    /// All rows, and the masses where they are requested.
     #[inline(always)]
     fn rows<S: Scalar>(&self, p: &BalancerBallParams<S>, at: &At<S>, out: &mut Rows<S>, mut masses: Option<&mut Masses<S>>) {
         self.add_inertia(p, at, out, masses.as_deref_mut());

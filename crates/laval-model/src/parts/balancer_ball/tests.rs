@@ -98,15 +98,15 @@ fn fields_make_the_balancer() {
 
 #[test]
 fn mistakes_are_told() {
-    let told = |fields: &[(&str, Value)], what: &str| {
+    let reported = |fields: &[(&str, Value)], what: &str| {
         let (part, text) = build(fields, &[]);
         assert!(part.is_none() && text.iter().any(|t| t.contains(what)), "{what}: {text:?}");
     };
-    told(&[("tracks", columns(&[1.5], &[1.0]))], "a track has 1.5 balls");
-    told(&[("tracks", columns(&[f64::NAN], &[1.0]))], "a track has NaN balls");
-    told(&[("tracks", columns(&[60.0, 5.0], &[1.0, 1.0]))], "more than 64 balls");
-    told(&[("tracks", columns(&[2.0], &[-1.0]))], "a track has -1 times the radius");
-    told(&[("mass_ratios", Value::List(vec![1.0]))], "1 mass ratios are given for 2 balls");
+    reported(&[("tracks", columns(&[1.5], &[1.0]))], "a track has 1.5 balls");
+    reported(&[("tracks", columns(&[f64::NAN], &[1.0]))], "a track has NaN balls");
+    reported(&[("tracks", columns(&[60.0, 5.0], &[1.0, 1.0]))], "more than 64 balls");
+    reported(&[("tracks", columns(&[2.0], &[-1.0]))], "a track has -1 times the radius");
+    reported(&[("mass_ratios", Value::List(vec![1.0]))], "1 mass ratios are given for 2 balls");
     let wrong = |part: BallBalancer, p: BalancerBallParams, field: &str, what: &str| {
         let found = part.check(&p);
         assert!(found.iter().any(|w| w.0 == field && w.1.contains(what)), "{what}: {found:?}");

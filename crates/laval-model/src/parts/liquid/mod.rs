@@ -111,7 +111,7 @@ const MODELS: [(&str, Model); 5] = [
     ("spatial", Model::Spatial),
     ("frozen", Model::Frozen),
 ];
-/// Highest axial harmonic that may be asked for.
+/// Highest axial harmonic that may be requested.
 const MOST_HARMONICS: i64 = 999;
 /// Relative error of a time form where none is given.
 const TIME_ERROR: f64 = 1e-4;

@@ -179,14 +179,14 @@ fn a_viscous_form_belongs_to_its_speed() {
     let (first, other) = (made(300.0), made(310.0));
     assert!(std::sync::Arc::ptr_eq(first.time.as_ref().unwrap(), made(300.0).time.as_ref().unwrap()));
     assert!(!std::sync::Arc::ptr_eq(first.time.as_ref().unwrap(), other.time.as_ref().unwrap()));
-    let told = |speed: f64| {
+    let reported = |speed: f64| {
         let z = vec![0.0; first.layout().states.len()];
         let at = At { q: &[1e-4, 0.0], v: &[0.0; 2], a: &[0.0; 2], z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         let mut out = Vec::new();
         first.validity(&p, &at, &mut out);
         out.iter().filter(|v| v.what.contains("form in time") && v.ratio > 1.0).count()
     };
-    assert_eq!((told(300.0), told(310.0)), (0, 1));
+    assert_eq!((reported(300.0), reported(310.0)), (0, 1));
     for (speeds, why) in [(Speeds::Several, "made for one"), (Speeds::Changing, "constant speed only"), (Speeds::One(0.0), "without spin")]
     {
         assert!(liquid.in_time(&p, speeds).err().unwrap().contains(why));

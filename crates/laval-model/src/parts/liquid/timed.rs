@@ -136,7 +136,7 @@ impl Liquid {
     fn layer_in_time(&self, p: &LiquidParams<f64>, made: Made, speed: f64, stop: &dyn Fn() -> bool) -> Result<Rationals, Untimed> {
         let cavity = Self::cavity(p);
         let allowed = format_number(self.accuracy, 3);
-        let told = |of: &str, most: String, strip: &str, refused: Refused| {
+        let reported = |of: &str, most: String, strip: &str, refused: Refused| {
             match refused {
             Refused::Speed => return Untimed::No { why: STILL.to_string(), help: Some(TURN) },
             Refused::Accuracy { reached } => {
@@ -160,7 +160,7 @@ impl Liquid {
         };
         let plane = cavity
             .planar_in_time(speed, p.viscosity, self.accuracy, stop)
-            .map_err(|e| told("displacement", format!("{MOST_POLES} poles"), "", e))?;
+            .map_err(|e| reported("displacement", format!("{MOST_POLES} poles"), "", e))?;
         let (tilt, error) = match self.model {
             Model::Strip => (Some(plane.form.clone().scaled(cavity.slices())), plane.error),
             Model::Spatial => {
@@ -171,7 +171,7 @@ impl Liquid {
                     {
                         *reached = f64::INFINITY;
                     }
-                    told("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e)
+                    reported("tilt", format!("{MOST_WAVES} waves"), ", or model = \"strip\"", e)
                 })?;
                 (Some(tilt.form), plane.error.max(tilt.error))
             }

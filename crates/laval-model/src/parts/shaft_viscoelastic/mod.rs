@@ -353,7 +353,7 @@ fn law(values: &Values, params: &ParamValues, diagnostics: &mut Diagnostics) -> 
     let found = if lists.is_empty() { Weak::single(&parameters(&terms[0]), accuracy, band) } else { Weak::several(terms, accuracy, band) };
     if found.is_none() && numbers {
         let message = format!("more than {} exponentials would be needed for this kernel, accuracy and band in time", kernel::MOST);
-        let help = "ask for less accuracy, a narrower band, or give a faster decay";
+        let help = "request less accuracy, a narrower band, or give a faster decay";
         diagnostics.push(Diagnostic::error("shaft_viscoelastic.terms", message).at(values.span_of("accuracy")).help(help));
     }
     found.map(Law::Weak)

@@ -126,10 +126,10 @@ fn limits_and_cancellation_end_where_they_strike() {
     assert_eq!((run.end.clone(), run.work.steps + run.work.rejected), (End::WorkLimit { t: run.t }, 7));
     assert!((y[0] - run.t.cos()).abs() < 1e-7);
 
-    let asked = Cell::new(0);
+    let requested = Cell::new(0);
     let cancel = || {
-        asked.set(asked.get() + 1);
-        asked.get() > 5
+        requested.set(requested.get() + 1);
+        requested.get() > 5
     };
     let control = Control { cancel: Some(&cancel), ..Control::new(1e-9, 1e-9) };
     let run = integrate(&mut Dop853::new(), &mut oscillator(), 0.0, &mut y, 100.0, &control, &mut ());

@@ -9,7 +9,7 @@ mod tableaux;
 use super::*;
 use crate::dense::Mat;
 
-/// Uniform steps: tolerances so wide that the control always asks for more than the longest step allowed.
+/// Uniform steps: tolerances so wide that the control always requires more than the longest step allowed.
 pub(super) fn fixed(h: f64) -> Control<'static> {
     Control { first_step: Some(h), max_step: h, ..Control::new(0.0, 1e12) }
 }

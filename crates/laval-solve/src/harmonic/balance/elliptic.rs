@@ -8,7 +8,7 @@
 //!
 //! K and p condensed stiffness and load, mu the mass that the deflection feels (`1/mu = B M^-1 B^T`), C1 and C3 first coefficients of cn and cn^3 over the
 //! period. Two real unknowns; the period is exactly that of the forcing. It applies where one hardening cubic law acts alike in x and y and apart
-//! from each other: that is found out by probing the forces, not asked of a part.
+//! from each other: that is found out by probing the forces, not requested of a part.
 //!
 //! Theory: `docs/theory/approximate-methods.md#elliptic-balance`.
 

@@ -323,7 +323,7 @@ impl<'a> Balance<'a> {
         }
     }
 
-    /// Nonlinear forces at a motion `x` on the terms, with derivatives where asked for (added to).
+    /// Nonlinear forces at a motion `x` on the terms, with derivatives where requested (added to).
     pub(super) fn project(&mut self, x: &[f64], p: f64, mut jac: Option<&mut Mat>, mut speed: Option<&mut [f64]>) {
         let tangents = jac.is_some() || speed.is_some();
         let pace = self.pace(p);
@@ -380,7 +380,7 @@ impl<'a> Balance<'a> {
         self.condenser.memory_states(self.system, s, coordinates, states);
     }
 
-    /// What was asked of the discretisation, as it is.
+    /// The requested discretisation, as it is.
     pub fn discretisation(&self) -> Discretisation {
         let t = &self.terms;
         Discretisation { harmonics: t.harmonics, divisor: t.divisor, samples: t.samples * t.symmetry.order().max(1), symmetry: t.symmetry }

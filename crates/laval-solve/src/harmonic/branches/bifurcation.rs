@@ -2,7 +2,7 @@
 //!
 //! Along a branch the number of exponents that grow changes where one of them, or a pair, crosses the imaginary axis. With the exponents in order of
 //! growth the k-th growth rate is a continuous function of the arclength: its zero is located on corrected points, like any special point. What happens
-//! there is told by the multiplier over the part of the period that the symmetry of the motion repeats (turned back by that symmetry):
+//! there is recognised by the multiplier over the part of the period that the symmetry of the motion repeats (turned back by that symmetry):
 //!
 //! | multiplier | over the whole period | event |
 //! | --- | --- | --- |

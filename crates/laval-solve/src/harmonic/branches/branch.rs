@@ -127,7 +127,7 @@ impl Traced {
 
 /// Judges states of one machine.
 pub struct Judge {
-    /// `None` where stability was not asked for or cannot be had.
+    /// `None` where stability was not requested or cannot be had.
     pub(in crate::harmonic) stability: Option<Stability>,
     /// Of a machine with parts that have no time form: exponents of the motion judged last.
     pub(super) exponents: Option<Vec<C64>>,
@@ -210,7 +210,7 @@ impl Judge {
         state
     }
 
-    /// All points of a branch, its folds, and the other changes of stability on it; `tick` is told how many points are done.
+    /// All points of a branch, its folds, and the other changes of stability on it; `tick` receives how many points are done.
     pub fn branch(&mut self, balance: &mut Balance, branch: Branch, origin: Origin, settings: &Settings, tick: &dyn Fn(u64)) -> Traced {
         let mut points = Vec::with_capacity(branch.points.len());
         for (i, p) in branch.points.iter().enumerate() {

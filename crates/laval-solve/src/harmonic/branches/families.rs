@@ -272,7 +272,7 @@ impl<'a> Search<'a, '_> {
         Ok(true)
     }
 
-    /// Follows a branch from a state with as many orders as its truncation asks for, judges it and adds it.
+    /// Follows a branch from a state with as many orders as its truncation requires, judges it and adds it.
     fn follow(
         &mut self,
         at: usize,

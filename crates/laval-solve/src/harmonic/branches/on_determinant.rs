@@ -4,7 +4,7 @@
 //! determinant, to the point without it, and further along the branch where it grows there still, slower than what can be counted. Where it decays the imaginary axis lies
 //! between: its growth rate is a continuous function of the arclength, whose zero is located on corrected points. Where it cannot be followed the count takes its place.
 //!
-//! What happens there is told by the disturbance itself, whose orders say how it is turned by the symmetry of the motion
+//! What happens there is recognised by the disturbance itself, whose orders say how it is turned by the symmetry of the motion
 //! ([`crate::harmonic::branches::bifurcation`] has the table).
 
 use crate::harmonic::balance::problem::Balance;
@@ -175,7 +175,7 @@ fn turned(balance: &Balance, shape: &Shape, z: C64, speed: f64) -> Option<(f64, 
     Some((if angle > PI { angle - TAU } else { angle }, parts))
 }
 
-/// What happens, and the parts of the period it is told by.
+/// What happens, and the parts of the period it is recognised by.
 fn event(balance: &Balance, shape: Option<&Shape>, z: C64, speed: f64) -> (Event, usize) {
     let base = base(balance, speed);
     if balance.terms.symmetry == Symmetry::Circular {

@@ -28,7 +28,7 @@ const SLOW_HARMONICS: usize = 15;
 /// Most unknowns the automatic choice of orders goes to.
 const MOST_UNKNOWNS: usize = 128;
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
     /// Range of the spin speed, rad/s, ascending; both ends of one sign. Negative speeds turn clockwise.
@@ -117,7 +117,7 @@ pub struct Response {
     pub work: Vec<(&'static str, u64)>,
 }
 
-/// Told of every accepted round of work; returns whether to go on.
+/// Receives every accepted round of work; returns whether to go on.
 pub type Tick<'a> = &'a dyn Fn(u64);
 
 /// The symmetry that the request imposes on the motion, and what changes when the machine is turned.

@@ -142,7 +142,7 @@ struct Point<'b, 'a> {
 }
 
 /// The stationary point near `(x, speed)` and its derivatives; `along` is a guess of the direction of the branch in (x, speed). `measure` is what a fold is
-/// told by. `None` where the derivatives do not exist or do not settle.
+/// recognised by. `None` where the derivatives do not exist or do not settle.
 pub fn moved(
     balance: &mut Balance,
     (x, speed): (&[f64], f64),

@@ -3,7 +3,7 @@
 //!
 //! What motions settle on is stable, and of any period up to `LONGEST` turns: isolated branches that no guess at a form of the motion finds.
 
-use crate::ensemble::{self, Ended, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start, Voyage};
+use crate::ensemble::{self, Ended, EnsembleTask, Form, Grid, Leg, LegEnd, Method, Next, Settings, Start};
 use crate::harmonic::balance::motion::put;
 use crate::harmonic::balance::problem::Nonlinear;
 use crate::harmonic::balance::terms::{Term, Terms};
@@ -80,7 +80,7 @@ impl Loop {
 }
 
 /// The starts under way.
-struct Fleet<'a> {
+struct Members<'a> {
     system: Arc<System>,
     nonlinear: &'a Nonlinear,
     speed: f64,
@@ -100,7 +100,7 @@ struct Log {
     samples: Vec<Vec<f64>>,
 }
 
-impl Fleet<'_> {
+impl Members<'_> {
     fn period(&self) -> f64 {
         TAU / self.speed.abs()
     }
@@ -119,7 +119,7 @@ impl Fleet<'_> {
     }
 }
 
-impl Voyage for Fleet<'_> {
+impl EnsembleTask for Members<'_> {
     type Log = Log;
     type Row = Option<Loop>;
 
@@ -204,9 +204,9 @@ pub(super) fn loops(
     };
     let starts = (0..count).map(&mut start).collect();
     let form = Form::of(system, true);
-    let fleet = Fleet { system: Arc::new(own), nonlinear: &nonlinear, speed, starts, turns, cancel, most_steps };
+    let members = Members { system: Arc::new(own), nonlinear: &nonlinear, speed, starts, turns, cancel, most_steps };
     let settings = Settings { method: method(system), ..Settings::default() };
-    let found = ensemble::run(&fleet, &fleet.system, form, 0..count, settings).unwrap_or_default();
+    let found = ensemble::run(&members, &members.system, form, 0..count, settings).unwrap_or_default();
     let mut out: Vec<Loop> = Vec::new();
     let mut repeating = 0;
     for l in found.into_iter().flatten() {

@@ -28,7 +28,7 @@ use laval_num::dense::{Mat, dot, max_abs, norm};
 use laval_num::newton::{Cause, Options, newton};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
     /// Spin speed, rad/s.
@@ -153,7 +153,7 @@ pub fn admit(system: &System, speed: f64) -> Result<(), Diagnostic> {
             "free.linear",
             "all parts of this machine are linear: its free whirls have the same frequency at any amplitude",
         )
-        .help("ask modes or campbell for these frequencies"));
+        .help("use modes or campbell for these frequencies"));
     }
     autonomous(system, speed)?;
     rest(system, speed).map(drop)
@@ -480,7 +480,7 @@ fn complement(basis: &Basis, typical: &[f64]) -> Mat {
     Mat::from_fn(n, n - held, |i, j| seen[held + j][i] * typical[i])
 }
 
-/// The family that has the largest amplitude asked for near an asymptote, unless it is known.
+/// The family that has the largest amplitude requested near an asymptote, unless it is known.
 fn from_infinity(
     system: &System,
     d: Discretisation,

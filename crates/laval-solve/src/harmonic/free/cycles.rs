@@ -23,7 +23,7 @@ use laval_num::newton::{Options, newton};
 use laval_num::work::piece;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Request {
     /// Range of the spin speed, rad/s.
@@ -183,7 +183,7 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
             "free.linear",
             "all parts of this machine are linear: where it is unstable its whirl grows without bound",
         )
-        .help("ask stability_map for the ranges of speed in which it does"));
+        .help("use stability_map for the ranges of speed in which it does"));
     }
     autonomous(system, lo)?;
     let mirrored = |modes: &[MachineMode]| {
@@ -199,7 +199,7 @@ pub fn admit(system: &System, (lo, hi): (f64, f64)) -> Result<(), Diagnostic> {
         "limit_cycles.undamped",
         "nothing damps this machine: its free whirls form families of every amplitude, and none of them is a limit cycle",
     )
-    .help(format!("ask backbone for the families, or give the machine damping{}", system.damping_of_waves())))
+    .help(format!("use backbone for the families, or give the machine damping{}", system.damping_of_waves())))
 }
 
 /// Computes all families.

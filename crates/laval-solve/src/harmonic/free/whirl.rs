@@ -352,7 +352,7 @@ pub fn autonomous(system: &System, speed: f64) -> Result<(), Diagnostic> {
                     format!("the force of \"{}\" depends on the angle of the rotor or on time: this machine has no free motion", slot.name),
                 )
                 .at(slot.span.clone())
-                .help("ask nonlinear_response for the motion that is forced, or a transient"));
+                .help("use nonlinear_response for the motion that is forced, or a transient"));
             }
         }
     }

@@ -36,7 +36,7 @@ const MOST_UNKNOWNS: usize = 96;
 /// Points of a locus of stability that are judged again.
 const JUDGED_AGAIN: usize = 3;
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     /// Range of the spin speed, rad/s.
@@ -80,7 +80,7 @@ pub struct Loci {
     pub discretisation: Discretisation,
     /// Where starts were sought.
     pub samples: Vec<Sample>,
-    /// Values of the parameter at which the machine exists, within the range asked for.
+    /// Values of the parameter at which the machine exists, within the range requested.
     pub exists: (f64, f64),
     /// Why it does not exist beyond, where that is within the range.
     pub refused: [Option<String>; 2],
@@ -127,7 +127,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         }
     }
     // one set of terms for all: what every machine is symmetric by
-    let asked = |symmetry| response::Request {
+    let requested = |symmetry| response::Request {
         harmonics: request.harmonics,
         truncation: request.truncation,
         symmetry,
@@ -137,7 +137,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
     };
     let mut symmetry = Symmetry::Circular;
     for (_, machine) in &machines {
-        symmetry = symmetry.min(response::symmetry(machine, &asked(None))?.0);
+        symmetry = symmetry.min(response::symmetry(machine, &requested(None))?.0);
     }
     let mut out = Loci {
         loci: Vec::new(),
@@ -164,7 +164,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         }
         let left = usize::try_from((request.work - done) / 2).unwrap_or(usize::MAX);
         let max_points = request.max_points.min(left).max(2);
-        let found = respond(machine, &response::Request { max_points, ..asked(Some(symmetry)) }, cancel, &|n| tick(done + n));
+        let found = respond(machine, &response::Request { max_points, ..requested(Some(symmetry)) }, cancel, &|n| tick(done + n));
         let found = match found {
             Ok(found) => found,
             Err(d) => {

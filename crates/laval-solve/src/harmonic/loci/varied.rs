@@ -114,7 +114,7 @@ pub(super) fn linearised(balance: &mut Balance, x: &[f64], speed: f64) -> Result
     Ok((r, jac, by_speed))
 }
 
-/// A stop asked for through a flag.
+/// A stop requested through a flag.
 pub(super) fn stopped(flag: &std::sync::atomic::AtomicBool) -> bool {
     flag.load(Ordering::Relaxed)
 }

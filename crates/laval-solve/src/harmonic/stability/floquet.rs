@@ -136,7 +136,7 @@ pub struct Stability {
     pub(super) scale: Vec<f64>,
     spectrum: Spectrum,
     pub(super) dop: Dop853,
-    /// Steps of maps over the period that are left: a law with kinks may ask for more than anybody waits for.
+    /// Steps of maps over the period that are left: a law with kinks may require more than anybody waits for.
     pub(super) steps_left: u64,
     /// Tolerance of the integration of maps.
     pub(super) tolerance: f64,

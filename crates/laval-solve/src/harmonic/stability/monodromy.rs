@@ -16,7 +16,7 @@ use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Tolerance of the integration, where no other is asked for.
+/// Tolerance of the integration, where no other is requested.
 pub(super) const TOLERANCE: f64 = 1e-10;
 
 /// Part of the period by which an instant on a switch is moved inside the part that is integrated.

@@ -37,7 +37,7 @@ pub(in crate::study) const ORDERS: Field = Field::optional(
     "multiples of the spin speed that excite: 1 is unbalance",
 );
 
-/// The orders asked for, ascending and different; 1 when none are.
+/// The orders requested, ascending and different; 1 when none are.
 pub(in crate::study) fn orders(values: &Values) -> Vec<f64> {
     let mut orders = values.list("orders").map_or_else(|| vec![1.0], <[f64]>::to_vec);
     orders.sort_by(f64::total_cmp);

@@ -188,7 +188,7 @@ margin = 0.15
                         .of("to the nearest critical speed, over the operating speed")
                         .value(distance, "")
                         .shown_as(100.0 * distance, "%")
-                        .evidence("margin asked for", self.margin, ""),
+                        .evidence("margin requested", self.margin, ""),
                 );
             }
         }

@@ -108,7 +108,7 @@ impl Study for ForcedResponse {
         }
         let found: Curve = curve(system, &state, speeds, probes, &mut each)?;
         let points = &found.points;
-        let told = |what: &str| format!("{what}; NaN beside a resonance without bound");
+        let reported = |what: &str| format!("{what}; NaN beside a resonance without bound");
         let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
         let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
         for p in probes {
@@ -119,11 +119,11 @@ impl Study for ForcedResponse {
             };
             let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
             table = table
-                .float(format!("{amplitude}.{n}"), unit, told("semi-major axis of the orbit"), column(&|r| r.size(p)))
+                .float(format!("{amplitude}.{n}"), unit, reported("semi-major axis of the orbit"), column(&|r| r.size(p)))
                 .float(
                     format!("{of}minor.{n}"),
                     unit,
-                    told("semi-minor axis of the orbit, negative for backward whirl"),
+                    reported("semi-minor axis of the orbit, negative for backward whirl"),
                     column(&|r| {
                         let (f, b) = r.circles_of(p);
                         f.abs() - b.abs()
@@ -135,26 +135,26 @@ impl Study for ForcedResponse {
                     "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
                     column(&|r| r.direction_of(p)),
                 )
-                .float(format!("{of}forward.{n}"), unit, told("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
+                .float(format!("{of}forward.{n}"), unit, reported("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
                 .float(
                     format!("{of}phase.{n}"),
                     "rad",
-                    told("angle of the forward amplitude from the key mark"),
+                    reported("angle of the forward amplitude from the key mark"),
                     column(&|r| r.circles_of(p).0.arg()),
                 )
-                .float(format!("{of}backward.{n}"), unit, told("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
+                .float(format!("{of}backward.{n}"), unit, reported("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
                 .float(
                     format!("{of}backward_phase.{n}"),
                     "rad",
-                    told("angle of the backward amplitude"),
+                    reported("angle of the backward amplitude"),
                     column(&|r| r.circles_of(p).1.arg()),
                 );
         }
         let seen = observed(system, &state, points)?;
         for ((part, what, unit), values) in seen.quantities {
-            table = table.float(format!("{what}.{part}"), unit, told("largest value over a turn"), values);
+            table = table.float(format!("{what}.{part}"), unit, reported("largest value over a turn"), values);
         }
-        table = table.float("validity", "", told("largest use of a part's validity over a turn; above 1 is outside"), seen.validity);
+        table = table.float("validity", "", reported("largest use of a part's validity over a turn; above 1 is outside"), seen.validity);
         let residual = points.iter().map(|r| r.residual).fold(0.0, f64::max);
         let mut outcome =
             Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete)).work("solutions", found.solved);

@@ -197,7 +197,7 @@ fn at_boundary(e: &Edge) -> Sample {
 }
 
 impl StabilityMap {
-    /// The threshold, or, of a machine with waves that nothing inside it damps, the least growth that is told from theirs at all these speeds.
+    /// The threshold, or, of a machine with waves that nothing inside it damps, the least growth that is distinguished from theirs at all these speeds.
     fn least(&self, system: &System, speeds: &[f64]) -> f64 {
         let fastest = speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
         if system.domains(fastest).iter().any(Domain::undamped) { self.threshold.max(LEAST * fastest) } else { self.threshold }

@@ -6,7 +6,7 @@ use crate::model::part::Outline;
 use crate::model::system::Workspace;
 use crate::outcome::{Animation, Circle, Outcome, significant};
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::Flight;
+use crate::solve::motion::trajectory::Trajectory;
 
 /// Most frames: the rest of the outputs is left out evenly.
 const MOST_FRAMES: usize = 600;
@@ -26,12 +26,12 @@ fn turned(x: [f64; 2], phase: f64) -> [f64; 2] {
     [c * x[0] + s * x[1], c * x[1] - s * x[0]]
 }
 
-fn frames(motion: &mut Motion, flight: &Flight) -> Option<Vec<Frame>> {
+fn frames(motion: &mut Motion, trajectory: &Trajectory) -> Option<Vec<Frame>> {
     let system = motion.system();
-    let dim = flight.state.len().max(1);
-    let stride = flight.times.len().div_ceil(MOST_FRAMES).max(1);
+    let dim = trajectory.state.len().max(1);
+    let stride = trajectory.times.len().div_ceil(MOST_FRAMES).max(1);
     let (mut ws, mut out) = (Workspace::default(), Vec::new());
-    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)).step_by(stride) {
+    for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)).step_by(stride) {
         let phase = motion.spin(t, y).phase;
         let mut outlines = motion.with_point(t, y, |s, at| s.outlines(at, &mut ws)).ok()?;
         for (_, o) in &mut outlines {
@@ -57,8 +57,8 @@ fn round(x: f64) -> f64 {
 ///
 /// # Errors
 /// An outcome that does not hold together.
-pub(in crate::study) fn report(motion: &mut Motion, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let Some(frames) = frames(motion, flight) else { return Ok(outcome) };
+pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let Some(frames) = frames(motion, trajectory) else { return Ok(outcome) };
     let system = motion.system();
     let mut c = Columns::default();
     let mut add = |name: &str, unit: &str, doc: &str, of: &dyn Fn(&Frame) -> f64| {

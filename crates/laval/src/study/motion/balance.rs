@@ -7,7 +7,7 @@ use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, quantity, significant};
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::Flight;
+use crate::solve::motion::trajectory::Trajectory;
 use crate::solve::pencil::modes_about;
 use crate::solve::rest::rest;
 use crate::solve::unbalance::{Unbalance, unbalance};
@@ -18,21 +18,21 @@ use std::f64::consts::TAU;
 const SETTLED: f64 = 0.05;
 /// Drift over a part of the record, over the unbalance without balancing, that counts as none.
 const STILL: f64 = 1e-4;
-/// Fewest outputs from which a drift is told.
+/// Fewest outputs from which a drift is reported.
 const FEWEST: usize = 75;
 
-/// Unbalance at the outputs of a flight.
+/// Unbalance at the outputs of a trajectory.
 struct Series {
     at: Vec<Unbalance>,
     speed: Vec<f64>,
 }
 
-fn series(motion: &mut Motion, flight: &Flight) -> Option<Series> {
+fn series(motion: &mut Motion, trajectory: &Trajectory) -> Option<Series> {
     let system = motion.system();
-    let dim = flight.state.len().max(1);
+    let dim = trajectory.state.len().max(1);
     let mut ws = Workspace::default();
     let mut out = Series { at: Vec::new(), speed: Vec::new() };
-    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+    for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)) {
         let seen = motion.with_point(t, y, |s, at| (!s.corrections(at, &mut ws).is_empty()).then(|| unbalance(system, at, &mut ws)));
         out.at.push(seen.ok()??);
         out.speed.push(motion.spin(t, y).speed);
@@ -44,23 +44,23 @@ fn series(motion: &mut Motion, flight: &Flight) -> Option<Series> {
 ///
 /// # Errors
 /// An outcome that does not hold together.
-pub(in crate::study) fn report(motion: &mut Motion, flight: &Flight, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let system = motion.system();
     for (slot, text) in system.warnings() {
         let name = &system.slots()[slot].name;
         outcome = outcome.finding(Finding::warning("purpose", format!("\"{name}\": {text}.")).of(name));
     }
-    if flight.left.is_some() {
+    if trajectory.left.is_some() {
         return Ok(outcome);
     }
-    let Some(series) = series(motion, flight) else { return Ok(outcome) };
-    let caught = caught(motion, flight);
-    for finding in findings(&series, flight, caught.is_some()).into_iter().chain(caught) {
+    let Some(series) = series(motion, trajectory) else { return Ok(outcome) };
+    let caught = caught(motion, trajectory);
+    for finding in findings(&series, trajectory, caught.is_some()).into_iter().chain(caught) {
         outcome = outcome.finding(finding);
     }
     let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
     let mut c = Columns::default();
-    c.add("t", "s", "time", flight.times.clone());
+    c.add("t", "s", "time", trajectory.times.clone());
     c.add("unbalance", "kg m", "unbalance with the balls where they are", column(&|i| series.at[i].moment.abs()));
     c.add("without", "kg m", "unbalance without the balls", column(&|i| series.at[i].without()));
     c.add("capacity", "kg m", "the most the balls can cancel", column(&|i| series.at[i].capacity));
@@ -84,12 +84,12 @@ pub(in crate::study) fn report(motion: &mut Motion, flight: &Flight, mut outcome
         Some(figure) => outcome.figure(figure),
         None => outcome,
     };
-    sound(animation::report(motion, flight, outcome)?.checked())
+    sound(animation::report(motion, trajectory, outcome)?.checked())
 }
 
 /// Share of an unbalance that is rounding.
 const NOTHING: f64 = 1e-9;
-/// Share of the flight at its end over which rates are averaged.
+/// Share of the trajectory at its end over which rates are averaged.
 const LATE: usize = 5;
 /// Mean rate in the rotor over its speed from which masses do not follow it.
 const SLIPS: f64 = 0.01;
@@ -97,14 +97,14 @@ const SLIPS: f64 = 0.01;
 const HELD: f64 = 0.1;
 
 /// That masses do not follow the rotor at the end, and the natural frequency near which they go round.
-fn caught(motion: &Motion, flight: &Flight) -> Option<Finding> {
+fn caught(motion: &Motion, trajectory: &Trajectory) -> Option<Finding> {
     let system = motion.system();
-    let (dim, count) = (flight.state.len().max(1), flight.times.len());
+    let (dim, count) = (trajectory.state.len().max(1), trajectory.times.len());
     let from = count.checked_sub(1 + count / LATE)?;
-    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let state = |k: usize| &trajectory.states[k * dim..(k + 1) * dim];
     let (begin, end) = (state(from), state(count - 1));
-    let span = flight.times[count - 1] - flight.times[from];
-    let speed = (motion.spin(flight.times[count - 1], end).phase - motion.spin(flight.times[from], begin).phase) / span;
+    let span = trajectory.times[count - 1] - trajectory.times[from];
+    let speed = (motion.spin(trajectory.times[count - 1], end).phase - motion.spin(trajectory.times[from], begin).phase) / span;
     let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
     let slips: Vec<f64> = inside.map(|(i, _)| (end[i] - begin[i]) / span).filter(|s| s.abs() > SLIPS * speed.abs()).collect();
     let most = slips.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs())).filter(|s| s.is_finite())?;
@@ -131,11 +131,11 @@ const WATCHED: f64 = 8.0;
 const ROUND: f64 = 0.5;
 
 /// Whether masses go round in the rotor about a time, which turns by `phase` (rad).
-pub(in crate::study) fn slips(system: &System, flight: &Flight, t: f64, phase: &dyn Fn(f64) -> f64) -> bool {
-    let dim = flight.state.len().max(1);
-    let mut near = (0..flight.times.len()).filter(|&k| (phase(flight.times[k]) - phase(t)).abs() <= TAU * WATCHED);
+pub(in crate::study) fn slips(system: &System, trajectory: &Trajectory, t: f64, phase: &dyn Fn(f64) -> f64) -> bool {
+    let dim = trajectory.state.len().max(1);
+    let mut near = (0..trajectory.times.len()).filter(|&k| (phase(trajectory.times[k]) - phase(t)).abs() <= TAU * WATCHED);
     let (Some(first), Some(last)) = (near.next(), near.next_back()) else { return false };
-    let state = |k: usize| &flight.states[k * dim..(k + 1) * dim];
+    let state = |k: usize| &trajectory.states[k * dim..(k + 1) * dim];
     let inside = system.coordinates().iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::Scalar && c.dof.unit == "rad");
     inside.map(|(i, _)| (state(last)[i] - state(first)[i]).abs()).any(|turned| turned > TAU * ROUND)
 }
@@ -153,12 +153,12 @@ fn angles(system: &System) -> Option<Figure> {
 }
 
 /// What is said of the unbalance; `slips` where masses do not follow the rotor in the end.
-fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
+fn findings(series: &Series, trajectory: &Trajectory, slips: bool) -> Vec<Finding> {
     let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
     let harm = left > (1.0 + NOTHING) * without;
-    let [_, at] = end_in_words(flight);
+    let [_, at] = end_in_words(trajectory);
     let text = if harm {
         format!("{at} the balls make the unbalance larger: it is {{}}.")
     } else {
@@ -187,7 +187,7 @@ fn findings(series: &Series, flight: &Flight, slips: bool) -> Vec<Finding> {
         let text = format!(
             "The balls reduce the unbalance. After {{}} it has its last value, to within {share} % of the unbalance without the balls."
         );
-        let finding = Finding::info("time_to_balance", text).value(flight.times[i + 1], "s");
+        let finding = Finding::info("time_to_balance", text).value(trajectory.times[i + 1], "s");
         out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
     }
     out

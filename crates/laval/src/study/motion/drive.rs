@@ -6,7 +6,7 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Finding, SpecialPoint, Status, quantity};
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::Flight;
+use crate::solve::motion::trajectory::Trajectory;
 use laval_num::univariate::root;
 
 /// The speed rests when what still accelerates is below this share of the torque the vibration takes.
@@ -51,22 +51,23 @@ impl Quiet<'_> {
 }
 
 /// Findings of a motion with a free spin, and where its speed was caught.
-pub(in crate::study) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Finding>, Option<SpecialPoint>) {
+pub(in crate::study) fn findings(motion: &Motion, trajectory: &Trajectory) -> (Vec<Finding>, Option<SpecialPoint>) {
     let system = motion.system();
-    let count = flight.times.len();
-    if !motion.is_free() || flight.left.is_some() || count < 20 {
+    let count = trajectory.times.len();
+    if !motion.is_free() || trajectory.left.is_some() || count < 20 {
         return (Vec::new(), None);
     }
-    let dim = flight.state.len();
-    let speeds: Vec<f64> = flight.times.iter().zip(flight.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y).speed).collect();
+    let dim = trajectory.state.len();
+    let speeds: Vec<f64> =
+        trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y).speed).collect();
     // the trend of a speed that swings about its mean: means over the last two tenths
     let tenth = count / 10;
     let mean = |range: std::ops::Range<usize>, x: &[f64]| x[range.clone()].iter().sum::<f64>() / range.len() as f64;
     let (late, before) = (count - tenth..count, count - 2 * tenth..count - tenth);
     let speed = mean(late.clone(), &speeds);
-    let accel = (speed - mean(before.clone(), &speeds)) / (mean(late, &flight.times) - mean(before, &flight.times));
+    let accel = (speed - mean(before.clone(), &speeds)) / (mean(late, &trajectory.times) - mean(before, &trajectory.times));
     let kinds = system.coordinates().iter().map(|c| c.dof.kind);
-    let last = flight.states.chunks_exact(dim).next_back().unwrap_or(&flight.state);
+    let last = trajectory.states.chunks_exact(dim).next_back().unwrap_or(&trajectory.state);
     let q = kinds.zip(last).map(|(k, &q)| if k.leads_pair() || k.ends_pair() { 0.0 } else { q }).collect();
     let mut quiet = Quiet { system, q, z: vec![0.0; system.m()], ws: Workspace::default() };
     let (surplus, inertia) = (quiet.surplus(speed, 0.0), quiet.surplus(speed, 0.0) - quiet.surplus(speed, 1.0));
@@ -90,12 +91,12 @@ pub(in crate::study) fn findings(motion: &Motion, flight: &Flight) -> (Vec<Findi
         finding = finding.evidence("speed without vibration", reachable, "rad/s");
     }
     let first = speeds.iter().rposition(|w| !((w - speed).abs() <= NEAR * speed)).map_or(0, |i| i + 1).min(count - 1);
-    let bracket = (flight.times[first.saturating_sub(1)], flight.times[first]);
-    let point = SpecialPoint::new("capture", flight.times[first], bracket).status(Status::Bracketed).evidence("speed", speed, "rad/s");
-    (vec![finding.evidence("caught since", flight.times[first], "s")], Some(point))
+    let bracket = (trajectory.times[first.saturating_sub(1)], trajectory.times[first]);
+    let point = SpecialPoint::new("capture", trajectory.times[first], bracket).status(Status::Bracketed).evidence("speed", speed, "rad/s");
+    (vec![finding.evidence("caught since", trajectory.times[first], "s")], Some(point))
 }
 
-/// Share of a flight over which torques are averaged: the unbalance makes them swing.
+/// Share of a trajectory over which torques are averaged: the unbalance makes them swing.
 const WINDOW: f64 = 0.02;
 
 /// Whether the drives among the parts can follow a programme: where `torque` (N m) is missing beside theirs on average. Nothing without drives, nor where the inertia that

@@ -9,7 +9,7 @@ use crate::model::part::{Physics, TimeForm};
 use crate::model::system::{System, Workspace};
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, OutcomeError, Panel, Table, quantity};
 use crate::solve::motion::envelope::{Peak, Window, growth_of};
-use crate::solve::motion::flight::{Choice, Flight, Plan, Use, fly};
+use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, Use, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::Context;
 use crate::study::shared::size::{KEPT, LISTED, Size};
@@ -93,7 +93,7 @@ pub(in crate::study) fn size(system: &System, outputs: usize, velocities: bool, 
     }
 }
 
-/// The motion of this machine can be integrated in the way asked for.
+/// The motion of this machine can be integrated in the way requested.
 pub(in crate::study) fn admit(motion: &Motion, method: Choice) -> Result<(), Diagnostic> {
     match motion.refuses_explicit() {
         Some(d) if method == Choice::Explicit => Err(d),
@@ -101,7 +101,7 @@ pub(in crate::study) fn admit(motion: &Motion, method: Choice) -> Result<(), Dia
     }
 }
 
-/// Displacement that the integration cannot tell from none, m: a hundred times the tolerance of one step, for a typical displacement of 1 mm beside the sag.
+/// Displacement that the integration cannot distinguish from none, m: a hundred times the tolerance of one step, for a typical displacement of 1 mm beside the sag.
 /// At rest no error shortens the steps, and they grow to the border of stability, where noise of some tolerances stays alive.
 pub(in crate::study) fn negligible(settings: &Settings, start: &Start) -> f64 {
     let sag = start.rest.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
@@ -117,29 +117,29 @@ pub(in crate::study) fn bound(system: &System, start: &Start, y: &[f64]) -> f64 
     1e5 * lengths.chain(places).filter(|x| x.is_finite()).fold(0.0, f64::max)
 }
 
-/// The flight as far as its bound again, with all its windows and this many outputs in that time.
+/// The trajectory as far as its bound again, with all its windows and this many outputs in that time.
 pub(in crate::study) fn magnified(
     motion: &mut Motion,
     y: &[f64],
     plan: &Plan,
-    flight: Flight,
+    trajectory: Trajectory,
     points: usize,
-) -> Result<Flight, Diagnostic> {
-    let Some(left) = flight.left else { return Ok(flight) };
+) -> Result<Trajectory, Diagnostic> {
+    let Some(left) = trajectory.left else { return Ok(trajectory) };
     let outputs = spaced(left.t, points);
-    let choice = if flight.stiff { Choice::Stiff } else { Choice::Explicit };
-    let again = fly(motion, y, &Plan { t_end: left.t, outputs: &outputs, choice, bound: f64::INFINITY, ..plan.clone() })?;
-    Ok(Flight { left: Some(left), ..again })
+    let choice = if trajectory.stiff { Choice::Stiff } else { Choice::Explicit };
+    let again = simulate(motion, y, &Plan { t_end: left.t, outputs: &outputs, choice, bound: f64::INFINITY, ..plan.clone() })?;
+    Ok(Trajectory { left: Some(left), ..again })
 }
 
-/// That a motion passed its bound, from its [`magnified`] flight; a turn of the rotor takes `turn` (s).
-pub(in crate::study) fn unbounded(system: &System, flight: &Flight, turn: f64) -> Option<Finding> {
-    let left = flight.left?;
+/// That a motion passed its bound, from its [`magnified`] trajectory; a turn of the rotor takes `turn` (s).
+pub(in crate::study) fn unbounded(system: &System, trajectory: &Trajectory, turn: f64) -> Option<Finding> {
+    let left = trajectory.left?;
     let body = &system.bodies()[left.body].name;
     let (at, place) = (quantity(left.t, "s"), quantity(left.displacement, "m"));
     let where_ = format!("it was left at {at}, {place} from its place of rest");
     // many e-folds in few turns tell the rate as well as many turns
-    let finding = match growth_of(&flight.windows[left.body], turn, 4) {
+    let finding = match growth_of(&trajectory.windows[left.body], turn, 4) {
         Some(g) if g.rate > g.uncertainty => {
             let text = format!("The motion of \"{body}\" grows without bound, at {{}} over the second half of the record; {where_}.");
             Finding::warning("unbounded", text).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s")
@@ -163,13 +163,13 @@ pub(in crate::study) struct ProbeMotion<'f> {
 }
 
 /// Displacements of the bodies, then tilts; `still` (m) is no displacement.
-pub(in crate::study) fn probe_motions<'f>(system: &System, flight: &'f Flight, still: f64) -> Vec<ProbeMotion<'f>> {
+pub(in crate::study) fn probe_motions<'f>(system: &System, trajectory: &'f Trajectory, still: f64) -> Vec<ProbeMotion<'f>> {
     // typical sizes are 1 mm and 10 mrad
     let still_tilt = 10.0 * still;
     let bodies = system.bodies();
     let name = |k: usize| bodies.get(k).map_or_else(String::new, |b| b.name.clone());
-    let tilted = |k: usize| flight.tilts.iter().any(|t| t.body == k && !(t.peak.amplitude <= still_tilt));
-    let moved = flight.peaks.iter().zip(&flight.windows).enumerate().map(|(k, (peak, windows))| ProbeMotion {
+    let tilted = |k: usize| trajectory.tilts.iter().any(|t| t.body == k && !(t.peak.amplitude <= still_tilt));
+    let moved = trajectory.peaks.iter().zip(&trajectory.windows).enumerate().map(|(k, (peak, windows))| ProbeMotion {
         body: name(k),
         tilt: false,
         peak: *peak,
@@ -178,14 +178,14 @@ pub(in crate::study) fn probe_motions<'f>(system: &System, flight: &'f Flight, s
         still,
         other: tilted(k),
     });
-    let tilts = flight.tilts.iter().map(|t| ProbeMotion {
+    let tilts = trajectory.tilts.iter().map(|t| ProbeMotion {
         body: name(t.body),
         tilt: true,
         peak: t.peak,
         windows: &t.windows,
         unit: "rad",
         still: still_tilt,
-        other: !(flight.peaks[t.body].amplitude <= still),
+        other: !(trajectory.peaks[t.body].amplitude <= still),
     });
     moved.chain(tilts).collect()
 }
@@ -222,11 +222,11 @@ pub(in crate::study) fn spaced(t_end: f64, points: usize) -> Vec<f64> {
 }
 
 /// How the integration ended, in the words of an outcome, with what must be said about it.
-pub(in crate::study) fn ended(flight: &Flight) -> (End, Option<Finding>) {
-    if let Some(left) = flight.left {
+pub(in crate::study) fn ended(trajectory: &Trajectory) -> (End, Option<Finding>) {
+    if let Some(left) = trajectory.left {
         return (End::Unbounded { at: left.t }, None);
     }
-    match &flight.run.end {
+    match &trajectory.run.end {
         ode::End::Reached | ode::End::Event { .. } => (End::Reached, None),
         ode::End::Cancelled { .. } => (End::Cancelled, None),
         ode::End::WorkLimit { t } => {
@@ -245,11 +245,11 @@ pub(in crate::study) fn ended(flight: &Flight) -> (End, Option<Finding>) {
 }
 
 /// When the record of a motion ends, as words at the end of a clause and at the beginning of a sentence.
-pub(in crate::study) fn end_in_words(flight: &Flight) -> [String; 2] {
-    match flight.run.end {
+pub(in crate::study) fn end_in_words(trajectory: &Trajectory) -> [String; 2] {
+    match trajectory.run.end {
         ode::End::Reached | ode::End::Event { .. } => ["by the end".into(), "At the end".into()],
         _ => {
-            let at = quantity(flight.run.t, "s");
+            let at = quantity(trajectory.run.t, "s");
             [format!("by {at}, where it was stopped"), format!("At {at}, where it was stopped,")]
         }
     }
@@ -291,14 +291,14 @@ fn per_second(unit: &str) -> String {
 }
 
 /// The states at the outputs.
-pub(in crate::study) fn motion_table(motion: &Motion, flight: &Flight, velocities: bool) -> Result<Table, Diagnostic> {
+pub(in crate::study) fn motion_table(motion: &Motion, trajectory: &Trajectory, velocities: bool) -> Result<Table, Diagnostic> {
     let system = motion.system();
-    let (n, dim) = (system.n(), flight.state.len());
-    let rows = || flight.states.chunks_exact(dim.max(1));
+    let (n, dim) = (system.n(), trajectory.state.len());
+    let rows = || trajectory.states.chunks_exact(dim.max(1));
     let column = |i: usize| rows().map(|y| y[i]).collect::<Vec<f64>>();
     let mut c = Columns::default();
-    c.add("t", "s", "time", flight.times.clone());
-    let spins: Vec<_> = flight.times.iter().zip(rows()).map(|(&t, y)| motion.spin(t, y)).collect();
+    c.add("t", "s", "time", trajectory.times.clone());
+    let spins: Vec<_> = trajectory.times.iter().zip(rows()).map(|(&t, y)| motion.spin(t, y)).collect();
     c.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
     c.add("phase", "rad", "spin angle", spins.iter().map(|s| s.phase).collect());
     for (i, d) in system.coordinates().iter().enumerate() {
@@ -321,12 +321,12 @@ pub(in crate::study) fn motion_table(motion: &Motion, flight: &Flight, velocitie
 }
 
 /// What the parts show at the outputs; `None` when they show nothing.
-pub(in crate::study) fn observed_table(motion: &mut Motion, flight: &Flight) -> Result<Option<Table>, Diagnostic> {
+pub(in crate::study) fn observed_table(motion: &mut Motion, trajectory: &Trajectory) -> Result<Option<Table>, Diagnostic> {
     let system = motion.system();
-    let dim = flight.state.len();
+    let dim = trajectory.state.len();
     let mut workspace = Workspace::default();
     let mut series: Vec<(String, &'static str, Vec<f64>)> = Vec::new();
-    for (row, (&t, y)) in flight.times.iter().zip(flight.states.chunks_exact(dim.max(1))).enumerate() {
+    for (row, (&t, y)) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim.max(1))).enumerate() {
         let seen = motion.with_point(t, y, |s, at| s.observe(at, &mut workspace)).unwrap_or_default();
         for (slot, o) in seen {
             let name = format!("{}.{}", system.slots()[slot].name, o.name);
@@ -342,9 +342,9 @@ pub(in crate::study) fn observed_table(motion: &mut Motion, flight: &Flight) -> 
         return Ok(None);
     }
     let mut c = Columns::default();
-    c.add("t", "s", "time", flight.times.clone());
+    c.add("t", "s", "time", trajectory.times.clone());
     for (name, unit, mut values) in series {
-        values.resize(flight.times.len(), f64::NAN);
+        values.resize(trajectory.times.len(), f64::NAN);
         c.add(name, unit, "quantity a part shows", values);
     }
     c.table("observed", "Forces and other quantities the parts show, against time").map(Some)
@@ -362,11 +362,11 @@ pub(in crate::study) struct Balance {
 }
 
 /// `None` without an account.
-pub(in crate::study) fn balance(motion: &mut Motion, flight: &Flight) -> Result<Option<Balance>, Diagnostic> {
+pub(in crate::study) fn balance(motion: &mut Motion, trajectory: &Trajectory) -> Result<Option<Balance>, Diagnostic> {
     let Some(k) = motion.account_start() else { return Ok(None) };
-    let dim = flight.state.len();
-    let rows: Vec<&[f64]> = flight.states.chunks_exact(dim).collect();
-    let stored: Vec<f64> = flight.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
+    let dim = trajectory.state.len();
+    let rows: Vec<&[f64]> = trajectory.states.chunks_exact(dim).collect();
+    let stored: Vec<f64> = trajectory.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
     let first = stored.first().copied().unwrap_or(f64::NAN);
     let (mut missing, mut swing, mut vibration, mut most) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
     let grow = |m: &mut f64, x: f64| {
@@ -377,7 +377,7 @@ pub(in crate::study) fn balance(motion: &mut Motion, flight: &Flight) -> Result<
     let mut motionless = vec![0.0; dim];
     let mut lack = Vec::with_capacity(rows.len());
     let mut flows = [0.0f64; 4];
-    for ((y, e), &t) in rows.iter().zip(&stored).zip(&flight.times) {
+    for ((y, e), &t) in rows.iter().zip(&stored).zip(&trajectory.times) {
         if let Some(s) = motion.spin_start() {
             motionless[s..s + 2].copy_from_slice(&y[s..s + 2]);
         }
@@ -395,7 +395,7 @@ pub(in crate::study) fn balance(motion: &mut Motion, flight: &Flight) -> Result<
     }
     let column = |i: usize| rows.iter().map(|y| y[k + i]).collect::<Vec<f64>>();
     let mut c = Columns::default();
-    c.add("t", "s", "time", flight.times.clone());
+    c.add("t", "s", "time", trajectory.times.clone());
     c.add("change", "J", "change of the stored energy since the start", stored.iter().map(|e| e - first).collect());
     c.add("stored", "J", "kinetic and potential energy, that of the spin with it", stored);
     c.add("dissipated", "J", "turned into heat since the start", column(0));
@@ -415,8 +415,8 @@ pub(in crate::study) fn balance(motion: &mut Motion, flight: &Flight) -> Result<
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The balance in a sentence; of a motion that goes beyond all bounds it says nothing.
-pub(in crate::study) fn balance_finding(balance: &Balance, flight: &Flight) -> Option<Finding> {
-    if flight.left.is_some() {
+pub(in crate::study) fn balance_finding(balance: &Balance, trajectory: &Trajectory) -> Option<Finding> {
+    if trajectory.left.is_some() {
         return None;
     }
     if !(balance.missing.is_finite() && balance.exchanged.is_finite()) {
@@ -450,15 +450,15 @@ pub(in crate::study) fn time_forms(system: &System, mut outcome: Outcome) -> Out
 }
 
 /// What a motion uses of the validity of a part. One that starts outside, as the layer of a liquid that is not yet held on its wall, and is inside from some time on is
-/// told by that time.
-fn validity(motion: &Motion, flight: &Flight, u: &Use) -> Finding {
+/// recognised by that time.
+fn validity(motion: &Motion, trajectory: &Trajectory, u: &Use) -> Finding {
     let part = &motion.system().slots()[u.slot].name;
     let (Some(first), Some(until)) = (u.exceeded, u.until) else {
         let text = format!("\"{part}\" stays inside its model: {} is at most {{}}.", u.what);
         return Finding::info("validity", text).value(u.ratio, "").evidence("reached at", u.t, "s");
     };
-    if first == u.begin && until < flight.run.t {
-        let speed = speed_at(motion, flight, until);
+    if first == u.begin && until < trajectory.run.t {
+        let speed = speed_at(motion, trajectory, until);
         let after = crate::outcome::significant(u.after, 3);
         if until == 0.0 && speed == 0.0 {
             let text = format!(
@@ -480,17 +480,17 @@ fn validity(motion: &Motion, flight: &Flight, u: &Use) -> Finding {
 }
 
 /// Spin speed at a time, rad/s; of a free spin at the output before it.
-fn speed_at(motion: &Motion, flight: &Flight, t: f64) -> f64 {
-    let last = flight.times.partition_point(|&x| x <= t).saturating_sub(1);
-    let state = flight.states.chunks_exact(flight.state.len().max(1)).nth(last).unwrap_or(&flight.state);
+fn speed_at(motion: &Motion, trajectory: &Trajectory, t: f64) -> f64 {
+    let last = trajectory.times.partition_point(|&x| x <= t).saturating_sub(1);
+    let state = trajectory.states.chunks_exact(trajectory.state.len().max(1)).nth(last).unwrap_or(&trajectory.state);
     motion.spin(t, state).speed
 }
 
 /// Findings on validity, time forms and contacts.
-pub(in crate::study) fn common_findings(motion: &Motion, flight: &Flight, mut outcome: Outcome) -> Outcome {
+pub(in crate::study) fn common_findings(motion: &Motion, trajectory: &Trajectory, mut outcome: Outcome) -> Outcome {
     let system = motion.system();
-    for u in &flight.validity {
-        outcome = outcome.finding(validity(motion, flight, u));
+    for u in &trajectory.validity {
+        outcome = outcome.finding(validity(motion, trajectory, u));
     }
     outcome = time_forms(system, outcome);
     for slot in system.slots() {
@@ -499,20 +499,20 @@ pub(in crate::study) fn common_findings(motion: &Motion, flight: &Flight, mut ou
             outcome = outcome.finding(Finding::info("time_form", text).value(error, ""));
         }
     }
-    if !flight.contacts.is_empty() {
-        let count = flight.contacts.len() as f64;
+    if !trajectory.contacts.is_empty() {
+        let count = trajectory.contacts.len() as f64;
         let finding =
             Finding::info("contacts", "Laws with a switch changed side {} times; the integration restarted at each.").value(count, "");
-        outcome = outcome.finding(finding.evidence("first at", flight.contacts[0].2, "s"));
+        outcome = outcome.finding(finding.evidence("first at", trajectory.contacts[0].2, "s"));
     }
-    let w = &flight.run.work;
+    let w = &trajectory.run.work;
     outcome
         .work("steps", w.steps)
         .work("rejected_steps", w.rejected)
         .work("right_sides", w.rhs)
         .work("jacobians", w.jacobians)
         .work("factorisations", w.factorisations)
-        .work(if flight.stiff { "stiff" } else { "explicit" }, 1)
+        .work(if trajectory.stiff { "stiff" } else { "explicit" }, 1)
 }
 
 /// What a study lists and draws of a motion.
@@ -529,14 +529,14 @@ pub(in crate::study) struct Listed {
 
 /// Appends figures of the bodies against time and as orbits. Where the outputs do not resolve the motion the envelope stands for it, and the orbits are those of
 /// the last turns.
-fn motion_figures(motion: &Motion, flight: &Flight, listed: &Listed, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn motion_figures(motion: &Motion, trajectory: &Trajectory, listed: &Listed, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let system = motion.system();
     let bodies = system.bodies();
     if bodies.is_empty() {
         return Ok(outcome);
     }
     let mm = |label: &str| Axis::new(label, "mm").factor(1e3);
-    let coarse = turns::coarse(motion, flight);
+    let coarse = turns::coarse(motion, trajectory);
     let (title, alt) = match coarse {
         true => ("Envelope against time", "Largest displacement of each body from rest within a turn, against time."),
         false => ("Lateral motion of the bodies", "x and y of each body against time."),
@@ -556,7 +556,7 @@ fn motion_figures(motion: &Motion, flight: &Flight, listed: &Listed, mut outcome
     }
     orbit = orbit.panel(plane);
     if coarse && listed.envelope {
-        outcome = outcome.table(envelope_table(motion, flight)?);
+        outcome = outcome.table(envelope_table(motion, trajectory)?);
     }
     if !coarse || listed.envelope {
         outcome = outcome.figure(lateral);
@@ -572,7 +572,7 @@ fn motion_figures(motion: &Motion, flight: &Flight, listed: &Listed, mut outcome
 }
 
 /// The largest displacements in successive windows.
-fn envelope_table(motion: &Motion, flight: &Flight) -> Result<Table, Diagnostic> {
+fn envelope_table(motion: &Motion, trajectory: &Trajectory) -> Result<Table, Diagnostic> {
     let sizes = |windows: &Vec<Window>| -> Vec<f64> {
         let seen = match motion.law() {
             SpinLaw::Programme(p) => envelope(windows, &|t| p.at(t)),
@@ -580,10 +580,10 @@ fn envelope_table(motion: &Motion, flight: &Flight) -> Result<Table, Diagnostic>
         };
         seen.iter().map(|p| p.amplitude).collect()
     };
-    let sizes: Vec<Vec<f64>> = flight.windows.iter().map(sizes).collect();
+    let sizes: Vec<Vec<f64>> = trajectory.windows.iter().map(sizes).collect();
     let count = sizes.iter().map(Vec::len).min().unwrap_or(0);
     let mut c = Columns::default();
-    c.add("t", "s", "end of the window", flight.windows.first().map_or(vec![], |w| w[..count].iter().map(|w| w.last).collect()));
+    c.add("t", "s", "end of the window", trajectory.windows.first().map_or(vec![], |w| w[..count].iter().map(|w| w.last).collect()));
     for (b, sizes) in motion.system().bodies().iter().zip(sizes) {
         c.add(format!("{} amplitude", b.name), "m", "largest distance from rest in the window", sizes[..count].to_vec());
     }
@@ -613,16 +613,16 @@ pub(in crate::study) fn energy_figure() -> Figure {
 /// As [`balance`].
 pub(in crate::study) fn accounted(
     motion: &mut Motion,
-    flight: &Flight,
+    trajectory: &Trajectory,
     no_account: Option<Finding>,
     mut outcome: Outcome,
 ) -> Result<(Outcome, Option<Balance>), Diagnostic> {
-    let balance = balance(motion, flight)?;
-    let closes = balance.as_ref().and_then(|b| balance_finding(b, flight));
+    let balance = balance(motion, trajectory)?;
+    let closes = balance.as_ref().and_then(|b| balance_finding(b, trajectory));
     for f in closes.into_iter().chain(no_account) {
         outcome = outcome.finding(f);
     }
-    Ok((common_findings(motion, flight, outcome), balance))
+    Ok((common_findings(motion, trajectory, outcome), balance))
 }
 
 /// Appends the tables and figures of a motion.
@@ -631,15 +631,15 @@ pub(in crate::study) fn accounted(
 /// As [`motion_table`] and [`observed_table`]; an outcome that does not hold together.
 pub(in crate::study) fn shown(
     motion: &mut Motion,
-    flight: &Flight,
+    trajectory: &Trajectory,
     listed: Listed,
     balance: Option<Balance>,
     outcome: Outcome,
 ) -> Result<Outcome, Diagnostic> {
-    let outcome = outcome.table(motion_table(motion, flight, listed.velocities)?);
-    let mut outcome = motion_figures(motion, flight, &listed, outcome)?;
+    let outcome = outcome.table(motion_table(motion, trajectory, listed.velocities)?);
+    let mut outcome = motion_figures(motion, trajectory, &listed, outcome)?;
     if listed.observables
-        && let Some(table) = observed_table(motion, flight)?
+        && let Some(table) = observed_table(motion, trajectory)?
     {
         outcome = outcome.table(table);
     }
@@ -662,7 +662,7 @@ pub(in crate::study) fn announce(context: &Context, duration: f64, speed: f64) {
     context.announce(turns, 1e5, &format!("turns of the rotor to integrate, {}", quantity(duration, "s")));
 }
 
-/// Parts of the time that are told apart: a motion over years moves on by few thousandths an hour.
+/// Parts of the time that are distinguished: a motion over years moves on by few thousandths an hour.
 const PARTS: u64 = 1_000_000_000;
 
 /// Reports the share of the time that is reached.

@@ -31,7 +31,7 @@ use crate::model::timed::Speeds;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status, quantity, significant};
 use crate::solve::characteristic::{Equilibrium, Frame};
 use crate::solve::motion::envelope::Peak;
-use crate::solve::motion::flight::{Flight, Plan, fly};
+use crate::solve::motion::trajectory::{Plan, Trajectory, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
 use crate::solve::rest::unlinearised;
@@ -173,9 +173,9 @@ hold = "2 s"
         let still = history::negligible(s, &start);
         let last = self.programme.at(self.t_end);
         history::announce(context, self.t_end, (last.phase - self.programme.at(0.0).phase) / self.t_end);
-        let asked = history::spaced(self.t_end, s.points);
-        let turns = Turns::beside(&asked, last, self.programme.largest_speed());
-        let drawn = turns.as_ref().map_or_else(|| asked.clone(), |t| t.with_outputs(&asked));
+        let requested = history::spaced(self.t_end, s.points);
+        let turns = Turns::beside(&requested, last, self.programme.largest_speed());
+        let drawn = turns.as_ref().map_or_else(|| requested.clone(), |t| t.with_outputs(&requested));
         let outputs = self.spectra.as_ref().map_or_else(|| drawn.clone(), |s| s.with_outputs(&drawn));
         let plan = Plan {
             t_end: self.t_end,
@@ -191,10 +191,10 @@ hold = "2 s"
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.t_end),
         };
-        let mut flight = fly(&mut motion, &y, &plan)?;
-        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &drawn)));
-        let path = turns.map(|t| t.taken(&motion, &mut flight, &asked)).transpose()?.flatten();
-        let (end, stopped) = history::ended(&flight);
+        let mut trajectory = simulate(&mut motion, &y, &plan)?;
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut trajectory, &drawn)));
+        let path = turns.map(|t| t.taken(&motion, &mut trajectory, &requested)).transpose()?.flatten();
+        let (end, stopped) = history::ended(&trajectory);
         let end = match end {
             End::StepTooSmall { at } => End::StepTooSmall { at: self.programme.at(at).speed },
             End::Unbounded { at } => End::Unbounded { at: self.programme.at(at).speed },
@@ -204,26 +204,26 @@ hold = "2 s"
         for f in stopped.into_iter().chain(start.finding) {
             outcome = outcome.finding(f);
         }
-        match flight.left {
+        match trajectory.left {
             Some(left) => {
                 let speed = self.programme.at(left.t).speed;
-                let again = history::magnified(&mut motion, &y, &plan, flight.clone(), 2)?;
+                let again = history::magnified(&mut motion, &y, &plan, trajectory.clone(), 2)?;
                 if let Some(f) = history::unbounded(system, &again, std::f64::consts::TAU / speed.abs()) {
                     outcome = outcome.finding(f.evidence("speed there", speed, "rad/s"));
                 }
             }
-            None => outcome = self.peaks(system, &flight, still, plan.cancel, outcome),
+            None => outcome = self.peaks(system, &trajectory, still, plan.cancel, outcome),
         }
         outcome = moved_roots(exact, &timed, last.speed, context).into_iter().fold(outcome, Outcome::finding);
-        outcome = self.drive(&mut motion, &flight, outcome)?;
-        let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
-        outcome = self.envelope(system, &flight, outcome)?;
+        outcome = self.drive(&mut motion, &trajectory, outcome)?;
+        let (mut outcome, balance) = history::accounted(&mut motion, &trajectory, no_account, outcome)?;
+        outcome = self.envelope(system, &trajectory, outcome)?;
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;
         }
         let listed = Listed { velocities: self.velocities, observables: self.observables, path, envelope: false };
-        let outcome = history::shown(&mut motion, &flight, listed, balance, outcome)?;
-        balance::report(&mut motion, &flight, outcome)
+        let outcome = history::shown(&mut motion, &trajectory, listed, balance, outcome)?;
+        balance::report(&mut motion, &trajectory, outcome)
     }
 }
 
@@ -300,9 +300,9 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
 
 impl RunUp {
     /// Largest displacements and the passages through resonances.
-    fn peaks(&self, system: &System, flight: &Flight, still: f64, stop: &dyn Fn() -> bool, mut outcome: Outcome) -> Outcome {
+    fn peaks(&self, system: &System, trajectory: &Trajectory, still: f64, stop: &dyn Fn() -> bool, mut outcome: Outcome) -> Outcome {
         let mut rates: Option<Option<Rates>> = None;
-        for seen in history::probe_motions(system, flight, still) {
+        for seen in history::probe_motions(system, trajectory, still) {
             let (peak, windows, unit) = (seen.peak, seen.windows, seen.unit);
             let speed = self.programme.at(peak.t).speed;
             let Some(largest) = seen.largest() else { continue };
@@ -313,11 +313,11 @@ impl RunUp {
             let (name, b) = (seen.words(), seen.label());
             let spin = |t: f64| self.programme.at(t);
             let seen = envelope(windows, &spin);
-            let slips = |t: f64| balance::slips(system, flight, t, &|t| spin(t).phase);
+            let slips = |t: f64| balance::slips(system, trajectory, t, &|t| spin(t).phase);
             let mut round: Vec<(f64, f64)> = Vec::new();
             let passed = passages(&seen, &spin);
             if !passed.is_empty() && rates.is_none() {
-                rates = Some(Rates::along(system, flight.run.t, &|t| spin(t).speed, stop));
+                rates = Some(Rates::along(system, trajectory.run.t, &|t| spin(t).speed, stop));
             }
             for &i in &passed {
                 let p = seen[i];
@@ -373,11 +373,11 @@ impl RunUp {
     }
 
     /// Torque and power of the drive at the outputs.
-    fn drive(&self, motion: &mut Motion, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-        let dim = flight.state.len();
-        let mut torque = Vec::with_capacity(flight.times.len());
-        let spins: Vec<_> = flight.times.iter().map(|&t| self.programme.at(t)).collect();
-        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+    fn drive(&self, motion: &mut Motion, trajectory: &Trajectory, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        let dim = trajectory.state.len();
+        let mut torque = Vec::with_capacity(trajectory.times.len());
+        let spins: Vec<_> = trajectory.times.iter().map(|&t| self.programme.at(t)).collect();
+        for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)) {
             torque.push(motion.torque(t, y).unwrap_or(f64::NAN));
         }
         let power: Vec<f64> = torque.iter().zip(&spins).map(|(m, s)| m * s.speed).collect();
@@ -393,7 +393,7 @@ impl RunUp {
         let ((most, at), (strongest, when)) = (largest(&torque), largest(&power));
         let speed = |i: usize| spins.get(i).map_or(f64::NAN, |s| s.speed);
         let mut columns = Columns::default();
-        columns.add("t", "s", "time", flight.times.clone());
+        columns.add("t", "s", "time", trajectory.times.clone());
         columns.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
         columns.add("acceleration", "rad/s^2", "spin acceleration", spins.iter().map(|s| s.accel).collect());
         columns.add("torque", "N m", "torque the drive must bring", torque);
@@ -405,7 +405,7 @@ impl RunUp {
             .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
             .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
         let outcome = outcome.table(columns.table("drive", "Torque and power of the drive against time")?).figure(figure);
-        if flight.left.is_some() {
+        if trajectory.left.is_some() {
             return Ok(outcome);
         }
         let outcome = short.into_iter().chain(lacking).fold(outcome, Outcome::finding);
@@ -423,12 +423,12 @@ impl RunUp {
     }
 
     /// Envelope against speed, beside the linear response.
-    fn envelope(&self, system: &System, flight: &Flight, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    fn envelope(&self, system: &System, trajectory: &Trajectory, outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let bodies = system.bodies();
         if bodies.is_empty() {
             return Ok(outcome);
         }
-        let seen: Vec<_> = flight.windows.iter().map(|w| envelope(w, &|t| self.programme.at(t))).collect();
+        let seen: Vec<_> = trajectory.windows.iter().map(|w| envelope(w, &|t| self.programme.at(t))).collect();
         let count = seen.first().map_or(0, Vec::len);
         let middle: Vec<f64> = (0..count).map(|k| self.t_end * (k as f64 + 0.5) / self.windows as f64).collect();
         let speeds: Vec<f64> = middle.iter().map(|&t| self.programme.at(t).speed).collect();

@@ -23,7 +23,7 @@ use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
 use crate::outcome::{End, Finding, Outcome};
 use crate::solve::motion::envelope::{Growth, Window, growth};
-use crate::solve::motion::flight::{Flight, Plan, fly};
+use crate::solve::motion::trajectory::{Plan, Trajectory, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -192,7 +192,7 @@ kick = { "drum.x'" = "20 mm/s" }
             (y[k], y[k + 1]) = (s.phase, self.speed);
         }
         history::announce(context, self.duration, self.speed);
-        let asked: Vec<f64> = match self.step {
+        let requested: Vec<f64> = match self.step {
             Some(step) => {
                 let count = (self.duration / step * (1.0 + 1e-12)) as usize;
                 (0..=count).map(|i| (i as f64 * step).min(self.duration)).collect()
@@ -200,10 +200,10 @@ kick = { "drum.x'" = "20 mm/s" }
             None => history::spaced(self.duration, s.points),
         };
         let turns = match motion.law() {
-            SpinLaw::Programme(p) => Turns::beside(&asked, p.at(self.duration), p.largest_speed()),
+            SpinLaw::Programme(p) => Turns::beside(&requested, p.at(self.duration), p.largest_speed()),
             SpinLaw::Free => None,
         };
-        let drawn = turns.as_ref().map_or_else(|| asked.clone(), |t| t.with_outputs(&asked));
+        let drawn = turns.as_ref().map_or_else(|| requested.clone(), |t| t.with_outputs(&requested));
         let outputs = self.spectra.as_ref().map_or_else(|| drawn.clone(), |s| s.with_outputs(&drawn));
         let plan = Plan {
             t_end: self.duration,
@@ -219,44 +219,44 @@ kick = { "drum.x'" = "20 mm/s" }
             cancel: &|| context.cancelled(),
             progress: &history::progress(context, self.duration),
         };
-        let mut flight = fly(&mut motion, &y, &plan)?;
-        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut flight, &drawn)));
-        let path = turns.map(|t| t.taken(&motion, &mut flight, &asked)).transpose()?.flatten();
-        let flight = history::magnified(&mut motion, &y, &plan, flight, s.points)?;
-        let (end, stopped) = history::ended(&flight);
+        let mut trajectory = simulate(&mut motion, &y, &plan)?;
+        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut trajectory, &drawn)));
+        let path = turns.map(|t| t.taken(&motion, &mut trajectory, &requested)).transpose()?.flatten();
+        let trajectory = history::magnified(&mut motion, &y, &plan, trajectory, s.points)?;
+        let (end, stopped) = history::ended(&trajectory);
         let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
-        for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &flight, &start)) {
+        for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &trajectory, &start)) {
             outcome = outcome.finding(finding);
         }
         outcome = moved_roots(exact, &timed, self.speed, context).into_iter().fold(outcome, Outcome::finding);
-        let (mut outcome, balance) = history::accounted(&mut motion, &flight, no_account, outcome)?;
+        let (mut outcome, balance) = history::accounted(&mut motion, &trajectory, no_account, outcome)?;
         if let Some((spectra, record)) = record {
             outcome = spectra.report(&record, outcome)?;
         }
-        let (captured, point) = drive::findings(&motion, &flight);
+        let (captured, point) = drive::findings(&motion, &trajectory);
         outcome = captured.into_iter().fold(outcome, Outcome::finding);
         outcome = point.into_iter().fold(outcome, Outcome::special_point);
         let listed = Listed { velocities: self.velocities, observables: self.observables, path, envelope: true };
-        let outcome = history::shown(&mut motion, &flight, listed, balance, outcome)?;
-        balance::report(&mut motion, &flight, outcome)
+        let outcome = history::shown(&mut motion, &trajectory, listed, balance, outcome)?;
+        balance::report(&mut motion, &trajectory, outcome)
     }
 }
 
 impl Transient {
-    fn findings(&self, motion: &Motion, flight: &Flight, start: &Start) -> Vec<Finding> {
+    fn findings(&self, motion: &Motion, trajectory: &Trajectory, start: &Start) -> Vec<Finding> {
         let system = motion.system();
         // a drive of its own starts slowly
-        let fastest = motion.spin(flight.run.t, &flight.state).speed.abs().max(self.speed.abs());
+        let fastest = motion.spin(trajectory.run.t, &trajectory.state).speed.abs().max(self.speed.abs());
         let turn = std::f64::consts::TAU / fastest;
-        if let Some(finding) = history::unbounded(system, flight, turn) {
+        if let Some(finding) = history::unbounded(system, trajectory, turn) {
             return vec![finding];
         }
         let still = history::negligible(&self.settings, start);
-        let [by, at] = history::end_in_words(flight);
+        let [by, at] = history::end_in_words(trajectory);
         let mut out = Vec::new();
         // the body that moves most at the end speaks for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
-        let motions = history::probe_motions(system, flight, still);
+        let motions = history::probe_motions(system, trajectory, still);
         let of = |tilt: bool| motions.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
         let most = |tilt: bool| of(tilt).max_by(|a, b| last(a.windows).total_cmp(&last(b.windows)));
         // a machine whose bodies stay in their places may tilt
@@ -265,7 +265,7 @@ impl Transient {
         let clear = |g: &Growth| g.rate.abs() > 3.0 * g.uncertainty;
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
         for s in &motions {
-            let finding = if grows && s.moves() && s.peak.t >= 0.9 * flight.run.t {
+            let finding = if grows && s.moves() && s.peak.t >= 0.9 * trajectory.run.t {
                 let (id, what) = if s.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
                 let text = format!("The {what} of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", s.body);
                 Some(Finding::info(id, text).of(&s.body).value(s.peak.amplitude, s.unit))
@@ -275,18 +275,18 @@ impl Transient {
             out.extend(finding.map(|f| f.evidence("reached at", s.peak.t, "s")));
         }
         for b in system.bodies() {
-            let (x, y) = (flight.state[b.x], flight.state[b.x + 1]);
+            let (x, y) = (trajectory.state[b.x], trajectory.state[b.x + 1]);
             let away = (x - start.rest[b.x]).hypot(y - start.rest[b.x + 1]);
             if away <= still {
                 continue;
             }
             let text = format!("{at} \"{}\" is {{}} from its place of rest.", b.name);
             let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
-            out.push(finding.evidence("t", flight.run.t, "s"));
+            out.push(finding.evidence("t", trajectory.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
             out.extend(drive::without_inertia(system, "The spin speed changes"));
-            let speed = motion.spin(flight.run.t, &flight.state).speed;
+            let speed = motion.spin(trajectory.run.t, &trajectory.state).speed;
             let text = format!("{at} the spin speed is {{}}.");
             out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
         }

@@ -1,10 +1,10 @@
-//! The path of the bodies over the last turns of the rotor, where the outputs asked for are too far apart to draw it.
+//! The path of the bodies over the last turns of the rotor, where the outputs requested are too far apart to draw it.
 
 use super::history::Columns;
 use crate::diagnostic::Diagnostic;
 use crate::outcome::Table;
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::Flight;
+use crate::solve::motion::trajectory::Trajectory;
 use crate::solve::programme::Spin;
 use std::f64::consts::TAU;
 
@@ -15,9 +15,9 @@ const TURNS: usize = 12;
 const SAMPLES: usize = 48;
 
 /// The rotor turns too far between outputs for lines through them to be the motion.
-pub(in crate::study) fn coarse(motion: &Motion, flight: &Flight) -> bool {
-    let dim = flight.state.len().max(1);
-    let spins: Vec<Spin> = flight.times.iter().zip(flight.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y)).collect();
+pub(in crate::study) fn coarse(motion: &Motion, trajectory: &Trajectory) -> bool {
+    let dim = trajectory.state.len().max(1);
+    let spins: Vec<Spin> = trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y)).collect();
     spins.windows(2).any(|w| (w[1].phase - w[0].phase).abs() > TAU / COARSE)
 }
 
@@ -42,15 +42,15 @@ impl Turns {
         merged(self.0.iter().copied(), outputs)
     }
 
-    /// Takes the samples out of a flight, which keeps the outputs asked for besides: a table of the path, if the flight came so far.
+    /// Takes the samples out of a trajectory, which keeps the outputs requested besides: a table of the path, if the trajectory came so far.
     ///
     /// # Errors
     /// A table that contradicts itself.
-    pub fn taken(&self, motion: &Motion, flight: &mut Flight, outputs: &[f64]) -> Result<Option<Table>, Diagnostic> {
+    pub fn taken(&self, motion: &Motion, trajectory: &mut Trajectory, outputs: &[f64]) -> Result<Option<Table>, Diagnostic> {
         let coordinates = motion.system().coordinates();
         let places: Vec<usize> = motion.system().bodies().iter().flat_map(|b| [b.x, b.x + 1]).collect();
         let (mut times, mut path) = (Vec::new(), vec![Vec::new(); places.len()]);
-        separated(flight, self.0.iter().copied(), outputs, |t, y| {
+        separated(trajectory, self.0.iter().copied(), outputs, |t, y| {
             times.push(t);
             path.iter_mut().zip(&places).for_each(|(p, &i)| p.push(y[i]));
         });
@@ -74,17 +74,17 @@ pub(in crate::study) fn merged(samples: impl Iterator<Item = f64>, outputs: &[f6
     all
 }
 
-/// Shows the samples of a flight and leaves it the outputs asked for.
+/// Shows the samples of a trajectory and leaves it the outputs requested.
 pub(in crate::study) fn separated(
-    flight: &mut Flight,
+    trajectory: &mut Trajectory,
     samples: impl Iterator<Item = f64>,
     outputs: &[f64],
     mut sample: impl FnMut(f64, &[f64]),
 ) {
-    let dim = flight.state.len().max(1);
+    let dim = trajectory.state.len().max(1);
     let (mut times, mut states) = (Vec::with_capacity(outputs.len()), Vec::with_capacity(outputs.len() * dim));
     let (mut next, mut output) = (samples.peekable(), outputs.iter().peekable());
-    for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+    for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)) {
         if next.next_if(|s| *s == t).is_some() {
             sample(t, y);
         }
@@ -93,5 +93,5 @@ pub(in crate::study) fn separated(
             states.extend_from_slice(y);
         }
     }
-    (flight.times, flight.states) = (times, states);
+    (trajectory.times, trajectory.states) = (times, states);
 }

@@ -65,7 +65,7 @@ amplitude = { from = "1 um", to = "1 mm" }
 "#;
     const DOC: &'static str = "Free whirls at one spin speed, mode by mode: how the whirl frequency depends on the amplitude, from the linear mode \
         upwards, and the frequencies at which the amplitude has no bound. Unbalance is left out. A damped machine is kept whirling by a drive \
-        proportional to mass, whose size is told; without damping it is zero.";
+        proportional to mass, whose size is reported; without damping it is zero.";
     const FIELDS: &'static [Field] = &[
         Field::optional("speed", SPEED, "", "spin speed; the machine's when left out"),
         Field::optional(
@@ -356,7 +356,7 @@ impl Shown<'_> {
         let (least, highest) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
         let mut last = f64::NEG_INFINITY;
         for a in &self.found.asymptotes {
-            // one line for those that cannot be told apart
+            // one line for those that cannot be distinguished
             if a.value.im - last > 1e-3 * (highest - least) {
                 panel = panel.mark(Rule::x(a.value.im, "asymptote"));
                 last = a.value.im;

@@ -165,7 +165,7 @@ pub(in crate::study) fn trust_columns(
         )
 }
 
-/// That automatic orders leave out more than was asked for at the worst motion.
+/// That automatic orders leave out more than was requested at the worst motion.
 pub(in crate::study) fn short(
     harmonics: Option<usize>,
     accepted: f64,

@@ -148,17 +148,17 @@ impl Shown<'_> {
             .work("Newton iterations", found.iterations)
             .work("eigenproblems", found.rest.solved)
             .work("points", found.families.iter().map(|f| f.cycles.len() as u64).sum());
-        let mut told: Vec<Finding> = Vec::new();
+        let mut reported: Vec<Finding> = Vec::new();
         for f in self.findings() {
             // families that meet at a fold tell of it both
             let same = |t: &Finding| {
                 t.id == f.id && f.id == "fold_of_cycles" && t.value.zip(f.value).is_some_and(|(a, b)| (a - b).abs() <= 1e-9 * b.abs())
             };
-            if !told.iter().any(same) {
-                told.push(f);
+            if !reported.iter().any(same) {
+                reported.push(f);
             }
         }
-        for f in told {
+        for f in reported {
             out = out.finding(f);
         }
         if found.families.iter().any(|f| !f.cycles.is_empty()) {

@@ -252,8 +252,8 @@ impl Methods {
         let (mut wrong, mut count) = (0, 0);
         for a in judged(Method::Averaging) {
             // what neither grows nor decays beyond its error has no sign to compare
-            let told = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
-            if let Some(c) = judged(Method::Converged).find(told) {
+            let reported = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
+            if let Some(c) = judged(Method::Converged).find(reported) {
                 count += 1;
                 wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
             }

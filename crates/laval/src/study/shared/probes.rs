@@ -1,4 +1,4 @@
-//! What is told of the motion of bodies: the displacement of their reference points, of every other point that something names, and their tilts. One order, one
+//! What is reported of the motion of bodies: the displacement of their reference points, of every other point that something names, and their tilts. One order, one
 //! set of names and one measure of size for all studies.
 
 use super::support::probe_name;

@@ -199,7 +199,7 @@ pub fn range_or(
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
     } else {
         let many = range.points.filter(|&p| p > MOST_POINTS);
-        many.map(|p| (format!("{field} asks for {p} points, which are too many"), format!("at most {MOST_POINTS} points")))
+        many.map(|p| (format!("{field} requires {p} points, which are too many"), format!("at most {MOST_POINTS} points")))
     };
     match wrong {
         Some((message, help)) => {

@@ -33,9 +33,9 @@ fn wrong(case: &Case, (kind, fields, quick): (&str, &str, bool)) -> Vec<String> 
             return if named { Vec::new() } else { vec![format!("{} {kind}: {}", case.name, refused.text())] };
         }
     };
-    let asked = |what: &str| quick || MAIN.contains(&what) || (what == "height" && kind != "nonlinear_response");
+    let requested = |what: &str| quick || MAIN.contains(&what) || (what == "height" && kind != "nonlinear_response");
     let mut out = Vec::new();
-    for change in changes(case).into_iter().filter(|c| asked(&c.what)) {
+    for change in changes(case).into_iter().filter(|c| requested(&c.what)) {
         let Answer::Outcome(changed) = ask(&change.machine.text(), kind, fields) else { continue };
         let d = difference(&plain, &changed);
         if !(d > INFLUENCE) && !without_influence(case.name, &change.what, kind) {
@@ -53,7 +53,7 @@ fn every_study_sees_every_property_of_every_part() {
     }
     for k in registry() {
         let kind = k.info.kind;
-        assert!(STUDIES.iter().any(|s| s.0 == kind) || WITHOUT_MOTION.contains(&kind), "{kind}: say what is asked of it");
+        assert!(STUDIES.iter().any(|s| s.0 == kind) || WITHOUT_MOTION.contains(&kind), "{kind}: say what is requested of it");
     }
     let pairs = CASES.iter().flat_map(|c| STUDIES.iter().map(move |s| (c, *s))).filter(|(c, s)| !of(c.name, s.0, LONG));
     let wrong: Vec<String> = pairs.flat_map(|(c, s)| wrong(c, s)).collect();

@@ -1,6 +1,6 @@
 //! What the walk asks of every kind of study: as little as shows an influence; and where none is to be expected.
 
-/// Kind, fields, and whether it is quick enough to be asked about every key.
+/// Kind, fields, and whether it is quick enough to be requested about every key.
 pub const STUDIES: &[(&str, &str, bool)] = &[
     ("modes", "", true),
     ("modes", "about = \"turning\"\nspeed = 400", true),

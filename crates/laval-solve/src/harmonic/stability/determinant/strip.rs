@@ -32,7 +32,7 @@ fn top(hill: &mut Hill) -> Option<f64> {
     Some(WIDTH * hill.fastest.max(stiffest)).filter(|t| t.is_finite())
 }
 
-/// Number of zeros in a strip right of the margin; `None` where it could not be told with these orders.
+/// Number of zeros in a strip right of the margin; `None` where it could not be determined with these orders.
 pub(super) fn count(hill: &mut Hill, margin: f64) -> Option<i64> {
     let domains = hill.domains.clone();
     let (speed, width, orders) = (hill.speed, hill.base.abs(), hill.orders as f64);

@@ -74,8 +74,8 @@ fn by_diffsol(machine: &Machine) -> Option<Vec<f64>> {
 
 /// Time this thread has spent on a processor, s; the wall clock where the system does not tell.
 fn clock(start: std::time::Instant) -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
+    let reported = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = reported.and_then(|t| t.split_whitespace().next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |t| t * 1e-9)
 }
 

@@ -58,11 +58,11 @@ pub fn exchanged(system: &System, cups: &[Carried]) -> Result<System, Diagnostic
 /// The vessels of a machine that its dynamics know nothing of: cups that name no body to carry them, and bowls in a machine without liquid; one finding each, of all
 /// vessels or of those with this name.
 pub fn uncarried(system: &System, name: Option<&str>) -> Vec<Finding> {
-    let asked = |e: &&Extra| e.word == "cup" && name.is_none_or(|n| e.name == n);
+    let requested = |e: &&Extra| e.word == "cup" && name.is_none_or(|n| e.name == n);
     let holds_liquid = system.slots().iter().any(|s| s.part.filling().is_some());
     let body = system.slots().iter().find(|s| s.part.body().is_some_and(|b| b.parameters().mass.is_some()));
     let body = body.map_or("the body that carries them", |s| s.name.as_str());
-    let told = |e: &Extra| {
+    let reported = |e: &Extra| {
         let name = &e.name;
         match e.kind {
             "swinging" | "fixed_angle" if e.values.attach("on").is_none() => Some(Finding::warning(
@@ -81,5 +81,5 @@ pub fn uncarried(system: &System, name: Option<&str>) -> Vec<Finding> {
             _ => None,
         }
     };
-    system.machine.extras.iter().filter(asked).filter_map(told).collect()
+    system.machine.extras.iter().filter(requested).filter_map(reported).collect()
 }

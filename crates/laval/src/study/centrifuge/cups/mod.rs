@@ -465,7 +465,7 @@ fn densities(v: &Values, out: &mut Diagnostics) -> Option<Law> {
     }
 }
 
-/// The cup a study asks for by name, or the only one.
+/// The cup a study requires by name, or the only one.
 pub fn the_vessel(values: &Values, system: &System, out: &mut Diagnostics) -> Option<Vessel> {
     let cups: Vec<&Extra> = system.machine.extras.iter().filter(|e| e.word == "cup").collect();
     let names = cups.iter().map(|c| format!("\"{}\"", c.name)).collect::<Vec<_>>().join(", ");

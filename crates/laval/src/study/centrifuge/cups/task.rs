@@ -1,4 +1,4 @@
-//! What a study asks of a separation: the same words, the same checks and the same particles in every study.
+//! A separation as a study requests it: the same words, the same checks and the same particles in every study.
 
 use super::{Suspension, Vessel, the_suspension, the_vessel, wrong};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -12,7 +12,7 @@ use crate::separation::motion::Lost;
 use crate::separation::particle::Drag;
 use crate::separation::recovery::{Recovery, Watch};
 
-/// A separation that is asked for.
+/// A separation that is requested.
 #[derive(Clone, Debug)]
 pub struct Task {
     /// What separates.
@@ -152,7 +152,7 @@ pub fn lost(Lost(why): Lost) -> Diagnostic {
         .help("a particle that moves much faster than the cup turns needs drag = \"schiller_naumann\"")
 }
 
-/// Time a share of a batch takes at a speed, s; `watch` is told of every path.
+/// Time a share of a batch takes at a speed, s; `watch` receives every path.
 ///
 /// # Errors
 /// When a path cannot be computed, or the watch says stop.

@@ -50,7 +50,7 @@ impl Margin {
 pub(super) struct Point {
     pub speed: f64,
     pub margins: Vec<Margin>,
-    /// Time to reach the recovery, run-up counted as asked, s.
+    /// Time to reach the recovery, run-up counted as requested, s.
     pub needed: f64,
     pub tilt: f64,
     pub unbalance: f64,
@@ -94,7 +94,7 @@ impl Point {
     }
 }
 
-/// What is asked of the machine.
+/// What is requested of the machine.
 #[derive(Clone)]
 pub(super) struct Requirements {
     pub task: Option<Task>,

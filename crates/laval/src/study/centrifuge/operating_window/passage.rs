@@ -6,7 +6,7 @@ use crate::model::system::System;
 use crate::model::timed::Speeds;
 use crate::outcome::Finding;
 use crate::solve::motion::envelope::Window;
-use crate::solve::motion::flight::{Choice, Plan, fly};
+use crate::solve::motion::trajectory::{Choice, Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
 use crate::study::Context;
@@ -52,7 +52,7 @@ pub(super) struct Peak {
 }
 
 const WINDOWS: usize = 300;
-/// Parts of the way that progress tells apart.
+/// Parts of the way that progress distinguishes.
 const PARTS: f64 = 1e6;
 
 impl Passage {
@@ -60,8 +60,8 @@ impl Passage {
     pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
         let lacks = without_inertia(system, "The torque of the run-up is");
         context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
-        let told = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
-        let (ways, steps) = both_ways(system, (top, duration), context, &told)?;
+        let reported = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
+        let (ways, steps) = both_ways(system, (top, duration), context, &reported)?;
         let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
         Ok(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps, lacks })
     }
@@ -140,7 +140,7 @@ fn both_ways(
     system: &System,
     (top, duration): (f64, f64),
     context: &Context,
-    told: &dyn Fn(f64),
+    reported: &dyn Fn(f64),
 ) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
     let timed = system.timed(Speeds::Changing)?;
     let system: &System = &timed;
@@ -176,27 +176,27 @@ fn both_ways(
             kick: None,
             max_steps: context.work_limit.min(20_000_000),
             cancel: &|| context.cancelled(),
-            progress: &|t| told(behind + 0.5 * t / duration),
+            progress: &|t| reported(behind + 0.5 * t / duration),
         };
-        let flight = fly(&mut motion, &y, &plan)?;
-        steps += flight.run.work.steps;
-        if flight.run.end != End::Reached {
+        let trajectory = simulate(&mut motion, &y, &plan)?;
+        steps += trajectory.run.work.steps;
+        if trajectory.run.end != End::Reached {
             return Err(Diagnostic::error(
                 "operating_window.passage",
-                format!("the passage could not be computed beyond {:.5} rad/s", programme.at(flight.run.t).speed),
+                format!("the passage could not be computed beyond {:.5} rad/s", programme.at(trajectory.run.t).speed),
             )
             .help("shorten the ramp or the range of speeds; a machine that is unstable below the window may move without bound"));
         }
-        let dim = flight.state.len();
+        let dim = trajectory.state.len();
         let mut torques = Vec::new();
-        for (&t, y) in flight.times.iter().zip(flight.states.chunks_exact(dim)) {
+        for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)) {
             torques.push(motion.torque(t, y).unwrap_or(f64::NAN).abs());
         }
         for k in 0..WINDOWS {
             let [a, b] = [k, k + 1].map(|i| programme.at(duration * i as f64 / WINDOWS as f64).speed);
             let peak = |w: &Vec<Window>| (w[k].peak.amplitude, programme.at(w[k].peak.t).speed);
-            let moved = flight.windows.iter().map(peak).collect();
-            let aside = flight.points.iter().map(|p| peak(&p.1)).collect();
+            let moved = trajectory.windows.iter().map(peak).collect();
+            let aside = trajectory.points.iter().map(|p| peak(&p.1)).collect();
             let torque = torques.get(k).copied().unwrap_or(f64::NAN);
             way.push(Stretch { speeds: (a.min(b), a.max(b)), moved, aside, torque });
         }
@@ -204,7 +204,7 @@ fn both_ways(
         if to < from {
             way.reverse();
         }
-        state = Some((flight.state, programme.at(duration).phase));
+        state = Some((trajectory.state, programme.at(duration).phase));
     }
     Ok((ways, steps))
 }

@@ -339,7 +339,7 @@ impl WindowResult<'_> {
         let required = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
         let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| n != VALID && !required(n)).map(|n| NAMES[n]).collect();
         if !absent.is_empty() {
-            let text = format!("Not checked, because nothing in the file asks for it: {}.", absent.join(", "));
+            let text = format!("Not checked, because nothing in the file requires it: {}.", absent.join(", "));
             out = out.finding(Finding::info("not_checked", text));
         }
         if !required(0) && !required(1) && !required(5) && !required(6) {
@@ -413,7 +413,7 @@ impl WindowResult<'_> {
     }
 
     /// The reason for a table.
-    fn told(&self, e: &End) -> String {
+    fn reported(&self, e: &End) -> String {
         if e.event == "domain limit" { "the range looked at ends".into() } else { self.reason(e).0 }
     }
 
@@ -455,7 +455,7 @@ impl WindowResult<'_> {
             .float(
                 "time",
                 "s",
-                "time to reach the recovery, run-up as asked; NaN where nothing is to be separated or it is never reached",
+                "time to reach the recovery, run-up as requested; NaN where nothing is to be separated or it is never reached",
                 column(&|x| x.needed),
             )
             .float("tilt", "rad", "tilt of the cups; NaN without cups", column(&|x| x.tilt))
@@ -485,8 +485,8 @@ impl WindowResult<'_> {
             .text("high binding", "requirement that ends it above", i.iter().map(|x| x.high.binding.clone()).collect())
             .text("low event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.low.event.into()).collect())
             .text("high event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.high.event.into()).collect())
-            .text("low reason", "why it ends below", i.iter().map(|x| self.told(&x.low)).collect())
-            .text("high reason", "why it ends above", i.iter().map(|x| self.told(&x.high)).collect())
+            .text("low reason", "why it ends below", i.iter().map(|x| self.reported(&x.low)).collect())
+            .text("high reason", "why it ends above", i.iter().map(|x| self.reported(&x.high)).collect())
             .float("low bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.low.bracket).collect())
             .float("high bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.high.bracket).collect())
             .float(

@@ -1,4 +1,4 @@
-//! What is asked for: the fields of the study on this machine, with all that is wrong.
+//! What is requested: the fields of the study on this machine, with all that is wrong.
 
 use super::margins::Requirements;
 use super::vary::{current, varied};
@@ -94,7 +94,7 @@ fn timed(values: &Values) -> Option<&'static str> {
     ["time", "throughput"].into_iter().find(|field| values.number(field).is_some())
 }
 
-/// The separation that is asked for, when the machine separates; `top` is the end of the run-up, rad/s.
+/// The separation that is requested, when the machine separates; `top` is the end of the run-up, rad/s.
 fn separated(values: &Values, system: &System, top: f64, out: &mut Diagnostics) -> Option<Task> {
     if !separates(system) {
         if let Some(field) = timed(values) {
@@ -170,17 +170,20 @@ fn policy(values: &Values) -> Policy {
     }
 }
 
-/// What is asked of a machine like the one that the study was read for; for a map with fewer places.
+/// What is requested of a machine like the one that the study was read for; for a map with fewer places.
 ///
 /// # Errors
-/// When its cups and suspension no longer fit what is asked.
+/// When its cups and suspension no longer fit what is requested.
 pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Result<Requirements, Diagnostic> {
     let (v, mut own) = (&study.values, Diagnostics::default());
     let mut task = separated(v, system, study.speed.to, &mut own);
     let limits = limits::of(system);
     run_up(v, &limits, &mut own);
     if own.has_errors() {
-        return Err(Diagnostic::error("operating_window.separation", "what is asked of the machine does not fit its cups and suspension"));
+        return Err(Diagnostic::error(
+            "operating_window.separation",
+            "what the study requires of the machine does not fit its cups and suspension",
+        ));
     }
     let cups = cups::carried(system);
     let after = match task.as_ref().and_then(|task| {

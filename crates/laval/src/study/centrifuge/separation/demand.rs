@@ -17,7 +17,7 @@ use laval_num::univariate::maximum;
 /// Highest speed shown over that of the study.
 pub(super) const HIGHEST_SHOWN: f64 = 4.0;
 
-/// Another speed can be asked for: no particle after the other must be integrated with its inertia.
+/// Another speed can be requested: no particle after the other must be integrated with its inertia.
 pub(super) fn searched(study: &Separation, spinning: &Spinning) -> bool {
     study.speed != 0.0 && affordable(study, spinning, HIGHEST_SHOWN * study.speed)
 }
@@ -63,7 +63,7 @@ fn moved(law: &Law, liquid: f64, by: f64) -> Law {
 }
 
 impl EnsembleResult<'_> {
-    /// Another speed can be asked for.
+    /// Another speed can be requested.
     pub fn any_speed(&self) -> bool {
         searched(self.study, self.spinning)
     }

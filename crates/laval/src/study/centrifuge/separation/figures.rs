@@ -22,7 +22,7 @@ impl EnsembleResult<'_> {
         panel = panel.mark(Rule::x(s.task.time, if flow { "residence time" } else { "time at hand" })).mark(Rule::y(s.task.recovery, ""));
         let unit = if s.task.time >= 600.0 { ("min", 1.0 / 60.0) } else { ("s", 1.0) };
         let x = Axis::log(if flow { "residence time" } else { "time" }, unit.0).factor(unit.1);
-        let alt = "Share of the particles caught over time, with the time at hand and the recovery asked for.";
+        let alt = "Share of the particles caught over time, with the time at hand and the recovery requested.";
         out = out.figure(Figure::new("efficiency", "Recovery over time", alt).x(x).panel(panel));
         if out.find_table("grade").is_some_and(|t| t.rows() > 0) {
             let panel = Panel::new(Axis::new("share caught", "%").factor(100.0).range(0.0, 102.0))
@@ -36,7 +36,7 @@ impl EnsembleResult<'_> {
                 .mark(Line::new("demand", "speed", "time"))
                 .mark(Rule::x(s.speed, "this speed"))
                 .mark(Rule::y(s.task.time, if flow { "residence time" } else { "time at hand" }));
-            let alt = "Time that catches the recovery asked for, over the spin speed.";
+            let alt = "Time that catches the recovery requested, over the spin speed.";
             out = out.figure(Figure::new("demand", "Time over speed", alt).x(Axis::log("spin speed", "rpm").factor(RPM)).panel(panel));
         }
         if out.find_table("pellet").is_some() {

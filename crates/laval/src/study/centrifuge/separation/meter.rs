@@ -1,4 +1,4 @@
-//! How far a separation is: counts the paths of particles that are computed, and stops them when asked to.
+//! How far a separation is: counts the paths of particles that are computed, and stops them when requested to.
 
 use super::Separation;
 use super::demand::searched;
@@ -18,12 +18,12 @@ pub(super) struct Meter<'a> {
     stride: u64,
 }
 
-/// Rounds of exits that a powder without classes takes for one share; times a share is asked for at one speed; speeds at which it is asked for in a search, the table over
+/// Rounds of exits that a powder without classes takes for one share; times a share is requested at one speed; speeds at which it is requested in a search, the table over
 /// the speed and the sensitivities.
 const ROUNDS: u64 = 5;
 const SHARES: u64 = 2;
 const SPEEDS: u64 = 70;
-/// Paths to integrate from which on their number is told.
+/// Paths to integrate from which on their number is reported.
 const LARGE: f64 = 20_000.0;
 
 impl<'a> Meter<'a> {

@@ -38,7 +38,7 @@ use rayon::prelude::*;
 
 /// See the [module](self).
 pub struct Separation {
-    /// What is asked for; its batch carries the run-up.
+    /// The request; its batch carries the run-up.
     pub task: Task,
     /// Spin speed, rad/s.
     pub speed: f64,

@@ -58,7 +58,7 @@ impl<'a> EnsembleResult<'a> {
         } else if study.speed != 0.0 {
             let text = format!(
                 "The speed that catches {name} and the sensitivities are not searched for: at up to {} times this speed every particle would be integrated with its \
-                 inertia. Ask with model = \"drifting\", which leaves the inertia out, or look at single speeds.",
+                 inertia. Use model = \"drifting\", which leaves the inertia out, or look at single speeds.",
                 significant(HIGHEST_SHOWN, 2)
             );
             out = out.finding(Finding::info("speed_needed", text));

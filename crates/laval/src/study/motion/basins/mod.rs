@@ -201,7 +201,7 @@ points = 50
         };
         let varied = self.axes.each_ref().map(|a| a.index.and_then(moved));
         let initial = start::renumbered(&self.initial, system, &own);
-        let fleet = Fleet {
+        let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             start: Start::new(&own, self.speed),
@@ -216,16 +216,16 @@ points = 50
             initial,
             system: Arc::new(own),
         };
-        let columns = rows::columns(self, &fleet);
+        let columns = rows::columns(self, &members);
         // the first row is the undisturbed start
-        let count = 1 + fleet.values[0].len() * fleet.values[1].len();
+        let count = 1 + members.values[0].len() * members.values[1].len();
         let plan = store::Plan {
             study: Self::KIND.into(),
             columns: columns.iter().map(|c| c.column.clone()).collect(),
             rows: count,
             chunk: count.div_ceil(50).clamp(64, 256),
         };
-        match fleet.undecaying() {
+        match members.undecaying() {
             Some(what) => {
                 let whole = format!(
                     "{} motions to follow ({} cells and the undisturbed start), each for up to {} turns: {what}, so that nothing says how long settling takes",
@@ -237,13 +237,13 @@ points = 50
             }
             None => context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat"),
         }
-        let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
+        let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
+        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
     }
 }
 
 /// The study on its machine.
-struct Fleet<'a> {
+struct Members<'a> {
     budget: Budget,
     study: &'a Basins,
     /// Start, by entries of the machine in time, and the places of the two initial values in its state.
@@ -265,7 +265,7 @@ struct Fleet<'a> {
     values: [Vec<f64>; 2],
 }
 
-impl Fleet<'_> {
+impl Members<'_> {
     /// Which mode at rest does not decay.
     fn undecaying(&self) -> Option<String> {
         match (self.rate, self.growth) {
@@ -308,10 +308,9 @@ impl Fleet<'_> {
         };
         let members: Vec<Member> = range.clone().map(member).collect();
         let probes = self.probes.clone();
-        let voyage = SteadyStateSearch { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let task = SteadyStateSearch { members: &members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let settings = Settings { method: self.method, ..Settings::default() };
-        let steady_state: Vec<SteadyState> =
-            ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
+        let steady_state: Vec<SteadyState> = ensemble::run(&task, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let place = |y: &[f64]| self.varied.map(|i| i.map_or(f64::NAN, |i| y[i]));
         let list = members.iter().zip(steady_state).map(|(m, steady_state)| rows::Row { place: place(&m.y), steady_state }).collect();
         // a motion that the budget cut short is none

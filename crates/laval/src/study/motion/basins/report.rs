@@ -5,7 +5,7 @@ use super::super::steady_state::period::{LONGEST, Verdict};
 use super::super::steady_state::{RUNAWAY, UNBOUNDED, sizes, stored};
 use super::attractors::{AGREE, Attractor, AttractorSet, Motion, Ruler};
 use super::rows::{PLACE, orbit};
-use super::{Basins, Fleet};
+use super::{Basins, Members};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Points, Table, quantity};
 use crate::store::Results;
@@ -19,7 +19,7 @@ const MOST_TOLD: usize = 8;
 
 /// All rows, the undisturbed start first, and what they are.
 struct Map<'a> {
-    fleet: &'a Fleet<'a>,
+    members: &'a Members<'a>,
     place: Vec<[f64; 2]>,
     /// Word of the judgement.
     motion: Vec<String>,
@@ -36,12 +36,12 @@ struct Map<'a> {
 }
 
 impl<'a> Map<'a> {
-    fn read(fleet: &'a Fleet<'a>, results: &Results) -> Result<Self, Diagnostic> {
+    fn read(members: &'a Members<'a>, results: &Results) -> Result<Self, Diagnostic> {
         let position =
             |name: &str| results.position(name).ok_or_else(|| Diagnostic::error("store.columns", format!("there is no column \"{name}\"")));
-        let names = state_names(&fleet.system);
-        let peaks = fleet.probes.iter().map(|p| position(&probes::column(p))).collect::<Result<Vec<_>, _>>()?;
-        let means = fleet.bodies.iter().map(|b| position(&format!("rms.{}", b.name))).collect::<Result<Vec<_>, _>>()?;
+        let names = state_names(&members.system);
+        let peaks = members.probes.iter().map(|p| position(&probes::column(p))).collect::<Result<Vec<_>, _>>()?;
+        let means = members.bodies.iter().map(|b| position(&format!("rms.{}", b.name))).collect::<Result<Vec<_>, _>>()?;
         let (x, y, word, period, remaining) =
             (position(PLACE[0])?, position(PLACE[1])?, position("motion")?, position("period")?, position("remaining")?);
         let states = (0..LONGEST)
@@ -61,7 +61,7 @@ impl<'a> Map<'a> {
                 motions.push(Motion {
                     orbit: (0..turns).rev().map(|p| states[p].iter().map(|&c| number(c)).collect()).collect(),
                     // where a mode neither decays nor grows, what does not repeat may never settle
-                    irregular: assessment == Verdict::NotPeriodic.word() && !fleet.neutral,
+                    irregular: assessment == Verdict::NotPeriodic.word() && !members.neutral,
                     remaining: number(remaining),
                     amplitude: f64::NAN,
                 });
@@ -70,15 +70,16 @@ impl<'a> Map<'a> {
                 rms.iter_mut().zip(&means).for_each(|(a, &c)| a.push(number(c)));
             }
         }
-        let known = probes::resolved(fleet.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), fleet.study.rules.tolerance);
-        let lead = known.iter().min_by_key(|k| k.0.body).and_then(|k| fleet.probes.iter().position(|p| *p == k.0)).unwrap_or(0);
+        let known =
+            probes::resolved(members.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), members.study.rules.tolerance);
+        let lead = known.iter().min_by_key(|k| k.0.body).and_then(|k| members.probes.iter().position(|p| *p == k.0)).unwrap_or(0);
         if let Some(own) = amplitude.get(lead) {
             motions.iter_mut().zip(own).for_each(|(m, &a)| m.amplitude = a);
         }
-        let (sizes, rules) = (sizes(&fleet.system, fleet.study.speed), &fleet.study.rules);
-        let found = Ruler { sizes: &sizes, rest: &fleet.start.rest, tolerance: rules.tolerance }.sort(&motions);
+        let (sizes, rules) = (sizes(&members.system, members.study.speed), &members.study.rules);
+        let found = Ruler { sizes: &sizes, rest: &members.start.rest, tolerance: rules.tolerance }.sort(&motions);
         let failure = stored::words(results, "failure")?;
-        Ok(Map { fleet, place, motion, failure, motions, amplitude, lead, rms, found })
+        Ok(Map { members, place, motion, failure, motions, amplitude, lead, rms, found })
     }
 
     /// Rows of the grid.
@@ -107,7 +108,7 @@ impl<'a> Map<'a> {
     /// "drum.x = 1 mm, drum.x' = 0.1 m/s"
     fn at(&self, place: [f64; 2]) -> String {
         let one = |k: usize| {
-            let axis = &self.fleet.study.axes[k];
+            let axis = &self.members.study.axes[k];
             format!("{} = {}", axis.name, quantity(place[k], &axis.unit))
         };
         format!("{}, {}", one(0), one(1))
@@ -122,12 +123,12 @@ impl<'a> Map<'a> {
     }
 }
 
-pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let map = Map::read(fleet, results)?;
+pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let map = Map::read(members, results)?;
     let complete = results.end() == End::Reached;
     let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    let rows = format!("motions ({} cells and the undisturbed start)", fleet.values[0].len() * fleet.values[1].len());
-    for f in results.remark_of(&rows).into_iter().chain(fleet.start.finding.clone()) {
+    let rows = format!("motions ({} cells and the undisturbed start)", members.values[0].len() * members.values[1].len());
+    for f in results.remark_of(&rows).into_iter().chain(members.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
     outcome = cut_short(&map, results, outcome)?;
@@ -135,7 +136,7 @@ pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Res
     outcome = failures(&map, outcome);
     outcome = disturbance(&map, complete, outcome);
     outcome = undecided(&map, outcome);
-    let axes = &fleet.study.axes;
+    let axes = &members.study.axes;
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
         f.evidence(axes[0].name.clone(), place[0], axes[0].unit.clone()).evidence(axes[1].name.clone(), place[1], axes[1].unit.clone())
@@ -153,7 +154,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(map.fleet.study.speed, "rad/s");
+    let speed = quantity(map.members.study.speed, "rad/s");
     let own: Vec<(usize, &Attractor, usize)> =
         map.found.attractors.iter().enumerate().map(|(k, a)| (k, a, map.count(a))).filter(|x| x.2 > 0).collect();
     let repeating = own.iter().filter(|x| x.1.period.is_some()).count();
@@ -162,7 +163,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
         1 => format!("{{}} motion that repeats was found to be reached from the grid, at {speed}."),
         _ => format!("{{}} different motions that repeat were found to be reached from the grid, at {speed}."),
     };
-    let tolerance = AGREE * map.fleet.study.rules.tolerance;
+    let tolerance = AGREE * map.members.study.rules.tolerance;
     let mut finding = Finding::info("attractors", text).value(repeating as f64, "").evidence("cells", cells as f64, "");
     finding = finding.evidence("distance over the size of a motion that counts as the same", tolerance, "");
     if let Some(gap) = map.found.gap {
@@ -178,7 +179,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
             Some(turns) => format!("which repeats after {turns} turns"),
             None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
         };
-        let lead = map.fleet.probes.get(map.lead);
+        let lead = map.members.probes.get(map.lead);
         let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (probes::quality(p), probes::owner(p), p.unit()));
         let moves = if lead.is_some() { quantity(map.peak(a, map.lead), unit) } else { String::new() };
         let begin = if a.period.is_some() { format!("{}, {what}", upper(&map.name(k))) } else { upper(&what) };
@@ -202,7 +203,7 @@ pub(super) fn share(count: usize, of: usize) -> (f64, f64) {
 
 /// The cell nearest to the undisturbed start that ends in another attractor.
 fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
-    let axes = &map.fleet.study.axes;
+    let axes = &map.members.study.axes;
     let Some(&start) = map.place.first() else { return outcome };
     let place = map.at(start);
     let Some(home) = map.found.of[0] else {
@@ -219,7 +220,7 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     if !(complete && axes[0].holds(start[0]) && axes[1].holds(start[1])) {
         return outcome.finding(Finding::info("undisturbed", from + "."));
     }
-    let all = sizes(&map.fleet.system, map.fleet.study.speed);
+    let all = sizes(&map.members.system, map.members.study.speed);
     let scale = axes.each_ref().map(|a| a.index.map_or(1.0, |i| all[i]));
     let distance = |row: usize| ((map.place[row][0] - start[0]) / scale[0]).hypot((map.place[row][1] - start[1]) / scale[1]);
     let other =
@@ -279,11 +280,11 @@ fn cut_short(map: &Map, results: &Results, outcome: Outcome) -> Result<Outcome, 
     let cells = map.cells().len();
     let bounded = results.numbers("bounded")?;
     let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
-    if cut == 0 || map.fleet.rate.is_none() {
+    if cut == 0 || map.members.rate.is_none() {
         return Ok(outcome);
     }
     let text = format!(
-        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode asks for; they are judged by their last turns all the same."
+        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode requires; they are judged by their last turns all the same."
     );
     Ok(outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, "")))
 }
@@ -293,14 +294,14 @@ fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let count = |word: &str| map.cells().filter(|&r| map.word(r) == word).count();
     if !map.place.is_empty()
-        && let Some(what) = map.fleet.undecaying()
+        && let Some(what) = map.members.undecaying()
     {
-        let most = map.fleet.study.rules.most_periods;
+        let most = map.members.study.rules.most_periods;
         let mut text = format!(
             "{}: nothing says how long settling takes, and motions that do not repeat were followed for {most} turns (most_periods).",
             upper(&what)
         );
-        if map.fleet.neutral {
+        if map.members.neutral {
             text += " One that does not repeat by then is called not settled.";
         }
         outcome = outcome.finding(Finding::warning("no_decay", text));
@@ -319,8 +320,8 @@ pub(super) fn upper(text: &str) -> String {
 }
 
 fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let (fleet, rows) = (map.fleet, map.cells());
-    let axes = &fleet.study.axes;
+    let (members, rows) = (map.members, map.cells());
+    let axes = &members.study.axes;
     let of_cells = |values: &[f64]| values[rows.clone()].iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect::<Vec<f64>>();
     let mut cells = Table::new("cells", "The motion every cell of the grid settles on");
     for k in 0..2 {
@@ -342,7 +343,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             "forcing periods after which the motion repeats; NaN where there is none",
             of_cells(&results.numbers("period")?),
         );
-    for (k, p) in fleet.probes.iter().enumerate() {
+    for (k, p) in members.probes.iter().enumerate() {
         let doc = format!("largest {}; NaN where it failed", probes::quality(p));
         cells = cells.float(probes::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
     }
@@ -375,7 +376,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
         .int("cells", "", "cells of the grid that end in it", all.iter().map(|a| map.count(a) as i64).collect())
         .float("share", "", "share p of all cells", column(&|a| share(map.count(a), rows.len()).0))
         .float("share_error", "", "sampling error sqrt(p (1 - p)/N) for N cells", column(&|a| share(map.count(a), rows.len()).1));
-    for (k, p) in fleet.probes.iter().enumerate() {
+    for (k, p) in members.probes.iter().enumerate() {
         table = table.float(probes::column(p), p.unit(), format!("largest {}", probes::quality(p)), column(&|a| map.peak(a, k)));
         if let Some(rms) = map.rms.get(k) {
             let doc = "root of the mean squared displacement of its best motion";
@@ -390,7 +391,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             column(&|a| map.motions[a.best].remaining),
         )
         .float("spread", "", "largest distance of a motion from the first over its size; zero where none repeats", column(&|a| a.spread));
-    if fleet.study.rules.shooting {
+    if members.study.rules.shooting {
         let shot = |name: &str| results.numbers(name).map(|v| column(&|a| v[a.best]));
         table = table
             .float(
@@ -420,7 +421,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
 
 /// Poincare points of the attractors that repeat.
 fn poincare(map: &Map) -> Result<Table, Diagnostic> {
-    let names = state_names(&map.fleet.system);
+    let names = state_names(&map.members.system);
     let mut rows: Vec<(i64, i64, &str, &str, f64)> = Vec::new();
     for (k, a) in map.found.attractors.iter().enumerate() {
         for (p, y) in map.motions[a.best].orbit.iter().enumerate() {
@@ -442,7 +443,7 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     if map.cells().is_empty() {
         return outcome;
     }
-    let axes = &map.fleet.study.axes;
+    let axes = &map.members.study.axes;
     let drawn = |k: usize| {
         let a = &axes[k];
         let largest = map.place.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
@@ -462,7 +463,7 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     if axes[0].holds(start[0]) && axes[1].holds(start[1]) {
         panel = panel.mark(Points::new("undisturbed", PLACE[0], PLACE[1]).name("undisturbed start"));
     }
-    let speed = quantity(map.fleet.study.speed, "rad/s");
+    let speed = quantity(map.members.study.speed, "rad/s");
     let alt = format!("The motion each start settles on at {speed}, over the initial values {} and {}.", axes[0].name, axes[1].name);
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(panel);
     let (x, y) = (drawn(0), drawn(1));

@@ -4,7 +4,7 @@ use super::super::start::state_names;
 use super::super::steady_state::SteadyState;
 use super::super::steady_state::columns::{self, RowColumn, body, number};
 use super::super::steady_state::period::LONGEST;
-use super::{Basins, Fleet};
+use super::{Basins, Members};
 
 /// One motion.
 pub(super) struct Row {
@@ -23,19 +23,19 @@ impl columns::Row for Row {
 pub(super) const PLACE: [&str; 2] = ["x", "y"];
 
 /// The columns.
-pub(super) fn columns(study: &Basins, fleet: &Fleet) -> Vec<RowColumn<Row>> {
+pub(super) fn columns(study: &Basins, members: &Members) -> Vec<RowColumn<Row>> {
     let mut out: Vec<RowColumn<Row>> = Vec::new();
     for (k, axis) in study.axes.iter().enumerate() {
         out.push(number(PLACE[k], &axis.unit, &format!("initial value of {}", axis.name), move |r: &Row| r.place[k]));
     }
     out.extend(columns::verdict_columns(&study.rules));
-    for (b, own) in fleet.bodies.iter().enumerate() {
+    for (b, own) in members.bodies.iter().enumerate() {
         out.push(body(format!("amplitude.{}", own.name), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{}", own.name), b, "root of the mean squared displacement", |m| m.rms));
     }
-    out.extend(columns::others(&fleet.system));
+    out.extend(columns::others(&members.system));
     for p in 0..LONGEST {
-        for (i, (name, unit)) in state_names(&fleet.system).into_iter().enumerate() {
+        for (i, (name, unit)) in state_names(&members.system).into_iter().enumerate() {
             let doc = "state at phase zero, so many turns before the end; none where the motion does not repeat or has repeated before";
             out.push(number(orbit(p, &name), &unit, doc, move |r: &Row| {
                 let orbit = &r.steady_state.orbit;

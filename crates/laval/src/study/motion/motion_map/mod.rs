@@ -163,7 +163,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
-        let fleet = Fleet {
+        let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             initial,
@@ -171,8 +171,8 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             values: self.axes.each_ref().map(GridAxis::values),
             system: Arc::new(own),
         };
-        let columns = fleet.columns();
-        let count = fleet.values[0].len() * fleet.values[1].len();
+        let columns = members.columns();
+        let count = members.values[0].len() * members.values[1].len();
         let plan = store::Plan {
             study: Self::KIND.into(),
             columns: columns.iter().map(|c| c.column.clone()).collect(),
@@ -180,8 +180,8 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
             chunk: count.div_ceil(50).clamp(64, 1024),
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
-        let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
+        let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
+        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
     }
 }
 
@@ -218,7 +218,7 @@ fn parameter(field: &str, values: &Values, system: &System, diagnostics: &mut Di
 }
 
 impl MotionMap {
-    /// The implicit method where a corner of the map asks for it.
+    /// The implicit method where a corner of the map requires it.
     fn method(&self, system: &System) -> Method {
         let ends = |k: usize| [self.axes[k].range.from, self.axes[k].range.to];
         let corners = ends(0).into_iter().flat_map(|x| ends(1).map(|y| [x, y]));
@@ -243,7 +243,7 @@ impl MotionMap {
 }
 
 /// The study on its machine.
-struct Fleet<'a> {
+struct Members<'a> {
     budget: Budget,
     study: &'a MotionMap,
     /// Start, by entries of the machine in time.
@@ -271,7 +271,7 @@ impl columns::Row for Row {
 /// Name of the column that tells why there is no machine.
 const REFUSED: &str = "refused";
 
-impl Fleet<'_> {
+impl Members<'_> {
     /// The place of a row: along x first.
     fn at(&self, row: usize) -> [f64; 2] {
         let width = self.values[0].len();
@@ -312,7 +312,7 @@ impl Fleet<'_> {
         let found: Vec<Result<Member, String>> = range.clone().into_par_iter().map(member).collect();
         let refused: Vec<Option<String>> = found.iter().map(|m| m.as_ref().err().cloned()).collect();
         let members: Vec<Member> = found.into_iter().flatten().collect();
-        let voyage = SteadyStateSearch {
+        let task = SteadyStateSearch {
             members: &members,
             rules: &self.study.rules,
             counter,
@@ -320,7 +320,7 @@ impl Fleet<'_> {
             probes: probes::all(&self.system),
         };
         let settings = Settings { method: self.method, ..Settings::default() };
-        let steady_state = ensemble::run(&voyage, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
+        let steady_state = ensemble::run(&task, &self.system, Form::of(&self.system, true), 0..members.len(), settings)?;
         let mut steady_state = steady_state.into_iter();
         let mut row = |(row, refused): (usize, Option<String>)| {
             let none = || SteadyState::none("is that of no machine");

@@ -1,6 +1,6 @@
 //! From points to findings, the table and the figures.
 
-use super::{Fleet, MotionMap, REFUSED};
+use super::{Members, MotionMap, REFUSED};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
@@ -19,7 +19,7 @@ const WIDE: f64 = 30.0;
 
 /// All points.
 struct Map<'a> {
-    fleet: &'a Fleet<'a>,
+    members: &'a Members<'a>,
     /// What the motion of each is, in a word of the legend.
     classes: Vec<String>,
     /// Largest values of every probe, but of displacements that are not resolved beside the tilt of their body.
@@ -29,12 +29,12 @@ struct Map<'a> {
 impl Map<'_> {
     /// "speed = 300 rad/s, drum.eccentricity = 50 µm"
     fn place(&self, row: usize) -> String {
-        let (at, axes) = (self.fleet.at(row), &self.fleet.study.axes);
+        let (at, axes) = (self.members.at(row), &self.members.study.axes);
         [0, 1].map(|k| format!("{} = {}", axes[k].name(), quantity(at[k], axes[k].unit))).join(", ")
     }
 
     fn with_place(&self, f: Finding, row: usize) -> Finding {
-        let (at, axes) = (self.fleet.at(row), &self.fleet.study.axes);
+        let (at, axes) = (self.members.at(row), &self.members.study.axes);
         (0..2).fold(f, |f, k| f.evidence(axes[k].name(), at[k], axes[k].unit))
     }
 
@@ -59,15 +59,15 @@ fn all_classes() -> Vec<String> {
     repeating.chain(["not periodic", "not settled", "failed"].map(String::from)).collect()
 }
 
-pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
     let periods = results.numbers("period")?;
     let classes: Vec<String> = stored::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
     let mut sizes = Vec::new();
-    for p in probes::all(&fleet.system) {
+    for p in probes::all(&members.system) {
         let own = results.numbers(&probes::column(&p))?;
         sizes.push((p, own));
     }
-    let map = Map { fleet, classes, sizes: probes::resolved(sizes, fleet.study.rules.tolerance) };
+    let map = Map { members, classes, sizes: probes::resolved(sizes, members.study.rules.tolerance) };
     let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
@@ -171,8 +171,8 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
     if map.classes.is_empty() {
         return outcome;
     }
-    let axes = &map.fleet.study.axes;
-    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.fleet.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
+    let axes = &map.members.study.axes;
+    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.members.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
     let [x, y] = [0, 1].map(|k| axes[k].name());
     let figure = |name: String, title: String, heat: Heat| {
         let alt = format!("{title} over {x} and {y}.");

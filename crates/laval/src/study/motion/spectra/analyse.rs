@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Lines over orders, per order.
 pub(super) const LINES: usize = 16;
-/// Turns of a window at least and at most: the lines of orders stand closer than the orders it tells apart.
+/// Turns of a window at least and at most: the lines of orders stand closer than the orders it distinguishes.
 const FEWEST_TURNS: f64 = 4.0;
 const MOST_TURNS: f64 = 64.0;
 /// Half the width of a line, over the reciprocal of the turns: nothing nearer to a larger part is a part of its own.
@@ -81,7 +81,7 @@ fn window(spectra: &Spectra, record: &Record, from: usize, fft: &Fft, shape: &[f
     fft.forward(&mut x);
     let step = TAU / (record.t[from + n] - record.t[from]);
     let top = ((spectra.highest * spectra.fastest / step).ceil() as i64).clamp(1, n as i64 / 2 - 1);
-    // lines that a reader could not tell apart are merged: the highest counts
+    // lines that a reader could not distinguish are merged: the highest counts
     let merged = (top as usize).div_ceil(MOST_FREQUENCIES) as i64;
     let reach = (top / merged).max(1);
     let frequencies = (-reach..=reach).map(|g| {

@@ -7,7 +7,7 @@
 //!
 //! Symbols: t time; p spin angle; W spin speed; k order, frequency over W; T length of a window; turns of the rotor in it.
 //!
-//! Validity: two parts are told apart when they differ by more than four lines of frequency, `8 pi/T`, or by the order 4/turns; between two lines of frequency a height
+//! Validity: two parts are distinguished when they differ by more than four lines of frequency, `8 pi/T`, or by the order 4/turns; between two lines of frequency a height
 //! falls by at most 15 %. Parts beyond four times the highest order fold back. Windows of fewer than four turns have no orders.
 //!
 //! Theory: `docs/theory/motion-in-time.md#spectra`.
@@ -24,7 +24,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Body, System};
 use crate::outcome::Outcome;
 use crate::solve::motion::Motion;
-use crate::solve::motion::flight::Flight;
+use crate::solve::motion::trajectory::Trajectory;
 use analyse::Record;
 use std::f64::consts::TAU;
 
@@ -54,7 +54,7 @@ pub(in crate::study) const THRESHOLD: Field = Field::optional(
     "component_threshold",
     FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
     "",
-    "with a waterfall: amplitude from which parts other than the synchronous one are told; a hundredth of the largest line unless given",
+    "with a waterfall: amplitude from which parts other than the synchronous one are reported; a hundredth of the largest line unless given",
 );
 
 /// Samples of the highest frequency.
@@ -64,7 +64,7 @@ const LEAST: usize = 64;
 /// Most samples of a record.
 const MOST: usize = 1 << 20;
 
-/// What is asked.
+/// The request.
 #[derive(Clone, Debug)]
 pub(in crate::study) struct Spectra {
     /// The body.
@@ -73,7 +73,7 @@ pub(in crate::study) struct Spectra {
     count: usize,
     /// Highest order.
     highest: f64,
-    /// Amplitude from which parts are told, m.
+    /// Amplitude from which parts are reported, m.
     threshold: Option<f64>,
     /// Length of the record, s.
     duration: f64,
@@ -125,11 +125,11 @@ impl Spectra {
         merged(self.times(), outputs)
     }
 
-    /// Takes the samples out of a flight, which keeps the outputs asked for besides.
-    pub fn taken(&self, motion: &Motion, start: &Start, flight: &mut Flight, outputs: &[f64]) -> Record {
+    /// Takes the samples out of a trajectory, which keeps the outputs requested besides.
+    pub fn taken(&self, motion: &Motion, start: &Start, trajectory: &mut Trajectory, outputs: &[f64]) -> Record {
         let mut record = Record::default();
         let (ix, iy) = (self.body.x, self.body.x + 1);
-        separated(flight, self.times(), outputs, |t, y| {
+        separated(trajectory, self.times(), outputs, |t, y| {
             record.push(t, motion.spin(t, y), (y[ix] - start.rest[ix], y[iy] - start.rest[iy]))
         });
         record

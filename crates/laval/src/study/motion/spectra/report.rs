@@ -10,11 +10,11 @@ use std::f64::consts::TAU;
 
 /// Lowest amplitude drawn over the highest.
 const DEPTH: f64 = 1e-4;
-/// Parts are told from this share of the highest line on, unless a threshold is given.
+/// Parts are distinguished from this share of the highest line on, unless a threshold is given.
 const SHARE: f64 = 0.01;
 /// Largest denominator of an order that is called by its fraction.
 const DENOMINATORS: usize = 4;
-/// Classes of parts told at most.
+/// Classes of parts reported at most.
 const MOST: usize = 8;
 
 /// What a part is.
@@ -126,7 +126,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
     let name = &spectra.body.name;
     let judged: Vec<usize> = (0..windows.len()).filter(|&k| !windows[k].orders.is_empty()).collect();
     if judged.is_empty() {
-        let text = "The windows of the waterfall hold fewer than four turns of the rotor: there are no orders. Ask for fewer spectra.";
+        let text = "The windows of the waterfall hold fewer than four turns of the rotor: there are no orders. Request fewer spectra.";
         return vec![Finding::info("no_orders", text)];
     }
     let top = judged.iter().flat_map(|&k| &windows[k].orders).map(|l| l.1).fold(0.0, f64::max);
@@ -204,7 +204,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
             .evidence("difference of speed to the window before", before, "rad/s")
             .evidence("largest amplitude", seen.largest.amplitude, "m")
             .evidence("order there", seen.largest.order, "")
-            .evidence("orders told apart there", 4.0 / at.turns, "")
+            .evidence("orders distinguished there", 4.0 / at.turns, "")
             .evidence("frequency there", seen.largest.order.abs() * at.speed.abs(), "rad/s")
             .evidence("speed there", at.speed, "rad/s")
     };

@@ -6,7 +6,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::study::motion::history::method;
 
 const SETTLINGS: &[Word] = &[
-    ("decay", "as many e-folds of the slowest mode as the tolerance asks for"),
+    ("decay", "as many e-folds of the slowest mode as the tolerance requires"),
     ("shooting", "five e-folds, then Newton's method on the Poincare map; the long way where it fails"),
 ];
 /// Lowest speed, rad/s: a forcing period must end.

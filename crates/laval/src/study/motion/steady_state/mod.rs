@@ -1,8 +1,8 @@
 //! Motions followed until they repeat: in lanes, each for as long as it needs, then judged by its Poincare points.
 //!
 //! A leg is a whole number of forcing periods `T = 2 pi / W`, so that every leg starts at phase zero. A member is integrated for as many e-folds of the
-//! slowest mode as the tolerance asks for, then recorded over some periods and judged ([`period`]); while it does not repeat it goes on, up to
-//! four times the time that the slowest mode asks for. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
+//! slowest mode as the tolerance requires, then recorded over some periods and judged ([`period`]); while it does not repeat it goes on, up to
+//! four times the time that the slowest mode requires. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
 //! ([`shooting`]).
 //!
 //! Theory: `docs/theory/motion-in-time.md#steady-state-motion`.
@@ -17,9 +17,9 @@ pub(in crate::study) mod stored;
 
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::solve::ensemble::{self, Ended, Grid, Leg, LegEnd, Method, Next, Start, Voyage};
+use crate::solve::ensemble::{self, Ended, EnsembleTask, Grid, Leg, LegEnd, Method, Next, Start};
 use crate::solve::motion::SpinLaw;
-use crate::solve::motion::flight::Choice;
+use crate::solve::motion::trajectory::Choice;
 use crate::solve::pencil::{Spectrum, modes_about};
 use crate::solve::programme::Programme;
 use crate::solve::rest::rest;
@@ -52,7 +52,7 @@ pub(in crate::study) const UNBOUNDED: &str = "grows without bound";
 /// How motions are settled and recorded.
 #[derive(Clone, Debug)]
 pub(in crate::study) struct Rules {
-    /// Method of integration asked for.
+    /// Method of integration requested.
     pub method: Choice,
     /// Relative tolerance of a step.
     pub relative: f64,
@@ -153,8 +153,8 @@ pub(in crate::study) fn neutral(system: &System, speed: f64) -> bool {
     least_stable(system, speed).is_some_and(|(growth, rounding)| growth.abs() <= rounding)
 }
 
-/// Rate of the fastest mode over the spin speed above which the implicit method is cheaper: stability then asks the explicit one for some thousand
-/// steps a period, where accuracy asks the implicit one for one or two hundred, each three times as dear.
+/// Rate of the fastest mode over the spin speed above which the implicit method is cheaper: stability then requires of the explicit one some thousand
+/// steps a period, where accuracy requires of the implicit one one or two hundred, each three times as dear.
 const FAST: f64 = 1000.0;
 
 /// The method for motions of a machine about a speed.
@@ -318,7 +318,7 @@ impl SteadyStateSearch<'_> {
     }
 }
 
-impl Voyage for SteadyStateSearch<'_> {
+impl EnsembleTask for SteadyStateSearch<'_> {
     type Log = Log;
     type Row = SteadyState;
 

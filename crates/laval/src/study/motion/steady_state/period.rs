@@ -143,7 +143,7 @@ impl Sections {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::motion::flight::Choice;
+    use crate::solve::motion::trajectory::Choice;
 
     fn rules() -> Rules {
         Rules {

@@ -10,7 +10,7 @@
 
 use super::super::steady_state::{Budget, sizes};
 use crate::model::system::System;
-use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
+use crate::solve::ensemble::{self, Ended, EnsembleTask, Leg, LegEnd, Next, Start};
 use crate::solve::motion::SpinLaw;
 use crate::solve::programme::Programme;
 use crate::store::Rows;
@@ -65,7 +65,7 @@ fn shorten(difference: &mut [f64]) -> f64 {
     length
 }
 
-impl Voyage for Pairs<'_> {
+impl EnsembleTask for Pairs<'_> {
     type Log = Log;
     type Row = Option<Exponent>;
 

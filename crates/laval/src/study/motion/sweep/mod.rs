@@ -206,7 +206,7 @@ start = "up_and_down"
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
-        let fleet = Fleet {
+        let members = Members {
             budget: Budget::new(context.work_limit),
             study: self,
             initial,
@@ -216,11 +216,11 @@ start = "up_and_down"
             bodies: system.bodies(),
             probes: probes::all(system),
         };
-        let (steps, ways) = (fleet.speeds.len(), self.ways.len());
+        let (steps, ways) = (members.speeds.len(), self.ways.len());
         let followed = self.ways.iter().any(|w| *w != Way::Rest);
         // a chunk of followed motions is as long as a kill may cost, one of single motions as the lanes like
         let chunk = if followed { steps.div_ceil(50).clamp(4, 64) } else { steps.div_ceil(50).clamp(64, 1024) };
-        let rows = rows::columns(self, &fleet);
+        let rows = rows::columns(self, &members);
         let plan = store::Plan {
             study: Self::KIND.into(),
             columns: rows.iter().map(|r| r.column.clone()).collect(),
@@ -229,11 +229,11 @@ start = "up_and_down"
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run_on(plan, context, |range, counter, before| {
-            let carried = before()?.map(|cells| rows::states(&rows, &cells, (ways, &fleet.probes)));
-            let computed = fleet.rows(range.start / ways..range.end / ways, carried, counter);
+            let carried = before()?.map(|cells| rows::states(&rows, &cells, (ways, &members.probes)));
+            let computed = members.rows(range.start / ways..range.end / ways, carried, counter);
             Ok(computed.map(|list| cells(&rows, &list)))
         })?;
-        Ok(time_forms(&fleet.system, report::report(&fleet, &results, context)?))
+        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
     }
 }
 
@@ -261,7 +261,7 @@ impl Sweep {
 }
 
 /// A sweep on its machine.
-struct Fleet<'a> {
+struct Members<'a> {
     budget: Budget,
     study: &'a Sweep,
     /// Start, by entries of the machine in time.
@@ -274,7 +274,7 @@ struct Fleet<'a> {
     probes: Vec<Probe>,
 }
 
-impl Fleet<'_> {
+impl Members<'_> {
     /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
     fn unresolved(&self) -> f64 {
         probes::UNRESOLVED * self.study.rules.tolerance
@@ -289,7 +289,7 @@ impl Fleet<'_> {
 /// State a followed motion brings along, for each way; none where it failed.
 type Carried = Vec<Option<Followed>>;
 
-impl Fleet<'_> {
+impl Members<'_> {
     /// The speed of a step: downward sweeps begin at the top.
     fn speed(&self, way: Way, step: usize) -> f64 {
         if way == Way::Down { self.speeds[self.speeds.len() - 1 - step] } else { self.speeds[step] }
@@ -310,10 +310,10 @@ impl Fleet<'_> {
     fn settle(&self, members: &[Member], counter: &Rows) -> Option<Vec<SteadyPoint>> {
         let form = Form::of(&self.system, true);
         let probes = self.probes.clone();
-        let voyage = SteadyStateSearch { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
+        let task = SteadyStateSearch { members, rules: &self.study.rules, counter, budget: &self.budget, probes };
         let all = 0..members.len();
         let settings = Settings { method: self.method, ..Settings::default() };
-        let steady_state = ensemble::run(&voyage, &self.system, form, all.clone(), settings)?;
+        let steady_state = ensemble::run(&task, &self.system, form, all.clone(), settings)?;
         let exponents = match self.study.lyapunov {
             None => vec![None; members.len()],
             Some(periods) => {

@@ -1,7 +1,7 @@
 //! Steps of the speed that throw a followed motion off its branch, in smaller steps: the motion goes on, or the place where it jumps is known closely.
 
 use super::lyapunov::Exponent;
-use super::{Fleet, Way};
+use super::{Members, Way};
 use crate::store::Rows;
 use crate::study::motion::steady_state::SteadyState;
 use crate::study::motion::steady_state::period::Verdict;
@@ -46,7 +46,7 @@ pub(super) type SteadyPoint = (SteadyState, Option<Exponent>);
 /// What a step comes to: the motion at its end, and the speeds between which it jumped.
 pub(super) type Step = (SteadyPoint, Option<(f64, f64)>);
 
-impl Fleet<'_> {
+impl Members<'_> {
     /// What a motion hands on; `None` of one that failed.
     pub(super) fn followed(&self, steady_state: &SteadyState) -> Option<Followed> {
         let m = steady_state.measure.as_ref()?;

@@ -6,7 +6,7 @@ use super::super::steady_state::period::LONGEST;
 use super::super::steady_state::stored::{limits, words};
 use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
-use super::{Fleet, Sweep, Way, figures};
+use super::{Members, Sweep, Way, figures};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
 use crate::store::{Kind, Results};
@@ -32,7 +32,7 @@ pub(super) struct Path {
     pub amplitude: Vec<Vec<f64>>,
     /// By probe the size below which it is not resolved beside the rest of the motions of this way.
     pub unresolved: Vec<f64>,
-    /// By probe: jumps are told by a reference point first, then by another point, then by a tilt.
+    /// By probe: jumps are recognised by a reference point first, then by another point, then by a tilt.
     pub rank: Vec<u8>,
     /// Speeds between which smaller steps place a jump on the way to each row; NaN where there is none.
     pub placed: Vec<(f64, f64)>,
@@ -50,16 +50,16 @@ pub(super) struct Jump {
     pub amplitudes: (f64, f64),
 }
 
-fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
-    let ways = &fleet.study.ways;
+fn paths(members: &Members, results: &Results) -> Result<Vec<Path>, Diagnostic> {
+    let ways = &members.study.ways;
     let motion = words(results, "motion")?;
     let own = |column: &str, w: usize| {
         Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
     };
     let one = |(w, way): (usize, &Way)| {
-        let amplitude = fleet.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Result<Vec<_>, _>>()?;
+        let amplitude = members.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Result<Vec<_>, _>>()?;
         let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
-        let loudest = probes::loudest(fleet.probes.iter().zip(amplitude.iter().map(largest)));
+        let loudest = probes::loudest(members.probes.iter().zip(amplitude.iter().map(largest)));
         Ok(Path {
             way: *way,
             speed: own("speed", w)?,
@@ -68,8 +68,8 @@ fn paths(fleet: &Fleet, results: &Results) -> Result<Vec<Path>, Diagnostic> {
             bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
             placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
             amplitude,
-            rank: fleet.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
-            unresolved: fleet.probes.iter().map(|p| fleet.unresolved() * loudest * p.typical()).collect(),
+            rank: members.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
+            unresolved: members.probes.iter().map(|p| members.unresolved() * loudest * p.typical()).collect(),
         })
     };
     ways.iter().enumerate().map(one).collect()
@@ -121,7 +121,7 @@ fn place(speed: &[f64], range: &RangeInclusive<usize>) -> String {
     if a == b { format!("at {}", say(a)) } else { format!("from {} to {}", say(a.min(b)), say(a.max(b))) }
 }
 
-/// "between a and b", with as many digits as tell them apart.
+/// "between a and b", with as many digits as distinguish them.
 fn between((a, b): (f64, f64)) -> String {
     let words = |digits: usize| (significant(a, digits), significant(b, digits));
     let (a, b) = (4..12).map(words).find(|(a, b)| a != b).unwrap_or_else(|| words(12));
@@ -136,27 +136,27 @@ fn begun(way: Way) -> &'static str {
     }
 }
 
-pub(super) fn report(fleet: &Fleet, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let paths = paths(fleet, results)?;
+pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
+    let paths = paths(members, results)?;
     let end = context.end(results.end() == End::Reached);
     let mut outcome = Outcome::new(Sweep::KIND, context.name).over("speed", "rad/s").end(end);
     let jumps: Vec<Jump> = paths.iter().flat_map(jumps).collect();
-    for f in results.remark().into_iter().chain(Start::new(&fleet.system, fleet.speeds[0]).finding) {
+    for f in results.remark().into_iter().chain(Start::new(&members.system, members.speeds[0]).finding) {
         outcome = outcome.finding(f);
     }
     outcome = undamped(results, outcome)?;
-    outcome = largest(fleet, &paths, outcome);
-    outcome = told_jumps(fleet, &paths, &jumps, outcome);
+    outcome = largest(members, &paths, outcome);
+    outcome = told_jumps(members, &paths, &jumps, outcome);
     outcome = hysteresis(&paths, outcome);
     outcome = motions(&paths, outcome);
     outcome = failures(results, outcome)?;
     let speeds = results.numbers("speed")?;
     outcome = limits(results, |row, f| f.evidence("at", speeds[row], "rad/s"), outcome)?;
-    outcome = exponents(fleet.study, results, outcome)?;
+    outcome = exponents(members.study, results, outcome)?;
     let steps = results.numbers("steps")?.iter().sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
-    outcome = tables(fleet, results, &jumps, outcome)?;
-    figures::figures(fleet, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
+    outcome = tables(members, results, &jumps, outcome)?;
+    figures::figures(members, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
 }
 
 /// That settling has no end where a mode at rest does not decay.
@@ -174,13 +174,13 @@ fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> 
     Ok(outcome.finding(Finding::warning("no_decay", text).value(none as f64, "")))
 }
 
-fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
-    for (k, probe) in fleet.probes.iter().enumerate() {
+fn largest(members: &Members, paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for (k, probe) in members.probes.iter().enumerate() {
         let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[k][i], p.motion[i] == "periodic");
         let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));
         let Some((way, speed, a, repeats)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
-        // of a body that only tilts its tilt is told
-        if fleet.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
+        // of a body that only tilts its tilt is reported
+        if members.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
             continue;
         }
         // of a motion that does not repeat the largest of the periods recorded
@@ -194,9 +194,9 @@ fn largest(fleet: &Fleet, paths: &[Path], mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-fn told_jumps(fleet: &Fleet, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
+fn told_jumps(members: &Members, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
-        let probe = &fleet.probes[j.probe];
+        let probe = &members.probes[j.probe];
         let (who, unit) = (probes::subject(probe), probe.unit());
         let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
         let between = between(j.placed);
@@ -309,7 +309,7 @@ fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
         let cut = (0..n).filter(|&i| p.bounded[i] && p.motion[i] == "periodic").count();
         if cut > 0 {
             let text = format!(
-                "At {{}} of {n} speeds ({}) the largest number of periods cut the settling short of what the slowest mode asks for; the motion repeats within the tolerance all the same.",
+                "At {{}} of {n} speeds ({}) the largest number of periods cut the settling short of what the slowest mode requires; the motion repeats within the tolerance all the same.",
                 begun(p.way)
             );
             outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
@@ -357,7 +357,7 @@ fn exponents(study: &Sweep, results: &Results, outcome: Outcome) -> Result<Outco
     Ok(outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s")))
 }
 
-fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn tables(members: &Members, results: &Results, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
     let mut table = Table::new("sweep", "Settled motion at every speed");
     for c in results.columns().iter().filter(|c| !skipped(&c.name)) {
@@ -374,7 +374,7 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
     let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
-    let section = &fleet.probes[fleet.study.section.0];
+    let section = &members.probes[members.study.section.0];
     let (quality, unit) = (probes::quality(section), section.unit());
     // a motion of period k has k points, the last ones
     let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
@@ -386,9 +386,9 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
             .float(quality, unit, quality, rows.iter().map(|r| r.1).collect());
     outcome = outcome.table(poincare.build().map_err(inconsistent)?);
-    if fleet.study.waterfall.is_some() {
+    if members.study.waterfall.is_some() {
         let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
-        let first = fleet.study.ways[0].word();
+        let first = members.study.ways[0].word();
         let rows: Vec<(usize, usize)> =
             (0..speed.len()).filter(|&r| start[r] == first).flat_map(|r| (0..lines.len()).map(move |l| (r, l))).collect();
         let table = Table::new("waterfall", "Circular parts of the motion over speed and order")
@@ -409,17 +409,18 @@ fn tables(fleet: &Fleet, results: &Results, jumps: &[Jump], mut outcome: Outcome
     }
     outcome = outcome.table(end_states(results)?);
     let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
-    let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if fleet.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
+    let size =
+        |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if members.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
     let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
-        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&fleet.probes[j.probe])).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&members.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
         .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
         .float("placed_after", "rad/s", "first speed after, in smaller steps", column(&|j| j.placed.1))
         .float("amplitude_before", "m", "largest displacement before; NaN of a tilt", size(false, &|j| j.amplitudes.0))
         .float("amplitude_after", "m", "largest displacement after; NaN of a tilt", size(false, &|j| j.amplitudes.1));
-    if jumps.iter().any(|j| fleet.probes[j.probe].is_tilt()) {
+    if jumps.iter().any(|j| members.probes[j.probe].is_tilt()) {
         table = table.float("tilt_before", "rad", "largest tilt before; NaN of a displacement", size(true, &|j| j.amplitudes.0)).float(
             "tilt_after",
             "rad",

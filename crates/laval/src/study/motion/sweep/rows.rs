@@ -7,7 +7,7 @@ use super::super::steady_state::measure::{HIGHEST, LINES, ORDERS, POINTS};
 use super::super::steady_state::period::Verdict;
 use super::lyapunov::Exponent;
 use super::refine::Followed;
-use super::{Carried, Fleet, Sweep, Way};
+use super::{Carried, Members, Sweep, Way};
 use crate::model::probe::Probe;
 use crate::store::{Cells, Kind};
 use crate::study::shared::probes;
@@ -33,7 +33,7 @@ impl columns::Row for Row {
 pub(super) const STATE: &str = "state.";
 
 /// The columns.
-pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
+pub(super) fn columns(study: &Sweep, members: &Members) -> Vec<RowColumn<Row>> {
     let mut out = vec![
         word("start", "how the motion began", |r: &Row| Some(r.way.word().into())),
         number("speed", "rad/s", "spin speed", |r: &Row| r.speed),
@@ -44,7 +44,7 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
     out.push(number("jump_before", "rad/s", doc, move |r: &Row| jump(r).0));
     out.push(number("jump_after", "rad/s", "first speed after that change", move |r: &Row| jump(r).1));
     out.extend(columns::verdict_columns(&study.rules));
-    for (b, own) in fleet.bodies.iter().enumerate() {
+    for (b, own) in members.bodies.iter().enumerate() {
         let n = &own.name;
         out.push(body(format!("amplitude.{n}"), b, "largest displacement", |m| m.peak));
         out.push(body(format!("rms.{n}"), b, "root of the mean squared displacement", |m| m.rms));
@@ -54,14 +54,14 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
         }
         out.push(body(format!("subharmonic.{n}"), b, "semi-major axis at order 1/period of a motion of period above 1", |m| m.sub));
     }
-    out.extend(columns::others(&fleet.system));
+    out.extend(columns::others(&members.system));
     if study.lyapunov.is_some() {
         let of = |r: &Row| r.exponent.unwrap_or((f64::NAN, f64::NAN));
         out.push(number("lyapunov", "1/s", "largest Lyapunov exponent", move |r: &Row| of(r).0));
         out.push(number("lyapunov_halves", "1/s", "difference of the exponent between the halves of its time", move |r: &Row| of(r).1));
     }
     let column = 2 * study.section.0 + study.section.1;
-    let unit = fleet.probes[study.section.0].unit();
+    let unit = members.probes[study.section.0].unit();
     for p in 0..POINTS {
         out.push(number(point(p), unit, "value at phase zero, oldest first", move |r: &Row| {
             r.steady_state.measure.as_ref().and_then(|m| m.points.get(p)).map_or(f64::NAN, |x| x[column])
@@ -75,7 +75,7 @@ pub(super) fn columns(study: &Sweep, fleet: &Fleet) -> Vec<RowColumn<Row>> {
             }));
         }
     }
-    let system = &fleet.system;
+    let system = &members.system;
     for (i, (name, unit)) in state_names(system).into_iter().enumerate() {
         out.push(number(format!("{STATE}{name}"), &unit, "state at the end, at phase zero", move |r: &Row| {
             r.steady_state.y.get(i).copied().unwrap_or(f64::NAN)

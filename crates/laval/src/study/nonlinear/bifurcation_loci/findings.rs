@@ -261,7 +261,7 @@ impl Shown<'_> {
             _ => "No change of stability away from folds",
         };
         let beside = match () {
-            () if !self.request.folds && folds > 0 => format!(" ({folds} folds were not asked for)"),
+            () if !self.request.folds && folds > 0 => format!(" ({folds} folds were not requested)"),
             () if self.found.lost > 0 || changes > 0 => " that could be followed".into(),
             () => String::new(),
         };

@@ -72,8 +72,8 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
-        let told = self.largest.iter().filter(|l| !self.only_tilts(l));
-        for l in told.filter(|_| self.largest.len() > 1 && displaced && rising.is_none()) {
+        let reported = self.largest.iter().filter(|l| !self.only_tilts(l));
+        for l in reported.filter(|_| self.largest.len() > 1 && displaced && rising.is_none()) {
             let (a, speed) = l.best();
             let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.owner, significant(speed, 6));
             let slope = l.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
@@ -103,7 +103,7 @@ impl Shown<'_> {
             );
         }
         if !request.stability {
-            out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."));
+            out.push(Finding::warning("stability_unknown", "Stability was not requested: states shown may be unstable."));
         }
         let states = || response.branches.iter().flat_map(|b| &b.points);
         let (all, known) = (states().count(), states().filter(|p| p.exponents.is_some()).count());

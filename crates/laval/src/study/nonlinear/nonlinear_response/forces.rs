@@ -20,7 +20,7 @@ pub(super) struct Extremes {
 const ROUNDING: f64 = 1e-12;
 /// A force vanishes nearly where it is this share of what it is on both sides.
 const VANISHING: f64 = 0.05;
-/// Places told for one part at most.
+/// Places listed for one part at most.
 const MOST: usize = 2;
 
 impl Shown<'_> {

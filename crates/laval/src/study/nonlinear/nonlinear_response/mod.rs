@@ -60,7 +60,7 @@ mod tuning;
 /// See the [module](self).
 pub struct NonlinearResponse {
     request: Request,
-    /// Amplitude from which orders beside the synchronous one are told, m.
+    /// Amplitude from which orders beside the synchronous one are reported, m.
     order_threshold: Option<f64>,
     /// The one speed that is meant, rad/s; the range of the request lies about it.
     one: Option<f64>,
@@ -71,7 +71,7 @@ impl NonlinearResponse {
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request, order_threshold: None, one: None }
     }
-    /// What is asked.
+    /// The request.
     pub fn request(&self) -> &Request {
         &self.request
     }
@@ -158,7 +158,7 @@ harmonics = "auto"
             "order_threshold",
             FieldKind::Quantity { unit: "m", bounds: Bounds::positive(1.0) },
             "",
-            "amplitude from which sub- and superharmonic orders are told, with the speeds at which they pass it; none unless given",
+            "amplitude from which sub- and superharmonic orders are reported, with the speeds at which they pass it; none unless given",
         ),
         MAX_POINTS,
     ];
@@ -205,7 +205,7 @@ harmonics = "auto"
     }
 }
 
-/// What the fields ask; those that a study does not have stand at their defaults.
+/// The request of the fields; those that a study does not have stand at their defaults.
 pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) -> Option<Request> {
     let before = diagnostics.0.len();
     let speeds = range("speed", values.range("speed")?, 0, values, diagnostics).map(|s| (s.from, s.to));

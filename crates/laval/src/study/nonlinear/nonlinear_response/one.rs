@@ -112,9 +112,9 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
     for (k, m) in found.iter().enumerate() {
         let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
         let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
-        // of a body that only tilts its tilt is told
-        let told = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
-        for (p, a) in probes.iter().zip(&m.amplitudes).filter(told) {
+        // of a body that only tilts its tilt is reported
+        let reported = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
+        for (p, a) in probes.iter().zip(&m.amplitudes).filter(reported) {
             let (what, owner) = (probes::quality(p), probes::owner(p));
             let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.", m.stability());
             let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };

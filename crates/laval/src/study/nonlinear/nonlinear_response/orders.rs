@@ -11,7 +11,7 @@ use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Response, State, Traced};
 use laval_num::newton::{Options, newton};
 
-/// Parts of the response told one by one at most.
+/// Parts of the response listed one by one at most.
 const MOST: usize = 6;
 /// Forward and backward amplitudes this near to each other are a motion along a line.
 const LINE: f64 = 1e-3;
@@ -280,8 +280,9 @@ impl Shown<'_> {
         let mut rows: Vec<Row> = Vec::new();
         for (branch, whirls) in all.iter().enumerate() {
             let turns = response.branches[branch].turns();
-            let told = |order: usize| stretches.iter().any(|s| ratio(s.order, response.branches[s.branch].turns()) == ratio(order, turns));
-            for (index, &order) in whirls.orders.iter().enumerate().filter(|(_, o)| told(**o)) {
+            let reported =
+                |order: usize| stretches.iter().any(|s| ratio(s.order, response.branches[s.branch].turns()) == ratio(order, turns));
+            for (index, &order) in whirls.orders.iter().enumerate().filter(|(_, o)| reported(**o)) {
                 rows.extend((0..whirls.values.len()).map(|point| Row { branch, point, order, index }));
             }
         }

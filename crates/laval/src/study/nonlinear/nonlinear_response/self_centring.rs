@@ -34,7 +34,7 @@ impl Approach {
 
 /// A body follows the unbalance when it goes to this share of the largest limit, at least.
 const MOVES: f64 = 1e-6;
-/// Deviation, as a share, for which the speed is told.
+/// Deviation, as a share, for which the speed is reported.
 const CLOSE: f64 = 0.01;
 
 impl Shown<'_> {

@@ -7,7 +7,7 @@ use crate::solve::harmonic::branches::bifurcation::{Change, Event};
 use crate::solve::harmonic::branches::response::{Response, Traced};
 use crate::study::shared::support::larger;
 
-/// Changes told one by one at most.
+/// Changes listed one by one at most.
 const MOST: usize = 6;
 
 /// Every place where states that could be held cease to be stable, or become so, away from folds.

@@ -143,9 +143,9 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size
     if !jumps.is_empty() {
         // what lies behind states that no machine stays on is reached from elsewhere
         let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
-        let told = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.told(way, k == 0, size));
+        let reported = jumps[..reached].iter().enumerate().map(|(k, jump)| jump.reported(way, k == 0, size));
         let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j, j.unstable?)));
-        return told.chain(lost).collect();
+        return reported.chain(lost).collect();
     }
     let lost = on_the_way(branch, None, None, up);
     let none = if branch.end == End::Reached && !lost.is_empty() {
@@ -180,7 +180,7 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size
 }
 
 impl Jump<'_> {
-    fn told(&self, way: &str, first: bool, size: Size) -> Finding {
+    fn reported(&self, way: &str, first: bool, size: Size) -> Finding {
         let again = if first { "jumps" } else { "jumps again" };
         let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
         let which = match self.stable {
@@ -224,8 +224,8 @@ pub(super) fn unfollowed(response: &Response) -> Vec<Finding> {
     let begun = |w: f64| response.branches.iter().any(|b| b.points.first().is_some_and(|p| p.speed == w));
     let text = "The state at {}, an end of the range, could not be followed from beyond the range: it was found there alone, and a machine brought to this \
                 speed may be on another.";
-    let told = |&w: &f64| Finding::info("start_not_followed", text).value(w, "rad/s");
-    response.unfollowed.iter().filter(|w| begun(**w)).map(told).collect()
+    let reported = |&w: &f64| Finding::info("start_not_followed", text).value(w, "rad/s");
+    response.unfollowed.iter().filter(|w| begun(**w)).map(reported).collect()
 }
 
 /// That the states of a sweep are not known.
@@ -233,7 +233,7 @@ fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
     let way = if up { "up" } else { "down" };
     Finding::warning(
         format!("sweep_{way}_unknown"),
-        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or ask for all states."),
+        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or require all states."),
     )
     .value(begins(up, speeds), "rad/s")
 }

@@ -51,7 +51,7 @@ pub struct ParameterAxis {
 }
 
 impl ParameterAxis {
-    /// Its values, rising; the ends are exactly those asked for.
+    /// Its values, rising; the ends are exactly those requested.
     pub fn values(&self) -> Vec<f64> {
         let even = self.range.linspace(DEFAULT_POINTS);
         if !self.logarithmic {
@@ -71,7 +71,7 @@ impl ParameterAxis {
 pub struct ResponseMap {
     /// What varies along x and along y.
     pub axes: [ParameterAxis; 2],
-    /// What is asked of every machine.
+    /// What is computed for every machine.
     pub request: Request,
 }
 

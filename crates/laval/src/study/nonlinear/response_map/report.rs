@@ -164,7 +164,7 @@ fn peaks(map: &Map) -> Vec<Finding> {
 fn instability(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
     let mut out = Vec::new();
     if !map.study.request.stability {
-        out.push(Finding::warning("stability_unknown", "Stability was not asked for: states shown may be unstable."));
+        out.push(Finding::warning("stability_unknown", "Stability was not requested: states shown may be unstable."));
     }
     let unknown: Vec<String> = words(results, "unjudged")?.into_iter().filter(|w| !w.is_empty()).collect();
     if let Some(why) = unknown.first() {

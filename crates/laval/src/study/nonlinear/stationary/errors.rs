@@ -7,7 +7,7 @@ use crate::model::system::System;
 use crate::solve::stationary::{Request, Search};
 use crate::study::shared::support::larger;
 
-/// Values when none are asked for.
+/// Values when none are requested.
 const POINTS: usize = 9;
 
 /// The stable states at a value.
@@ -31,7 +31,7 @@ pub struct Cost {
 
 /// What one parameter costs.
 pub struct Errors {
-    pub asked: Varied,
+    pub requested: Varied,
     pub costs: Vec<Cost>,
 }
 
@@ -47,18 +47,18 @@ fn widen(pair: &mut (f64, f64), x: f64) {
 /// Eigenvalues that cannot be computed; a machine that does not exist at a value.
 pub fn errors(
     system: &System,
-    asked: &Varied,
+    requested: &Varied,
     request: &Request,
     context: &Context,
     goes_on: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Errors, Diagnostic> {
-    let own = alone(request, asked.speed);
+    let own = alone(request, requested.speed);
     let mut costs = Vec::new();
-    for value in asked.range.linspace(POINTS) {
+    for value in requested.range.linspace(POINTS) {
         if !goes_on(0) {
             break;
         }
-        let machine = changed(system, &asked.path, value)?;
+        let machine = changed(system, &requested.path, value)?;
         let mut search = Search::new(&machine, &own, context.cancel);
         let found = search.run(|p| !context.cancelled() && p.work < own.work)?;
         // what was not sought to its end says nothing of what is not there
@@ -67,7 +67,7 @@ pub fn errors(
         }
         let none = (f64::NAN, f64::NAN);
         let mut cost = Cost { value, stable: 0, balances: false, unbalance: none, grade: f64::NAN, without: f64::NAN, radius: none };
-        for row in listed(&machine, &mut search, &found, asked.speed)? {
+        for row in listed(&machine, &mut search, &found, requested.speed)? {
             if let Some(u) = row.seen.unbalance {
                 cost.without = u.without();
             }
@@ -79,22 +79,22 @@ pub fn errors(
             widen(&mut cost.radius, row.seen.radius());
             if let Some(u) = row.seen.unbalance {
                 widen(&mut cost.unbalance, u.moment.abs());
-                cost.grade = u.grade(cost.unbalance.0, asked.speed);
+                cost.grade = u.grade(cost.unbalance.0, requested.speed);
             }
         }
-        for s in continua(&machine, &mut search, &found, &[asked.speed], goes_on)?.sheets.iter().filter(|s| s.stable > 0) {
+        for s in continua(&machine, &mut search, &found, &[requested.speed], goes_on)?.sheets.iter().filter(|s| s.stable > 0) {
             cost.stable += 1;
             cost.balances |= s.class.balances();
             widen(&mut cost.radius, s.radius);
             if let Some(u) = s.unbalance {
                 cost.without = u.without();
                 widen(&mut cost.unbalance, u.moment.abs());
-                cost.grade = u.grade(cost.unbalance.0, asked.speed);
+                cost.grade = u.grade(cost.unbalance.0, requested.speed);
             }
         }
         costs.push(cost);
     }
-    Ok(Errors { asked: asked.clone(), costs })
+    Ok(Errors { requested: requested.clone(), costs })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, WORDS as CELLS};
 use super::errors::Errors;
-use super::report::{Report, Told, column_of};
+use super::report::{Report, Reported, column_of};
 use super::{findings, unit_of, wide};
 use crate::model::system::System;
 use crate::outcome::{Axis, Figure, Heat, Line, Panel, Points, Rule, Scale, quantity};
@@ -22,20 +22,20 @@ fn axis(label: &str, unit: &str) -> Axis {
     }
 }
 
-/// Branches of which the angles can be told from each other.
+/// Branches of which the angles can be distinguished from each other.
 const MANY: usize = 4;
 
 impl Report<'_> {
-    pub(super) fn figures(&self, told: &Told) -> Vec<Figure> {
+    pub(super) fn figures(&self, reported: &Reported) -> Vec<Figure> {
         let mut out = Vec::new();
-        if !told.points.is_empty() {
-            out.push(self.branches_over_speed(told));
+        if !reported.points.is_empty() {
+            out.push(self.branches_over_speed(reported));
         }
-        if let (Some(least), Some(asked)) = (&self.least, self.stabilise)
+        if let (Some(least), Some(requested)) = (&self.least, self.stabilise)
             && least.growth.iter().any(|g| g.1.is_finite())
         {
-            let title = format!("Growth of the balanced state at {}", quantity(asked.speed, "rad/s"));
-            let alt = format!("Largest growth rate of the balanced state over {}.", asked.path);
+            let title = format!("Growth of the balanced state at {}", quantity(requested.speed, "rad/s"));
+            let alt = format!("Largest growth rate of the balanced state over {}.", requested.path);
             let panel = Panel::new(Axis::new("growth rate", "1/s"))
                 .mark(Line::new("stabilised", "value", "growth").name("largest growth rate"))
                 .mark(Rule::y(0.0, ""));
@@ -43,8 +43,8 @@ impl Report<'_> {
                 .edges
                 .iter()
                 .fold(panel, |p, e| p.mark(Rule::x(e.value, if e.gains { "stable from here" } else { "unstable from here" })));
-            let unit = unit_of(self.system, &asked.path);
-            let x = Axis { scale: scale(wide(&asked.range)), ..axis(&asked.path, unit) };
+            let unit = unit_of(self.system, &requested.path);
+            let x = Axis { scale: scale(wide(&requested.range)), ..axis(&requested.path, unit) };
             out.push(Figure::new("stabilised", title, alt).x(x).panel(panel));
         }
         out.extend(self.chart.iter().filter(|c| !c.cells.is_empty()).map(|c| chart(self.system, c)));
@@ -52,9 +52,9 @@ impl Report<'_> {
         out
     }
 
-    fn branches_over_speed(&self, told: &Told) -> Figure {
+    fn branches_over_speed(&self, reported: &Reported) -> Figure {
         let mut panels = Vec::new();
-        let most = largest(told.points.iter().map(|p| p.seen.radius()));
+        let most = largest(reported.points.iter().map(|p| p.seen.radius()));
         let line = |column: String| {
             Line::new("branches", "speed", column).group("kind").begins_where("begins").solid_where("stable").meaning("stable", "unstable")
         };
@@ -75,14 +75,14 @@ impl Report<'_> {
             }
             panels.push(panel);
         }
-        if told.points.iter().any(|p| p.seen.unbalance.is_some()) {
+        if reported.points.iter().any(|p| p.seen.unbalance.is_some()) {
             let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6)).mark(line("unbalance".into()));
             let panel = panel.mark(Line::new("branches", "speed", "without").begins_where("begins").name("without the masses"));
             panels.push(if sheets { panel.mark(continua("unbalance")) } else { panel });
         }
         if !self.found.images.angles.is_empty() {
             // where branches are many the angles of those that no machine stays on hide the others
-            let only = self.found.paths.len() > MANY && told.points.iter().any(|p| p.growing == 0);
+            let only = self.found.paths.len() > MANY && reported.points.iter().any(|p| p.growing == 0);
             let label = if only { "angles of the masses, stable states only" } else { "angles of the masses" };
             let mut panel = Panel::new(Axis::new(label, "rad").range(-3.3, 3.3));
             for &i in self.found.images.groups.iter().flatten() {
@@ -90,7 +90,7 @@ impl Report<'_> {
             }
             panels.push(panel);
         }
-        let alt = findings::alt(&told.ranges, self.found.paths.len());
+        let alt = findings::alt(&reported.ranges, self.found.paths.len());
         let figure = Figure::new("states", "States that turn with the rotor", alt).x(Axis::new("spin speed", "rad/s"));
         panels.into_iter().fold(figure, Figure::panel)
     }
@@ -118,11 +118,11 @@ fn chart(system: &System, chart: &Chart) -> Figure {
 }
 
 fn errors(system: &System, e: &Errors, k: usize) -> Option<Figure> {
-    let path = &e.asked.path;
+    let path = &e.requested.path;
     e.costs.iter().find(|c| c.unbalance.0.is_finite())?;
     let table = format!("errors_{}", k + 1);
     let line = |column: &str, name: &str| Line::new(table.clone(), "value", column).name(name);
-    let at = quantity(e.asked.speed, "rad/s");
+    let at = quantity(e.requested.speed, "rad/s");
     let alt = format!("Unbalance left at {at} by the best and the worst stable state over {path}, and without the masses.");
     let panel = Panel::new(Axis::new("unbalance", "g mm").factor(1e6))
         .mark(line("unbalance_least", "best stable state"))

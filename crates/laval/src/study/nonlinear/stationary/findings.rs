@@ -1,11 +1,11 @@
-//! What a balancing engineer is told: where it balances, where it does harm, where nothing is stable, what errors cost.
+//! Findings for balancing: where it balances, where it does harm, where nothing is stable, what errors cost.
 
 use super::classify::Class;
 use super::errors::Errors;
 use super::follow::Why;
 use super::least::Least;
 use super::ranges::{Harm, Range, existing, rest, union};
-use super::report::{Report, Told};
+use super::report::{Report, Reported};
 use super::{Varied, unit_of};
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::stationary::Found;
@@ -32,7 +32,7 @@ fn speed(w: f64) -> String {
 }
 
 impl Report<'_> {
-    pub(super) fn findings(&self, told: &Told) -> Vec<Finding> {
+    pub(super) fn findings(&self, reported: &Reported) -> Vec<Finding> {
         let mut out = Vec::new();
         for (slot, text) in self.system.warnings() {
             let name = &self.system.slots()[slot].name;
@@ -44,25 +44,26 @@ impl Report<'_> {
                         synchronous motion, which nonlinear_response follows as well.";
             out.push(Finding::info("no_masses", text));
         }
-        out.extend(capacity(told).filter(|_| movable));
+        out.extend(capacity(reported).filter(|_| movable));
         out.extend(self.operating());
-        out.extend(told.ranges.iter().map(|r| self.stable(r)));
+        out.extend(reported.ranges.iter().map(|r| self.stable(r)));
         out.extend(self.continuum());
         out.extend(super::zones::finding(&self.rows, &self.zones, self.operating));
         out.extend(super::slack::finding(&self.continua.sheets, &self.slack, self.operating));
-        out.extend(self.unstable(told));
+        out.extend(self.unstable(reported));
         if movable {
-            out.extend(self.unbalanced(told));
-            out.extend(self.harm(told));
+            out.extend(self.unbalanced(reported));
+            out.extend(self.harm(reported));
             out.extend(self.coexisting());
         }
-        if let (Some(least), Some(asked)) = (&self.least, self.stabilise) {
-            out.push(self.stabilised(least, asked));
+        if let (Some(least), Some(requested)) = (&self.least, self.stabilise) {
+            out.push(self.stabilised(least, requested));
         }
         out.extend(self.errors.iter().filter_map(|e| self.cost(e)));
         out.extend(self.charted());
         let mut uses = Uses::default();
-        let seen = self.rows.iter().map(|r| &r.seen).chain(told.points.iter().map(|p| &p.seen)).chain(&told.special).map(|s| &s.uses);
+        let seen =
+            self.rows.iter().map(|r| &r.seen).chain(reported.points.iter().map(|p| &p.seen)).chain(&reported.special).map(|s| &s.uses);
         seen.chain(self.continua.sheets.iter().map(|s| &s.uses)).for_each(|u| uses.join(u));
         out.extend(uses.of_states(self.system));
         out.extend(completeness(self.found, self.continua.starts));
@@ -116,21 +117,21 @@ impl Report<'_> {
     }
 
     /// Speeds at which some state is stable.
-    fn covered(&self, told: &Told, balanced: bool) -> Vec<(f64, f64)> {
-        let ranges = told.ranges.iter().filter(|r| !balanced || r.class.balances()).map(|r| (r.from, r.to));
+    fn covered(&self, reported: &Reported, balanced: bool) -> Vec<(f64, f64)> {
+        let ranges = reported.ranges.iter().filter(|r| !balanced || r.class.balances()).map(|r| (r.from, r.to));
         let spans = self.continua.spans.iter().filter(|s| s.stable && (!balanced || s.class.balances())).map(|s| (s.from, s.to));
         union(ranges.chain(spans).collect(), GAP * (self.range.1 - self.range.0))
     }
 
-    fn unstable(&self, told: &Told) -> Vec<Finding> {
-        if self.complete && told.points.is_empty() && self.continua.sheets.is_empty() {
+    fn unstable(&self, reported: &Reported) -> Vec<Finding> {
+        if self.complete && reported.points.is_empty() && self.continua.sheets.is_empty() {
             let text = "No state at rest in axes that turn with the rotor was found.";
             return vec![Finding::warning("no_state", text).evidence("starts", self.found.starts[0] as f64, "")];
         }
         if !self.complete {
             return Vec::new();
         }
-        let gaps = rest(self.range, &self.covered(told, false), GAP * (self.range.1 - self.range.0));
+        let gaps = rest(self.range, &self.covered(reported, false), GAP * (self.range.1 - self.range.0));
         let movable = !self.found.images.angles.is_empty();
         let why = if movable { "the movable masses slip, the machine whirls, or no start led to one" } else { "the machine whirls" };
         let say = |(from, to): (f64, f64)| {
@@ -146,15 +147,15 @@ impl Report<'_> {
     }
 
     /// Where there is no state that balances, and whether the masses suffice.
-    fn unbalanced(&self, told: &Told) -> Vec<Finding> {
+    fn unbalanced(&self, reported: &Reported) -> Vec<Finding> {
         if !self.complete {
             return Vec::new();
         }
         let mut out = Vec::new();
-        let seen = told.points.iter().filter_map(|p| Some((p, p.seen.unbalance?)));
+        let seen = reported.points.iter().filter_map(|p| Some((p, p.seen.unbalance?)));
         let spans = self.continua.spans.iter().filter(|s| s.class.balances()).map(|s| (s.from, s.to));
         let width = self.range.1 - self.range.0;
-        let exist = union(existing(self.found, &told.points).into_iter().chain(spans).collect(), GAP * width);
+        let exist = union(existing(self.found, &reported.points).into_iter().chain(spans).collect(), GAP * width);
         for (from, to) in rest(self.range, &exist, GAP * width).into_iter().filter(|(from, to)| speed(*from) != speed(*to)) {
             // at the edge of existence the masses stand together or have nothing left
             let near = |w: f64| (w - from).abs().min((w - to).abs());
@@ -173,9 +174,9 @@ impl Report<'_> {
         out
     }
 
-    fn harm(&self, told: &Told) -> Vec<Finding> {
+    fn harm(&self, reported: &Reported) -> Vec<Finding> {
         let say = |(k, h): &(usize, Harm)| {
-            let r = &told.ranges[*k];
+            let r = &reported.ranges[*k];
             let (branch, class) = (r.path + 1, r.class.words());
             let ends = format!("{} to {}", speed(h.from), speed(h.to));
             let text = if h.relative {
@@ -193,7 +194,7 @@ impl Report<'_> {
                 .evidence("from", h.from, "rad/s")
                 .evidence("to", h.to, "rad/s")
         };
-        told.harm.iter().map(say).collect()
+        reported.harm.iter().map(say).collect()
     }
 
     /// Speeds of the table at which the balanced state is stable and another is, too.
@@ -257,11 +258,11 @@ impl Report<'_> {
         Some(backed(finding, &more))
     }
 
-    fn stabilised(&self, least: &Least, asked: &Varied) -> Finding {
-        let unit = unit_of(self.system, &asked.path);
-        let (at, path) = (speed(asked.speed), &asked.path);
+    fn stabilised(&self, least: &Least, requested: &Varied) -> Finding {
+        let unit = unit_of(self.system, &requested.path);
+        let (at, path) = (speed(requested.speed), &requested.path);
         let value = |x: f64| quantity(x, unit);
-        let ends = format!("between {} and {}", value(asked.range.from), value(asked.range.to));
+        let ends = format!("between {} and {}", value(requested.range.from), value(requested.range.to));
         let Some(class) = least.class else {
             let text = format!(
                 "At {at} no state that balances was found at the {} values of {path} {ends} at which states were sought.",
@@ -303,7 +304,7 @@ impl Report<'_> {
             0 | 1 => String::new(),
             n => format!(" It is stable in {n} ranges of {path}."),
         };
-        let until = if whole(to, asked.range.to) { String::new() } else { format!(" and stays so up to {}{}", value(to), why(to)) };
+        let until = if whole(to, requested.range.to) { String::new() } else { format!(" and stays so up to {}{}", value(to), why(to)) };
         let (text, shown) = if least.stable.is_empty() {
             (format!("At {at} {state} is unstable at all {} values of {path} {ends} at which it was computed.{reach}", known.len()), None)
         } else if gains(from).is_some() {
@@ -312,9 +313,9 @@ impl Report<'_> {
             let first = if limit_at(from).is_some_and(|l| l.why == Why::Exists) { "exists and is stable" } else { "is stable" };
             let from_where = why(from).replace(", where it ends", "");
             (format!("At {at} {state} {first} when {path} rises above {{}}{from_where}{until}.{more}"), Some(from))
-        } else if !whole(from, asked.range.from) {
+        } else if !whole(from, requested.range.from) {
             (format!("At {at} {state} is stable from {{}} to {} of {path}, as far as it was computed.{more}", value(to)), Some(from))
-        } else if whole(to, asked.range.to) && least.stable.len() == 1 {
+        } else if whole(to, requested.range.to) && least.stable.len() == 1 {
             (format!("At {at} {state} is stable at all {} values of {path} computed {ends}.", known.len()), None)
         } else {
             match least.edges.iter().find(|e| e.gains && e.value > to) {
@@ -349,10 +350,10 @@ impl Report<'_> {
     }
 
     fn cost(&self, e: &Errors) -> Option<Finding> {
-        let (path, unit) = (&e.asked.path, unit_of(self.system, &e.asked.path));
+        let (path, unit) = (&e.requested.path, unit_of(self.system, &e.requested.path));
         let (first, last) = (e.costs.first()?, e.costs.last()?);
         let (from, to) = (quantity(first.value, unit), quantity(last.value, unit));
-        let at = speed(e.asked.speed);
+        let at = speed(e.requested.speed);
         if let Some(lost) = e.costs.iter().position(|c| c.stable == 0) {
             let none = e.costs.iter().filter(|c| c.stable == 0).count();
             let onward = e.costs[lost..].iter().all(|c| c.stable == 0);
@@ -413,8 +414,8 @@ fn backed(finding: Finding, more: &[(&str, f64, &str)]) -> Finding {
 }
 
 /// The masses are too light for the unbalance.
-fn capacity(told: &Told) -> Option<Finding> {
-    let seen = told.points.iter().filter_map(|p| p.seen.unbalance);
+fn capacity(reported: &Reported) -> Option<Finding> {
+    let seen = reported.points.iter().filter_map(|p| p.seen.unbalance);
     let needed = seen.clone().map(|u| u.without()).reduce(larger).filter(|x| x.is_finite())?;
     let most = seen.map(|u| u.capacity).reduce(larger).filter(|most| *most < (1.0 - NOTHING) * needed)?;
     let text = format!("The masses can cancel {{}} at most, less than the unbalance of {}.", quantity(needed, "kg m"));
@@ -426,13 +427,13 @@ fn completeness(found: &Found, loose: usize) -> Vec<Finding> {
     let share = if led > 0.0 { (known + loose as f64) / led } else { 0.0 };
     let text =
         format!("{} branches of states were found; {{}} of the starts that led to a state led to one known before.", found.paths.len());
-    let told = Finding::info("completeness", text)
+    let reported = Finding::info("completeness", text)
         .value(share, "")
         .evidence("starts", starts, "")
         .evidence("starts that led to a state", led, "")
         .evidence("starts that led to states that are not isolated", loose as f64, "");
     let crowded = Finding::warning("too_many_branches", "There are more branches of states than are followed: the list is not complete.");
-    if found.crowded { vec![told, crowded] } else { vec![told] }
+    if found.crowded { vec![reported, crowded] } else { vec![reported] }
 }
 
 fn unfinished(found: &Found) -> Option<Finding> {

@@ -58,8 +58,8 @@ impl<'a> Follower<'a> {
     ///
     /// # Errors
     /// A parameter that the machine does not have.
-    pub fn new(system: &'a System, asked: &'a Varied, request: &Request, cancel: &'a AtomicBool) -> Result<Self, Diagnostic> {
-        Self::between(system, &asked.path, &asked.range, asked.speed, request, cancel)
+    pub fn new(system: &'a System, requested: &'a Varied, request: &Request, cancel: &'a AtomicBool) -> Result<Self, Diagnostic> {
+        Self::between(system, &requested.path, &requested.range, requested.speed, request, cancel)
     }
 
     /// The same.

@@ -96,14 +96,14 @@ enum Followed<'a> {
 /// Eigenvalues that cannot be computed; a machine that does not exist at a value.
 pub fn least(
     system: &System,
-    asked: &Varied,
+    requested: &Varied,
     request: &Request,
     context: &Context,
     goes_on: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Least, Diagnostic> {
-    let values = spread(&asked.range, POINTS);
+    let values = spread(&requested.range, POINTS);
     let n = values.len();
-    let own = alone(request, asked.speed);
+    let own = alone(request, requested.speed);
     let mut out = Least {
         class: None,
         loose: false,
@@ -120,7 +120,7 @@ pub fn least(
             return Ok(out);
         }
         out.sought += 1;
-        if let Some(found) = best(&changed(system, &asked.path, values[k])?, &own, asked.speed, context, goes_on)? {
+        if let Some(found) = best(&changed(system, &requested.path, values[k])?, &own, requested.speed, context, goes_on)? {
             start = Some((k, found));
             break;
         }
@@ -130,15 +130,15 @@ pub fn least(
     let mut followed = if out.loose {
         Followed::Loose(start.x.clone())
     } else {
-        let mut follower = Follower::new(system, asked, request, context.cancel)?;
+        let mut follower = Follower::new(system, requested, request, context.cancel)?;
         let reaches = [false, true].map(|up| follower.reach(&start.x, values[first], up));
         out.limits = [reaches[0].limit, reaches[1].limit];
         Followed::Alone(Box::new(follower), reaches, values[first])
     };
     let loosely = |value: f64, x: &[f64]| -> Option<Judged> {
-        let system = changed(system, &asked.path, value).ok()?;
+        let system = changed(system, &requested.path, value).ok()?;
         let mut search = Search::new(&system, &own, context.cancel);
-        judge(&system, &mut search, x, asked.speed).filter(|j| j.class.balances() && j.free > 0)
+        judge(&system, &mut search, x, requested.speed).filter(|j| j.class.balances() && j.free > 0)
     };
     // values of the table, and others just inside the limits
     let mut places: Vec<(f64, Option<usize>)> = values.iter().copied().enumerate().map(|(k, v)| (v, Some(k))).collect();

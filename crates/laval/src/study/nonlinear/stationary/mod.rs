@@ -159,8 +159,8 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             );
         }
         for field in ["stabilise", "errors"] {
-            let asked = if field == "errors" { !lists.is_empty() } else { stabilise.is_some() };
-            if asked && at.is_none() {
+            let requested = if field == "errors" { !lists.is_empty() } else { stabilise.is_some() };
+            if requested && at.is_none() {
                 diagnostics.push(
                     Diagnostic::error("stationary.speed", format!("{field} needs the speed of the state that is meant"))
                         .at(values.span_of(field))
@@ -258,9 +258,9 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             _ => None,
         };
         let mut errors = Vec::new();
-        for asked in &self.errors {
+        for requested in &self.errors {
             if goes_on(0) {
-                errors.push(errors::errors(system, asked, &request, context, &mut goes_on)?);
+                errors.push(errors::errors(system, requested, &request, context, &mut goes_on)?);
             }
         }
         let chart = match &self.chart {

@@ -14,7 +14,7 @@ use crate::model::system::System;
 use crate::outcome::{Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, quantity};
 use crate::solve::stationary::{Change, Found, Located, Path, Search};
 
-/// What is to be told.
+/// What is to be reported.
 pub(super) struct Report<'a> {
     pub system: &'a System,
     pub range: (f64, f64),
@@ -34,7 +34,7 @@ pub(super) struct Report<'a> {
 }
 
 /// What follows from it.
-pub(super) struct Told {
+pub(super) struct Reported {
     pub points: Vec<Shown>,
     pub ranges: Vec<Range>,
     /// Where in which of them the masses make the unbalance larger.
@@ -59,37 +59,37 @@ impl Report<'_> {
             .enumerate()
             .flat_map(|(k, r)| ranges::harmful(self.system, search, found, &points, r).into_iter().map(|h| (k, h)).collect::<Vec<_>>());
         let harm = harm.collect();
-        let told = Told { points, ranges, harm, special };
+        let reported = Reported { points, ranges, harm, special };
         let mut out = Outcome::new(super::Stationary::KIND, context.name)
             .over("speed", "rad/s")
             .end(context.end(self.complete))
             .work("starts", found.starts[0])
             .work("points", found.paths.iter().map(|p| p.points.len() as u64).sum());
-        for f in self.findings(&told) {
+        for f in self.findings(&reported) {
             out = out.finding(f);
         }
         for place in places(found, search) {
             out = out.special_point(special_point(&place));
         }
-        for t in self.tables(&told).map_err(Diagnostic::from)? {
+        for t in self.tables(&reported).map_err(Diagnostic::from)? {
             out = out.table(t);
         }
-        for f in self.figures(&told) {
+        for f in self.figures(&reported) {
             out = out.figure(f);
         }
         out.checked().map_err(Diagnostic::from)
     }
 
-    fn tables(&self, told: &Told) -> Result<Vec<Table>, OutcomeError> {
+    fn tables(&self, reported: &Reported) -> Result<Vec<Table>, OutcomeError> {
         let mut all = Vec::new();
         if !self.rows.is_empty() {
             all.extend([self.states()?, self.eigenvalues()?]);
         }
-        if !told.points.is_empty() {
-            all.push(self.branches(&told.points)?);
+        if !reported.points.is_empty() {
+            all.push(self.branches(&reported.points)?);
         }
-        if !told.special.is_empty() {
-            all.push(self.changes(&told.special)?);
+        if !reported.special.is_empty() {
+            all.push(self.changes(&reported.special)?);
         }
         if !self.continua.sheets.is_empty() {
             all.push(self.continua()?);
@@ -100,8 +100,8 @@ impl Report<'_> {
         if !self.slack.is_empty() {
             all.push(slack::table(self.system, &self.continua.sheets, &self.slack)?);
         }
-        if let (Some(least), Some(asked)) = (&self.least, self.stabilise) {
-            all.push(self.parameter(least, asked)?);
+        if let (Some(least), Some(requested)) = (&self.least, self.stabilise) {
+            all.push(self.parameter(least, requested)?);
         }
         if let Some(chart) = self.chart.as_ref().filter(|c| !c.cells.is_empty()) {
             all.push(self.chart(chart)?);
@@ -257,16 +257,16 @@ impl Report<'_> {
             .build()
     }
 
-    fn parameter(&self, least: &Least, asked: &Varied) -> Result<Table, OutcomeError> {
-        let unit = unit_of(self.system, &asked.path);
+    fn parameter(&self, least: &Least, requested: &Varied) -> Result<Table, OutcomeError> {
+        let unit = unit_of(self.system, &requested.path);
         let mut rows: Vec<(f64, f64, bool)> = least.growth.iter().map(|g| (g.0, g.1, false)).collect();
         rows.extend(least.edges.iter().map(|e| (e.value, 0.0, true)));
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
         Table::new(
             "stabilised",
-            format!("Largest growth rate of the balanced state at {} over {}", quantity(asked.speed, "rad/s"), asked.path),
+            format!("Largest growth rate of the balanced state at {} over {}", quantity(requested.speed, "rad/s"), requested.path),
         )
-        .float("value", unit, format!("value of {}", asked.path), rows.iter().map(|r| r.0).collect())
+        .float("value", unit, format!("value of {}", requested.path), rows.iter().map(|r| r.0).collect())
         .float("growth", "1/s", "largest growth rate; NaN where there is no such state", rows.iter().map(|r| r.1).collect())
         .flag("edge", "stability changes here", rows.iter().map(|r| r.2).collect())
         .build()
@@ -314,7 +314,7 @@ impl Report<'_> {
     }
 
     fn costs(&self, e: &Errors, k: usize) -> Result<Table, OutcomeError> {
-        let (path, at) = (&e.asked.path, quantity(e.asked.speed, "rad/s"));
+        let (path, at) = (&e.requested.path, quantity(e.requested.speed, "rad/s"));
         let column = |f: &dyn Fn(&super::errors::Cost) -> f64| e.costs.iter().map(f).collect::<Vec<f64>>();
         Table::new(format!("errors_{}", k + 1), format!("What errors of {path} cost at {at}"))
             .float("value", unit_of(self.system, path), format!("value of {path}"), column(&|c| c.value))

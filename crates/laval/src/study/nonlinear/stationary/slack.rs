@@ -1,7 +1,7 @@
 //! What dry friction leaves of the unbalance where three and more masses balance in a continuum of ways.
 //!
 //! From stable samples of the continuum the masses are moved along straight ways until friction gives way; the largest unbalance met counts. More may be left
-//! at places that no way leads to: what is told is met, not a bound.
+//! at places that no way leads to: what is reported is met, not a bound.
 
 use super::continua::Sheet;
 use super::report::column_of;

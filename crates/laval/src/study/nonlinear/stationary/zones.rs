@@ -94,7 +94,12 @@ pub fn table(system: &System, rows: &[Row], zones: &[Zone]) -> Result<Table, Out
         )
         .float("to", "rad", "highest angle", column(&|_, h| h.rest + h.reach[1]))
         .flag("closed", "both ends were found; else friction holds the masses farther on", lines.iter().map(|l| l.0.closed).collect())
-        .float("growth_held", "1/s", "largest growth rate with the masses held; NaN where it cannot be told", column(&|z, _| z.growth))
+        .float(
+            "growth_held",
+            "1/s",
+            "largest growth rate with the masses held; NaN where it cannot be determined",
+            column(&|z, _| z.growth),
+        )
         .float("unbalance", "kg m", "largest at the ends of the ranges; NaN where nothing balances", column(&|z, _| z.unbalance))
         .float("grade", "m/s", "grade number there (ISO 21940-11); NaN as above", column(&|z, _| z.grade))
         .build()

@@ -36,7 +36,7 @@ pub use request::{Aim, Limit};
 
 /// See the [module](self).
 pub struct Optimum {
-    /// What is asked of every machine.
+    /// What is computed for every machine.
     pub study: Box<dyn ErasedStudy>,
     /// The parameters and their bounds.
     pub vary: Vec<Vary>,
@@ -64,7 +64,7 @@ maximise = "least_damped_mode damping ratio"
     const DOC: &'static str = "Recommended parameters within bounds: makes a number that another study finds as small or as large as possible (least peak, least force, \
         widest window, highest speed of instability), keeps limits on others, and says how far each parameter may stray.";
     const FIELDS: &'static [Field] = &[
-        Field::required("study", FieldKind::Study, "what is asked of every machine"),
+        Field::required("study", FieldKind::Study, "what is computed for every machine"),
         Field::required(
             "vary",
             FieldKind::ParameterRanges,

@@ -80,7 +80,7 @@ pub(super) fn limits(values: &Values, out: &mut Diagnostics) -> Option<Vec<Limit
 }
 
 impl Optimum {
-    /// The inner study finds all numbers that are asked for, in units that fit.
+    /// The inner study finds all numbers that are requested, in units that fit.
     pub(super) fn known(&self, now: &[Quantity]) -> Result<(), Diagnostic> {
         let names = || now.iter().map(|q| q.label.as_str());
         let limits = self.limits.iter().map(|l| (&l.name, l.unit.as_ref(), &l.span));

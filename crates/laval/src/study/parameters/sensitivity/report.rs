@@ -73,7 +73,7 @@ fn percent(x: f64) -> String {
 
 fn finding(place: &Place, found: &Derivatives) -> Finding {
     let relative = place.relative(found);
-    let told = |which: usize| {
+    let reported = |which: usize| {
         let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
         let most = known.max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
         most.map_or("an unknown share".into(), |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
@@ -83,15 +83,15 @@ fn finding(place: &Place, found: &Derivatives) -> Finding {
     let text = match place.kind {
         Kind::Peak => {
             let subject = probes::subject(&place.probe);
-            format!("The peak of {subject}, {{}} at {speed} rad/s, changes most by {}; its speed by {}.", told(1), told(0))
+            format!("The peak of {subject}, {{}} at {speed} rad/s, changes most by {}; its speed by {}.", reported(1), reported(0))
         }
         Kind::JumpUp | Kind::JumpDown => format!(
             "The {} at {speed} rad/s moves most by {}; the {} of \"{}\" there, {{}}, changes most by {}.",
             place.word(),
-            told(0),
+            reported(0),
             probes::quality(&place.probe),
             probes::owner(&place.probe),
-            told(1)
+            reported(1)
         ),
     };
     Finding::info(place.word().replace(' ', "_"), text)

@@ -31,7 +31,7 @@ fn label(id: &str, subject: &str) -> String {
     if subject.is_empty() { id.to_string() } else { format!("{id} {subject}") }
 }
 
-/// The numbers of an outcome. Several of one name are told apart by their order: numbers of findings by value, special points by place.
+/// The numbers of an outcome. Several of one name are distinguished by their order: numbers of findings by value, special points by place.
 pub fn quantities(outcome: &Outcome) -> Vec<Quantity> {
     let mut all: Vec<Quantity> = Vec::new();
     for f in &outcome.findings {

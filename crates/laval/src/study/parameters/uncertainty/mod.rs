@@ -56,7 +56,7 @@ pub enum Design {
 
 /// See the [module](self).
 pub struct Uncertainty {
-    /// What is asked of every sample.
+    /// What is computed for every sample.
     pub study: Box<dyn ErasedStudy>,
     /// The uncertain parameters.
     pub parameters: Vec<Uncertain>,
@@ -79,9 +79,9 @@ parameters = [{ parameter = "drum.mass", distribution = "normal", deviation = "2
 samples = 256
 "#;
     const DOC: &'static str = "Runs another study for many values of uncertain parameters: mean, deviation and quantiles of every number it finds, how often \
-        it finds it at all, and, where asked for, which parameter matters how much.";
+        it finds it at all, and, where requested, which parameter matters how much.";
     const FIELDS: &'static [Field] = &[
-        Field::required("study", FieldKind::Study, "what is asked of every sample"),
+        Field::required("study", FieldKind::Study, "what is computed for every sample"),
         Field::required("parameters", FieldKind::Tolerances, "the uncertain parameters, independent of each other"),
         Field::optional(
             "samples",
@@ -179,7 +179,7 @@ pub(in crate::study) fn build_inner(inner: &InnerStudy, system: &System, diagnos
     let kind = crate::study::registry().into_iter().find(|k| k.info.kind == inner.kind)?;
     let mut own = Diagnostics::default();
     let built = (kind.build)(&inner.values, system, &mut own);
-    // the mistakes of one that has a name are told where it stands
+    // the mistakes of one that has a name are reported where it stands
     if inner.name.is_none() {
         diagnostics.0.append(&mut own.0);
     }
@@ -193,7 +193,7 @@ impl Uncertainty {
         let k = self.parameters.len();
         let dimensions = if matches!(self.design, Design::Sobol(_)) { 2 * k } else { k };
         if runs > MOST_RUNS {
-            let message = format!("{} samples of {k} parameters ask for {runs} runs, which are too many", self.samples);
+            let message = format!("{} samples of {k} parameters require {runs} runs, which are too many", self.samples);
             let help = format!("at most {MOST_RUNS} runs in all");
             diagnostics.push(Diagnostic::error("uncertainty.runs", message).at(values.span_of("samples")).help(help));
         }

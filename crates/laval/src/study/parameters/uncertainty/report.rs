@@ -84,7 +84,7 @@ pub struct Spread {
     pub deviation: f64,
     /// Share of the samples with a result in which the number exists.
     pub share: Interval,
-    /// Quantiles asked for.
+    /// Quantiles requested.
     pub quantiles: Vec<Interval>,
 }
 
@@ -291,7 +291,7 @@ fn sensitivity(
         };
         let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
         if let Some((p, i)) = most {
-            // the samples do not tell apart what their intervals share
+            // the samples do not distinguish what their intervals share
             let rivals: Vec<&str> = list
                 .iter()
                 .enumerate()

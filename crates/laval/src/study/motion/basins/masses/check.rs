@@ -3,7 +3,7 @@
 //! The steps are the same, so that a motion differs only by what was concluded from it. Beside a border nothing else than a disagreement can be expected now and
 //! then; one with no neighbour that ends elsewhere would be a mistake.
 
-use super::Fleet;
+use super::Members;
 use super::follow::Goal;
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome, Table};
@@ -36,27 +36,27 @@ fn at_a_border(words: &[String], width: usize, cell: usize) -> bool {
     around(j, words.len() / width).any(|b| around(i, width).any(|a| words[b * width + a] != words[cell]))
 }
 
-/// Follows cells; `None` when none are asked for, and when stopped.
-pub(super) fn check(fleet: &Fleet, names: &[String], words: &[String]) -> Option<Checked> {
-    if fleet.study.check == 0 {
+/// Follows cells; `None` when none are requested, and when stopped.
+pub(super) fn check(members: &Members, names: &[String], words: &[String]) -> Option<Checked> {
+    if members.study.check == 0 {
         return None;
     }
     let at = |k: usize| ((Points::Random.at(SEED, k as u32, 0) * words.len() as f64) as usize).min(words.len() - 1);
-    let mut chosen: Vec<usize> = (0..fleet.study.check).map(at).collect();
+    let mut chosen: Vec<usize> = (0..members.study.check).map(at).collect();
     chosen.sort_unstable();
     // a cell drawn twice is followed once
     chosen.dedup();
-    let starts: Vec<_> = chosen.iter().map(|&c| fleet.start_at(fleet.place(c))).collect();
-    let (progress, done) = (fleet.context.progress, AtomicU64::new(0));
-    let courses = fleet.follow(&starts, false, &|| progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, chosen.len() as u64))?;
+    let starts: Vec<_> = chosen.iter().map(|&c| members.start_at(members.place(c))).collect();
+    let (progress, done) = (members.context.progress, AtomicU64::new(0));
+    let courses = members.follow(&starts, false, &|| progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, chosen.len() as u64))?;
     let mut differ = Vec::new();
     for (&cell, course) in chosen.iter().zip(&courses) {
         let end = match &course.goal {
             Goal::Known(k) => names.get(*k).cloned().unwrap_or_default(),
-            goal => fleet.word(goal, &course.y),
+            goal => members.word(goal, &course.y),
         };
         if end != words[cell] {
-            let border = at_a_border(words, fleet.values[0].len(), cell);
+            let border = at_a_border(words, members.values[0].len(), cell);
             differ.push(Differs { cell, expected: words[cell].clone(), end, border });
         }
     }
@@ -65,7 +65,7 @@ pub(super) fn check(fleet: &Fleet, names: &[String], words: &[String]) -> Option
 
 impl Checked {
     /// A finding, and a table of the cells that differ.
-    pub fn report(&self, fleet: &Fleet, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    pub fn report(&self, members: &Members, outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let (differ, inside) = (self.differ.len(), self.differ.iter().filter(|d| !d.border).count());
         let rest = match (differ, inside) {
             (0, _) => String::new(),
@@ -80,8 +80,8 @@ impl Checked {
             .evidence("end elsewhere", differ as f64, "")
             .evidence("of them with no neighbour that does", inside as f64, "");
         let mut table = Table::new("disagreements", "Cells followed to their ends that end elsewhere than expected");
-        for (k, axis) in fleet.study.axes.iter().enumerate() {
-            let places = self.differ.iter().map(|d| fleet.place(d.cell)[k]).collect();
+        for (k, axis) in members.study.axes.iter().enumerate() {
+            let places = self.differ.iter().map(|d| members.place(d.cell)[k]).collect();
             table = table.float(PLACE[k], &axis.unit, axis.meaning(), places);
         }
         let column = |f: &dyn Fn(&Differs) -> String| self.differ.iter().map(f).collect::<Vec<String>>();

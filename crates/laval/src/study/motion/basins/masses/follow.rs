@@ -7,7 +7,7 @@
 use super::known::{Kind, KnownAttractors};
 use super::space::Space;
 use crate::model::system::System;
-use crate::solve::ensemble::{self, Ended, Leg, LegEnd, Next, Start, Voyage};
+use crate::solve::ensemble::{self, Ended, EnsembleTask, Leg, LegEnd, Next, Start};
 use crate::solve::motion::SpinLaw;
 use crate::solve::programme::{Programme, Shape};
 use crate::study::motion::steady_state::{Budget, words};
@@ -198,7 +198,7 @@ impl Follow<'_> {
     }
 }
 
-impl Voyage for Follow<'_> {
+impl EnsembleTask for Follow<'_> {
     type Log = Log;
     type Row = Course;
 

@@ -78,7 +78,7 @@ struct Row {
     class: Option<&'static str>,
 }
 
-struct Fleet<'a> {
+struct Members<'a> {
     study: &'a Basins,
     system: Arc<System>,
     space: Space,
@@ -90,7 +90,7 @@ struct Fleet<'a> {
     context: &'a Context<'a>,
 }
 
-impl Fleet<'_> {
+impl Members<'_> {
     fn undisturbed(&self) -> Vec<f64> {
         let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
         self.start.write(&self.study.initial, &mut y);
@@ -116,7 +116,7 @@ impl Fleet<'_> {
     fn follow(&self, starts: &[Begin], early: bool, done: &(dyn Fn() + Sync)) -> Option<Vec<Course>> {
         let rules = &self.study.rules;
         let relative = if self.study.exact { rules.relative } else { RELATIVE };
-        let voyage = Follow {
+        let task = Follow {
             system: &self.system,
             space: &self.space,
             speed: self.study.speed,
@@ -132,7 +132,7 @@ impl Fleet<'_> {
         };
         let settings = Settings { method: method(&self.system, rules.method, self.study.speed), ..Settings::default() };
         let courses = ensemble::run(
-            &voyage,
+            &task,
             &self.system,
             Form::of(&self.system, self.study.axes.iter().all(|a| a.index.is_some())),
             0..starts.len(),
@@ -234,10 +234,10 @@ fn name(goal: &Goal, class: Option<&'static str>) -> Option<String> {
     }
 }
 
-fn columns(fleet: &Fleet) -> Vec<RowColumn<Row>> {
+fn columns(members: &Members) -> Vec<RowColumn<Row>> {
     let whole = |x: u64| i64::try_from(x).ok();
     let mut out: Vec<RowColumn<Row>> = Vec::new();
-    for (k, axis) in fleet.study.axes.iter().enumerate() {
+    for (k, axis) in members.study.axes.iter().enumerate() {
         out.push(number(PLACE[k], &axis.unit, &axis.meaning(), move |r: &Row| r.place[k]));
     }
     out.push(count(STATE, "number in the table of attractors; none where the motion ends in none of them", |r: &Row| {
@@ -271,7 +271,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     };
     let attractors = states.iter().map(rest).collect();
     let early = study.recognise && count >= MANY && space.countable();
-    let mut fleet = Fleet {
+    let mut members = Members {
         study,
         known: KnownAttractors { attractors },
         space,
@@ -283,17 +283,17 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
         system: Arc::new(own),
     };
     context.announce(count as f64, 1000.0, "motions to follow until their masses rest or go on moving alike");
-    let Some(seen) = fleet.rehearse(count) else {
+    let Some(seen) = members.rehearse(count) else {
         let text = "The study was stopped while it followed starts beforehand: no cell of the grid was computed.";
         return Ok(Outcome::new(Basins::KIND, context.name).end(context.end(false)).finding(Finding::warning("incomplete", text)));
     };
-    let columns = columns(&fleet);
+    let columns = columns(&members);
     let plan = store::Plan {
         study: Basins::KIND.into(),
         columns: columns.iter().map(|c| c.column.clone()).collect(),
         rows: count,
         chunk: count.div_ceil(50).clamp(64, 4096),
     };
-    let results = store::run(plan, context, |range, counter| Ok(fleet.rows(range, counter).map(|list| cells(&columns, &list))))?;
-    report::report(&fleet, &seen, &results)
+    let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
+    report::report(&members, &seen, &results)
 }

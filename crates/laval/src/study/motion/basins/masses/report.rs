@@ -5,7 +5,7 @@ use super::super::report::{share, upper};
 use super::super::rows::PLACE;
 use super::check;
 use super::known::{Attractor, Kind};
-use super::{EARLY, FAILURE, Fleet, GOAL, Rehearsal, STATE, STEPS, TURNS};
+use super::{EARLY, FAILURE, GOAL, Members, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::Results;
@@ -36,43 +36,43 @@ fn names(all: &[Attractor]) -> Vec<String> {
     kinds.iter().enumerate().map(name).collect()
 }
 
-pub(super) fn report(fleet: &Fleet, seen: &Rehearsal, results: &Results) -> Result<Outcome, Diagnostic> {
-    let context = fleet.context;
+pub(super) fn report(members: &Members, seen: &Rehearsal, results: &Results) -> Result<Outcome, Diagnostic> {
+    let context = members.context;
     let complete = results.end() == End::Reached;
     let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    for f in results.remark_of("motions").into_iter().chain(fleet.start.finding.clone()) {
+    for f in results.remark_of("motions").into_iter().chain(members.start.finding.clone()) {
         outcome = outcome.finding(f);
     }
-    let all = &fleet.known.attractors;
+    let all = &members.known.attractors;
     let names = names(all);
     let states = results.numbers(STATE)?;
     let goals = stored::words(results, GOAL)?;
     let words: Vec<String> =
         states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
-    let checked = if fleet.early && complete { check::check(fleet, &names, &words) } else { None };
-    if fleet.early && complete && fleet.study.check > 0 && checked.is_none() {
+    let checked = if members.early && complete { check::check(members, &names, &words) } else { None };
+    if members.early && complete && members.study.check > 0 && checked.is_none() {
         outcome = outcome.end(context.end(false));
     }
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
-    outcome = shares(fleet, &counts, &names, words.len(), outcome);
+    outcome = shares(members, &counts, &names, words.len(), outcome);
     outcome = undecided(&counts, words.len(), results, outcome)?;
-    outcome = early(fleet, seen, &results.numbers(EARLY)?, outcome);
+    outcome = early(members, seen, &results.numbers(EARLY)?, outcome);
     if let Some(checked) = &checked {
-        outcome = checked.report(fleet, outcome)?;
+        outcome = checked.report(members, outcome)?;
     }
     let turns = results.numbers(TURNS)?;
     let steps = results.numbers(STEPS)?.iter().sum::<f64>();
     outcome = outcome.work("motions", results.done()).work("steps", steps as u64).work("turns", turns.iter().sum::<f64>() as u64);
-    outcome = tables(fleet, results, &names, &counts, &words, outcome)?;
-    figure(fleet, &names, words, outcome).checked().map_err(inconsistent)
+    outcome = tables(members, results, &names, &counts, &words, outcome)?;
+    figure(members, &names, words, outcome).checked().map_err(inconsistent)
 }
 
-fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells: usize, mut outcome: Outcome) -> Outcome {
+fn shares(members: &Members, counts: &BTreeMap<&str, usize>, names: &[String], cells: usize, mut outcome: Outcome) -> Outcome {
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(fleet.study.speed, "rad/s");
+    let speed = quantity(members.study.speed, "rad/s");
     let mut order: Vec<(&str, usize)> = counts.iter().map(|(w, n)| (*w, *n)).filter(|x| x.0 != UNSETTLED && x.0 != "failed").collect();
     order.sort_by_key(|x| (std::cmp::Reverse(x.1), x.0));
     let text = match order.len() {
@@ -85,7 +85,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
         let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
         let mut balances = false;
         if let Some(k) = names.iter().position(|n| n == word) {
-            match &fleet.known.attractors[k].kind {
+            match &members.known.attractors[k].kind {
                 Kind::Rest { class, stable, .. } => {
                     balances = class.balances();
                     if !stable {
@@ -96,7 +96,7 @@ fn shares(fleet: &Fleet, counts: &BTreeMap<&str, usize>, names: &[String], cells
                     }
                 }
                 Kind::Moving { slip, .. } => {
-                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * fleet.study.speed, "rad/s")).collect();
+                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * members.study.speed, "rad/s")).collect();
                     text = format!("{} at mean rates of {}: reached from {{}} of the cells.", upper(word), rates.join(" and "));
                 }
             }
@@ -125,8 +125,8 @@ fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mu
 }
 
 /// How ends of motions were recognised early, and how often that was wrong.
-fn early(fleet: &Fleet, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> Outcome {
-    if !fleet.early {
+fn early(members: &Members, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> Outcome {
+    if !members.early {
         return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
     }
     let count = stored.iter().filter(|t| **t == 1.0).count();
@@ -150,14 +150,14 @@ fn early(fleet: &Fleet, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> O
 }
 
 fn tables(
-    fleet: &Fleet,
+    members: &Members,
     results: &Results,
     names: &[String],
     counts: &BTreeMap<&str, usize>,
     words: &[String],
     outcome: Outcome,
 ) -> Result<Outcome, Diagnostic> {
-    let axes = &fleet.study.axes;
+    let axes = &members.study.axes;
     let whole =
         |name: &str| results.numbers(name).map(|v| v.into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>());
     let mut cells = Table::new("cells", "What the motion from every cell of the grid ends in");
@@ -170,7 +170,7 @@ fn tables(
         .int("early", "", "1 where the end was recognised before it was reached", whole(EARLY)?)
         .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
         .text("failure", "why there is no motion", stored::words(results, FAILURE)?);
-    let all = &fleet.known.attractors;
+    let all = &members.known.attractors;
     let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);
     let mut table = Table::new("attractors", "States at rest in turning axes, and motions with masses that go round")
@@ -192,16 +192,16 @@ fn tables(
             "nearest a motion came that ended elsewhere; infinite where none was followed",
             column(&|a| if a.approach.is_finite() { a.approach } else { f64::NAN }),
         );
-    for b in fleet.system.bodies() {
+    for b in members.system.bodies() {
         let radius = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[b.x].hypot(q[b.x + 1]) } else { f64::NAN };
         table = table.float(format!("displacement.{}", b.name), "m", "distance from the axis; NaN for motions", column(&radius));
     }
-    let angles = fleet.space.images.groups.iter().flatten();
+    let angles = members.space.images.groups.iter().flatten();
     for (k, &i) in angles.enumerate() {
-        let name = &fleet.system.coordinates()[i].name;
+        let name = &members.system.coordinates()[i].name;
         let slip = |a: &Attractor| match &a.kind {
             Kind::Rest { .. } => 0.0,
-            Kind::Moving { slip, .. } => slip[k] * fleet.study.speed,
+            Kind::Moving { slip, .. } => slip[k] * members.study.speed,
         };
         let place = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[i] } else { f64::NAN };
         table = table.float(format!("angle.{name}"), "rad", "where it rests; NaN for motions", column(&place)).float(
@@ -218,11 +218,11 @@ fn tables(
 /// Words of the map that have colours of their own.
 const FIRST: [&str; 5] = ["balanced", "masses go round", "masses together", "unbalance reduced", "partly balanced"];
 
-fn figure(fleet: &Fleet, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
+fn figure(members: &Members, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
     if words.is_empty() {
         return outcome;
     }
-    let axes = &fleet.study.axes;
+    let axes = &members.study.axes;
     let drawn = |k: usize| Axis::new(&axes[k].name, &axes[k].unit);
     // words that many maps have first: they have the same colours in all
     let mut classes: Vec<String> = FIRST.map(String::from).to_vec();
@@ -234,7 +234,7 @@ fn figure(fleet: &Fleet, names: &[String], words: Vec<String>, outcome: Outcome)
         }
     }
     let heat = Heat::new("cells", PLACE[0], PLACE[1], "end", Axis::new("ends in", "")).of_classes(classes);
-    let speed = quantity(fleet.study.speed, "rad/s");
+    let speed = quantity(members.study.speed, "rad/s");
     let alt = format!("What each start ends in at {speed}, over {} and {}.", axes[0].meaning(), axes[1].meaning());
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(Panel::new(drawn(1)).mark(heat));
     if axes[0].unit == axes[1].unit {

@@ -2,18 +2,18 @@
 
 use super::general::General;
 use super::varying::Varying;
-use super::{Ended, Form, Grid, Leg, LegEnd, Next, Voyage};
+use super::{Ended, EnsembleTask, Form, Grid, Leg, LegEnd, Next};
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
 use crate::motion::SpinLaw;
 use crate::motion::constant::Constant;
 use crate::programme::Programme;
-use laval_num::ensemble::{Crew, Seat};
+use laval_num::ensemble::{EnsembleProblem, Seat};
 use laval_num::lanes::{LANES, LaneScalar};
 use std::sync::Arc;
 
-/// A voyage with its types forgotten, so that the engine is compiled once: the members in the lanes of one thread.
-pub(super) trait Hands {
+/// A task with its types forgotten, so that the engine is compiled once: the members in the lanes of one thread.
+pub(super) trait MemberSource {
     /// The next member for a lane: its state and tolerances go to the seat.
     fn board(&mut self, lane: usize, seat: &mut Seat) -> Option<(Arc<System>, SpinLaw, Leg)>;
     fn output(&mut self, lane: usize, i: u64, t: f64, y: &[f64]);
@@ -21,19 +21,19 @@ pub(super) trait Hands {
     fn cancelled(&self) -> bool;
 }
 
-/// The members of a voyage on one thread. `take` gives the next index, `keep` receives rows.
-pub(super) struct Riders<'a, V: Voyage> {
-    pub voyage: &'a V,
+/// The members of a task on one thread. `take` gives the next index, `keep` receives rows.
+pub(super) struct RunningMembers<'a, V: EnsembleTask> {
+    pub task: &'a V,
     pub logs: [Option<(usize, V::Log)>; LANES],
     pub take: &'a dyn Fn() -> Option<usize>,
     pub keep: &'a dyn Fn(usize, V::Row),
 }
 
-impl<V: Voyage> Hands for Riders<'_, V> {
+impl<V: EnsembleTask> MemberSource for RunningMembers<'_, V> {
     fn board(&mut self, lane: usize, seat: &mut Seat) -> Option<(Arc<System>, SpinLaw, Leg)> {
         loop {
             let index = (self.take)()?;
-            match self.voyage.start(index) {
+            match self.task.start(index) {
                 Ok(start) => {
                     seat.y.copy_from_slice(&start.y);
                     seat.relative.fill(start.relative);
@@ -47,12 +47,12 @@ impl<V: Voyage> Hands for Riders<'_, V> {
     }
     fn output(&mut self, lane: usize, i: u64, t: f64, y: &[f64]) {
         if let Some((_, log)) = &mut self.logs[lane] {
-            self.voyage.output(log, i, t, y);
+            self.task.output(log, i, t, y);
         }
     }
     fn ended(&mut self, lane: usize, ended: &Ended, y: &mut [f64]) -> Option<Leg> {
         let (index, log) = self.logs[lane].as_mut()?;
-        match self.voyage.ended(*index, log, ended, y) {
+        match self.task.ended(*index, log, ended, y) {
             Next::Leg(leg) => Some(leg),
             Next::Done(row) => {
                 (self.keep)(*index, row);
@@ -62,7 +62,7 @@ impl<V: Voyage> Hands for Riders<'_, V> {
         }
     }
     fn cancelled(&self) -> bool {
-        self.voyage.cancelled()
+        self.task.cancelled()
     }
 }
 
@@ -90,8 +90,8 @@ struct Aboard {
 /// Crossings of switching surfaces after which a leg is given up: a member that chatters would never end.
 const MOST_CROSSINGS: u64 = 10_000_000;
 
-pub(super) struct LaneCrew<'a, S> {
-    hands: &'a mut dyn Hands,
+pub(super) struct LaneRun<'a, S> {
+    hands: &'a mut dyn MemberSource,
     equations: Equations<'a, S>,
     dim: usize,
     /// Index of the spin angle, when it is free.
@@ -103,11 +103,11 @@ pub(super) struct LaneCrew<'a, S> {
     scratch: (Workspace<f64>, Vec<f64>),
 }
 
-impl<'a, S: LaneScalar> LaneCrew<'a, S> {
-    pub fn new(hands: &'a mut dyn Hands, base: &'a System, form: Form) -> Self {
+impl<'a, S: LaneScalar> LaneRun<'a, S> {
+    pub fn new(hands: &'a mut dyn MemberSource, base: &'a System, form: Form) -> Self {
         let core = 2 * base.n() + base.m();
         let spin = (form == Form::Free).then_some(core);
-        let mut crew = LaneCrew {
+        let mut lane_run = LaneRun {
             hands,
             equations: match form {
                 Form::Constant => Equations::Constant(Constant::new(base)),
@@ -121,13 +121,13 @@ impl<'a, S: LaneScalar> LaneCrew<'a, S> {
             zero: vec![0.0; base.n()],
             scratch: Default::default(),
         };
-        let y = vec![0.0; crew.dim];
+        let y = vec![0.0; lane_run.dim];
         for k in 0..base.slots().len() {
             let law = if spin.is_some() { SpinLaw::Free } else { SpinLaw::Programme(Programme::constant(0.0, 0.0)) };
-            crew.evaluate_surfaces(base, &law, k, 0.0, &y);
-            crew.surfaces.extend((0..crew.scratch.1.len()).map(|i| (k, i)));
+            lane_run.evaluate_surfaces(base, &law, k, 0.0, &y);
+            lane_run.surfaces.extend((0..lane_run.scratch.1.len()).map(|i| (k, i)));
         }
-        crew
+        lane_run
     }
 
     fn evaluate_surfaces(&mut self, system: &System, law: &SpinLaw, k: usize, t: f64, y: &[f64]) {
@@ -145,7 +145,7 @@ impl<'a, S: LaneScalar> LaneCrew<'a, S> {
     }
 }
 
-impl<S: LaneScalar> Crew<S> for LaneCrew<'_, S> {
+impl<S: LaneScalar> EnsembleProblem<S> for LaneRun<'_, S> {
     fn dim(&self) -> usize {
         self.dim
     }

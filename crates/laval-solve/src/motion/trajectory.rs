@@ -30,7 +30,7 @@ pub enum Choice {
     Stiff,
 }
 
-/// What is asked of a flight, from t = 0.
+/// Request of an integration, from t = 0.
 #[derive(Clone)]
 pub struct Plan<'p> {
     /// End, s.
@@ -53,9 +53,9 @@ pub struct Plan<'p> {
     pub kick: Option<(f64, Vec<f64>)>,
     /// Most steps.
     pub max_steps: u64,
-    /// Asked before every step.
+    /// Polled before every step.
     pub cancel: &'p dyn Fn() -> bool,
-    /// Told the time reached.
+    /// Receives the time reached.
     pub progress: &'p dyn Fn(f64),
 }
 
@@ -91,9 +91,9 @@ pub struct Left {
     pub t: f64,
 }
 
-/// What a flight found.
+/// What a trajectory found.
 #[derive(Clone)]
-pub struct Flight {
+pub struct Trajectory {
     /// Times of the outputs reached.
     pub times: Vec<f64>,
     /// States there, one after the other.
@@ -137,8 +137,8 @@ const INSTANT: f64 = 1e-7;
 /// Integrates from `y` at t = 0.
 ///
 /// # Errors
-/// An explicit method asked of a machine with memory states; a state that cannot be evaluated at the start.
-pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagnostic> {
+/// An explicit method requested of a machine with memory states; a state that cannot be evaluated at the start.
+pub fn simulate(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Trajectory, Diagnostic> {
     if let (Choice::Explicit, Some(d)) = (plan.choice, motion.refuses_explicit()) {
         return Err(d);
     }
@@ -165,7 +165,7 @@ pub fn fly(motion: &mut Motion, y: &[f64], plan: &Plan) -> Result<Flight, Diagno
             let aside = |t: &&Track| !t.probe.is_tilt() && !t.probe.is_reference();
             let points = watch.tracks.iter().filter(aside).map(|t| (t.probe.clone(), t.windows.clone())).collect();
             let (peaks, windows, tilts) = by_body(watch.tracks);
-            Ok(Flight {
+            Ok(Trajectory {
                 times: watch.times,
                 states: watch.states,
                 state,
