@@ -65,32 +65,24 @@ impl Measure {
     pub(super) fn at<S: Evaluate>(self, system: &System, params: &[S], now: &Instant<S>) -> [S; 2] {
         match self {
             Measure::Probe(k) => system.probes()[k].scaled(now.q),
-            Measure::Force(slot) => force(&system.slots()[slot], params, now),
+            Measure::Force(slot) => Local::new().force(&system.slots()[slot], params, now),
         }
     }
 
     /// Both components at base phase `tau` of a motion of this period in turns.
     pub fn components_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> [f64; 2] {
-        match self {
-            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
-            Measure::Force(slot) => {
-                let (n, m) = (system.n(), system.m());
-                let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-                orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-                let now = Instant { q: &q, v: &v, a: &a, z: &z, phase: turns as f64 * tau, speed: orbit.speed };
-                force(&system.slots()[slot], system.params(), &now)
-            }
-        }
+        Track::new(self, system, orbit, turns).at(tau)
     }
 
     /// Complex amplitudes of both components at the spin frequency: `Re(amplitude exp(i phase))`.
     pub fn first_order(self, system: &System, orbit: &Orbit, turns: usize) -> [C64; 2] {
         let count = turns * SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1).div_ceil(turns));
+        let mut track = Track::new(self, system, orbit, turns);
         let mut out = [C64::zero(); 2];
         for j in 0..count {
             let tau = TAU * j as f64 / count as f64;
             let back = C64::cis(-(turns as f64) * tau).scale(2.0 / count as f64);
-            for (o, f) in out.iter_mut().zip(self.components_at(system, orbit, turns, tau)) {
+            for (o, f) in out.iter_mut().zip(track.at(tau)) {
                 *o += back.scale(f);
             }
         }
@@ -99,15 +91,15 @@ impl Measure {
 
     /// The square of its size at base phase `tau` of a motion of this period in turns.
     pub fn square_at(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
-        let [x, y] = self.components_at(system, orbit, turns, tau);
-        x * x + y * y
+        Track::new(self, system, orbit, turns).square(tau)
     }
 
     /// Largest value over a period, and the base phase where it is reached.
     pub fn largest(self, system: &System, orbit: &Orbit, turns: usize) -> (f64, f64) {
         let samples = SAMPLES.max(8 * orbit.orders.last().copied().unwrap_or(1));
         let h = TAU / samples as f64;
-        let square = |tau: f64| self.square_at(system, orbit, turns, tau);
+        let mut track = Track::new(self, system, orbit, turns);
+        let mut square = |tau: f64| track.square(tau);
         let (mut tau, mut best) = (0.0, square(0.0));
         for j in 1..samples {
             let r = square(h * j as f64);
@@ -124,7 +116,8 @@ impl Measure {
 
     /// Base phase of the largest value of a motion, where that of one beside it is known.
     pub(in crate::harmonic) fn near(self, system: &System, orbit: &Orbit, turns: usize, tau: f64) -> f64 {
-        let square = |tau: f64| self.square_at(system, orbit, turns, tau);
+        let mut track = Track::new(self, system, orbit, turns);
+        let mut square = |tau: f64| track.square(tau);
         let (best, h) = (square(tau), 0.01);
         match self {
             Measure::Probe(k) => stationary(|tau| orbit.probe_at(&system.probes()[k], tau), (tau, best), h).0,
@@ -172,7 +165,7 @@ fn stationary(pair: impl Fn(f64) -> [[f64; 2]; 3], (mut tau, mut best): (f64, f6
 }
 
 /// Vertices of parabolas through three instants ever closer to each other, where they lead to more.
-fn vertex(square: impl Fn(f64) -> f64, (mut tau, mut best): (f64, f64), mut h: f64) -> (f64, f64) {
+fn vertex(mut square: impl FnMut(f64) -> f64, (mut tau, mut best): (f64, f64), mut h: f64) -> (f64, f64) {
     for _ in 0..4 {
         let (a, c) = (square(tau - h), square(tau + h));
         let bend = a - 2.0 * best + c;
@@ -188,28 +181,83 @@ fn vertex(square: impl Fn(f64) -> f64, (mut tau, mut best): (f64, f64), mut h: f
     (tau, best)
 }
 
-/// What a part puts on its first pair of coordinates, N; a body what it does without its own inertia.
-fn force<S: Evaluate>(slot: &Slot, params: &[S], now: &Instant<S>) -> [S; 2] {
-    let (mut q, mut v) = (Vec::new(), Vec::new());
-    gather(&slot.map, now.q, &mut q);
-    gather(&slot.map, now.v, &mut v);
-    let mut a = vec![S::zero(); slot.map.len()];
-    if !slot.layout.body {
-        gather(&slot.map, now.a, &mut a);
-        a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
+/// A measure along one motion. Thousands of instants of a branch share these vectors: allocating them for each took most of the time.
+struct Track<'a> {
+    measure: Measure,
+    system: &'a System,
+    orbit: &'a Orbit,
+    turns: usize,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    z: Vec<f64>,
+    local: Local<f64>,
+}
+
+impl<'a> Track<'a> {
+    fn new(measure: Measure, system: &'a System, orbit: &'a Orbit, turns: usize) -> Self {
+        let (n, m) = if matches!(measure, Measure::Force(_)) { (system.n(), system.m()) } else { (0, 0) };
+        let of = |n: usize| vec![0.0; n];
+        Track { measure, system, orbit, turns, q: of(n), v: of(n), a: of(n), z: of(m), local: Local::new() }
     }
-    let (mut rows, mut rate, mut spin) = (vec![S::zero(); slot.map.len()], vec![S::zero(); slot.states.len()], S::zero());
-    let at = At {
-        q: &q,
-        v: &v,
-        a: &a,
-        z: &now.z[slot.states.clone()],
-        phase: S::cst(now.phase),
-        speed: now.speed,
-        spin_accel: S::zero(),
-        t: S::zero(),
-    };
-    let mut out = Rows { force: &mut rows, rate: &mut rate, spin: &mut spin };
-    S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, &mut Blocks::default());
-    [rows[0], rows[1]]
+
+    /// Both components at base phase `tau`.
+    fn at(&mut self, tau: f64) -> [f64; 2] {
+        let Track { system, orbit, .. } = *self;
+        match self.measure {
+            Measure::Probe(k) => orbit.probe_at(&system.probes()[k], tau)[0],
+            Measure::Force(slot) => {
+                orbit.at(tau, &mut self.q, &mut self.v, &mut self.a, &mut self.z);
+                let phase = self.turns as f64 * tau;
+                let now = Instant { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase, speed: orbit.speed };
+                self.local.force(&system.slots()[slot], system.params(), &now)
+            }
+        }
+    }
+
+    /// The square of the size.
+    fn square(&mut self, tau: f64) -> f64 {
+        let [x, y] = self.at(tau);
+        x * x + y * y
+    }
+}
+
+/// What a part sees and gives at one instant.
+struct Local<S> {
+    q: Vec<S>,
+    v: Vec<S>,
+    a: Vec<S>,
+    rows: Vec<S>,
+    rate: Vec<S>,
+    blocks: Blocks<S>,
+}
+
+impl<S: Evaluate> Local<S> {
+    fn new() -> Self {
+        Local { q: Vec::new(), v: Vec::new(), a: Vec::new(), rows: Vec::new(), rate: Vec::new(), blocks: Blocks::default() }
+    }
+
+    /// What a part puts on its first pair of coordinates, N; a body what it does without its own inertia.
+    fn force(&mut self, slot: &Slot, params: &[S], now: &Instant<S>) -> [S; 2] {
+        let Local { q, v, a, rows, rate, blocks } = self;
+        gather(&slot.map, now.q, q);
+        gather(&slot.map, now.v, v);
+        if slot.layout.body {
+            a.clear();
+            a.resize(slot.map.len(), S::zero());
+        } else {
+            gather(&slot.map, now.a, a);
+            a.iter_mut().zip(&slot.weight).for_each(|(a, g)| *a += S::cst(*g));
+        }
+        rows.clear();
+        rows.resize(slot.map.len(), S::zero());
+        rate.clear();
+        rate.resize(slot.states.len(), S::zero());
+        let mut spin = S::zero();
+        let at =
+            At { q, v, a, z: &now.z[slot.states.clone()], phase: S::cst(now.phase), speed: now.speed, spin_accel: S::zero(), t: S::zero() };
+        let mut out = Rows { force: rows, rate, spin: &mut spin };
+        S::residual(&*slot.part, &params[slot.params.clone()], &at, &mut out, blocks);
+        [rows[0], rows[1]]
+    }
 }
