@@ -2,7 +2,7 @@
 
 use crate::{DONE, FAILED, WRONG, input, terminal};
 use laval::diagnostic::Diagnostic;
-use laval::folder::{Held, Lasting, write_whole};
+use laval::output_folder::{Held, Lasting, write_whole};
 use laval::plain;
 use laval::validation::{Document, Page, documents, gallery, run};
 use std::path::{Path, PathBuf};

@@ -108,10 +108,10 @@ pub mod build;
 mod columns;
 pub mod file;
 #[doc(hidden)]
-pub mod folder;
-#[doc(hidden)]
 pub mod hash;
 pub mod outcome;
+#[doc(hidden)]
+pub mod output_folder;
 #[doc(hidden)]
 pub mod plain;
 pub mod prelude;

@@ -4,7 +4,7 @@
 pub mod distribution;
 pub mod morris;
 pub mod quantile;
-pub mod sobol;
+pub mod sobol_indices;
 
 /// Most points of the low-discrepancy sequence.
 pub const MOST_POINTS: u32 = 1 << 16;

@@ -3,8 +3,8 @@
 use super::Report;
 use super::write::{Composed, Format, WriteError, compose, folders, write_all};
 use crate::diagnostic::Diagnostic;
-use crate::folder::{Held, Lasting, tidy, write_whole};
 use crate::outcome::End;
+use crate::output_folder::{Held, Lasting, tidy, write_whole};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

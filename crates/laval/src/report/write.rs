@@ -2,9 +2,9 @@
 
 use super::text::file_name;
 use super::{Report, csv, html, json, svg};
-use crate::folder::{Lasting, write_whole};
 use crate::hash::sha256;
 use crate::outcome::OutcomeError;
+use crate::output_folder::{Lasting, write_whole};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;

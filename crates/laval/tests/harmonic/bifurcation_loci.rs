@@ -15,7 +15,7 @@ use laval::solve::harmonic::branches::bifurcation::Event;
 use laval::solve::harmonic::branches::response;
 use laval::solve::harmonic::loci::crossings::plane;
 use laval::solve::harmonic::loci::folds::FoldLocus;
-use laval::solve::harmonic::loci::path::{Path, PathEnd, follow, passes};
+use laval::solve::harmonic::loci::follow::{Path, PathEnd, follow, passes};
 use laval::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, Request, loci};
 use laval::solve::harmonic::loci::varied::Varied;
 use laval::solve::symmetry::Symmetry;

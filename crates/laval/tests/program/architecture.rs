@@ -17,7 +17,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("hash", &[]),
     ("plain", &[]),
     ("build", &[]),
-    ("folder", &[]),
+    ("output_folder", &[]),
     ("columns", &[]),
     ("store", &["outcome", "columns"]),
     ("study", &["model", "solve", "separation", "outcome", "store"]),
@@ -26,7 +26,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("validation", &["file", "study", "outcome", "report"]),
     ("prelude", &["model", "parts", "study", "outcome", "file"]),
 ];
-const OPEN: &[&str] = &["units", "diagnostic", "hash", "plain", "build", "folder"];
+const OPEN: &[&str] = &["units", "diagnostic", "hash", "plain", "build", "output_folder"];
 
 /// A source file of the crate: its module, its path, and its code without comments and unit tests.
 struct Source {

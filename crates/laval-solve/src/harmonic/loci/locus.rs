@@ -1,7 +1,7 @@
 //! A locus of bifurcations in the plane of spin speed and one parameter.
 
 use crate::harmonic::branches::bifurcation::Event;
-use crate::harmonic::loci::path::{PathEnd, Turn};
+use crate::harmonic::loci::follow::{PathEnd, Turn};
 
 /// What happens on a locus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 pub mod crossings;
 pub(in crate::harmonic) mod existence;
 pub mod folds;
+pub mod follow;
 pub mod locus;
-pub mod path;
 pub mod search;
 pub mod varied;

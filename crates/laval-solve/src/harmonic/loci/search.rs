@@ -15,7 +15,7 @@ use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States
 use crate::harmonic::loci::crossings::{CrossingLocus, angle, exponents, nearest, span};
 use crate::harmonic::loci::existence::existence;
 use crate::harmonic::loci::folds::FoldLocus;
-use crate::harmonic::loci::path::{Path, PathEnd, Turn, follow, passes};
+use crate::harmonic::loci::follow::{Path, PathEnd, Turn, follow, passes};
 use crate::harmonic::loci::varied::{Varied, stopped};
 use crate::harmonic::stability::floquet::{Exponents, Stability, Unjudged};
 use crate::harmonic::stability::hill;

@@ -2,7 +2,7 @@
 
 use super::report::{Shown, corner_name};
 use crate::outcome::{Finding, quantity, significant};
-use crate::solve::harmonic::loci::path::PathEnd;
+use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
 use crate::study::shared::validity::Uses;
 

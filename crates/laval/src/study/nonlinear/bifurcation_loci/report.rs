@@ -7,7 +7,7 @@ use crate::model::system::System;
 use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
-use crate::solve::harmonic::loci::path::PathEnd;
+use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
 use crate::study::shared::probes;
 use crate::study::shared::validity::Uses;

@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
-use laval_num::sampling::sobol::Indices;
+use laval_num::sampling::sobol_indices::Indices;
 use std::collections::BTreeMap;
 
 /// Numbers drawn unless some are named.

@@ -27,7 +27,7 @@ use crate::study::{Context, ErasedStudy, Study};
 pub(in crate::study) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
 use laval_num::sampling::quantile::Interval;
-use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol};
+use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol_indices};
 use laval_num::work::Here;
 use rayon::prelude::*;
 pub use tolerance::Uncertain;
@@ -219,7 +219,7 @@ impl Uncertainty {
         let (seed, inputs) = (self.seed, self.parameters.len());
         let u = match self.design {
             Design::Plain(points) => (0..inputs as u32).map(|d| points.at(seed, row as u32, d)).collect(),
-            Design::Sobol(points) => sobol::Plan { points, seed, inputs }.point(row),
+            Design::Sobol(points) => sobol_indices::Plan { points, seed, inputs }.point(row),
             Design::Morris => morris::Plan { seed, inputs }.point(row),
         };
         u.iter().zip(&self.parameters).map(|(u, p)| p.distribution.quantile(*u)).collect()

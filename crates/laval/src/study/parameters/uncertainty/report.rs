@@ -10,8 +10,8 @@ use crate::study::{Context, Study};
 use laval_num::sampling::distribution::normal_quantile;
 use laval_num::sampling::morris::Effects;
 use laval_num::sampling::quantile::{Interval, quantile, share};
-use laval_num::sampling::sobol::Indices;
-use laval_num::sampling::{moments, morris, sobol};
+use laval_num::sampling::sobol_indices::Indices;
+use laval_num::sampling::{moments, morris, sobol_indices};
 use std::collections::BTreeMap;
 
 /// All samples, column by column; numbers are NaN where a sample does not have them.
@@ -116,8 +116,9 @@ pub fn report(study: &Uncertainty, nominal: &[Quantity], results: &Results, cont
         Design::Plain(_) | Design::Sobol(_) => outcome = distributions(outcome, study, &samples, &own)?,
     }
     if let Design::Sobol(points) = study.design {
-        let plan = sobol::Plan { points, seed: study.seed, inputs: study.parameters.len() };
-        let found: Vec<Option<(Vec<Indices>, usize)>> = samples.values.iter().map(|v| sobol::indices(&plan, v, CONFIDENCE)).collect();
+        let plan = sobol_indices::Plan { points, seed: study.seed, inputs: study.parameters.len() };
+        let found: Vec<Option<(Vec<Indices>, usize)>> =
+            samples.values.iter().map(|v| sobol_indices::indices(&plan, v, CONFIDENCE)).collect();
         outcome = sensitivity(outcome, study, &samples, &found)?;
     }
     if let Some(remark) = results.remark() {

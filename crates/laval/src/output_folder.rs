@@ -1,4 +1,4 @@
-//! A folder of results: held by one process at a time, its files whole or not there.
+//! A folder of results: locked by one process at a time, its files whole or not there.
 
 use crate::diagnostic::Diagnostic;
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
