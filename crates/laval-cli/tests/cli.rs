@@ -138,7 +138,7 @@ fn formats_and_quiet() {
 }
 
 #[test]
-fn all_mistakes_of_a_file_are_told_at_their_places() {
+fn all_mistakes_of_a_file_are_reported_at_their_places() {
     let dir = Dir::new("bad");
     let text = SMALL.replace("mass = \"2 kg\"", "mass = \"2 m\"").replace("damping = \"40 N s/m\"", "dampin = \"40 N s/m\"");
     dir.file("pump.toml", &text);
@@ -192,7 +192,7 @@ fn what_is_no_machine_file() {
 }
 
 #[test]
-fn an_unwritable_folder_is_told_before_computing() {
+fn an_unwritable_folder_is_reported_before_computing() {
     let dir = Dir::new("unwritable");
     dir.file("pump.toml", SMALL);
     dir.file("taken", "a file");

@@ -113,7 +113,7 @@ fn a_case_that_cannot_run_or_be_read_fails_at_its_line() {
 }
 
 #[test]
-fn a_request_that_is_wrong_is_told() {
+fn a_request_that_is_wrong_is_reported() {
     let dir = Dir::new("validate-request");
     let (code, _, err) = validate(&dir, &[]);
     assert!(code == 1 && err.contains("no folder \"validation\""), "{err}");

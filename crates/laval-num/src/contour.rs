@@ -381,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn a_false_zero_is_told() {
+    fn a_false_zero_is_reported() {
         let f = || rational(vec![c(0.5, 0.5)], vec![]);
         let region = Region { re: (0.0, 1.0), im: (0.0, 1.0), mirrored: false, reach: &free, noise: NOISE };
         assert_eq!(missing(f(), &region, &[c(0.5, 0.5)], 1000).0, Some(0));

@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_tables_are_told() {
+    fn bad_tables_are_reported() {
         assert_eq!(Interpolant::new(&[], &[]), Err(TableError::Empty));
         assert_eq!(Interpolant::new(&[1.0], &[]), Err(TableError::Lengths(1, 0)));
         assert_eq!(Interpolant::new(&[1.0, 2.0, 2.0], &[0.0; 3]), Err(TableError::NotIncreasing(2)));

@@ -195,7 +195,7 @@ impl Kernel for Access {
 }
 
 #[test]
-fn lanes_are_reached_in_order_and_the_level_is_the_one_asked_for() {
+fn lanes_are_reached_in_order_and_the_level_is_the_one_requested_for() {
     for level in Level::supported() {
         assert_eq!(dispatch(level, Access), level);
     }

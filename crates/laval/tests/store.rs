@@ -206,7 +206,7 @@ fn between_chunk_and_manifest_nothing_is_lost_or_repeated() {
 }
 
 #[test]
-fn damaged_and_missing_chunks_are_computed_again_and_told() {
+fn damaged_and_missing_chunks_are_computed_again_and_reported() {
     let dir = Dir::new("damaged");
     drop(run(&dir.keep(), &Reported::default(), |_| {}).unwrap());
     let before = files(&dir.0);
@@ -393,7 +393,7 @@ fn an_error_of_the_computation_keeps_what_was_written() {
 }
 
 #[test]
-fn folders_that_cannot_be_made_or_written_are_told() {
+fn folders_that_cannot_be_made_or_written_are_reported() {
     let dir = Dir::new("unwritable");
     fs::create_dir_all(&dir.0).unwrap();
     fs::write(dir.0.join("file"), "").unwrap();

@@ -182,7 +182,7 @@ mod tests {
 
     /// c0 d + c1 d^3 = 0 at d = sqrt(-c0/c1): 0.1 mm for 1e6 N/m and -1e14 N/m^3, 10 mm for -1e10 N/m^3.
     #[test]
-    fn a_force_that_turns_round_within_reach_is_told() {
+    fn a_force_that_turns_round_within_reach_is_reported() {
         let reported = |cubic: f64, valid_to: f64| {
             let mut p = ParamValues::default();
             for (name, x) in [

@@ -410,7 +410,7 @@ mod tests {
     }
 
     #[test]
-    fn mistakes_are_told() {
+    fn mistakes_are_reported() {
         let (part, text) = build(|v, _| v.set("table", columns(&[100.0, 300.0, 200.0], &[1e6; 3]), None));
         assert!(part.is_none());
         assert_eq!(text, ["speeds must increase from row to row: row 3 has 200 rad/s (1910 rpm) after 300 rad/s (2865 rpm)"]);

@@ -315,7 +315,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn mistakes_are_told() {
+    fn mistakes_are_reported() {
         let p = DiscParams { diametral_inertia: 0.01, polar_inertia: 0.03, ..DiscParams::new(1.0) };
         let wrong = Disc::tilting().check(&p);
         assert_eq!(wrong[0].0, "polar_inertia");

@@ -272,7 +272,7 @@ mod mistakes {
     }
 
     #[test]
-    fn are_told() {
+    fn are_reported() {
         let table = |w: [f64; 2]| Some(Value::Columns([("speed", w.to_vec()), ("share", vec![1.0, 0.5])].into()));
         assert!(reported("linear", None, &[]).contains("needs synchronous_speed"));
         assert!(reported("limited_power", None, &[]).contains("needs power"));

@@ -497,7 +497,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_choose_the_variant_and_mistakes_are_told() {
+    fn fields_choose_the_variant_and_mistakes_are_reported() {
         let (mut values, mut params) = (Values::default(), ParamValues::default());
         values.set("between", Value::Between(Attach::on("drum"), Attach::ground()), None);
         let reported = |values: &Values, params: &mut ParamValues| {

@@ -138,7 +138,7 @@ mod tests {
 
     /// Integrals of the quantile function over the probability are the moments.
     #[test]
-    fn means_and_deviations_are_those_asked_for() {
+    fn means_and_deviations_are_those_requested_for() {
         let moments = |d: Distribution| {
             // tanh-sinh over (0, 1), so that the infinite ends do not matter
             let (mut m1, mut m2, mut w0) = (0.0, 0.0, 0.0);

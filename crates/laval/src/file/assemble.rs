@@ -325,7 +325,7 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
     }
 
     #[test]
-    fn a_position_without_effect_is_told() {
+    fn a_position_without_effect_is_reported() {
         let l = load(&MACHINE.replace("[\"drum\", \"base\"]", "[{ body = \"drum\", at = \"40 mm\" }, \"base\"]"))
             .unwrap_or_else(|d| panic!("{d:?}"));
         assert_eq!(l.warnings.0.iter().map(|d| d.code).collect::<Vec<_>>(), ["body.position"]);
@@ -338,7 +338,7 @@ speed = { from = "25 rad/s", to = "8000 rad/s" }
     }
 
     #[test]
-    fn studies_that_refuse_for_one_reason_are_told_once() {
+    fn studies_that_refuse_for_one_reason_are_reported_once() {
         let hertz =
             "[[part]]\nkind = \"bearing_hertz\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"radial\"\ncoefficient = \"1e9 N/m^1.5\"\n";
         let studies = "[[study]]\nkind = \"modes\"\n[[study]]\nkind = \"campbell\"\nspeed = { from = 1, to = 100 }\n";

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn what_nothing_holds_is_told() {
+    fn what_nothing_holds_is_reported() {
         let damper = "[[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = 1\n";
         let w = warnings(damper);
         assert!(w.len() == 1 && w[0].contains("nothing holds \"d\" in x, y"), "{w:?}");

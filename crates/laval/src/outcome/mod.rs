@@ -445,7 +445,7 @@ mod tests {
     }
 
     #[test]
-    fn double_names_are_told() {
+    fn double_names_are_reported() {
         let t = || Table::new("t", "").build().unwrap();
         assert!(matches!(Outcome::new("k", "n").table(t()).table(t()).checked(), Err(OutcomeError::Twice { .. })));
     }

@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[test]
-    fn documents_are_told_all_that_is_missing() {
+    fn documents_are_reported_all_that_is_missing() {
         let codes = |text: &str| Case::parse("t/c", text).err().map_or(0, |d| d.0.len());
         assert_eq!(codes(&page("agrees", RIGHT, "")), 0);
         assert!(codes("") >= 9);

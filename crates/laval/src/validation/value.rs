@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_one_number_is_told() {
+    fn what_is_not_one_number_is_reported() {
         for (what, at, words) in [
             ("modes / growth", "speed = 20 rad/s", "2 rows fit"),
             ("modes / growth", "speed = 20", "unit"),

@@ -90,7 +90,7 @@ fn starts_of_the_table_end_where_it_says() {
 /// Of 4356 starts recognised before their end, 196 on a grid that lies in theirs are followed to the end by the same steps: they agree but for starts at borders. (Where the
 /// balls first move chaotically, as at a speed of 2.5, other tolerances lead a sixth of the starts elsewhere: that is not what is requested here.)
 #[test]
-fn motions_told_early_end_there() {
+fn motions_reported_early_end_there() {
     let ends = |points: usize, more: &str| {
         let o = run(&planar(2.0, &plane([-3.1, -3.0], [3.1, 3.05], points, more)));
         reported(&o);

@@ -459,7 +459,7 @@ fn what_knows_a_direction_is_refused_by_name() {
 }
 
 #[test]
-fn wrong_requests_are_told() {
+fn wrong_requests_are_reported() {
     let system = SOURCE.system();
     let reported = |list: &[(&str, Value)]| built(&system, list).1.0.iter().map(|d| d.to_string()).collect::<Vec<_>>();
     assert!(reported(&[range(900.0, 100.0, 5)])[0].contains("from a lower to a higher value"));

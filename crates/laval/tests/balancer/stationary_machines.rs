@@ -342,7 +342,7 @@ fn what_cannot_be_answered_is_refused() {
 
 /// Where balls do harm, and how much: below the critical speed both add their moments to the unbalance.
 #[test]
-fn the_engineer_is_told_where_balls_do_harm() {
+fn the_engineer_is_reported_where_balls_do_harm() {
     let o = run(&machine(&[ROUND], "", "speed = { from = 300, to = 1200, points = 10 }"));
     let unbalance = 8.91 * 50e-6;
     let harm = one(&o, "harm");

@@ -112,7 +112,7 @@ fn the_example_balances_to_the_eccentricity_of_its_ring() {
 }
 
 #[test]
-fn what_keeps_it_from_balancing_is_told() {
+fn what_keeps_it_from_balancing_is_reported() {
     let light = EXAMPLE.replace("\"3.6 g\"", "\"1 g\"");
     let o = run(&light, 0);
     assert!(value(&o, "insufficient_capacity") == 2e-4 && evidence(&o, "insufficient_capacity", "needed") > 4e-4);
@@ -163,7 +163,7 @@ fn too_little_capacity_is_reported_beyond_rounding() {
 }
 
 #[test]
-fn bad_machines_are_told() {
+fn bad_machines_are_reported() {
     for (from, to, what) in [
         ("balls = 2", "balls = 0", "balls"),
         ("balls = 2", "mass_ratios = [1, 2, 3]", "3 mass ratios are given for 2 balls"),
@@ -266,7 +266,7 @@ fn limited_power_is_caught_at_the_resonance() {
 
 /// A programme that asks the motor for more than it has at the resonance, and one slow enough for it.
 #[test]
-fn a_motor_that_cannot_follow_is_told() {
+fn a_motor_that_cannot_follow_is_reported() {
     let programme = |torque: f64, polynomial: &str| {
         let file = driven(torque, 1.0).replace("drive = \"free\"\n", "");
         let (machine, _) = file.split_once("[[study]]").unwrap();

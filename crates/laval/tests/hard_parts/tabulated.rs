@@ -157,7 +157,7 @@ fn motion_at_constant_speed() {
 
 /// Equal in x and y at both ends and in the middle of the range, not between: the machine has no full symmetry.
 #[test]
-fn symmetry_is_asked_at_more_than_one_speed() {
+fn symmetry_is_requested_at_more_than_one_speed() {
     let row = |w: f64, kx: f64, ky: f64| [w, kx, 0.0, 0.0, ky, 200.0, 200.0];
     let table = [row(100.0, 1e6, 1e6), row(300.0, 1e6, 1.3e6), row(500.0, 1e6, 1e6), row(700.0, 1e6, 0.8e6), row(900.0, 1e6, 1e6)];
     let system = machine(&table, 1e12);

@@ -509,7 +509,7 @@ fn study(text: &str) -> Outcome {
 
 /// The fill does not move the folds of an undamped liquid; the range ends where the cavity is empty.
 #[test]
-fn a_range_beyond_the_machine_is_told() {
+fn a_range_beyond_the_machine_is_reported() {
     let o = study(&file(r#"{ parameter = "oil.free_surface_radius", from = "20 mm", to = "80 mm", points = 4 }"#, r#"kinds = "folds""#));
     assert_eq!(o.end, End::Reached);
     let ids: Vec<&str> = o.findings.iter().map(|f| f.id.as_str()).collect();

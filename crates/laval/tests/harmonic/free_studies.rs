@@ -104,7 +104,7 @@ fn unfit_machines_are_refused_before_the_run() {
 
 /// A stop on request and the limit on work end every study early, with what was found.
 #[test]
-fn studies_stop_when_asked() {
+fn studies_stop_when_requested() {
     let stop = Cancel::new(true);
     for study in [
         "kind = \"backbone\"",

@@ -181,7 +181,7 @@ fn inner_damping(mass: f64, stiffness: f64, cubic: f64, [outer, inner]: [f64; 2]
 /// The sweep up is stable to its jump; the stability lost at a lower speed is that of the stretch beyond the lower fold. The onset of inner damping has a closed
 /// form for a centred rotor, `W = w (1 + c/ci)` with the stiffness at the amplitude of the state, here that of small motions.
 #[test]
-fn stability_is_told_of_the_stretch_that_loses_it() {
+fn stability_is_reported_of_the_stretch_that_loses_it() {
     let wanted = "kind = \"nonlinear_response\"\nspeed = { from = 113.358, to = 1700.37 }";
     let o = inner_damping(17.2538, 5_542_780.0, 5.32324e14, [412.597, 5287.68], 2.85263e-6, wanted);
     let (up, down) = (value(&o, "jump_up"), value(&o, "jump_down"));

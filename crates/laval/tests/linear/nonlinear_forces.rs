@@ -97,7 +97,7 @@ fn self_centring_agrees_with_the_table() {
 
 /// The displacement tends to -m e/(m + mL), the difference falls like the inverse square of the speed, and what is reported of the speed of 1 % is so.
 #[test]
-fn the_way_to_self_centring_is_told() {
+fn the_way_to_self_centring_is_reported() {
     for (fill, mass) in [(None, 2.4), (Some(0.667), 2.4 + 0.92362824)] {
         let base = Base { fill, isotropic: true, phase: 0.7, ..Base::default() };
         let o = reported(base, None, Request { stability: false, ..Request::over(5e3, 4e4) });

@@ -274,7 +274,7 @@ fn an_isotropic_law_is_one_parameter_in_a_machine_that_sags() {
 
 /// Tables are in order of influence, findings name the first, and what has no influence is said.
 #[test]
-fn what_is_told() {
+fn what_is_reported() {
     let base = Base { isotropic: true, chi: 600.0, phase: 0.3, ..Base::default() };
     let o = study(&base.builder().build().unwrap(), Request::over(RANGE.0, RANGE.1));
     let t = o.find_table("sensitivities").unwrap();

@@ -234,7 +234,7 @@ fn stopped_and_continued_gives_what_the_undisturbed_study_gives() {
 }
 
 #[test]
-fn mistakes_are_told_at_their_place() {
+fn mistakes_are_reported_at_their_place() {
     let tolerance = |t: &str| format!("study = \"critical_speeds\"\nparameters = [{{ {t} }}]");
     let normal = "parameter = \"disc.mass\", distribution = \"normal\"";
     for (study, code, says) in [

@@ -264,7 +264,7 @@ impl Progress for Heard {
 
 /// A machine that grows is reported beforehand, its motions are followed until they are out of sight and no further, and that is what is said of them.
 #[test]
-fn an_unstable_machine_is_told_at_once() {
+fn an_unstable_machine_is_reported_at_once() {
     // cross-coupling against little damping: growth (sqrt(k/m) given) about kxy/(2 m w) - d/(2 m)
     let wild = format!(
         "{}[[part]]\nkind = \"bearing_linear\"\nname = \"seal\"\nbetween = [\"drum\", \"ground\"]\nkxy = 1e6\nkyx = -1e6\n",
@@ -290,7 +290,7 @@ fn an_unstable_machine_is_told_at_once() {
 
 /// A leg of many periods says how far it is, and what is said changes nothing.
 #[test]
-fn progress_is_told_within_a_leg() {
+fn progress_is_reported_within_a_leg() {
     let heard = Heard::default();
     let l = loaded(&round(2.0), &format!("speed = 3600\npoints = 2\nmost_periods = 900\n{PLANE}"));
     let o = run_in(&l, &Context { progress: &heard, ..Context::quiet("b") });
@@ -328,7 +328,7 @@ fn failed_cells_are_values() {
 }
 
 #[test]
-fn mistakes_are_told_where_they_stand() {
+fn mistakes_are_reported_where_they_stand() {
     let both = |from: &str, to: &str| format!("speed = 2800\nfrom = {{ {from} }}\nto = {{ {to} }}\n");
     let fine = both("\"drum.x\" = 0, \"drum.y'\" = 0", "\"drum.x\" = \"1 mm\", \"drum.y'\" = \"2 m/s\"");
     for (study, code, place) in [

@@ -142,7 +142,7 @@ fn the_start_decides() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let map = |rest: &str| refused(&format!("kind = \"motion_map\"\n{rest}"));
     assert!(map(Y).contains("needs a range of speeds"));
     let speed = "speed = { from = 100, to = 200, points = 3 }";

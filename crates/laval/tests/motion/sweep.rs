@@ -384,7 +384,7 @@ fn failed_motions_are_values() {
 }
 
 #[test]
-fn mistakes_are_told_where_they_stand() {
+fn mistakes_are_reported_where_they_stand() {
     for (study, code) in [
         ("speed = { from = 0, to = 10 }", "sweep.speed"),
         ("speed = { from = 10, to = 5 }", "study.range"),

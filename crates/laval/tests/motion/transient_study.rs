@@ -371,7 +371,7 @@ fn auto_chooses_the_implicit_method_where_stability_limits() {
 }
 
 #[test]
-fn wrong_inputs_are_told() {
+fn wrong_inputs_are_reported() {
     let system = linear(1e-3, Some(0.8), 42.0, 6.59);
     let with =
         |name: &'static str, v: Value| refused::<Transient>(&system, &[("duration", number(1.0)), ("speed", number(100.0)), (name, v)]);

@@ -418,7 +418,7 @@ fn a_part_given_twice_or_missing_or_joined_to_itself() {
 }
 
 #[test]
-fn values_of_no_machine_are_refused_or_told() {
+fn values_of_no_machine_are_refused_or_reported() {
     for (from, to) in [("\"2.4 kg\"", "\"1e-300 kg\""), ("\"25 kg\"", "\"1e-300 kg\""), ("\"880 kg/m^3\"", "\"1e-300 kg/m^3\"")] {
         assert_eq!(codes(&[(from, to)]), ["value.bounds"]);
     }

@@ -72,7 +72,7 @@ fn a_limit_that_is_printed_can_be_written_into_the_file() {
 }
 
 #[test]
-fn bytes_that_no_text_holds_are_told_once() {
+fn bytes_that_no_text_holds_are_reported_once() {
     let utf16: Vec<u8> = MACHINE.bytes().flat_map(|b| [b, 0]).collect();
     for bytes in [utf16, MACHINE.replace("drum", "dr\0um").into_bytes()] {
         let found = load_bytes(&bytes).err().expect("no text");
@@ -152,7 +152,7 @@ fn the_bracket_of_a_point_that_was_solved_for_is_no_width_of_doubt() {
 }
 
 #[test]
-fn a_share_of_the_force_is_told_in_per_cent() {
+fn a_share_of_the_force_is_reported_in_per_cent() {
     let rub = r#"[machine]
 [[part]]
 kind = "disc"

@@ -155,7 +155,7 @@ fn what_is_not_carried_is_said() {
 
 /// In a machine that liquid flows through advice speaks of the throughput; a window that begins below ten times gravity is in doubt.
 #[test]
-fn flow_machines_are_told_in_throughputs() {
+fn flow_machines_are_reported_in_throughputs() {
     let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone()).unwrap_or_default();
     let o = run(&jeffcott(1200.0));
     assert!(text(&o, "relaxation").contains("throughput") && text(&o, "shortest_time").contains("l/h"), "{:?}", o.findings);
@@ -353,7 +353,7 @@ branch_policy = "{policy}"
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let one = |text: &str, code: &str| {
         let found = load(text).err().unwrap_or_else(|| panic!("{code}: no mistake found"));
         assert!(found.0.iter().any(|d| d.code == code), "{code}: {found:?}");
@@ -390,7 +390,7 @@ fn mistakes_are_told() {
 }
 
 #[test]
-fn all_wrong_fields_are_told_at_once() {
+fn all_wrong_fields_are_reported_at_once() {
     let fields = r#"speed = { from = "600 rad/s", to = "1 rad/s" }
 objective = "time"
 branch_policy = "reached"

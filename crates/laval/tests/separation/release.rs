@@ -139,7 +139,7 @@ fn a_velocity_carries_the_particle() {
 }
 
 #[test]
-fn mistakes_of_a_velocity_are_told() {
+fn mistakes_of_a_velocity_are_reported() {
     let reported = |study: &str| load(&file(SWINGING, study)).err().map(|d| format!("{d:?}")).unwrap_or_default();
     assert!(reported("speed = 100\nrelease_velocity = [0, 1, 0]\n").contains("belongs to a particle"));
     assert!(reported("speed = 100\nrelease = [0, 0.1, 0]\nrelease_velocity = [0, 1]\n").contains("three components"));

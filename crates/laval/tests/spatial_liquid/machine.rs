@@ -204,7 +204,7 @@ fn studies_of_the_file() {
 
 /// Where the reaction of a liquid cannot be had to a millionth nothing is said to grow without bound.
 #[test]
-fn a_response_that_is_not_known_is_told() {
+fn a_response_that_is_not_known_is_reported() {
     let text = changed(&model(FILE, "spatial"), &[("density = \"1000", "viscosity = 1e-9\ndensity = \"1000")]);
     let blocks = text.split("\n[[").filter(|b| !b.contains("kind = \"modes\"") && !b.contains("kind = \"stability_map\""));
     let reported = run(&changed(&blocks.collect::<Vec<_>>().join("\n[["), &[("points = 100 }", "points = 9 }")])).remove(0).unwrap();

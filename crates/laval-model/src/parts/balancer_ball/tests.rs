@@ -97,7 +97,7 @@ fn fields_make_the_balancer() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let reported = |fields: &[(&str, Value)], what: &str| {
         let (part, text) = build(fields, &[]);
         assert!(part.is_none() && text.iter().any(|t| t.contains(what)), "{what}: {text:?}");
@@ -138,7 +138,7 @@ fn weight_along_a_horizontal_axis_is_refused() {
 
 /// r sin^2 alpha of the source's machine is 4.9 mm, 98 times its eccentricity.
 #[test]
-fn locking_to_the_node_line_is_told() {
+fn locking_to_the_node_line_is_reported() {
     let p = BalancerBallParams { track_radius: 0.2, tilt: std::f64::consts::PI / 20.0, eccentricity: 50e-6, ..ring() };
     assert!(
         balancer().warnings(&p)[0].contains("= 4.894 mm should stay below a tenth of the eccentricity of the ring, 5 µm"),

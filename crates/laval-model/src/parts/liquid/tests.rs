@@ -90,7 +90,7 @@ fn empty_and_full_are_cases_of_their_own() {
 }
 
 #[test]
-fn impossible_fills_are_told() {
+fn impossible_fills_are_reported() {
     let (part, _, text) = build("free_surface_radius", 0.08);
     assert!(part.is_none() && text[0].starts_with("the free surface (radius 80 mm) lies outside the cavity (radius 70 mm)"), "{text:?}");
     let (part, _, text) = build("volume_fraction", 1.2);

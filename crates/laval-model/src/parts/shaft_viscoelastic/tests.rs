@@ -112,7 +112,7 @@ fn columns(list: &[(&'static str, Vec<f64>)]) -> Value {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let kernel = [("amplitude", 0.008), ("exponent", 0.15), ("decay", 0.05)];
     assert!(build(&kernel, &[]).0.is_some());
     let said = |set: &[(&str, f64)], fields: &[(&str, Value)], text: &str| {

@@ -90,7 +90,7 @@ impl StiffOde for Edge {
 }
 
 #[test]
-fn a_blow_up_is_met_and_told() {
+fn a_blow_up_is_met_and_reported() {
     // y = 1/(1 - t)
     let mut y = [1.0];
     let run =

@@ -288,7 +288,7 @@ fn error_is_proportional_to_the_tolerance() {
 }
 
 #[test]
-fn a_failing_newton_iteration_is_told() {
+fn a_failing_newton_iteration_is_reported() {
     // the Jacobian is wrong by 1e9, and at t = 1e9 no step is short enough to do without
     let mut wrong = stiff(1, |_, y, dy| dy[0] = 1.0 - 1e9 * y[0].powi(3), |_, _, _| {});
     let mut y = [1.0];

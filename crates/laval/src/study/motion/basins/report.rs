@@ -15,7 +15,7 @@ use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 
 /// Attractors of which a finding speaks.
-const MOST_TOLD: usize = 8;
+const MOST_REPORTED: usize = 8;
 
 /// All rows, the undisturbed start first, and what they are.
 struct Map<'a> {
@@ -172,7 +172,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     outcome = outcome.finding(finding);
     let mut by_share = own.clone();
     by_share.sort_by_key(|x| (std::cmp::Reverse(x.2), x.0));
-    for &(k, a, count) in by_share.iter().take(MOST_TOLD) {
+    for &(k, a, count) in by_share.iter().take(MOST_REPORTED) {
         let (p, error) = share(count, cells);
         let what = match a.period {
             Some(1) => "which repeats every turn".to_string(),
@@ -187,9 +187,9 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
         let finding = Finding::info("share", text).of(map.name(k)).value(p, "").shown_as(100.0 * p, "%");
         outcome = outcome.finding(finding.evidence("sampling error", error, "").evidence("cells", count as f64, ""));
     }
-    if own.len() > MOST_TOLD {
+    if own.len() > MOST_REPORTED {
         let text = format!("{{}} more attractors, each with a smaller share, are in the table of {}.", own.len());
-        outcome = outcome.finding(Finding::info("more_attractors", text).value((own.len() - MOST_TOLD) as f64, ""));
+        outcome = outcome.finding(Finding::info("more_attractors", text).value((own.len() - MOST_REPORTED) as f64, ""));
     }
     outcome
 }

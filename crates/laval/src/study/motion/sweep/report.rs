@@ -146,7 +146,7 @@ pub(super) fn report(members: &Members, results: &Results, context: &Context) ->
     }
     outcome = undamped(results, outcome)?;
     outcome = largest(members, &paths, outcome);
-    outcome = told_jumps(members, &paths, &jumps, outcome);
+    outcome = reported_jumps(members, &paths, &jumps, outcome);
     outcome = hysteresis(&paths, outcome);
     outcome = motions(&paths, outcome);
     outcome = failures(results, outcome)?;
@@ -194,7 +194,7 @@ fn largest(members: &Members, paths: &[Path], mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-fn told_jumps(members: &Members, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
+fn reported_jumps(members: &Members, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
         let probe = &members.probes[j.probe];
         let (who, unit) = (probes::subject(probe), probe.unit());
