@@ -45,6 +45,9 @@ pub fn prepare(dir: &Path, studies: &[&str]) -> Result<Held, Diagnostic> {
         if path.is_dir() {
             return blocked(&path, "a folder");
         }
+        if name != MANIFEST && earlier.is_empty() && foreign(&path) {
+            return blocked(&path, "a file of another program");
+        }
     }
     let listed = earlier.keys().filter(|name| plain(name)).filter_map(|name| Some(name.split_once('/')?.0.to_string()));
     let all: BTreeSet<String> = folders(studies.iter().copied()).into_iter().chain(listed).chain(["figures".to_string()]).collect();
@@ -145,6 +148,17 @@ enum Earlier {
     Ours(BTreeMap<String, Entry>),
 }
 
+/// A file beside no list of ours that does not look like one of ours.
+fn foreign(path: &Path) -> bool {
+    let Ok(bytes) = fs::read(path) else { return false };
+    let text = String::from_utf8_lossy(&bytes);
+    let ours = match path.extension().and_then(|e| e.to_str()) {
+        Some("html") => text.contains("laval report</title>"),
+        _ => serde_json::from_str::<Value>(&text).is_ok_and(|v| v["provenance"]["program"] == "laval" || v["program"] == "laval"),
+    };
+    !ours
+}
+
 fn read(dir: &Path) -> Earlier {
     let text = fs::read_to_string(dir.join(MANIFEST)).unwrap_or_default();
     let Ok(all) = serde_json::from_str::<Value>(&text) else { return Earlier::None };
@@ -216,6 +230,22 @@ mod tests {
         }
     }
     const FORMATS: &[Format] = &[Format::Csv, Format::Json];
+
+    #[test]
+    fn files_of_other_programs_are_left_alone() {
+        for (name, own) in
+            [("results.json", "{\"provenance\": {\"program\": \"laval\"}}"), ("report.html", "<title>m \u{b7} laval report</title>")]
+        {
+            let d = Dir::new(&format!("foreign-{name}"));
+            fs::create_dir_all(&d.0).unwrap();
+            fs::write(d.0.join(name), "results of somebody else").unwrap();
+            let refused = prepare(&d.0, &["a"]).unwrap_err();
+            assert_eq!(refused.code, "folder.taken", "{refused}");
+            assert_eq!(fs::read_to_string(d.0.join(name)).unwrap(), "results of somebody else");
+            fs::write(d.0.join(name), own).unwrap();
+            prepare(&d.0, &["a"]).unwrap();
+        }
+    }
 
     #[test]
     fn results_of_studies_that_are_gone_are_removed() {
