@@ -203,14 +203,24 @@ fn a_stopped_map_goes_on_where_it_stood() {
     assert!(rest.end == End::Reached && bits(&rest) == bits(&whole));
 }
 
+/// The limit counts points, and ends the map after whole responses: what a limited run keeps is what a run without limit computes.
 #[test]
-fn the_work_limit_counts_points() {
+fn a_limited_map_keeps_nothing_that_is_cut_short() {
     let map = loaded("", SMALL);
-    let o = map.studies[0].study.run(&map.system, &Context { work_limit: 30, ..Context::quiet("map") }).unwrap();
-    assert_eq!(o.end, End::WorkLimit);
-    // the first chunk, each response cut at the limit
-    assert_eq!(o.work["responses"], 16);
-    assert!(o.work["points"] <= 16 * 2 * 30);
+    let whole = run(&map);
+    let total = whole.work["points"];
+    let folder = std::env::temp_dir().join(format!("laval-limited-map-{}", std::process::id()));
+    let keep = Keep { folder: folder.clone(), input: canonical(&map.spec, &map.studies[0].name), fresh: false };
+    for (limit, some) in [(2, false), (30, false), (total / 2, true)] {
+        let _ = std::fs::remove_dir_all(&folder);
+        let limited = Context { work_limit: limit, keep: Some(&keep), ..Context::quiet("map") };
+        let part = map.studies[0].study.run(&map.system, &limited).unwrap();
+        assert_eq!((part.end, part.work["responses"] > 0), (End::WorkLimit, some), "{limit}");
+        assert!(part.work["points"] <= limit && part.work["responses"] < 24 && part.findings.iter().any(|f| f.id == "incomplete"));
+        let rest = map.studies[0].study.run(&map.system, &Context { keep: Some(&keep), ..Context::quiet("map") }).unwrap();
+        assert!(rest.end == End::Reached && bits(&rest) == bits(&whole), "{limit}");
+    }
+    let _ = std::fs::remove_dir_all(&folder);
 }
 
 /// A machine whose free surface lies outside its cavity does not exist; its neighbours do.

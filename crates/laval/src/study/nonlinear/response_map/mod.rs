@@ -141,33 +141,29 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             study: Self::KIND.into(),
             columns: columns.iter().map(|c| c.column.clone()).collect(),
             rows,
-            // settled by the request alone, so that a resumed study finds its chunks
-            chunk: rows.div_ceil(50).clamp(16, 256),
+            // settled by the request alone, so that a resumed study finds its chunks; small, because a row may take seconds
+            chunk: rows.div_ceil(50).clamp(4, 16),
         };
         context.announce(rows as f64, 400.0, "responses to compute");
-        let mut request = self.request;
-        request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
-        request.work = request.work.min(context.work_limit);
         let spent = AtomicU64::new(0);
         let results = store::run(plan, context, |range, counter| {
-            // the limit counts points of responses; a chunk that is begun is finished, whatever the number of threads
-            if spent.load(Ordering::Relaxed) >= context.work_limit {
-                return Ok(None);
-            }
+            // The limit counts points of responses. It never shortens a response, which would then be kept as if it were complete: a chunk
+            // whose points are within the limit is kept, whatever the number of threads, and any other is dropped.
             let here = Here::now();
             let one = |row: usize| {
                 let _counted = here.enter();
-                if counter.cancelled() {
+                if counter.cancelled() || spent.load(Ordering::Relaxed) > context.work_limit {
                     return Cell { at: [f64::NAN; 2], found: Err(String::new()), stopped: true };
                 }
                 let at = [values[0][row % values[0].len()], values[1][row / values[0].len()]];
-                let cell = self.cell(system, at, &request, context);
+                let cell = self.cell(system, at, context);
                 spent.fetch_add(cell.found.as_ref().map_or(0, |s| s.work), Ordering::Relaxed);
                 counter.add(1);
                 cell
             };
             let all: Vec<Cell> = range.into_par_iter().map(one).collect();
-            Ok((!all.iter().any(|c| c.stopped)).then(|| cells::write(&columns, &all)))
+            let over = spent.load(Ordering::Relaxed) > context.work_limit;
+            Ok((!over && !all.iter().any(|c| c.stopped)).then(|| cells::write(&columns, &all)))
         })?;
         report::report(self, &values, &results, context)
     }
@@ -193,12 +189,12 @@ fn axis(field: &str, spacing: &str, values: &Values, system: &System, diagnostic
 
 impl ResponseMap {
     /// The response of one machine.
-    fn cell(&self, system: &System, at: [f64; 2], request: &Request, context: &Context) -> Cell {
+    fn cell(&self, system: &System, at: [f64; 2], context: &Context) -> Cell {
         let changes = [0, 1].map(|k| (self.axes[k].path.as_str(), at[k]));
         let found = system
             .with(&changes)
             .map_err(Diagnostics::into_error)
-            .and_then(|machine| Summary::of(&machine, request, context.cancel))
+            .and_then(|machine| Summary::of(&machine, &self.request, context.cancel))
             .map_err(|d| format!("{}: {}", d.code, d.message));
         let stopped = context.cancelled() || found.as_ref().is_ok_and(|s| s.end == End::Cancelled);
         Cell { at, found: found.map(Box::new), stopped }

@@ -164,6 +164,8 @@ samples = 256
                 }
                 let values = self.values(row);
                 let found = sample(&*self.study, self.machine(system, &values), &inner);
+                // a run that was stopped may end with an error of its own
+                let found = if counter.cancelled() { Sample::Stopped } else { found };
                 counter.add(1);
                 (values, found)
             };
