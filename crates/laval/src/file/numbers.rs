@@ -98,7 +98,7 @@ impl Context<'_> {
                 None
             }
             Data::Float(x) if x.fract() == 0.0 && x.abs() < 1e15 => {
-                self.wrong_type(field, node, &wanted, format!("write {} without a decimal point", *x as i64));
+                self.wrong_type(field, node, &wanted, format!("write {}", *x as i64));
                 None
             }
             Data::Float(_) => {

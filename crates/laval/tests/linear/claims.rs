@@ -287,3 +287,15 @@ fn one_speed_of_branches() {
     assert_eq!(finding(one, "states").value, Some(a.len() as f64));
     assert!(findings(one, "balanced_stable").is_empty() && one.figures.iter().all(|f| f.name != "states"));
 }
+
+/// Steps inside a range as narrow as the rounding of its values are no steps: that is said instead of a resonance without damping.
+#[test]
+fn a_range_within_rounding_is_refused() {
+    let text = "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"10 kg\"\neccentricity = \"100 um\"\n[[part]]\n\
+                kind = \"shaft_lumped\"\nbetween = [\"d\", \"ground\"]\nstiffness = \"1e5 N/m\"\n[[part]]\nkind = \"damper\"\n\
+                between = [\"d\", \"ground\"]\ndamping = \"40 N s/m\"\n[[study]]\nkind = \"nonlinear_response\"\n";
+    let narrow = laval::file::load(&format!("{text}speed = {{ from = \"50 rad/s\", to = \"50.0000000001 rad/s\" }}\n")).err().unwrap();
+    assert!(narrow.0.iter().any(|d| d.code == "study.range" && d.message.contains("too narrow")), "{narrow:?}");
+    let one = run_all(&format!("{text}speed = \"50 rad/s\"\n"));
+    assert!(!one[0].findings.is_empty());
+}

@@ -121,6 +121,47 @@ fn the_way_to_self_centring_is_reported() {
     assert!(o.findings.iter().all(|f| f.id != "self_centring" && f.id != "force_limit"));
 }
 
+/// Jeffcott rotor: `|1 + z/e| = sqrt((1 + (2 zeta r)^2) / ((1 - r^2)^2 + (2 zeta r)^2))`. The speed of 1 % is stated where it lies in the range; a range
+/// that ends near the resonance gives no law to continue.
+#[test]
+fn the_speed_of_self_centring_is_not_continued_from_near_a_resonance() {
+    let machine = "[machine]\nname = \"jeffcott\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"10 kg\"\neccentricity = \"100 um\"\n[[part]]\n\
+        kind = \"shaft_lumped\"\nbetween = [\"d\", \"ground\"]\nstiffness = \"1e5 N/m\"\n[[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\n\
+        damping = \"40 N s/m\"\n";
+    let exact = |speed: f64| {
+        let (r, z) = (speed / 100.0, 2.0 * 0.02 * speed / 100.0);
+        ((1.0 + z * z) / ((1.0 - r * r).powi(2) + z * z)).sqrt()
+    };
+    let (mut lo, mut hi) = (150.0, 3000.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (lo + hi);
+        if exact(middle) > 0.01 { lo = middle } else { hi = middle }
+    }
+    assert!((lo - 1045.0).abs() < 1.0, "{lo}");
+    let found = |top: f64| {
+        let study = format!("[[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = \"50 rad/s\", to = \"{top} rad/s\" }}\n");
+        let o = common::files::run_all(&format!("{machine}{study}")).remove(0);
+        let f = said(&o, "self_centring", "d");
+        // a difference of displacements, which balance knows to 1e-7 of their size
+        assert!((evidence(f, "relative difference there") - exact(top)).abs() < 1e-7, "{top}");
+        let local = (exact(top) / exact(0.97 * top)).ln() / (1.0f64 / 0.97).ln();
+        (f.sentence(), evidence(f, "d ln difference / d ln speed"), local)
+    };
+    let speed = |text: &str| {
+        let word = text.split(" rad/s").nth(1).unwrap().rsplit(' ').next().unwrap();
+        word.parse::<f64>().unwrap_or_else(|_| panic!("{text}"))
+    };
+    let (text, power, local) = found(150.0);
+    assert!(!text.contains("within 1 %") && !text.contains("speed^"), "{text}");
+    assert!((power / local - 1.0).abs() < 0.2, "{power} {local}");
+    let (text, ..) = found(1100.0);
+    assert!(text.contains("It is within 1 % from"), "{text}");
+    near(speed(&text), lo, 0.005);
+    let (text, ..) = found(800.0);
+    assert!(text.contains("within 1 % of it near"), "{text}");
+    near(speed(&text), lo, 0.02);
+}
+
 /// Forces on both bodies balance in every state: what the bearing transmits moves the foundation.
 #[test]
 fn forces_balance_in_every_state() {

@@ -80,6 +80,40 @@ fn an_energy_balance_closes_to_rounding() {
     assert_eq!(find(&run(&rough), "energy_balance").unwrap().level, Level::Warning);
 }
 
+/// A kick of 20 mm/s brings `m v^2 / 2` = 10 mJ to 50 kg, at the start or later. The motion decays at `c / 2m` = 1 1/s; before a late kick nothing moves.
+#[test]
+fn a_kick_is_in_the_energy_balance_and_its_motion_is_assessed() {
+    for late in ["", "kick_time = \"0.1 s\"\n"] {
+        let text = format!(
+            "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"50 kg\"\n[[part]]\nkind = \"bearing_linear\"\n\
+             between = [\"d\", \"ground\"]\nstiffness = \"1e6 N/m\"\ndamping = \"100 N s/m\"\n[[study]]\nkind = \"transient\"\n\
+             duration = \"1 s\"\nkick = {{ \"d.x'\" = \"20 mm/s\" }}\n{late}"
+        );
+        let o = run(&text);
+        let f = find(&o, "energy_balance").unwrap();
+        assert!(f.level == Level::Info && f.value.unwrap() < 1e-6, "{late}{f:?}");
+        let supplied = *column(&o, "energy", "supplied").last().unwrap();
+        assert!((supplied / 0.01 - 1.0).abs() < 1e-12, "{late}{supplied}");
+        let lost = column(&o, "energy", "change").last().unwrap() + column(&o, "energy", "dissipated").last().unwrap();
+        assert!((lost / 0.01 - 1.0).abs() < 1e-6, "{late}{lost}");
+        let rate = value(&o, "growth_rate");
+        assert!((rate + 1.0).abs() < 0.01, "{late}{rate}");
+    }
+}
+
+/// An integration that stops after a small part of a long duration: 20 turns and more fall into one window of the envelope.
+#[test]
+fn a_duration_too_long_for_its_envelope_is_named() {
+    let text = "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"10 kg\"\neccentricity = \"100 um\"\n[[part]]\n\
+                kind = \"shaft_lumped\"\nbetween = [\"d\", \"ground\"]\nstiffness = \"1e5 N/m\"\n[[part]]\nkind = \"damper\"\n\
+                between = [\"d\", \"ground\"]\ndamping = \"40 N s/m\"\n[[study]]\nkind = \"transient\"\nduration = \"1e9 s\"\npoints = 1000\n";
+    let loaded = laval::file::load(text).unwrap();
+    let context = laval::study::Context { work_limit: 2000, ..laval::study::Context::quiet("t") };
+    let o = loaded.studies[0].study.run(&loaded.system, &context).unwrap();
+    let f = find(&o, "no_growth_rate").unwrap();
+    assert!(f.text.contains("shorter duration") && !f.text.contains("too short"), "{f:?}");
+}
+
 /// A layer of liquid is not held on its wall at standstill: that is said as the time until which, not as a ratio without bound.
 #[test]
 fn a_liquid_is_valid_from_a_time_on() {

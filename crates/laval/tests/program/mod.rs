@@ -9,6 +9,7 @@ mod figures;
 mod findings;
 mod interrupts;
 mod pages;
+mod stopped;
 mod texts;
 mod theory;
 mod typical_mistakes;

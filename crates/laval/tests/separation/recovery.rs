@@ -423,6 +423,28 @@ particles = 64
     assert!(stopped.end == laval::outcome::End::Cancelled && stopped.findings.is_empty());
 }
 
+/// The limit counts paths, wherever it falls: in the first exits, in the time needed, in the search for a speed. Nothing is then shown.
+#[test]
+fn the_work_limit_counts_paths() {
+    let text = format!(
+        "{ROTOR}{CUPS}characteristic_diameter = \"25 um\"\nspread = 1.3\n[[study]]\nkind = \"separation\"\nspeed = \"1430 rpm\"\ntime = \"8 min\"\nparticles = 256\n"
+    );
+    let loaded = load(&text).unwrap_or_else(|d| panic!("{d:?}"));
+    let limited = |work_limit| {
+        let reported = Reported::default();
+        let context = Context { progress: &reported, work_limit, ..Context::quiet("limited") };
+        let o = loaded.studies[0].study.run(&loaded.system, &context).unwrap();
+        (o, reported.0.lock().unwrap().clone())
+    };
+    for limit in [2, 300, 2000] {
+        let (o, seen) = limited(limit);
+        assert!(o.end == laval::outcome::End::WorkLimit && o.tables.is_empty(), "{limit}");
+        assert_eq!(o.findings.iter().map(|f| f.id.as_str()).collect::<Vec<_>>(), ["nothing_shown"], "{limit}");
+        assert!(seen.iter().all(|s| s.0 <= limit + 1024), "{limit} {seen:?}");
+    }
+    assert!(limited(1_000_000).0.end == laval::outcome::End::Reached);
+}
+
 /// The speed a bowl needs may be one at which gravity, which its model leaves out, counts: that is said.
 #[test]
 fn speeds_at_which_gravity_counts_are_doubted() {

@@ -15,7 +15,7 @@ use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::terms::Terms;
 use crate::harmonic::branches::bifurcation::Event;
 use crate::harmonic::branches::branch::{Judge, Origin};
-use crate::harmonic::branches::response::{MOST_HARMONICS, Request, Response, Tick, carry, finish, settings, symmetry};
+use crate::harmonic::branches::response::{Cut, MOST_HARMONICS, Request, Response, Tick, carry, finish, settings, symmetry};
 use crate::harmonic::branches::seeds::{Random, anywhere, planes, with_subharmonic};
 use crate::harmonic::branches::time_starts::{LONGEST, loops};
 use crate::model::system::System;
@@ -56,6 +56,8 @@ struct Search<'a, 'r> {
     cancel: &'a AtomicBool,
     tick: Tick<'r>,
     found: usize,
+    /// What was done of the search.
+    done: Cut,
 }
 
 /// A known state at a speed.
@@ -65,11 +67,12 @@ struct Known {
     x: Vec<f64>,
 }
 
-/// Adds to the response the branches found beside it.
+/// Adds to the response the branches found beside it; no search is begun unless the main branches are `complete`.
 pub(super) fn extend<'a>(
     system: &'a System,
     request: &Request,
     response: &mut Response,
+    complete: bool,
     cancel: &'a AtomicBool,
     tick: Tick,
 ) -> Result<(), Diagnostic> {
@@ -77,10 +80,22 @@ pub(super) fn extend<'a>(
     let done = response.branches.iter().map(|b| b.points.len()).sum();
     let left = usize::try_from(request.work).unwrap_or(usize::MAX).saturating_sub(done);
     let settings = settings(request);
-    let mut search = Search { system, request, symmetry, settings, left, balances: Vec::new(), response, cancel, tick, found: 0 };
+    let mut search =
+        Search { system, request, symmetry, settings, left, balances: Vec::new(), response, cancel, tick, found: 0, done: Cut::default() };
+    let speeds = search.speeds();
+    let all = |each: usize| (0, each * speeds.len());
+    let in_time = if search.response.discretisation.divisor == 1 { request.time_starts } else { 0 };
+    search.done = Cut { speeds: all(1), starts: all(search.starts()), in_time: all(in_time) };
+    if !complete {
+        search.response.cut = Some(search.done);
+        return Ok(());
+    }
     let mut next = 0;
     search.switch_from(&mut next)?;
-    for speed in search.speeds() {
+    for speed in speeds {
+        if search.stopped() {
+            break;
+        }
         let mut known = search.known(speed)?;
         search.mixed(speed, &mut known)?;
         search.subharmonics(speed, &mut known)?;
@@ -89,6 +104,10 @@ pub(super) fn extend<'a>(
         search.in_time(speed, &mut known)?;
         search.mixed(speed, &mut known)?;
         search.switch_from(&mut next)?;
+        search.done.speeds.0 += usize::from(!search.stopped());
+    }
+    if search.done.speeds.0 < search.done.speeds.1 {
+        search.response.cut = Some(search.done);
     }
     for i in 0..search.response.branches.len() {
         search.response.branches[i].images = search.images(i)?;
@@ -108,12 +127,22 @@ impl<'a> Search<'a, '_> {
     }
 
     fn over(&self) -> bool {
-        self.exhausted() || self.cancel.load(Ordering::Relaxed)
+        self.exhausted() || self.stopped()
     }
 
     /// No further family may be followed.
     fn exhausted(&self) -> bool {
-        self.found >= MOST_FAMILIES || self.left < 2
+        self.found >= MOST_FAMILIES
+    }
+
+    /// By the user, or by the limit on the work.
+    fn stopped(&self) -> bool {
+        self.left < 2 || self.cancel.load(Ordering::Relaxed)
+    }
+
+    /// Starts of any size and phase at each speed.
+    fn starts(&self) -> usize {
+        self.request.starts.div_ceil(MOST_SPEEDS)
     }
 
     /// The ends of the range, places between, and places between folds.
@@ -467,7 +496,8 @@ impl<'a> Search<'a, '_> {
         };
         let (least, most) = self.sizes(known);
         let mut random = Random(speed.to_bits());
-        for i in 0..self.request.starts.div_ceil(MOST_SPEEDS) {
+        for i in 0..self.starts() {
+            self.done.starts.0 += usize::from(!self.over());
             let d = spaces[i % spaces.len()];
             let to = self.balance(d)?;
             let start = anywhere(&self.balances[to].terms, (0.1 * least, 10.0 * most), &mut random);
@@ -487,6 +517,10 @@ impl<'a> Search<'a, '_> {
         let starts = self.request.time_starts;
         let most_steps = STEPS_PER_POINT.saturating_mul(self.request.max_points as u64) / (starts * MOST_SPEEDS) as u64;
         let (found, repeating) = loops(self.system, speed, self.sizes(known), starts, most_steps, self.cancel);
+        if self.stopped() {
+            return Ok(());
+        }
+        self.done.in_time.0 += starts;
         for (name, count) in [("starts in time", starts), ("starts in time that repeat", repeating)] {
             match self.response.work.iter_mut().find(|w| w.0 == name) {
                 Some(w) => w.1 += count as u64,

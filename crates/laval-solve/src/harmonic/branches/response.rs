@@ -97,6 +97,8 @@ pub struct Response {
     pub discretisation: Discretisation,
     /// Families of states were left unfollowed: there are more than the search follows.
     pub more_families: bool,
+    /// How far the search for further states came where it was stopped.
+    pub cut: Option<Cut>,
     /// Ends of the range at which no motion was found, rad/s: no branch begins there.
     pub unstarted: Vec<f64>,
     /// Ends of the range whose states were found there alone, rad/s: no branch was followed to them from beyond the range.
@@ -115,6 +117,17 @@ pub struct Response {
     pub sampling: f64,
     /// Work: name and count.
     pub work: Vec<(&'static str, u64)>,
+}
+
+/// A search for further states that was stopped: what was done of it, and of how much.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cut {
+    /// Speeds at which it was done.
+    pub speeds: (usize, usize),
+    /// Starts of any size and phase.
+    pub starts: (usize, usize),
+    /// Starts integrated in time.
+    pub in_time: (usize, usize),
 }
 
 /// Receives every accepted round of work; returns whether to go on.
@@ -198,8 +211,8 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             let response =
                 if trial.stability == request.stability { response } else { attempt(system, request, d, &mut starts, cancel, tick)? };
             let mut response = Response { broken, ..response };
-            if request.states == States::All && complete {
-                families::extend(system, request, &mut response, cancel, tick)?;
+            if request.states == States::All {
+                families::extend(system, request, &mut response, complete, cancel, tick)?;
             }
             response.unclosed = unclosed(system, &response, request, cancel);
             if request.check_stability && request.stability && response.unjudged.is_none() {
@@ -276,6 +289,7 @@ fn attempt<'a>(
         branches: traced,
         discretisation: d,
         more_families: false,
+        cut: None,
         unstarted,
         unfollowed,
         unclosed: None,

@@ -167,6 +167,11 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         let found = respond(machine, &response::Request { max_points, ..requested(Some(symmetry)) }, cancel, &|n| tick(done + n));
         let found = match found {
             Ok(found) => found,
+            // a search that was stopped says nothing of the machine
+            Err(_) if stopped(cancel) => {
+                out.stopped = true;
+                break;
+            }
             Err(d) => {
                 out.failed.push((*value, d.message.clone()));
                 failed = Some(d);

@@ -175,14 +175,16 @@ margin = 0.15
             }));
             if let Some((speed, what)) = place {
                 let distance = (speed - w).abs() / w.abs();
+                let so_far = if complete { "" } else { " found before the study stopped" };
                 let text = format!(
-                    "The nearest {what}, {}, is {{}} of the operating speed, {}, away from it{}.",
+                    "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{}.",
                     quantity(speed, "rad/s"),
                     quantity(w, "rad/s"),
                     if quiet { "; the unbalance of this machine excites no resonance there" } else { "" }
                 );
-                let finding =
-                    if quiet || distance >= self.margin { Finding::info("margin", text) } else { Finding::warning("margin", text) };
+                // which is the nearest, and whether the load excites it, is known of a whole search alone
+                let near = complete && !quiet && distance < self.margin;
+                let finding = if near { Finding::warning("margin", text) } else { Finding::info("margin", text) };
                 outcome = outcome.finding(
                     finding
                         .of("to the nearest critical speed, over the operating speed")

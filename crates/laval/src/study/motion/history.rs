@@ -367,7 +367,8 @@ pub(in crate::study) fn balance(motion: &mut Motion, trajectory: &Trajectory) ->
     let dim = trajectory.state.len();
     let rows: Vec<&[f64]> = trajectory.states.chunks_exact(dim).collect();
     let stored: Vec<f64> = trajectory.times.iter().zip(&rows).map(|(&t, y)| motion.stored_energy(t, y).unwrap_or(f64::NAN)).collect();
-    let first = stored.first().copied().unwrap_or(f64::NAN);
+    // the first output holds the energy of a kick at its time: the account begins before it
+    let first = stored.first().zip(rows.first()).map_or(f64::NAN, |(e, y)| e - y[k + 1]);
     let (mut missing, mut swing, mut vibration, mut most) = (0.0f64, 0.0f64, 0.0f64, 0.0f64);
     let grow = |m: &mut f64, x: f64| {
         if x > *m || x.is_nan() {

@@ -36,6 +36,8 @@ fn speeds(system: &System, speed: f64) -> Speeds {
 
 /// Windows of the envelope.
 const WINDOWS: usize = 200;
+/// Turns from which a record is long, and windows below which its envelope has too few values.
+const SEVERAL: f64 = 8.0;
 
 /// See the [module](self).
 pub struct Transient {
@@ -292,8 +294,16 @@ impl Transient {
         }
         let Some(loudest) = loudest else { return out };
         let Some(g) = rate else {
-            let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
-            out.push(Finding::info("no_growth_rate", text));
+            let window = self.duration / WINDOWS as f64;
+            let finding = if trajectory.run.t > SEVERAL * turn && window > 0.5 * turn && trajectory.run.t < SEVERAL * window {
+                // the integration ended early in the duration: its envelope has hardly a value
+                let text = "Whether the motion grows is not assessed: the largest displacements are kept per {} of the duration, several turns in one. Give a shorter duration.";
+                Finding::info("no_growth_rate", text).value(window, "s")
+            } else {
+                let text = "The record is too short to say whether the motion grows: that takes several turns of the displacement.";
+                Finding::info("no_growth_rate", text)
+            };
+            out.push(finding);
             return out;
         };
         let how = match (clear(&g), g.rate > 0.0) {

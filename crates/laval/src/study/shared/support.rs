@@ -182,6 +182,9 @@ pub fn range(field: &str, given: RangeValue, least: usize, values: &Values, diag
     range_or(field, (given, if field == "speed" { speeds } else { "" }), least, values, diagnostics)
 }
 
+/// Least width of a range, relative to its larger end: steps inside a narrower one are lost in the rounding of its values.
+const NARROWEST: f64 = 1e-9;
+
 /// The same; what is said besides where it is one value: which study answers then.
 pub fn range_or(
     field: &str,
@@ -195,6 +198,8 @@ pub fn range_or(
         Some((message, format!("write {field} = {{ from = .., to = .. }}{one}")))
     } else if range.to <= range.from || range.to.is_nan() || range.from.is_nan() {
         Some((format!("{field} must go from a lower to a higher value"), apart(range.from, range.to).to_string()))
+    } else if range.to - range.from <= NARROWEST * range.to.abs().max(range.from.abs()) {
+        Some((format!("{field} is too narrow: its ends differ by less than a billionth"), format!("{field} needs ends farther apart{one}")))
     } else if range.points.is_some_and(|p| p < least) {
         Some((format!("{field} needs at least {least} points"), "leave points out for a fitting number".to_string()))
     } else {

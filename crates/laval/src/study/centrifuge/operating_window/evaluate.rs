@@ -94,7 +94,10 @@ impl OperatingWindow {
             || (required.policy == Policy::Reached && branches.is_some());
         let passage = match required.ramp.filter(|_| limited) {
             Some(_) if known.is_some() => known.cloned(),
-            Some(duration) => Some(Passage::simulate(system, to, duration, context)?),
+            Some(duration) => match Passage::simulate(system, to, duration, context)? {
+                None => return Ok(None),
+                whole => whole,
+            },
             None => None,
         };
         let evaluator = Evaluator { system, required: &required, branches: branches.as_ref(), passage: passage.as_ref() };

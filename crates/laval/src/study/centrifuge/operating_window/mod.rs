@@ -36,7 +36,7 @@ use super::cups::{CUP, uncarried};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::{End, Outcome};
+use crate::outcome::Outcome;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
@@ -179,8 +179,7 @@ ramp = "60 s"
         let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
         context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
         let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
-            let end = if context.cancelled() { End::Cancelled } else { End::MaxPoints };
-            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end));
+            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(false)));
         };
         let robust = self.robust(system, context, &main)?;
         let map = self.mapped(system, context, &main)?;

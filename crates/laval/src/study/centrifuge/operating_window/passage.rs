@@ -56,14 +56,14 @@ const WINDOWS: usize = 300;
 const PARTS: f64 = 1e6;
 
 impl Passage {
-    /// Simulates both ways; `duration` is the time to the top speed.
-    pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Self, Diagnostic> {
+    /// Simulates both ways; `duration` is the time to the top speed. `None` when it was stopped, or the work limit ended it.
+    pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Option<Self>, Diagnostic> {
         let lacks = without_inertia(system, "The torque of the run-up is");
         context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
         let reported = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
-        let (ways, steps) = both_ways(system, (top, duration), context, &reported)?;
+        let Some((ways, steps)) = both_ways(system, (top, duration), context, &reported)? else { return Ok(None) };
         let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
-        Ok(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps, lacks })
+        Ok(Some(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps, lacks }))
     }
 
     /// Stretches of a way up to a speed.
@@ -135,13 +135,19 @@ impl Passage {
     }
 }
 
-/// Up from rest to the top speed and down again, and the steps it took.
+/// Steps of each way at most.
+const STEPS: u64 = 20_000_000;
+
+/// The stretches of the ways up and down, and the steps of both.
+type BothWays = ([Vec<Stretch>; 2], u64);
+
+/// Up from rest to the top speed and down again, and the steps it took; `None` when it was stopped, or the work limit ended it.
 fn both_ways(
     system: &System,
     (top, duration): (f64, f64),
     context: &Context,
     reported: &dyn Fn(f64),
-) -> Result<([Vec<Stretch>; 2], u64), Diagnostic> {
+) -> Result<Option<BothWays>, Diagnostic> {
     let timed = system.timed(Speeds::Changing)?;
     let system: &System = &timed;
     let mut ways = [vec![], vec![]];
@@ -174,12 +180,16 @@ fn both_ways(
             rest: &start.rest,
             bound: f64::INFINITY,
             kick: None,
-            max_steps: context.work_limit.min(20_000_000),
+            max_steps: context.work_limit.min(STEPS),
             cancel: &|| context.cancelled(),
             progress: &|t| reported(behind + 0.5 * t / duration),
         };
         let trajectory = simulate(&mut motion, &y, &plan)?;
         steps += trajectory.run.work.steps;
+        let limited = matches!(trajectory.run.end, End::WorkLimit { .. }) && context.work_limit < STEPS;
+        if limited || context.cancelled() {
+            return Ok(None);
+        }
         if trajectory.run.end != End::Reached {
             return Err(Diagnostic::error(
                 "operating_window.passage",
@@ -206,5 +216,5 @@ fn both_ways(
         }
         state = Some((trajectory.state, programme.at(duration).phase));
     }
-    Ok((ways, steps))
+    Ok(Some((ways, steps)))
 }

@@ -70,6 +70,10 @@ impl EnsembleResult<'_> {
 
     /// Time a batch takes at a speed, s; NaN where a path cannot be computed.
     fn time_of(&self, batch: &Batch, speed: f64) -> f64 {
+        // a search goes on over numbers that are not there, but each must cost nothing
+        if !(self.goes_on)() {
+            return f64::NAN;
+        }
         needed(batch, speed, self.study.task.recovery, self.watch).unwrap_or(f64::NAN)
     }
 

@@ -1,4 +1,4 @@
-//! How far a separation is: counts the paths of particles that are computed, and stops them when requested to.
+//! How far a separation is: counts the paths of particles that are computed, and stops them at a cancellation or the work limit.
 
 use super::Separation;
 use super::demand::searched;
@@ -9,7 +9,7 @@ use crate::separation::particle::Drag;
 use crate::study::Context;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Counts paths for the display.
+/// Counts paths, for the display and the work limit.
 pub(super) struct Meter<'a> {
     context: &'a Context<'a>,
     done: AtomicU64,
@@ -45,13 +45,18 @@ impl<'a> Meter<'a> {
         Meter { context, done: AtomicU64::new(0), total, stride: if integrated { 16 } else { 1024 } }
     }
 
-    /// One path more; whether to go on.
+    /// One path more, a step of the work limit; whether to go on.
     pub fn one(&self) -> bool {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(self.stride) {
             self.context.progress.report(done.min(self.total), self.total);
         }
-        !self.context.cancelled()
+        self.goes_on()
+    }
+
+    /// Neither cancelled nor beyond the work limit.
+    pub fn goes_on(&self) -> bool {
+        !self.context.cancelled() && self.done.load(Ordering::Relaxed) <= self.context.work_limit
     }
 
     /// All is done.

@@ -21,7 +21,7 @@ use super::cups::task::{self, DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROU
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::{End, Outcome, quantity};
+use crate::outcome::{End, Finding, Outcome, quantity};
 use crate::separation::batch::{RunUp, Spinning};
 use crate::separation::ensemble::Member;
 use crate::separation::exit::Exit;
@@ -228,12 +228,16 @@ ramp = "30 s"
             );
         }
         let meter = Meter::new(self, &spinning, context);
-        let watch = || meter.one();
-        let found = exits(&spinning, &watch).and_then(|exits| report::EnsembleResult::new(self, &spinning, exits, &watch));
+        let (watch, goes_on) = (|| meter.one(), || meter.goes_on());
+        let found = exits(&spinning, &watch).and_then(|exits| report::EnsembleResult::new(self, &spinning, exits, (&watch, &goes_on)));
         let outcome = found.and_then(|f| f.outcome(system, context));
         if context.cancelled() {
             // what was not computed is not said
             return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+        }
+        if !goes_on() {
+            let text = "The work limit, counted in paths of particles, was reached before all paths were computed: nothing of it is shown.";
+            return Ok(Outcome::new(Self::KIND, context.name).end(End::WorkLimit).finding(Finding::info("nothing_shown", text)));
         }
         meter.finish();
         outcome

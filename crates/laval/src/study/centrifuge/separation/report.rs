@@ -27,6 +27,8 @@ pub(super) struct EnsembleResult<'a> {
     pub recovery: Recovery<'a>,
     pub exits: Vec<Option<Exit>>,
     pub watch: Watch<'a>,
+    /// Whether to go on; counts no path.
+    pub goes_on: Watch<'a>,
     caught: f64,
     needed: Needed,
     /// When the last particle is caught, where the whole fixed set is.
@@ -39,13 +41,19 @@ pub(super) type Built<T> = Result<T, OutcomeError>;
 const ALL: f64 = 1.0 - 1e-9;
 
 impl<'a> EnsembleResult<'a> {
-    pub fn new(study: &'a Separation, spinning: &'a Spinning<'a>, exits: Vec<Option<Exit>>, watch: Watch<'a>) -> Result<Self, Diagnostic> {
+    /// `watch` receives every path; both say whether to go on.
+    pub fn new(
+        study: &'a Separation,
+        spinning: &'a Spinning<'a>,
+        exits: Vec<Option<Exit>>,
+        (watch, goes_on): (Watch<'a>, Watch<'a>),
+    ) -> Result<Self, Diagnostic> {
         let mut recovery = Recovery::watched(spinning, Some(&exits), watch).map_err(lost)?;
         let needed = recovery.needed(study.task.recovery).map_err(lost)?;
         let caught = recovery.caught(study.task.time).map_err(lost)?;
         let last = if caught >= ALL { spinning.last().map_err(lost)? } else { None };
         recovery.learn(&exits);
-        Ok(EnsembleResult { study, spinning, recovery, exits, watch, caught, needed, last })
+        Ok(EnsembleResult { study, spinning, recovery, exits, watch, goes_on, caught, needed, last })
     }
 
     pub fn outcome(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {

@@ -265,11 +265,13 @@ impl Shown<'_> {
             () if self.found.lost > 0 || changes > 0 => " that could be followed".into(),
             () => String::new(),
         };
-        let text = format!(
-            "{what} was found{beside} in the response at {n} {} of {}. Loci that lie between these values are not excluded: raise points.",
-            if n == 1 { "value" } else { "values" },
-            self.path()
-        );
+        let at = format!("at {n} {} of {}", if n == 1 { "value" } else { "values" }, self.path());
+        let text = match self.found.stopped {
+            true => format!("{what} was found{beside} before the study stopped, with responses {at}."),
+            false => {
+                format!("{what} was found{beside} in the response {at}. Loci that lie between these values are not excluded: raise points.")
+            }
+        };
         Finding::info("no_locus", text)
     }
 

@@ -3,7 +3,7 @@
 use super::tables::label;
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::harmonic::branches::branch::Origin;
-use crate::solve::harmonic::branches::response::{Response, Traced};
+use crate::solve::harmonic::branches::response::{Cut, Response, Traced};
 use crate::solve::harmonic::branches::unclosed::{Beyond, REACH, Unclosed};
 use crate::study::shared::support::largest;
 
@@ -91,7 +91,9 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
             "",
         ));
     }
-    if kinds.is_empty() && !response.more_families {
+    if let Some(cut) = &response.cut {
+        out.push(stopped(cut, kinds.is_empty()));
+    } else if kinds.is_empty() && !response.more_families {
         out.push(Finding::info(
             "further_states",
             "No states beside those from the ends of the range were found: neither by combining the planes of known states, nor from subharmonic starts, \
@@ -103,4 +105,18 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
         out.push(Finding::warning("families_left_out", text));
     }
     out
+}
+
+/// A search that is not complete shows no absence.
+fn stopped(cut: &Cut, none: bool) -> Finding {
+    let of = |(made, all): (usize, usize)| format!("{made} of {all}");
+    let in_time = if cut.in_time.1 > 0 { format!(" and {} starts in time", of(cut.in_time)) } else { String::new() };
+    let text = format!(
+        "The search for further states is not complete: it was done at {} speeds, and {} starts of any size and phase{in_time} were made. Whether there \
+         are {} is not known.",
+        of(cut.speeds),
+        of(cut.starts),
+        if none { "such states" } else { "more of them" },
+    );
+    Finding::info("further_states_unknown", text)
 }

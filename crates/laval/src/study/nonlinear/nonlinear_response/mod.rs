@@ -39,6 +39,7 @@ use crate::study::shared::support::range;
 use crate::study::{Context, Study};
 pub(in crate::study) use one::around;
 use shown::Shown;
+pub(in crate::study) use shown::limited;
 
 mod families;
 mod findings;

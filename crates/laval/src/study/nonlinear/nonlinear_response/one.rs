@@ -2,6 +2,7 @@
 //!
 //! They are those of the branches over a narrow range about it, corrected at the speed itself.
 
+use super::shown::limited;
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
@@ -93,14 +94,18 @@ pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64
     let probes = probes::all(system);
     let loud = probes::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
     let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
-    let end = if context.cancelled() { End::Cancelled } else { End::Reached };
+    let end = if context.cancelled() { End::Cancelled } else { limited(&response, request, context) };
+    let complete = end == End::Reached;
     let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
     for (name, count) in &response.work {
         outcome = outcome.work(*name, *count);
     }
     let (at, count) = (quantity(speed, "rad/s"), found.len());
     if found.is_empty() {
-        let text = format!("No periodic motion was found at {at}: a transient shows the motion there.");
+        let text = match complete {
+            true => format!("No periodic motion was found at {at}: a transient shows the motion there."),
+            false => format!("No periodic motion was found at {at} before the study stopped."),
+        };
         outcome = outcome.finding(Finding::warning("no_motion", text));
     } else if found.iter().all(|m| m.stability() == "unstable") {
         let text = format!(

@@ -21,8 +21,12 @@ struct Approach {
     /// Speed, rad/s, and forward displacement, m, at the top of the range on the branch of small motions.
     speed: f64,
     displacement: C64,
-    /// d ln |deviation| / d ln speed between half that speed and it.
+    /// d ln |deviation| / d ln speed just below that speed.
     power: f64,
+    /// The deviation falls like the inverse square of the speed over the last octave, so that it may be continued.
+    settled: bool,
+    /// Speed, rad/s, inside the range from which on the deviation is below [`CLOSE`].
+    reached: Option<f64>,
     stable: bool,
 }
 
@@ -36,6 +40,18 @@ impl Approach {
 const MOVES: f64 = 1e-6;
 /// Deviation, as a share, for which the speed is reported.
 const CLOSE: f64 = 0.01;
+/// Inertia wins over stiffness as 1/W^2; near a resonance the fall is steeper, as r^2/(r^2 - 1), and where damping
+/// remains it is slower. Largest relative difference of the exponent at which the fall is continued beyond the range.
+const SETTLED: f64 = 0.05;
+/// Shares of the highest speed between which the exponent is taken; the last octave has two parts.
+const OCTAVE: [f64; 2] = [0.5, std::f64::consts::FRAC_1_SQRT_2];
+/// Share of the highest speed below which the exponent at the top is taken.
+const BELOW: f64 = 0.9;
+
+/// d ln deviation / d ln speed between two points.
+fn exponent((w, a): (f64, f64), (v, b): (f64, f64)) -> f64 {
+    (b / a).ln() / (v / w).ln()
+}
 
 impl Shown<'_> {
     /// On the branch of the smallest motion that reaches the top of the range.
@@ -61,12 +77,33 @@ impl Shown<'_> {
                 }
             }
             let Some((displacement, branch, i)) = best else { continue };
-            // the point nearest to half the speed, going along the branch from the top
+            // along the branch from the top: speed and deviation
             let way: Vec<usize> = if i == 0 { (0..branch.points.len()).collect() } else { (0..branch.points.len()).rev().collect() };
-            let Some(&half) = way.iter().find(|&&k| branch.points[k].speed.abs() <= 0.5 * top) else { continue };
-            let Some(there) = at(self, branch, half) else { continue };
-            let power = ((displacement - limit).abs() / (there - limit).abs()).ln() / (top / branch.points[half].speed.abs()).ln();
-            bodies.push(Approach { body, limit, speed: branch.points[i].speed, displacement, power, stable: !branch.points[i].unstable() });
+            let deviation_at = |shown: &mut Self, k: usize| Some((branch.points[k].speed.abs(), (at(shown, branch, k)? - limit).abs()));
+            let below = |share: f64| way.iter().copied().find(|&k| branch.points[k].speed.abs() <= share * top);
+            let here = (top, (displacement - limit).abs());
+            let Some(power) = below(BELOW).and_then(|k| deviation_at(self, k)).map(|there| exponent(there, here)) else { continue };
+            let settled = match OCTAVE.map(|share| below(share).and_then(|k| deviation_at(self, k))) {
+                [Some(low), Some(middle)] if low.0 < middle.0 => {
+                    [exponent(low, middle), exponent(middle, here)].into_iter().all(|p| (p / -2.0 - 1.0).abs() <= SETTLED)
+                }
+                _ => false,
+            };
+            let close = CLOSE * limit.abs();
+            let mut reached = None;
+            let mut above = here;
+            for &k in way.iter().skip(1).take_while(|_| here.1 <= close) {
+                let Some(point) = deviation_at(self, k) else { break };
+                if point.1 > close {
+                    // a power law between two points of the branch
+                    let share = (close / above.1).ln() / (point.1 / above.1).ln();
+                    reached = Some(above.0 * (point.0 / above.0).powf(share));
+                    break;
+                }
+                above = point;
+            }
+            let stable = !branch.points[i].unstable();
+            bodies.push(Approach { body, limit, speed: branch.points[i].speed, displacement, power, settled, reached, stable });
         }
         // towards the limit, not away from it: the range ends above the resonances
         bodies.retain(|a| (a.displacement * a.limit.conj()).re > 0.0 && a.power < 0.0 && a.deviation().is_finite());
@@ -89,18 +126,26 @@ impl Shown<'_> {
         for a in &c.bodies {
             let name = &self.bodies[a.body].0;
             let deviation = a.deviation();
-            let close = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
-            let when =
-                if deviation <= CLOSE { String::new() } else { format!(", and is within 1 % of it near {} rad/s", significant(close, 3)) };
             let held = if a.stable { "" } else { " (that state does not last)" };
-            let text = format!(
+            let mut text = format!(
                 "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}; in size and direction together that is {} % from \
-                 there, which falls like speed^{}{when}.",
+                 there",
                 significant(a.speed, 5),
                 quantity(a.displacement.abs(), "m"),
                 significant(100.0 * deviation, 3),
-                significant(a.power, 3),
             );
+            if a.settled {
+                text += &format!(", which falls like speed^{}", significant(a.power, 3));
+            }
+            match a.reached {
+                Some(speed) => text += &format!(". It is within 1 % from {} rad/s on", significant(speed, 3)),
+                None if a.settled && deviation > CLOSE => {
+                    let close = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
+                    text += &format!(", and is within 1 % of it near {} rad/s", significant(close, 3));
+                }
+                None => (),
+            }
+            text.push('.');
             out.push(
                 Finding::info("self_centring", text)
                     .of(name)

@@ -269,7 +269,7 @@ impl<'a> Shown<'a> {
     }
 
     pub(super) fn outcome(&self, response: &Response, request: &Request, context: &Context) -> Result<Outcome, outcome::OutcomeError> {
-        let mut out = Outcome::new(NonlinearResponse::KIND, context.name).over("speed", "rad/s").end(end(response));
+        let mut out = Outcome::new(NonlinearResponse::KIND, context.name).over("speed", "rad/s").end(limited(response, request, context));
         for f in self.findings(response, request) {
             out = out.finding(f);
         }
@@ -377,4 +377,17 @@ pub(super) fn end(response: &Response) -> outcome::End {
         }
     }
     outcome::End::Reached
+}
+
+/// The end of a response under the limits of a run: points that the work limit did not admit are not those of the request, and a search that was cut
+/// is not complete.
+pub(in crate::study) fn limited(response: &Response, request: &Request, context: &Context) -> outcome::End {
+    match end(response) {
+        outcome::End::MaxPoints if context.work_limit <= request.max_points as u64 => outcome::End::WorkLimit,
+        outcome::End::Reached if response.cut.is_some() && context.work_limit == u64::MAX && !context.cancelled() => {
+            outcome::End::MaxPoints
+        }
+        outcome::End::Reached => context.end(response.cut.is_none()),
+        other => other,
+    }
 }

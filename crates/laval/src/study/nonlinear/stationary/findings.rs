@@ -66,7 +66,7 @@ impl Report<'_> {
             self.rows.iter().map(|r| &r.seen).chain(reported.points.iter().map(|p| &p.seen)).chain(&reported.special).map(|s| &s.uses);
         seen.chain(self.continua.sheets.iter().map(|s| &s.uses)).for_each(|u| uses.join(u));
         out.extend(uses.of_states(self.system));
-        out.extend(completeness(self.found, self.continua.starts));
+        out.extend(completeness(self.found, self.continua.starts, self.complete));
         out.extend(unfinished(self.found));
         out
     }
@@ -422,11 +422,14 @@ fn capacity(reported: &Reported) -> Option<Finding> {
     Some(Finding::warning("insufficient_capacity", text).value(most, "kg m").evidence("needed", needed, "kg m"))
 }
 
-fn completeness(found: &Found, loose: usize) -> Vec<Finding> {
+fn completeness(found: &Found, loose: usize, complete: bool) -> Vec<Finding> {
     let [starts, led, known] = found.starts.map(|n| n as f64);
     let share = if led > 0.0 { (known + loose as f64) / led } else { 0.0 };
-    let text =
-        format!("{} branches of states were found; {{}} of the starts that led to a state led to one known before.", found.paths.len());
+    let so_far = if complete { "" } else { " before the study stopped" };
+    let text = format!(
+        "{} branches of states were found{so_far}; {{}} of the starts that led to a state led to one known before.",
+        found.paths.len()
+    );
     let reported = Finding::info("completeness", text)
         .value(share, "")
         .evidence("starts", starts, "")

@@ -27,7 +27,10 @@ pub(super) fn report(study: &Optimum, found: &SearchResult, context: &Context) -
         .work("runs without the number", found.failed);
     match &found.best {
         None => {
-            let text = if study.limits.is_empty() {
+            let text = if !found.complete {
+                let kept = if study.limits.is_empty() { "had the number to be optimised" } else { "kept the limits" };
+                format!("No machine {kept} before the study stopped; {} runs were begun.", found.runs)
+            } else if study.limits.is_empty() {
                 "None of the machines that were tried has the number to be optimised.".to_string()
             } else {
                 "No machine that was tried keeps the limits: widen the bounds, or relax a limit.".to_string()
@@ -63,7 +66,8 @@ fn headline(study: &Optimum, found: &SearchResult, best: &Run) -> Finding {
     let away = if change.is_finite() { format!(" ({} % away)", significant(change.abs(), 3)) } else { String::new() };
     let now =
         if found.now.is_finite() { format!(" The machine as it is has {}{away}.", with(found.now, &found.unit)) } else { String::new() };
-    let text = format!("The {way} {} found within the bounds is {{}}.{now}", study.aim.name);
+    let so_far = if found.complete { "" } else { " before the study stopped" };
+    let text = format!("The {way} {} found within the bounds{so_far} is {{}}.{now}", study.aim.name);
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
     let worst = found.slopes.iter().map(|s| s.slope).reduce(f64::min).unwrap_or(f64::NAN);
@@ -89,7 +93,8 @@ fn parameters(study: &Optimum, found: &SearchResult, best: &Run) -> Vec<Finding>
             let end = |(x, bound): (f64, bool)| format!("{}{}", with(x, v.unit), if bound { " (the bound)" } else { "" });
             format!(" Within {} % of the best from {} to {}.", significant(100.0 * study.tolerance, 3), end(s.ends[0]), end(s.ends[1]))
         });
-        let text = format!("Recommended: {} = {{}}{at}.{range} The machine has {}.", v.path, with(v.now, v.unit));
+        let head = if found.complete { "Recommended" } else { "Best before the study stopped" };
+        let text = format!("{head}: {} = {{}}{at}.{range} The machine has {}.", v.path, with(v.now, v.unit));
         let end = |side: usize| found.stray.get(k).map_or(f64::NAN, |s| s.ends[side].0);
         Finding::info("recommended", text)
             .of(&v.path)

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
+use crate::outcome::End;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::branch::{State, Traced};
@@ -11,8 +12,8 @@ use crate::solve::harmonic::branches::peak::{Sense, refine};
 use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::branches::sensitivity::{Moved, Named, Stationary, moved, parameters};
 use crate::study::Context;
+use crate::study::nonlinear::nonlinear_response::limited;
 use crate::study::shared::probes;
-use laval_num::continuation::End;
 use laval_num::work;
 use std::f64::consts::TAU;
 
@@ -40,7 +41,7 @@ pub(super) struct Derivatives {
     pub parameters: Vec<Named>,
     /// Places whose derivatives could not be had: speed, rad/s, and why.
     pub without: Vec<(f64, String)>,
-    pub complete: bool,
+    pub end: End,
     pub harmonics: usize,
 }
 
@@ -137,17 +138,18 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     let d = response.discretisation.whole();
     let parameters = parameters(system, d.symmetry);
     let indices: Vec<_> = parameters.iter().map(|p| p.parameter).collect();
-    let ended = response.branches.iter().all(|b| b.end != End::Cancelled);
-    let mut found = Derivatives { places: vec![], parameters, without: vec![], complete: ended, harmonics: d.harmonics };
+    let ended = limited(response, request, context);
+    let mut found = Derivatives { places: vec![], parameters, without: vec![], end: End::Reached, harmonics: d.harmonics };
+    let mut complete = !matches!(ended, End::Cancelled | End::WorkLimit | End::MaxPoints);
     let mut balance = Balance::new(system, d, request.speeds, None)?;
     let (mut seen, mut seeds) = (Seen::new(system), Vec::new());
     // which motions are large is known only of all branches
     let measured = work::piece(|| response.branches.iter().for_each(|branch| seen.measure(&mut balance, branch)));
-    found.complete &= measured.is_some();
+    complete &= measured.is_some();
     for (b, branch) in response.branches.iter().enumerate().filter(|_| measured.is_some()) {
         let own = work::piece(|| places_of(&mut balance, &seen, b, branch, request.speeds, &mut found.without));
         let Some(own) = own else {
-            found.complete = false;
+            complete = false;
             break;
         };
         seeds.extend(own);
@@ -156,7 +158,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     let period = TAU / d.symmetry.order().max(1) as f64;
     for (done, Seed { kind, branch, probe, x, speed, way }) in seeds.into_iter().enumerate() {
         if context.cancelled() {
-            found.complete = false;
+            complete = false;
             break;
         }
         context.progress.report(done as u64, total);
@@ -167,7 +169,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         let measure = Measure::Probe(seen.which[probe]);
         let what = if kind == Kind::Peak { Stationary::Peak(measure) } else { Stationary::Fold };
         let Some(moved) = work::piece(|| moved(&mut balance, (&x, speed), &way, what, measure, &indices)) else {
-            found.complete = false;
+            complete = false;
             break;
         };
         match moved {
@@ -191,5 +193,6 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     }
     kept.sort_by(|a, b| a.moved.speed.abs().total_cmp(&b.moved.speed.abs()));
     found.places = kept;
+    found.end = if ended == End::MaxPoints { ended } else { context.end(complete) };
     Ok(found)
 }

@@ -3,7 +3,7 @@
 use super::Sensitivity;
 use super::places::{Derivatives, Kind, Place};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Band, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::outcome::{Axis, Band, End, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
 use crate::study::{Context, Study};
@@ -104,7 +104,7 @@ fn finding(place: &Place, found: &Derivatives) -> Finding {
 
 /// Everything a reader gets.
 pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
-    let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(context.end(found.complete));
+    let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(found.end);
     for p in &found.places {
         out = out.finding(finding(p, found));
         let at = p.moved.speed;
@@ -136,7 +136,10 @@ pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Res
         out = out.finding(Finding::warning("no_influence", text));
     }
     if found.places.is_empty() {
-        let text = "No peak and no fold of the response was found in the range of speeds.";
+        let text = match found.end {
+            End::Reached => "No peak and no fold of the response was found in the range of speeds.",
+            _ => "No peak and no fold of the response was found before the study stopped.",
+        };
         out = out.finding(Finding::info("nothing_stationary", text));
         return out.checked().map_err(inconsistent);
     }

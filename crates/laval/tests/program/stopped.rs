@@ -1,0 +1,176 @@
+//! A study that was stopped before its end claims nothing of what it did not reach: no absence, no margin, no end that was not its own.
+
+use crate::common::files::{finding, findings, load};
+use laval::outcome::{End, Level, Outcome};
+use laval::study::{Cancel, Context};
+
+/// A disc on a stiffening bearing, whose response peaks and folds between 300 and 600 rad/s.
+const ROTOR: &str = r#"
+[machine]
+speed = "300 rad/s"
+[[part]]
+kind = "disc"
+name = "drum"
+mass = "2 kg"
+eccentricity = "50 um"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["drum", "ground"]
+law = "isotropic"
+stiffness = "2e5 N/m"
+cubic_stiffness = "1e11 N/m^3"
+[[part]]
+kind = "damper"
+name = "losses"
+between = ["drum", "ground"]
+damping = "55 N s/m"
+"#;
+
+fn run(machine: &str, study: &str, cancel: &Cancel, work_limit: u64) -> Outcome {
+    let l = load(&format!("{machine}\n[[study]]\n{study}"));
+    let context = Context { cancel, work_limit, ..Context::quiet("study") };
+    l.studies[0].study.run(&l.system, &context).unwrap_or_else(|d| panic!("{d:?}"))
+}
+
+fn spent(machine: &str, study: &str) -> u64 {
+    let whole = Cancel::default();
+    let o = run(machine, study, &whole, u64::MAX);
+    assert_eq!(o.end, End::Reached);
+    whole.spent()
+}
+
+/// All findings as one text.
+fn text(o: &Outcome) -> String {
+    o.findings.iter().map(|f| f.sentence() + "\n").collect()
+}
+
+#[test]
+fn a_search_for_further_states_that_was_stopped_shows_no_absence() {
+    let main = "kind = \"nonlinear_response\"\nspeed = { from = \"100 rad/s\", to = \"600 rad/s\" }\nharmonics = 3\nstability = false\n";
+    let all = format!("{main}states = \"all\"\nstarts = 900\ntime_starts = 100\n");
+    let stopped = run(ROTOR, &all, &Cancel::after(spent(ROTOR, main) * 3 / 2), u64::MAX);
+    assert_eq!(stopped.end, End::Cancelled, "{}", text(&stopped));
+    let limited = run(ROTOR, &all, &Cancel::default(), 2);
+    assert_eq!(limited.end, End::WorkLimit, "{}", text(&limited));
+    for o in [&stopped, &limited] {
+        assert!(findings(o, "further_states").is_empty(), "{}", text(o));
+        let f = finding(o, "further_states_unknown").sentence();
+        assert!(f.contains("00 starts of any size") && f.contains("00 starts in time"), "{f}");
+    }
+    let f = finding(&limited, "further_states_unknown").sentence();
+    assert!(f.contains("done at 0 of 8 speeds, and 0 of 800"), "{f}");
+}
+
+#[test]
+fn critical_speeds_that_were_stopped_give_no_verdict_on_the_margin() {
+    let machine = |speed: f64| {
+        format!(
+            r#"
+[machine]
+speed = {speed}
+[[part]]
+kind = "disc"
+name = "a"
+mass = "10 kg"
+eccentricity = "10 um"
+[[part]]
+kind = "disc"
+name = "b"
+mass = "10 kg"
+[[part]]
+kind = "bearing_linear"
+between = ["a", "ground"]
+stiffness = "1e5 N/m"
+damping = "10 N s/m"
+[[part]]
+kind = "bearing_linear"
+between = ["b", "ground"]
+stiffness = "2.3e7 N/m"
+damping = "10 N s/m"
+[[part]]
+kind = "bearing_linear"
+between = ["a", "b"]
+stiffness = "1e5 N/m"
+damping = "10 N s/m"
+"#
+        )
+    };
+    let study = "kind = \"critical_speeds\"\nspeed = { from = 10, to = 3000, points = 40 }\n";
+    for speed in [140.0, 1500.0] {
+        let whole = run(&machine(speed), study, &Cancel::default(), u64::MAX);
+        assert_eq!((whole.end, finding(&whole, "margin").level), (End::Reached, Level::Warning), "{}", text(&whole));
+        let part = run(&machine(speed), study, &Cancel::default(), 6);
+        let f = finding(&part, "margin");
+        assert_eq!((part.end, f.level), (End::WorkLimit, Level::Info), "{}", text(&part));
+        assert!(f.sentence().contains("found before the study stopped"), "{}", f.sentence());
+        assert!(!finding(&whole, "margin").sentence().contains("stopped"));
+    }
+}
+
+#[test]
+fn sensitivities_that_were_stopped_show_no_absence_of_peaks() {
+    let study = "kind = \"sensitivity\"\nspeed = { from = \"100 rad/s\", to = \"600 rad/s\" }\n";
+    let limited = run(ROTOR, study, &Cancel::default(), 2);
+    let stopped = run(ROTOR, study, &Cancel::after(0), u64::MAX);
+    for (o, end) in [(limited, End::WorkLimit), (stopped, End::Cancelled)] {
+        assert_eq!(o.end, end, "{}", text(&o));
+        assert!(!text(&o).contains("in the range of speeds"), "{}", text(&o));
+    }
+}
+
+#[test]
+fn a_window_whose_passage_the_work_limit_ends_is_no_mistake() {
+    let machine = format!("{ROTOR}[limits]\npassage_displacement = {{ drum = \"1 mm\" }}\n");
+    let study = "kind = \"operating_window\"\nspeed = { from = 50, to = 90, points = 5 }\nramp = \"1 s\"\n";
+    assert_eq!(run(&machine, study, &Cancel::default(), 2).end, End::WorkLimit);
+}
+
+#[test]
+fn an_optimum_that_was_stopped_is_the_best_so_far() {
+    let study = r#"kind = "optimum"
+study = { kind = "nonlinear_response", speed = { from = "100 rad/s", to = "200 rad/s" }, stability = false }
+vary = [{ parameter = "losses.damping", from = "20 N s/m", to = "60 N s/m" }]
+minimise = "largest_displacement"
+starts = 1
+runs = 20
+"#;
+    let none = run(ROTOR, study, &Cancel::default(), 0);
+    assert_eq!(none.end, End::WorkLimit);
+    let f = finding(&none, "no_optimum").sentence();
+    assert!(f.contains("before the study stopped; 0 runs"), "{f}");
+    let some = run(ROTOR, study, &Cancel::default(), 2);
+    assert_eq!(some.end, End::WorkLimit);
+    assert!(!text(&some).contains("Recommended"), "{}", text(&some));
+    for id in ["optimum", "recommended"] {
+        let f = finding(&some, id).sentence();
+        assert!(f.contains("before the study stopped"), "{f}");
+    }
+}
+
+#[test]
+fn states_at_rest_are_counted_up_to_the_stop() {
+    let study = "kind = \"stationary\"\nspeed = { from = 300, to = 600 }\nstarts = 20\nseeds = 2\n";
+    let o = run(ROTOR, study, &Cancel::default(), 0);
+    assert_eq!(o.end, End::WorkLimit);
+    let f = finding(&o, "completeness").sentence();
+    assert!(f.contains("were found before the study stopped"), "{f}");
+}
+
+#[test]
+fn loci_that_were_stopped_show_no_absence() {
+    let study = r#"kind = "bifurcation_loci"
+speed = { from = "100 rad/s", to = "600 rad/s" }
+parameter = { parameter = "drum.eccentricity", from = "20 um", to = "80 um", points = 2 }
+harmonics = 3
+"#;
+    let o = run(ROTOR, study, &Cancel::default(), 0);
+    assert_eq!(o.end, End::WorkLimit);
+    let f = finding(&o, "no_locus").sentence();
+    assert!(f.contains("before the study stopped") && !f.contains("raise points"), "{f}");
+    for after in [0, 20_000, 200_000] {
+        let o = run(ROTOR, study, &Cancel::after(after), u64::MAX);
+        assert_eq!(o.end, End::Cancelled);
+        assert!(findings(&o, "no_response").is_empty() && !text(&o).contains("raise points"), "{}", text(&o));
+    }
+}
