@@ -288,7 +288,7 @@ fn one_speed_of_branches() {
     assert!(findings(one, "balanced_stable").is_empty() && one.figures.iter().all(|f| f.name != "states"));
 }
 
-/// Steps inside a range as narrow as the rounding of its values are no steps: that is said instead of a resonance without damping.
+/// A range as narrow as the rounding of its ends is refused: no resonance without damping is reported in it.
 #[test]
 fn a_range_within_rounding_is_refused() {
     let text = "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = \"10 kg\"\neccentricity = \"100 um\"\n[[part]]\n\

@@ -262,7 +262,7 @@ impl Progress for Heard {
     }
 }
 
-/// A machine that grows is reported beforehand, its motions are followed until they are out of sight and no further, and that is what is said of them.
+/// The instability of a machine is reported first; its motions are followed up to their bound, and reported as unbounded.
 #[test]
 fn an_unstable_machine_is_reported_at_once() {
     // cross-coupling against little damping: growth (sqrt(k/m) given) about kxy/(2 m w) - d/(2 m)

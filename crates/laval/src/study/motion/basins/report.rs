@@ -284,7 +284,7 @@ fn cut_short(map: &Map, results: &Results, outcome: Outcome) -> Result<Outcome, 
         return Ok(outcome);
     }
     let text = format!(
-        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode requires; they are judged by their last turns all the same."
+        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode requires; they are classified by their last turns."
     );
     Ok(outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, "")))
 }
