@@ -1,10 +1,11 @@
 //! Complex numbers over any [`Scalar`]: dynamic stiffness, impedance, Fourier coefficients, eigenvalues.
 
 use crate::scalar::Scalar;
+use serde::{Deserialize, Serialize};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `re + i im`.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Complex<S> {
     /// Real part.
     pub re: S,

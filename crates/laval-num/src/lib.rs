@@ -23,5 +23,6 @@ pub mod quadrature;
 pub mod rational;
 pub mod sampling;
 pub mod scalar;
+pub mod text;
 pub mod univariate;
 pub mod work;

@@ -6,6 +6,7 @@
 
 use crate::continuation::{Failure, Zero};
 use crate::dense::{Lu, Mat, max_abs, norm};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Tolerances and limits. Sizes are relative to the scales, or to the unknowns where these are larger than their scales.
@@ -58,7 +59,7 @@ pub struct Converged {
 }
 
 /// Why Newton's method gave up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Cause {
     /// The residual no longer falls, or the iterations ran out.
     Stalled,
@@ -69,7 +70,7 @@ pub enum Cause {
     /// Residual, Jacobian or step is NaN or infinite.
     NotFinite,
     /// The problem could not be evaluated.
-    Undefined(&'static str),
+    Undefined(#[serde(deserialize_with = "crate::text::one")] crate::text::Text),
     /// The user stopped it.
     Cancelled,
 }
@@ -167,7 +168,7 @@ impl<P: Zero + ?Sized> System for FixedParameter<'_, P> {
 }
 
 /// Work done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Work {
     /// Evaluations of the residual.
     pub evaluations: usize,

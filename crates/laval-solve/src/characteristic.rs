@@ -16,9 +16,10 @@ use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::dual::Dual;
+use serde::{Deserialize, Serialize};
 
 /// Axes in which a state is at rest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Frame {
     /// Fixed axes: nothing moves.
     Fixed,
@@ -27,7 +28,7 @@ pub enum Frame {
 }
 
 /// A state the machine is linearised about, with the evidence that it is one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Equilibrium {
     /// Axes it rests in.
     pub frame: Frame,

@@ -18,6 +18,7 @@ use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Lu, Mat};
 use laval_num::eig::{self, EigError, Number};
+use serde::{Deserialize, Serialize};
 
 /// Matrices of the linearised machine.
 #[derive(Clone, Debug)]
@@ -43,7 +44,7 @@ pub struct Linearised {
 pub const FLAT: f64 = 0.05;
 
 /// Direction a mode whirls in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Whirl {
     /// With the spin.
     Forward,
@@ -84,7 +85,7 @@ impl Whirl {
 }
 
 /// A mode of the machine, with Im s >= 0; of a conjugate pair, this member stands for both.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct MachineMode {
     /// s = growth + i frequency.
     pub value: C64,
@@ -125,7 +126,7 @@ impl MachineMode {
 }
 
 /// Modes of one block of the problem that is solved by itself, with vectors for following them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Family {
     /// Sector; `None` when the machine is solved as a whole.
     pub sector: Option<Sector>,
@@ -134,7 +135,7 @@ pub struct Family {
 }
 
 /// All modes at one speed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Spectrum {
     /// By frequency.
     pub modes: Vec<MachineMode>,

@@ -23,6 +23,7 @@ use laval_num::complex::{C64, c};
 use laval_num::contour::{Region, Sample, missing, zeros};
 use laval_num::dense::{Field, Lu, Mat};
 use laval_num::eig;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Half width, over the speed, of the band about a frequency where singularities accumulate in which roots close to the imaginary axis are not counted.
@@ -61,7 +62,7 @@ pub struct Request<'a> {
 }
 
 /// A rectangle in which roots were counted.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Area {
     /// Range of the growth, 1/s.
     pub growth: (f64, f64),
@@ -83,7 +84,7 @@ impl Area {
 }
 
 /// Roots with the evidence for them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Roots {
     /// As modes.
     pub spectrum: Spectrum,

@@ -7,10 +7,11 @@
 use crate::model::part::DofKind;
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Mat};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A sector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Sector {
     /// `u+` of every pair: turns with the rotor.
     Forward,

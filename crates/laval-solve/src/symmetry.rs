@@ -3,10 +3,11 @@
 use crate::model::part::{At, DofKind, Physics, Rows};
 use crate::model::system::{GlobalDof, Slot, System, Workspace};
 use laval_num::complex::{C64, c};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Turning that leaves the equations unchanged when the spin phase is turned along.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Symmetry {
     /// None.
     None,

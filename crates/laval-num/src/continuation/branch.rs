@@ -3,9 +3,10 @@
 use super::branch_point::BranchPoint;
 use super::fold::FoldPoint;
 use crate::newton::{Cause, Work};
+use serde::{Deserialize, Serialize};
 
 /// A solution on a branch.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Arclength from the start, in scaled unknowns and parameter (sum of chords).
     pub s: f64,
@@ -31,7 +32,7 @@ pub struct Point {
 }
 
 /// Why a step was refused.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {
     /// The corrector gave up.
     Corrector(Cause),
@@ -48,7 +49,7 @@ pub enum Refusal {
 }
 
 /// How a branch ends. Every end is a fact about the computation, none is a jump of the machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum End {
     /// The last point lies on the edge of the parameter range.
     Reached,
@@ -77,7 +78,7 @@ pub enum End {
 }
 
 /// Kind of a special point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// The branch turns back in the parameter.
     Fold,
@@ -92,7 +93,7 @@ pub enum Kind {
 }
 
 /// How well a special point is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// Located, and found again by the extended system of a fold or branch point.
     Confirmed,
@@ -103,7 +104,7 @@ pub enum Status {
 }
 
 /// One side of a bracket.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Side {
     /// Arclength.
     pub s: f64,
@@ -116,7 +117,7 @@ pub struct Side {
 }
 
 /// A point of a branch with a name.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Special {
     /// What it is.
     pub kind: Kind,
@@ -165,7 +166,7 @@ impl Special {
 }
 
 /// Work done and choices made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counters {
     /// Points kept.
     pub points: usize,
@@ -180,7 +181,7 @@ pub struct Counters {
 }
 
 /// A branch of solutions.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Branch {
     /// Points in order of arclength.
     pub points: Vec<Point>,

@@ -11,9 +11,10 @@ use super::augmented::Augmented;
 use super::problem::Zero;
 use super::step::{Node, Tracer, distance, heading};
 use crate::dense::{dot, norm};
+use serde::{Deserialize, Serialize};
 
 /// A branch point from its extended system.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BranchPoint {
     /// Parameter.
     pub p: f64,

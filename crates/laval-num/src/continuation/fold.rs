@@ -9,9 +9,10 @@ use super::problem::Zero;
 use super::step::distance;
 use crate::dense::{Mat, dot, norm};
 use crate::newton::{Cause, NotConverged};
+use serde::{Deserialize, Serialize};
 
 /// A fold from the extended system.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoldPoint {
     /// Parameter.
     pub p: f64,

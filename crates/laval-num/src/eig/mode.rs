@@ -2,9 +2,10 @@
 
 use super::number::{inner, norm2};
 use crate::complex::{C64, c};
+use serde::{Deserialize, Serialize};
 
 /// An eigenvalue with its right and left vectors and the evidence for them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mode {
     /// Eigenvalue s = growth + i frequency.
     pub value: C64,

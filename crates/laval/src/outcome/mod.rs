@@ -40,6 +40,7 @@ pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text};
 pub use finding::{Evidence, Finding, Level};
 pub use number::{quantity, significant, unit_text};
+use serde::{Deserialize, Serialize};
 pub use table::{Column, Data, Table, TableBuilder};
 
 use crate::diagnostic::Diagnostic;
@@ -229,7 +230,7 @@ fn unique<'a>(what: &'static str, names: impl Iterator<Item = &'a str>) -> Resul
 }
 
 /// How a study ended. Everything but [`End::Reached`] leaves results that are right as far as they go.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum End {
     /// The end requested.
     Reached,

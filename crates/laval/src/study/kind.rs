@@ -8,8 +8,10 @@ use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::Outcome;
 
-/// A kind of study: its struct is the `[[study]]` block.
+/// A kind of study: its struct is the `[[study]]` block. Programs call the methods of [`ErasedStudy`] and [`TypedStudy`], which check the request first.
 pub trait Study: Send + Sync + Sized + 'static {
+    /// What it computes: plain data, which can be stored and reported again.
+    type Result: Send + Sync + 'static;
     /// The word in the file.
     const KIND: &'static str;
     /// One paragraph for the documentation.
@@ -41,8 +43,16 @@ pub trait Study: Send + Sync + Sized + 'static {
     fn prepare(&self, system: &System, _: &Context) -> Result<(), Diagnostic> {
         self.admit(system)
     }
-    /// Runs it. An error is a request this machine cannot answer; a computation that ends early is an outcome with that [`End`](crate::outcome::End).
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
+    /// Computes. What ends early is a result with that [`End`](crate::outcome::End).
+    ///
+    /// # Errors
+    /// A request this machine cannot answer, naming the part.
+    fn compute(&self, system: &System, context: &Context) -> Result<Self::Result, Diagnostic>;
+    /// Tables, figures and findings of a result of [`compute`](Self::compute), in milliseconds, under the name of the study.
+    ///
+    /// # Errors
+    /// A result that is not of this machine.
+    fn report(&self, system: &System, result: &Self::Result, name: &str) -> Result<Outcome, Diagnostic>;
 }
 
 /// Running a [`Study`], with its type known or forgotten: a machine that is too large, or beyond the tables of its parts, is
@@ -78,11 +88,39 @@ impl<T: Study> ErasedStudy for T {
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         speed_range::known(self, system)?;
-        let mut outcome = watch::run(self, system, context)?;
+        let run = || self.report(system, &self.compute(system, context)?, context.name);
+        let mut outcome = match watch::run(self, system, context, run)? {
+            Ok(outcome) => outcome,
+            Err(end) => return Ok(watch::nothing_shown::<T>(context.name, end)),
+        };
         speed_range::mark_beyond(self, system, &mut outcome);
         Ok(outcome)
     }
 }
+
+/// Typed results of a study. They can be stored, and reported again without being computed again.
+pub trait TypedStudy: Study {
+    /// Computes, with the checks of [`ErasedStudy::run`].
+    ///
+    /// # Errors
+    /// A request this machine cannot answer, or `study.stopped` where it was stopped within a computation that has no partial result.
+    fn result(&self, system: &System, context: &Context) -> Result<Self::Result, Diagnostic> {
+        speed_range::known(self, system)?;
+        watch::run(self, system, context, || self.compute(system, context))?
+            .map_err(|_| Diagnostic::error("study.stopped", "the study was stopped within a computation that has no partial result"))
+    }
+    /// Tables, figures and findings of a result.
+    ///
+    /// # Errors
+    /// As [`Study::report`].
+    fn outcome(&self, system: &System, result: &Self::Result, name: &str) -> Result<Outcome, Diagnostic> {
+        let mut outcome = self.report(system, result, name)?;
+        speed_range::mark_beyond(self, system, &mut outcome);
+        Ok(outcome)
+    }
+}
+
+impl<T: Study> TypedStudy for T {}
 
 /// A kind of study: what may be said of it, and how it is built.
 #[derive(Clone)]

@@ -15,7 +15,7 @@ mod shared;
 pub use blocks::{BlockKind, blocks, with_blocks};
 pub use centrifuge::{cups, operating_window, separation};
 pub use context::{Context, Progress, STEP, Silent};
-pub use kind::{ErasedStudy, Study, StudyKind, kind};
+pub use kind::{ErasedStudy, Study, StudyKind, TypedStudy, kind};
 pub use laval_num::work::Cancel;
 pub use linear::{campbell, criterion, critical_speeds, forced_response, modes, stability_map};
 pub use motion::{basins, motion_map, run_up, sweep, transient};

@@ -10,6 +10,7 @@
 //! Theory: `docs/theory/harmonic-balance.md#balance`.
 
 pub use crate::harmonic::balance::coordinates::Nonlinear;
+use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::harmonic::balance::condense::{Condenser, Order, lossy};
@@ -29,7 +30,7 @@ use laval_num::dense::{Lu, Mat};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How a balance is discretised.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Discretisation {
     /// Largest order kept, in multiples of the base frequency.
     pub harmonics: usize,

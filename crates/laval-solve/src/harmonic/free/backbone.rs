@@ -26,6 +26,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Test, Zero, trace};
 use laval_num::dense::{Mat, dot, max_abs, norm};
 use laval_num::newton::{Cause, Options, newton};
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The request.
@@ -46,7 +47,7 @@ pub struct Request {
 }
 
 /// Where a family was begun.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Origin {
     /// At the linear mode of this number.
     Mode(usize),
@@ -55,7 +56,7 @@ pub enum Origin {
 }
 
 /// A free motion.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Motion {
     /// Amplitude of the leading harmonic, m.
     pub amplitude: f64,
@@ -74,7 +75,7 @@ pub struct Motion {
 }
 
 /// A family of free motions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Family {
     /// Where it was begun.
     pub origin: Origin,
@@ -91,24 +92,26 @@ pub struct Family {
 }
 
 /// A linear mode and what became of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct LinearMode {
     /// growth + i frequency; negative frequency backward where the machine has no preferred direction.
     pub value: C64,
     /// Its direction.
     pub whirl: Whirl,
     /// Why no family begins here.
-    pub left: Option<&'static str>,
+    #[serde(deserialize_with = "laval_num::text::optional")]
+    pub left: Option<laval_num::text::Text>,
 }
 
 /// A frequency at which the amplitude of a hardening machine is infinite.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Asymptote {
     /// growth + i frequency, as for modes.
     pub value: C64,
 }
 
 /// All families at one speed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Backbone {
     /// Linear modes, by frequency.
     pub modes: Vec<LinearMode>,

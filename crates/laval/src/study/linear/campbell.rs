@@ -137,6 +137,7 @@ pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64
 const MOST_NAMED: usize = 8;
 
 impl Study for Campbell {
+    type Result = Outcome;
     const KIND: &'static str = "campbell";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 60 }
 orders = [1, 2]
@@ -179,7 +180,11 @@ orders = [1, 2]
         admit_roots(system, About::Rest, self.speed.from)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         // other machines have finitely many modes, which are all followed
         let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
         let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;

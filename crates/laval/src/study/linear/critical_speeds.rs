@@ -38,6 +38,7 @@ pub struct CriticalSpeeds {
 }
 
 impl Study for CriticalSpeeds {
+    type Result = Outcome;
     const KIND: &'static str = "critical_speeds";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 margin = 0.15
@@ -72,7 +73,11 @@ margin = 0.15
         admit_eigenvalues(system, About::Rest, self.speed.from)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let state = |w: f64| rest(system, w);
         let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
         let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;

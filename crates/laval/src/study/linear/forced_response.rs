@@ -39,6 +39,7 @@ pub struct ForcedResponse {
 }
 
 impl Study for ForcedResponse {
+    type Result = Outcome;
     const KIND: &'static str = "forced_response";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
 "#;
@@ -84,7 +85,11 @@ impl Study for ForcedResponse {
         Ok(())
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let state = |w: f64| rest(system, w);
         let bodies = system.bodies();

@@ -14,11 +14,11 @@ use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::part::{DofKind, Domain, Words};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
-use crate::solve::characteristic::Characteristic;
+use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, Table, quantity, significant};
+use crate::solve::characteristic::{Characteristic, Equilibrium};
 use crate::solve::exact::growing;
 use crate::solve::pencil::{Linearised, MachineMode, Spectrum, Whirl, holds_fit, modes_about, wants_polish};
-use crate::solve::roots::{LEAST, Request, roots, transcendental};
+use crate::solve::roots::{LEAST, Request, Roots, roots, transcendental};
 use crate::study::shared::probes;
 use crate::study::shared::region;
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -28,6 +28,7 @@ use crate::study::shared::support::{
 use crate::study::{Context, Study};
 use laval_num::complex::C64;
 use laval_num::dense::{Lu, Mat};
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct Modes {
@@ -39,6 +40,21 @@ pub struct Modes {
     pub threshold: f64,
     /// Largest frequency at which roots of a machine with parts without time form are looked for, rad/s.
     pub frequency: Option<f64>,
+}
+
+/// Modes about a state.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ModesResult {
+    /// State linearised about.
+    pub about: Equilibrium,
+    /// Modes by frequency, with their shapes.
+    pub spectrum: Spectrum,
+    /// Of a machine with parts that have no time form: its roots, and where they were counted.
+    pub roots: Option<Roots>,
+    /// Number of growing roots by the argument principle, of a machine that holds the fit of a part.
+    pub growing: Option<usize>,
+    /// How the study ended.
+    pub end: End,
 }
 
 /// Terms of series that are worth a word beforehand: a count takes seconds.
@@ -76,6 +92,7 @@ fn shape(mode: &MachineMode, probes: &[Probe]) -> (Vec<f64>, f64) {
 const SHAPE_ROUNDING: f64 = 1e-10;
 
 impl Study for Modes {
+    type Result = ModesResult;
     const KIND: &'static str = "modes";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 "#;
@@ -99,11 +116,10 @@ impl Study for Modes {
         admit_threshold(system, self.speed, self.threshold)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<ModesResult, Diagnostic> {
         admit_threshold(system, self.speed, self.threshold)?;
         let about = self.about.find(system, self.speed, None)?;
-        let endless = transcendental(system);
-        let found = if endless {
+        let roots = if transcendental(system) {
             let terms: usize = system.domains(self.speed).iter().map(|d| d.terms).sum();
             context.announce(terms as f64, SERIES, "terms of series in every evaluation of the function whose roots are counted");
             let request = Request { margin: self.threshold, frequency: self.frequency, cancel: Some(context.cancel), ..Request::default() };
@@ -111,10 +127,18 @@ impl Study for Modes {
         } else {
             None
         };
-        let spectrum = match &found {
-            Some(found) => found.spectrum.clone(),
+        let spectrum = match &roots {
+            Some(roots) => roots.spectrum.clone(),
             None => modes_about(system, &about, true)?,
         };
+        let growing =
+            if roots.is_none() && holds_fit(system) { growing(&mut Characteristic::new(system, &about), &spectrum) } else { None };
+        Ok(ModesResult { about, spectrum, roots, growing, end: context.end(!context.cancelled()) })
+    }
+
+    fn report(&self, system: &System, result: &ModesResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let ModesResult { about, spectrum, roots: found, growing, end } = result;
+        let endless = found.is_some();
         let modes = &spectrum.modes;
         // beside the largest eigenvalue, what is smaller than this is rounding
         let rounding = ROUNDING * modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
@@ -148,12 +172,12 @@ impl Study for Modes {
                 column(|m| m.residual),
             )
             .flag("polished", "solved for on the exact characteristic function", modes.iter().map(|m| m.polished).collect());
-        if let Some(found) = &found {
+        if let Some(found) = found {
             table = table.flag("counted", "it lies in a rectangle whose count agrees", found.counted.clone());
         }
         let tilts: Vec<bool> = system.coordinates().iter().map(|c| matches!(c.dof.kind, DofKind::TiltX | DofKind::TiltY)).collect();
         if tilts.contains(&true) && !endless {
-            let mass = Linearised::new(system, &about)?.mass;
+            let mass = Linearised::new(system, about)?.mass;
             let share = |m: &MachineMode| tilt_share(&mass, &tilts, m);
             let doc = "share of the tilts in the kinetic energy over a period, taken about the point of each body at which a tilt does not move its centre of mass; NaN where \
                        nothing with mass moves";
@@ -174,8 +198,8 @@ impl Study for Modes {
                 "tilt of the body that tilts most, rad, over the displacement of the point that moves most, m; NaN where nothing but tilts";
             table = table.float_if_any("tilt_over_displacement", "1/m", doc, shapes.iter().map(|s| s.1).collect());
         }
-        let mut outcome = Outcome::new(Self::KIND, context.name)
-            .end(context.end(!context.cancelled()))
+        let mut outcome = Outcome::new(Self::KIND, name)
+            .end(*end)
             .table(table.build().map_err(inconsistent)?)
             .work("eigenproblems", 1)
             .work("polished modes", spectrum.polished as u64);
@@ -264,13 +288,13 @@ impl Study for Modes {
         // what grows comes first
         let (first, second) = if any_grows { (verdict, least) } else { (least, verdict) };
         outcome = first.into_iter().chain(second).fold(outcome, Outcome::finding);
-        if let Some(found) = &found {
+        if let Some(found) = found {
             for f in region::findings(system, self.speed, found) {
                 outcome = outcome.finding(f);
             }
             outcome = outcome.table(region::areas(found)?);
         } else if holds_fit(system) {
-            outcome = outcome.finding(counted(growing(&mut Characteristic::new(system, &about), &spectrum), &spectrum, any_unstable));
+            outcome = outcome.finding(counted(*growing, spectrum, any_unstable));
         } else if wants_polish(system) {
             let text = format!("{} of {} modes were solved for on the exact characteristic function.", spectrum.polished, modes.len());
             let finding =
@@ -283,7 +307,7 @@ impl Study for Modes {
                 format!("{} eigenvalues are infinite: some coordinates have no mass.", spectrum.infinite),
             ));
         }
-        for f in remarks(system, &about) {
+        for f in remarks(system, about) {
             outcome = outcome.finding(f);
         }
         let alt = format!("{} modes at {}; {}.", modes.len(), quantity(self.speed, "rad/s"), worst_in_words(modes));

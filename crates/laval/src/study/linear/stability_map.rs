@@ -52,6 +52,7 @@ pub struct StabilityMap {
 }
 
 impl Study for StabilityMap {
+    type Result = Outcome;
     const KIND: &'static str = "stability_map";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 120 }
 parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11 }
@@ -125,7 +126,11 @@ parameter = { parameter = "drum.mass", from = "1.5 kg", to = "4 kg", points = 11
         Ok(())
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let speeds = self.speed.linspace(200);
         let values: Vec<Option<f64>> = match &self.parameter {

@@ -57,6 +57,7 @@ const TABLE: &[(&str, &str, bool, &str)] =
     &[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")];
 
 impl Study for RunUp {
+    type Result = Outcome;
     const KIND: &'static str = "run_up";
     const EXAMPLE: &'static str = r#"from = "0 rpm"
 to = "12000 rpm"
@@ -160,7 +161,11 @@ hold = "2 s"
         history::admit(&motion, self.settings.method)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let s = &self.settings;
         let (exact, timed) = (system, system.timed(Speeds::Changing)?);

@@ -53,6 +53,7 @@ pub struct Transient {
 }
 
 impl Study for Transient {
+    type Result = Outcome;
     const KIND: &'static str = "transient";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 duration = "2 s"
@@ -178,7 +179,11 @@ kick = { "drum.x'" = "20 mm/s" }
         history::admit(&motion, self.settings.method)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let s = &self.settings;
         let exact = system;
         let Some(timed) = context.timed(system, speeds(system, self.speed))? else {

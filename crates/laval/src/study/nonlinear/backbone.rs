@@ -18,13 +18,15 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
+use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
 use crate::solve::harmonic::free::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
+use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, largest, speed};
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct Backbone {
@@ -59,6 +61,7 @@ const STEADY: f64 = 1e-7;
 const ROUNDING: f64 = 1e-10;
 
 impl Study for Backbone {
+    type Result = BackboneResult;
     const KIND: &'static str = "backbone";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 amplitude = { from = "1 um", to = "1 mm" }
@@ -107,33 +110,50 @@ amplitude = { from = "1 um", to = "1 mm" }
         admit(system, self.request.speed)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<BackboneResult, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request };
         let found = backbone(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let fastest = found.modes.iter().map(|m| m.value.im.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |m: &Motion, measure: &mut Measure| measure.of([request.speed, m.frequency, m.drive], &m.x);
-        let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
-        let shown = Shown { system, request: &request, found: &found, measured, probes: measure.probes };
-        shown.outcome(context).map_err(Diagnostic::from)
+        let measured = found.families.iter().map(|f| f.motions.iter().map(|m| of(m, &mut measure)).collect()).collect();
+        let end = if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) };
+        Ok(BackboneResult { found, measured, end })
     }
+
+    fn report(&self, system: &System, result: &BackboneResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let BackboneResult { found, measured, end } = result;
+        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system) };
+        shown.outcome(name, *end).map_err(Diagnostic::from)
+    }
+}
+
+/// Families of free whirls, and how far their motions go.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct BackboneResult {
+    /// Linear modes, asymptotes and families.
+    pub found: crate::solve::harmonic::free::backbone::Backbone,
+    /// Of every family, of every motion.
+    pub measured: Vec<Vec<Measured>>,
+    /// How the study ended.
+    pub end: outcome::End,
 }
 
 struct Shown<'a> {
     system: &'a System,
     request: &'a Request,
     found: &'a crate::solve::harmonic::free::backbone::Backbone,
-    measured: Vec<Vec<Measured>>,
+    measured: &'a [Vec<Measured>],
     probes: Vec<Probe>,
 }
 
 impl Shown<'_> {
-    fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+    fn outcome(&self, name: &str, end: outcome::End) -> Result<Outcome, OutcomeError> {
         let found = self.found;
-        let mut out = Outcome::new(Backbone::KIND, context.name)
+        let mut out = Outcome::new(Backbone::KIND, name)
             .over("amplitude", "m")
-            .end(if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) })
+            .end(end)
             .work("Newton iterations", found.iterations)
             .work("points", found.families.iter().map(|f| f.motions.len() as u64).sum());
         for f in self.findings() {

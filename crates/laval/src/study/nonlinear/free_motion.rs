@@ -14,6 +14,7 @@ use crate::study::shared::probes;
 use crate::study::shared::support::largest;
 use crate::study::shared::validity::Uses;
 use laval_num::continuation::{End, Refusal};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Field: largest order.
@@ -73,8 +74,8 @@ pub(in crate::study) struct Measure<'a> {
 }
 
 /// How far a motion goes.
-#[derive(Clone, Debug)]
-pub(in crate::study) struct Measured {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Measured {
     /// Per body: modulus of the first order in the direction of the whirl, m.
     pub first: Vec<f64>,
     /// Per probe: largest value over a period, m or rad.

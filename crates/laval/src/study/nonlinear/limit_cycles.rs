@@ -41,6 +41,7 @@ impl LimitCycles {
 }
 
 impl Study for LimitCycles {
+    type Result = Outcome;
     const KIND: &'static str = "limit_cycles";
     const EXAMPLE: &'static str = r#"speed = { from = "500 rpm", to = "12000 rpm" }
 "#;
@@ -77,7 +78,11 @@ impl Study for LimitCycles {
         admit(system, self.request.speeds)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request };
         let found = limit_cycles(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;

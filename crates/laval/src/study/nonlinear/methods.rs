@@ -43,6 +43,7 @@ struct FoldBy {
 const EXACT: f64 = 1e-12;
 
 impl Study for Methods {
+    type Result = Outcome;
     const KIND: &'static str = "methods";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "12000 rpm", points = 12 }
 harmonics = 7
@@ -80,7 +81,11 @@ harmonics = 7
         symmetry(system, &self.request()).map(drop)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let most = usize::try_from(context.work_limit).unwrap_or(usize::MAX).clamp(2, 20_000);
         let request = Request { max_points: most, ..self.request() };

@@ -8,16 +8,18 @@ use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::Response;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Instants of a period at which validity is evaluated.
 const SAMPLES: usize = 16;
 
 /// The largest use of one statement of validity of one part; above 1 is outside.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Use {
     slot: usize,
-    what: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    what: laval_num::text::Text,
     ratio: f64,
     /// Lowest and highest speed of the motions outside; of none outside, of the first motion.
     speeds: (f64, f64),
@@ -31,8 +33,8 @@ impl Use {
 }
 
 /// The largest use of every statement of validity over some motions.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::study) struct Uses(Vec<Use>);
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Uses(Vec<Use>);
 
 impl Uses {
     /// One instant of a motion.

@@ -28,17 +28,26 @@ fn fits<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
     study.size(system).map_or(Ok(()), Size::check)
 }
 
-/// Runs it. A study that has to end within a computation without partial result has nothing to show.
-pub(in crate::study) fn run<T: Study>(study: &T, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+/// Runs a piece of it. A study that has to end within a computation without partial result has that end alone.
+pub(in crate::study) fn run<T: Study, R>(
+    study: &T,
+    system: &System,
+    context: &Context,
+    piece: impl FnOnce() -> Result<R, Diagnostic>,
+) -> Result<Result<R, End>, Diagnostic> {
     fits(study, system)?;
     let limit = context.work_limit.saturating_mul(STEP).saturating_add(BEYOND);
-    let end = match watched(Some(context.cancel), limit, || study.run(system, context)) {
+    match watched(Some(context.cancel), limit, piece) {
         // what cannot be computed in time is no reason to refuse
-        Ok(Err(_)) if context.cancelled() && admit(study, system).is_ok() => End::Cancelled,
-        Ok(result) => return result,
-        Err(Halt::Stopped) => End::Cancelled,
-        Err(Halt::Limit) => End::WorkLimit,
-    };
+        Ok(Err(_)) if context.cancelled() && admit(study, system).is_ok() => Ok(Err(End::Cancelled)),
+        Ok(result) => result.map(Ok),
+        Err(Halt::Stopped) => Ok(Err(End::Cancelled)),
+        Err(Halt::Limit) => Ok(Err(End::WorkLimit)),
+    }
+}
+
+/// The outcome of a study without partial result.
+pub(in crate::study) fn nothing_shown<T: Study>(name: &str, end: End) -> Outcome {
     let text = "It was stopped within a computation that has no partial result: nothing of it is shown.";
-    Ok(Outcome::new(T::KIND, context.name).end(end).finding(Finding::info("nothing_shown", text)))
+    Outcome::new(T::KIND, name).end(end).finding(Finding::info("nothing_shown", text))
 }

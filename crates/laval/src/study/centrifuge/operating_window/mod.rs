@@ -84,6 +84,7 @@ const MAP_POINTS: usize = 12;
 const MAP_PLACES: usize = 256;
 
 impl Study for OperatingWindow {
+    type Result = Outcome;
     const KIND: &'static str = "operating_window";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "3000 rpm" }
 time = "10 min"
@@ -173,7 +174,11 @@ ramp = "60 s"
         vec![SpinSpeeds::between(from, self.speed.to)]
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let corners = if self.uncertain.is_empty() { 0 } else { 1usize << self.uncertain.len() };
         let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
         let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;

@@ -53,6 +53,7 @@ pub struct Separation {
 }
 
 impl Study for Separation {
+    type Result = Outcome;
     const KIND: &'static str = "separation";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 time = "8 min"
@@ -220,7 +221,11 @@ ramp = "30 s"
         Vec::new()
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let spinning = self.task.batch.at(self.speed);
         if spinning.crowd.is_empty() {
             return Err(

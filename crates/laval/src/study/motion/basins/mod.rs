@@ -69,6 +69,7 @@ pub struct Basins {
 }
 
 impl Study for Basins {
+    type Result = Outcome;
     const KIND: &'static str = "basins";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 from = { "drum.x" = "-1 mm", "drum.y" = "-1 mm" }
@@ -185,7 +186,11 @@ points = 50
         ensemble::admit(&timed, method(&timed, self.rules.method, self.speed))
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.prepare(system, context)?;
         if masses::has(system, self.speed) {
             return masses::run(self, system, context);

@@ -68,6 +68,7 @@ pub struct MotionMap {
 }
 
 impl Study for MotionMap {
+    type Result = Outcome;
     const KIND: &'static str = "motion_map";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 60 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 20 }
@@ -159,7 +160,11 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         ensemble::admit(&timed, self.method(&timed))
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);

@@ -90,6 +90,7 @@ pub struct Sweep {
 }
 
 impl Study for Sweep {
+    type Result = Outcome;
     const KIND: &'static str = "sweep";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 200 }
 start = "up_and_down"
@@ -202,7 +203,11 @@ start = "up_and_down"
         ensemble::admit(&timed, method(&timed, self.rules.method, self.fastest()))
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);

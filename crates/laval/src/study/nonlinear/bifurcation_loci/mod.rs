@@ -45,6 +45,7 @@ const SLOWEST: f64 = 1e-3;
 const MOST_VALUES: usize = 200;
 
 impl Study for BifurcationLoci {
+    type Result = Outcome;
     const KIND: &'static str = "bifurcation_loci";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", points = 5 }
@@ -161,7 +162,11 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         Ok(())
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request.clone() };
         let found = loci(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;

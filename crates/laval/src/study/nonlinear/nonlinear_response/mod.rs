@@ -114,6 +114,7 @@ pub(in crate::study) const MAX_POINTS: Field =
     Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch");
 
 impl Study for NonlinearResponse {
+    type Result = Outcome;
     const KIND: &'static str = "nonlinear_response";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 harmonics = "auto"
@@ -183,7 +184,11 @@ harmonics = "auto"
         admit(system, &self.request)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let mut request = Request { work: context.work_limit, ..self.request };
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);

@@ -83,6 +83,7 @@ const fn spacing(name: &'static str, doc: &'static str) -> Field {
 }
 
 impl Study for ResponseMap {
+    type Result = Outcome;
     const KIND: &'static str = "response_map";
     const EXAMPLE: &'static str = r#"x = { parameter = "drum.mass", from = "2 kg", to = "4 kg", points = 9 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 9 }
@@ -132,7 +133,11 @@ speed = { from = "100 rpm", to = "12000 rpm" }
         single::admit(system, &self.request)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let values = self.axes.each_ref().map(ParameterAxis::values);
         let rows = values[0].len() * values[1].len();

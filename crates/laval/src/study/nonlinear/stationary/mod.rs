@@ -74,6 +74,7 @@ const MOST_POINTS: usize = 2000;
 const MOST_CELLS: usize = 100_000;
 
 impl Study for Stationary {
+    type Result = Outcome;
     const KIND: &'static str = "stationary";
     const EXAMPLE: &'static str = r#"speed = { from = "3000 rpm", to = "12000 rpm", points = 31 }
 chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points = 9 }
@@ -212,7 +213,11 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
         Ok(())
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         Study::admit(self, system)?;
         let request = self.request(context.work_limit);
         context.announce((request.seeds.len() * request.starts) as f64, 5_000.0, "starts to follow");

@@ -56,6 +56,7 @@ pub struct Optimum {
 const MOST_PARAMETERS: usize = 12;
 
 impl Study for Optimum {
+    type Result = Outcome;
     const KIND: &'static str = "optimum";
     const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
 vary = [{ parameter = "drum.mass", from = "2 kg", to = "4 kg" }]
@@ -123,7 +124,11 @@ maximise = "least_damped_mode damping ratio"
         self.study.prepare(system, context)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         Study::prepare(self, system, context)?;
         let inner = Context { progress: &crate::study::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;

@@ -39,6 +39,7 @@ impl Sensitivity {
 const BARS: usize = 10;
 
 impl Study for Sensitivity {
+    type Result = Outcome;
     const KIND: &'static str = "sensitivity";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 "#;
@@ -74,7 +75,11 @@ impl Study for Sensitivity {
         self.response.admit(system)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         self.admit(system)?;
         let mut request = *self.response.request();
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);

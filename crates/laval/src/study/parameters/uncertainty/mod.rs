@@ -73,6 +73,7 @@ pub struct Uncertainty {
 }
 
 impl Study for Uncertainty {
+    type Result = Outcome;
     const KIND: &'static str = "uncertainty";
     const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
 parameters = [{ parameter = "drum.mass", distribution = "normal", deviation = "2 %" }]
@@ -140,7 +141,11 @@ samples = 256
         self.study.prepare(system, context)
     }
 
-    fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
+        Ok(result.clone())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         let inner = Context { progress: &crate::study::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;
         if context.cancelled() || nominal.end == End::Cancelled {
