@@ -32,7 +32,7 @@ pub struct Args {
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = str::parse::<Format>)]
     format: Vec<Format>,
     /// End each study after this many steps, or after the work of 0.1 s for each of them
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..))]
     work_limit: Option<u64>,
     /// Remove what the folder holds of long studies and start them anew, instead of going on with them
     #[arg(long)]

@@ -17,7 +17,13 @@ pub fn turning(system: &System, speed: f64, start: Option<Equilibrium>) -> Resul
     let start =
         start.map_or_else(|| Equilibrium::zero(system, Frame::Turning, speed), |s| Equilibrium { frame: Frame::Turning, speed, ..s });
     // stationary begins at many places, this at one
-    settle(system, start).map_err(|d| if matches!(d.code, "rest.not_held" | "rest.not_found") { d.help(instead(system, speed)) } else { d })
+    settle(system, start).map_err(|d| match d.code {
+        "rest.not_held" | "rest.not_found" => {
+            let message = "from the undeflected machine no state that turns with the rotor was found";
+            Diagnostic::error("turning.not_found", message).help(instead(system, speed))
+        }
+        _ => d,
+    })
 }
 
 /// Probes every part at random states turned with the machine to three angles.

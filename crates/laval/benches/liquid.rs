@@ -16,7 +16,7 @@ use laval::model::field::RangeValue;
 use laval::study::criterion::Criterion;
 use laval::study::stability_map::StabilityMap;
 use laval::study::support::About;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 use laval_num::complex::{C64, c};
 use processor::processor;
 use std::hint::black_box;

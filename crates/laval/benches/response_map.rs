@@ -16,7 +16,7 @@ use laval::outcome::Outcome;
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::response_map::{ParameterAxis, ResponseMap};
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 use processor::processor;
 
 /// Responses computed one by one at most.

@@ -12,7 +12,7 @@ use laval::outcome::{Data, Outcome};
 use laval::params;
 use laval::parts::{balancer_ball::*, damper::*, disc::*, shaft_lumped::*};
 use laval::study::stationary::Stationary;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy, Study};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
@@ -445,7 +445,7 @@ fn a_machine_without_movable_masses_has_one_state() {
 
 fn refusal(system: &System) -> Diagnostic {
     let (study, _) = built(system, &[range(100.0, 900.0, 5)]);
-    Study::admit(&study.unwrap(), system).unwrap_err()
+    ErasedStudy::admit(&study.unwrap(), system).unwrap_err()
 }
 
 #[test]

@@ -19,7 +19,7 @@ use laval::solve::programme::Programme;
 use laval::solve::rest::rest;
 use laval::solve::symmetry::{Symmetry, probe};
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy, Study};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::scalar::Scalar;
 
@@ -219,7 +219,7 @@ fn study(system: &System) -> laval::outcome::Outcome {
     let mut values = Values::default();
     values.set("speed", Value::Range(laval::model::field::RangeValue { from: 100.0, to: 900.0, points: None }), None);
     let study = NonlinearResponse::build(&values, system, &mut Diagnostics::default()).unwrap();
-    Study::run(&study, system, &Context::quiet("response")).unwrap()
+    ErasedStudy::run(&study, system, &Context::quiet("response")).unwrap()
 }
 
 /// A fitted time form serves stability, and its error is said; the response itself stays exact.

@@ -11,7 +11,7 @@ use laval::outcome::{Data, Finding, Mark, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::{Cancel, Context, Study};
+use laval::study::{Cancel, Context, ErasedStudy};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const M: f64 = 2.0;

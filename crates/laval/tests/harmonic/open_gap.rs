@@ -7,7 +7,7 @@ use laval::model::system::System;
 use laval::outcome::Outcome;
 use laval::parts::{bearing_hertz::*, disc::*, liquid::*, shaft_lumped::*, stop::*};
 use laval::solve::{pencil::modes_about, rest::rest};
-use laval::study::{Context, Study, modes::Modes, support::About};
+use laval::study::{Context, ErasedStudy, modes::Modes, support::About};
 
 const M: f64 = 2.0;
 const K: f64 = 1e6;

@@ -13,7 +13,7 @@ use laval::solve::harmonic::branches::branch::Origin;
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::sensitivity::Sensitivity;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 
 const M: f64 = 5.0;
 const E: f64 = 15e-6;

@@ -14,7 +14,7 @@ use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::branches::branch::Origin;
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 use std::f64::consts::TAU;
 
 const M: f64 = 6.0;

@@ -13,7 +13,7 @@ use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::run_up::RunUp;
 use laval::study::transient::Transient;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy, Study};
 use laval_num::complex::c;
 
 const M: f64 = 2.0;

@@ -2,6 +2,7 @@
 
 use crate::common::files::{finding, findings, load, run_all};
 use laval::outcome::{Data, Level, Outcome};
+use laval::study::Context;
 use laval_num::complex::c;
 
 fn column(o: &Outcome, table: &str, name: &str) -> Vec<f64> {
@@ -298,4 +299,44 @@ fn a_range_within_rounding_is_refused() {
     assert!(narrow.0.iter().any(|d| d.code == "study.range" && d.message.contains("too narrow")), "{narrow:?}");
     let one = run_all(&format!("{text}speed = \"50 rad/s\"\n"));
     assert!(!one[0].findings.is_empty());
+}
+
+/// A damped body that no stiffness holds has one mode that damping ends and one that nothing returns.
+#[test]
+fn a_body_without_stiffness_is_not_said_to_lack_damping() {
+    let verdict = |joint: &str| {
+        let text = format!(
+            r#"
+            machine = {{ name = "m", speed = "300 rad/s" }}
+            part = [{{ kind = "disc", name = "disc", mass = "2 kg" }}, {joint}]
+            study = [{{ kind = "modes" }}]
+            "#
+        );
+        let loaded = load(&text);
+        let o = loaded.studies[0].study.run(&loaded.system, &Context::quiet("modes")).unwrap();
+        o.findings.iter().find(|f| f.id == "stable").unwrap().sentence()
+    };
+    let free = verdict(r#"{ kind = "damper", between = ["disc", "ground"], damping = "40 N s/m" }"#);
+    assert!(free.contains("no stiffness holds it") && !free.contains("damps"), "{free}");
+    let undamped = verdict(r#"{ kind = "shaft_lumped", between = ["disc", "ground"], stiffness = "1e5 N/m" }"#);
+    assert!(undamped.contains("nothing damps it") && !undamped.contains("stiffness"), "{undamped}");
+}
+
+/// Balls without a stiffness of their own: linearising about the turning state from the undeflected machine is refused with studies that can.
+#[test]
+fn modes_about_the_turning_state_of_free_balls_name_a_study_that_finds_it() {
+    let text = r#"
+        machine = { name = "m", speed = "300 rad/s" }
+        part = [
+            { kind = "disc", name = "disc", mass = "2 kg", eccentricity = "20 um" },
+            { kind = "shaft_lumped", between = ["disc", "ground"], stiffness = "1e5 N/m" },
+            { kind = "damper", between = ["disc", "ground"], damping = "40 N s/m" },
+            { kind = "balancer_ball", on = "disc", ball_mass = "3 g", track_radius = "80 mm", drag = "2e-3 N m s" },
+        ]
+        study = [{ kind = "modes", about = "turning" }]
+        "#;
+    let loaded = load(text);
+    let d = loaded.studies[0].study.run(&loaded.system, &Context::quiet("modes")).unwrap_err();
+    assert!(d.message.contains("state that turns with the rotor"), "{d}");
+    assert!(!d.message.contains("stiffness") && d.help.as_deref().is_some_and(|h| h.contains("stationary")), "{d}");
 }

@@ -21,7 +21,7 @@ use laval::study::criterion::Criterion;
 use laval::study::forced_response::at_speed;
 use laval::study::modes::Modes;
 use laval::study::stability_map::StabilityMap;
-use laval::study::{Context, Study, support::About};
+use laval::study::{Context, ErasedStudy, support::About};
 use laval_num::complex::{C64, Complex, c};
 use laval_num::scalar::Scalar;
 

@@ -10,7 +10,7 @@ use laval::model::system::System;
 use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*, foundation::*};
 use laval::solve::pencil::{MachineMode, Spectrum, Whirl, modes_about};
 use laval::solve::{rest::rest, turning::turning};
-use laval::study::{Context, Study, modes::Modes, support::About};
+use laval::study::{Context, ErasedStudy, modes::Modes, support::About};
 use laval_num::complex::{C64, c};
 
 fn at_rest(system: &System, speed: f64) -> Spectrum {

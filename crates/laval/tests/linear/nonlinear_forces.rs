@@ -11,7 +11,7 @@ use laval::solve::harmonic::balance::problem::Balance;
 use laval::solve::harmonic::branches::measure::Measure;
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 use std::f64::consts::TAU;
 
 fn reported(base: Base, speed: Option<f64>, request: Request) -> Outcome {

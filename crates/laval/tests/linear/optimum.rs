@@ -11,7 +11,7 @@ use laval::parts::{bearing_cubic::*, bearing_linear::*, damper::*, disc::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
 use laval::study::optimum::{Aim, Limit, Optimum, Vary};
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 
 fn run(study: &Optimum, system: &System) -> Outcome {
     study.run(system, &Context::quiet("optimum")).unwrap_or_else(|d| panic!("{d:?}"))

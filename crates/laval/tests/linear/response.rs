@@ -12,7 +12,7 @@ use laval::parts::{bearing_cubic::*, damper::*, disc::*};
 use laval::solve::extrema::{curve, seeds};
 use laval::solve::rest::rest;
 use laval::study::forced_response::{ForcedResponse, at_speed};
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(system: &System, from: f64, to: f64) -> Outcome {

@@ -11,7 +11,7 @@ use laval::outcome::{Data, Outcome, Table};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::sensitivity::Sensitivity;
-use laval::study::{Context, Study};
+use laval::study::{Context, ErasedStudy};
 
 const RANGE: (f64, f64) = (25.0, 8e3);
 

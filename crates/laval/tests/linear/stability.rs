@@ -7,7 +7,7 @@ use laval::model::field::RangeValue;
 use laval::outcome::Outcome;
 use laval::solve::rest::rest;
 use laval::solve::stability::row;
-use laval::study::{Context, Study, criterion::Criterion, stability_map::StabilityMap, support::About};
+use laval::study::{Context, ErasedStudy, criterion::Criterion, stability_map::StabilityMap, support::About};
 
 fn grid(from: f64, to: f64, points: usize) -> Vec<f64> {
     RangeValue { from, to, points: Some(points) }.linspace(points)

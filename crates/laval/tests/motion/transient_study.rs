@@ -19,7 +19,7 @@ use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::programme::Programme;
 use laval::study::run_up::RunUp;
 use laval::study::transient::Transient;
-use laval::study::{Cancel, Context, Silent, Study};
+use laval::study::{Cancel, Context, ErasedStudy, Silent, Study};
 use laval_num::complex::{C64, c};
 use laval_num::ode::Ode;
 use laval_num::scalar::Scalar;
@@ -345,7 +345,7 @@ fn free_spin_keeps_energy_and_reports_its_speed() {
     // a programme is refused when requested, so that it hides no other refusal
     let given = [("to", number(200.0)), ("duration", number(1.0))];
     let up = RunUp::build(&values(&given), &system, &mut Diagnostics::default()).unwrap();
-    assert!(up.admit(&system).unwrap_err().message.contains("free") && up.run(&system, &Context::quiet("t")).is_err());
+    assert!(ErasedStudy::admit(&up, &system).unwrap_err().message.contains("free") && up.run(&system, &Context::quiet("t")).is_err());
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::random::Random;
 use laval::file;
 use laval::model::field::RangeValue;
 use laval::outcome::{Data, Outcome};
-use laval::study::{Context, Study, forced_response, modes, support};
+use laval::study::{Context, ErasedStudy, forced_response, modes, support};
 
 /// Tolerated relative difference.
 pub const TOLERANCE: f64 = 1e-8;

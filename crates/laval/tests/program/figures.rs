@@ -9,7 +9,7 @@ use laval::model::part::Link;
 use laval::outcome::{Axis, Band, Data, Figure, Finding, Line, Mark, Outcome, Panel, Points, Rule, Table};
 use laval::parts::{disc::*, shaft_lumped::*};
 use laval::report::{Report, draw, html};
-use laval::study::{Context, Study, campbell::Campbell, criterion::Criterion, stability_map::StabilityMap, support::About};
+use laval::study::{Context, ErasedStudy, campbell::Campbell, criterion::Criterion, stability_map::StabilityMap, support::About};
 
 /// Path data of the elements of a class.
 fn paths<'a>(svg: &'a str, class: &str) -> Vec<&'a str> {

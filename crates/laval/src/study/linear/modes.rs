@@ -253,7 +253,8 @@ impl Study for Modes {
             )
         });
         let verdict = (!any_unstable).then(|| {
-            let largest = spectrum.least_stable().map_or(f64::NEG_INFINITY, MachineMode::growth);
+            let last = spectrum.least_stable();
+            let largest = last.map_or(f64::NEG_INFINITY, MachineMode::growth);
             let zero = largest.abs() <= rounding;
             let (at, limit) = (quantity(self.speed, "rad/s"), quantity(threshold, "1/s"));
             let proven = found.as_ref().is_none_or(|f| f.growing().is_some());
@@ -269,7 +270,8 @@ impl Study for Modes {
                 };
                 format!("At {at} no mode grows faster than {limit}; {slower}. Slow waves of {} are not all computed.", undamped.name)
             } else if zero {
-                format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding, nothing damps that mode.")
+                let why = if last.is_some_and(|m| m.value.abs() <= rounding) { "no stiffness holds it" } else { "nothing damps it" };
+                format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding; {why}.")
             } else if open {
                 format!(
                     "Stable at {at}: no mode grows faster than {limit}; the largest growth rate that was found is {{}}, one that decays more slowly may be missing."
