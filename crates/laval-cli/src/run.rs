@@ -32,7 +32,7 @@ pub struct Args {
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = str::parse::<Format>)]
     format: Vec<Format>,
     /// End each study after this many steps, or after the work of 0.1 s for each of them
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = steps)]
     work_limit: Option<u64>,
     /// Remove what the folder holds of long studies and start them anew, instead of going on with them
     #[arg(long)]
@@ -40,6 +40,10 @@ pub struct Args {
     /// Print nothing but what is wrong
     #[arg(long, short)]
     quiet: bool,
+}
+
+fn steps(text: &str) -> Result<u64, &'static str> {
+    text.parse().ok().filter(|n| *n > 0).ok_or("give a whole number from 1 on")
 }
 
 static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);

@@ -14,6 +14,7 @@ mod extremum;
 pub mod harmonic;
 pub mod linear_response;
 pub mod locate;
+pub mod matrices;
 pub mod motion;
 pub mod pencil;
 pub mod programme;

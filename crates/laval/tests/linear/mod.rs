@@ -3,6 +3,7 @@
 mod claims;
 mod criticals;
 mod liquid_force;
+mod matrices;
 mod memory;
 mod model_planar;
 mod modes;
