@@ -18,9 +18,10 @@
 use super::harmonic::balance::orbit::Orbit;
 use super::linear_response::of_linear_parts;
 use crate::model::system::System;
+use serde::{Deserialize, Serialize};
 
 /// The limit.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Limit {
     /// The circular motion of all coordinates, at a speed where it stands for the limit; internal states are left out.
     pub orbit: Orbit,

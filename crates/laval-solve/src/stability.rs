@@ -13,9 +13,10 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::univariate::{maximum, root};
+use serde::{Deserialize, Serialize};
 
 /// Largest growth at a speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Sample {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -36,7 +37,7 @@ pub struct Sample {
 }
 
 /// A crossing of the threshold.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Edge {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -55,7 +56,7 @@ pub struct Edge {
 }
 
 /// A maximum of the growth over the speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Peak {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -66,7 +67,7 @@ pub struct Peak {
 }
 
 /// Stability along the speed.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Row {
     /// By speed.
     pub samples: Vec<Sample>,

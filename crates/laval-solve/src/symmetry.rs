@@ -41,7 +41,7 @@ impl Symmetry {
 }
 
 /// A part that changes when turned, and by how much relative to its own forces.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Broken {
     /// Its name.
     pub part: String,

@@ -14,9 +14,10 @@
 use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{System, Workspace};
 use laval_num::complex::{C64, c};
+use serde::{Deserialize, Serialize};
 
 /// Unbalance of a machine at a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unbalance {
     /// In axes that turn with the rotor, kg m.
     pub moment: C64,

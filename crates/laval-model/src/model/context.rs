@@ -2,6 +2,7 @@
 
 use super::field::Attach;
 use laval_num::scalar::Scalar;
+use serde::{Deserialize, Serialize};
 
 /// How a coordinate turns when the machine is turned about its axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -221,12 +222,14 @@ pub struct Uses {
 }
 
 /// A quantity to be shown, computed from a part's local state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observed {
     /// Short name, for instance `force`.
-    pub name: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub name: laval_num::text::Text,
     /// SI unit.
-    pub unit: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub unit: laval_num::text::Text,
     /// Value.
     pub value: f64,
 }

@@ -5,6 +5,7 @@ use crate::exact::multiplicity;
 use crate::pencil::{MachineMode, Spectrum};
 use laval_num::complex::C64;
 use laval_num::continuation::Branch;
+use serde::{Deserialize, Serialize};
 
 /// Estimated errors of a root by which its growth must stand out.
 const ERRORS: f64 = 4.0;
@@ -25,7 +26,7 @@ pub struct Request {
 }
 
 /// A state at a speed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Branch it lies on.
     pub branch: usize,
@@ -38,7 +39,7 @@ pub struct State {
 }
 
 /// What small disturbances of a state do.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stability {
     /// Eigenvalues in turning axes with Im >= 0 and how many roots each stands for, in falling order of growth.
     pub values: Vec<(C64, usize)>,
@@ -91,7 +92,7 @@ impl Stability {
 }
 
 /// What happens at a special point of a branch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Change {
     /// The branch turns back: two states meet and vanish.
     Fold,
@@ -116,7 +117,7 @@ impl Change {
 }
 
 /// A located special point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Located {
     /// Arclength along the branch.
     pub s: f64,
@@ -135,7 +136,7 @@ pub struct Located {
 }
 
 /// A point of a branch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// Arclength, in typical sizes.
     pub s: f64,
@@ -146,7 +147,7 @@ pub struct Sample {
 }
 
 /// A branch of states.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Path {
     /// As followed.
     pub branch: Branch,
@@ -157,7 +158,7 @@ pub struct Path {
 }
 
 /// A state that is not isolated: one of a continuum.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Loose {
     /// Speed, rad/s.
     pub speed: f64,
@@ -179,7 +180,7 @@ pub struct Progress {
 }
 
 /// All that was found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Found {
     /// Branches.
     pub paths: Vec<Path>,

@@ -2,10 +2,11 @@
 
 use crate::model::part::{At, DofKind, Rows};
 use crate::model::system::{System, Workspace};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// What may be exchanged or counted modulo a turn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Images {
     /// Coordinates that are angles of their part: they do not turn with the machine, and a whole turn changes nothing.
     pub angles: Vec<usize>,

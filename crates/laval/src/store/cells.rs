@@ -44,7 +44,7 @@ impl Column {
 }
 
 /// Values of one column in one chunk.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Cells {
     /// Real numbers; NaN stands for "no value" and comes back bit for bit.
     Float(Vec<f64>),
@@ -55,6 +55,23 @@ pub enum Cells {
 }
 
 impl Cells {
+    /// No values of a type.
+    pub fn none(kind: Kind) -> Cells {
+        match kind {
+            Kind::Float => Cells::Float(Vec::new()),
+            Kind::Int => Cells::Int(Vec::new()),
+            Kind::Text => Cells::Text(Vec::new()),
+        }
+    }
+    /// Adds values of the same type behind; those of another are left out.
+    pub fn append(&mut self, other: Cells) {
+        match (self, other) {
+            (Cells::Float(all), Cells::Float(more)) => all.extend(more),
+            (Cells::Int(all), Cells::Int(more)) => all.extend(more),
+            (Cells::Text(all), Cells::Text(more)) => all.extend(more),
+            _ => {}
+        }
+    }
     /// Number of values.
     pub fn len(&self) -> usize {
         match self {

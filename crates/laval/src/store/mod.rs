@@ -27,6 +27,7 @@
 //! ```
 
 mod cells;
+mod collected;
 #[cfg(feature = "parquet")]
 mod folder;
 #[cfg(feature = "parquet")]
@@ -35,6 +36,7 @@ mod manifest;
 mod parquet;
 
 pub use cells::{Cells, Column, Kind};
+pub use collected::Collected;
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding};
@@ -289,7 +291,15 @@ impl Results {
     }
     /// Whether all rows are there.
     pub fn complete(&self) -> bool {
-        self.done == self.plan.rows as u64
+        self.done == self.requested()
+    }
+    /// Number of rows requested.
+    pub fn requested(&self) -> u64 {
+        self.plan.rows as u64
+    }
+    /// They are kept in a folder.
+    pub fn kept(&self) -> bool {
+        self.kept
     }
     /// Number of rows that are there.
     pub fn done(&self) -> u64 {
@@ -333,14 +343,17 @@ impl Results {
 
     /// The same where the rows have a name.
     pub fn remark_of(&self, rows: &str) -> Option<Finding> {
-        if self.complete() {
-            return None;
-        }
-        let how = if self.kept { "; the same command continues from there" } else { "" };
-        Some(
-            Finding::warning("incomplete", format!("Only {{}} of {} {rows} were computed{how}.", self.plan.rows))
-                .value(self.done as f64, "")
-                .evidence(format!("{rows} requested"), self.plan.rows as f64, ""),
-        )
+        incomplete(self.done, self.requested(), self.kept, rows)
     }
+}
+
+fn incomplete(done: u64, requested: u64, kept: bool, rows: &str) -> Option<Finding> {
+    let how = if kept { "; the same command continues from there" } else { "" };
+    (done != requested).then(|| {
+        Finding::warning("incomplete", format!("Only {{}} of {requested} {rows} were computed{how}.")).value(done as f64, "").evidence(
+            format!("{rows} requested"),
+            requested as f64,
+            "",
+        )
+    })
 }

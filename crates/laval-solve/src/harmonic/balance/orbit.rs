@@ -4,9 +4,10 @@ use crate::harmonic::balance::problem::Balance;
 use crate::model::probe::Probe;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Failure, Zero};
+use serde::{Deserialize, Serialize};
 
 /// A periodic motion: complex amplitudes of every coordinate and state at every order.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Orbit {
     /// Spin speed, rad/s.
     pub speed: f64,

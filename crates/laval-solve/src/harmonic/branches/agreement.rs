@@ -9,13 +9,14 @@ use crate::harmonic::stability::floquet::Stability;
 use crate::harmonic::stability::hill;
 use crate::model::system::System;
 use laval_num::dense::max_abs;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Tolerance of the second map.
 pub const TOLERANCE: f64 = 1e-12;
 
 /// What came of it.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Agreement {
     /// States judged again.
     pub states: usize,

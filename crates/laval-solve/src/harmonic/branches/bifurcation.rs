@@ -20,10 +20,11 @@ use crate::harmonic::branches::branch::Judge;
 use crate::harmonic::stability::floquet::{Exponents, Method};
 use laval_num::complex::C64;
 use laval_num::continuation::{Point, Settings, Special, Status, zero_between};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// What happens to the states where stability changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Event {
     /// States of the same symmetry and period cross.
     BranchPoint,
@@ -48,7 +49,7 @@ impl Event {
 }
 
 /// Loss or gain of stability away from folds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Change {
     /// What it is.
     pub event: Event,

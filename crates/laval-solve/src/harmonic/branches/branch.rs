@@ -9,10 +9,11 @@ use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
 use laval_num::newton::{Options, newton};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// One point of the response.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct State {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -44,7 +45,7 @@ impl State {
 }
 
 /// A fold of the response, and how well it is known.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Fold {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -69,7 +70,7 @@ pub struct Fold {
 }
 
 /// Where a branch comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Origin {
     /// Followed from the end of the range where the rotor turns slowly.
     Low,
@@ -90,7 +91,7 @@ pub enum Origin {
 }
 
 /// A branch with its points judged.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Traced {
     /// Points in order along the branch.
     pub points: Vec<State>,

@@ -27,11 +27,12 @@ use laval_num::dense::{Lu, Mat};
 use laval_num::newton::{Options, newton};
 use laval_num::ode::{Control, Dop853, End, Tolerance, integrate};
 use laval_num::work::piece;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 /// A method.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// Harmonic balance with orders up to this one.
     Harmonic(usize),
@@ -58,7 +59,7 @@ impl std::fmt::Display for Method {
 }
 
 /// One state by one method.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Value {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -79,11 +80,13 @@ pub struct Value {
 }
 
 /// All of them.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Comparison {
     /// By speed, state, method.
     pub values: Vec<Value>,
     /// Why elliptic balance was left out.
-    pub no_elliptic: Option<&'static str>,
+    #[serde(deserialize_with = "laval_num::text::optional")]
+    pub no_elliptic: Option<laval_num::text::Text>,
     /// Why time integration was left out.
     pub no_time: Option<String>,
     /// Not ended before the last speed.

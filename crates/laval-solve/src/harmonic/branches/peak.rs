@@ -8,9 +8,10 @@ use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::branches::measure::Measure;
 use crate::harmonic::branches::response::Traced;
 use laval_num::continuation::{Direction, Kind, Point, Settings, Status, Test, trace};
+use serde::{Deserialize, Serialize};
 
 /// A stationary largest value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Peak {
     /// Spin speed, rad/s.
     pub speed: f64,

@@ -14,6 +14,7 @@ use crate::model::system::System;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
 use laval_num::dense::{Mat, max_abs};
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::AtomicBool;
 
 pub use crate::harmonic::branches::branch::{Fold, State, Traced};
@@ -29,7 +30,7 @@ const SLOW_HARMONICS: usize = 15;
 const MOST_UNKNOWNS: usize = 128;
 
 /// The request.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// Range of the spin speed, rad/s, ascending; both ends of one sign. Negative speeds turn clockwise.
     pub speeds: (f64, f64),
@@ -60,7 +61,7 @@ pub struct Request {
 }
 
 /// Which states are looked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum States {
     /// Those of the branches from both ends of the range.
     Main,
@@ -90,6 +91,7 @@ impl Request {
 }
 
 /// The response.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Response {
     /// Branches.
     pub branches: Vec<Traced>,
@@ -116,11 +118,12 @@ pub struct Response {
     /// Largest change of the residual when the samples of a period are doubled, relative to the largest force.
     pub sampling: f64,
     /// Work: name and count.
-    pub work: Vec<(&'static str, u64)>,
+    #[serde(deserialize_with = "laval_num::text::counts")]
+    pub work: Vec<(laval_num::text::Text, u64)>,
 }
 
 /// A search for further states that was stopped: what was done of it, and of how much.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Cut {
     /// Speeds at which it was done.
     pub speeds: (usize, usize),

@@ -23,11 +23,12 @@ use crate::model::part::{At, Rows};
 use crate::model::system::{System, Workspace};
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Direction, End, Kind, Settings, trace};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::AtomicBool;
 
 /// A branch that goes on rising at the end of the range.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unclosed {
     /// Index of the branch.
     pub branch: usize,
@@ -46,7 +47,7 @@ pub struct Unclosed {
 }
 
 /// What becomes of a branch beyond the range; speeds rad/s.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Beyond {
     /// It turns back at this speed.
     Closes(f64),

@@ -21,6 +21,7 @@ use laval_num::complex::C64;
 use laval_num::continuation::{Direction, End, Kind, Point, Settings, Status, Zero, trace};
 use laval_num::newton::{Options, newton};
 use laval_num::work::piece;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The request.
@@ -41,7 +42,7 @@ pub struct Request {
 }
 
 /// A limit cycle.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Cycle {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -75,7 +76,7 @@ impl Cycle {
 }
 
 /// An edge of linear instability and the cycles that start there.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Onset {
     /// The edge.
     pub edge: Edge,
@@ -90,11 +91,12 @@ pub struct Onset {
     /// Small cycles lie where rest is stable.
     pub hard: bool,
     /// Why no family starts here.
-    pub left: Option<&'static str>,
+    #[serde(deserialize_with = "laval_num::text::optional")]
+    pub left: Option<laval_num::text::Text>,
 }
 
 /// A fold of cycles.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Fold {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -109,7 +111,7 @@ pub struct Fold {
 }
 
 /// A change of stability away from folds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Change {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -120,7 +122,7 @@ pub struct Change {
 }
 
 /// A family of cycles.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Family {
     /// Index of the onset it starts at.
     pub onset: usize,
@@ -141,6 +143,7 @@ pub struct Family {
 }
 
 /// All families over a range of speeds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Cycles {
     /// Stability of rest.
     pub rest: Row,

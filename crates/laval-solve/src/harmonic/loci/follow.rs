@@ -2,9 +2,10 @@
 
 use laval_num::continuation::{Direction, End, Invalid, Kind, Point, Refusal, Settings, Special, Test, Zero, trace};
 use laval_num::newton::{Cause, Options, newton};
+use serde::{Deserialize, Serialize};
 
 /// How a locus ends.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PathEnd {
     /// At an end of the parameter's range.
     Value,
@@ -13,7 +14,7 @@ pub enum PathEnd {
     /// Closed on itself.
     Closed,
     /// No further point was found.
-    Stuck(&'static str),
+    Stuck(#[serde(deserialize_with = "laval_num::text::one")] laval_num::text::Text),
     /// As many points as allowed.
     MaxPoints,
     /// Stopped by the user.
@@ -21,7 +22,7 @@ pub enum PathEnd {
 }
 
 /// A place where the parameter turns back along a locus.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Turn {
     /// The place, by the extended system where that converged.
     pub y: Vec<f64>,

@@ -2,9 +2,10 @@
 
 use crate::harmonic::branches::bifurcation::Event;
 use crate::harmonic::loci::follow::{PathEnd, Turn};
+use serde::{Deserialize, Serialize};
 
 /// What happens on a locus.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LocusKind {
     /// Two states meet and vanish.
     Fold,
@@ -23,7 +24,7 @@ impl LocusKind {
 }
 
 /// One point of a locus.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct LocusPoint {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -40,7 +41,7 @@ pub struct LocusPoint {
 }
 
 /// A place where a locus turns back in the parameter.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Corner {
     /// Spin speed, rad/s.
     pub speed: f64,
@@ -53,7 +54,7 @@ pub struct Corner {
 }
 
 /// A locus.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Locus {
     /// What happens on it.
     pub kind: LocusKind,

@@ -4,6 +4,7 @@
 //! meets none of them is not found.
 
 pub use crate::harmonic::loci::locus::{Corner, Locus, LocusKind, LocusPoint};
+use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Diagnostic;
 use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
@@ -37,7 +38,7 @@ const MOST_UNKNOWNS: usize = 96;
 const JUDGED_AGAIN: usize = 3;
 
 /// The request.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// Range of the spin speed, rad/s.
     pub speeds: (f64, f64),
@@ -62,7 +63,7 @@ pub struct Request {
 }
 
 /// A response that was computed to find starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     /// The parameter.
     pub value: f64,
@@ -73,6 +74,7 @@ pub struct Sample {
 }
 
 /// What was found.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Loci {
     /// The loci.
     pub loci: Vec<Locus>,
@@ -99,7 +101,8 @@ pub struct Loci {
     /// Stopped before everything was followed.
     pub stopped: bool,
     /// Work: name and count.
-    pub work: Vec<(&'static str, u64)>,
+    #[serde(deserialize_with = "laval_num::text::counts")]
+    pub work: Vec<(laval_num::text::Text, u64)>,
 }
 
 /// A bifurcation from which a locus may be followed.

@@ -12,6 +12,7 @@
 use crate::harmonic::balance::first_order::{MOST_STATES, first_order};
 use crate::harmonic::balance::nonlinear::Sampled;
 use crate::harmonic::balance::problem::Balance;
+use serde::{Deserialize, Serialize};
 
 use crate::model::part::{At, DofKind};
 use crate::model::system::{Slot, System};
@@ -24,7 +25,7 @@ use laval_num::ode::Dop853;
 use std::f64::consts::TAU;
 
 /// How exponents were found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// Constant coefficients in the rotating frame.
     Rotating,
@@ -37,7 +38,7 @@ pub enum Method {
 }
 
 /// Exponents of one motion.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Exponents {
     /// All exponents `growth + i frequency`, 1/s; frequencies are determined up to the base frequency (or its multiple that a symmetry gives).
     pub values: Vec<C64>,
@@ -71,10 +72,10 @@ impl Exponents {
 }
 
 /// Why a machine's motions cannot be judged here.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Unjudged {
     /// A part without a time-domain form, by name, and why it has none.
-    NoTimeForm(String, &'static str),
+    NoTimeForm(String, #[serde(deserialize_with = "laval_num::text::one")] laval_num::text::Text),
     /// More states than a map can carry.
     TooManyStates(usize),
     /// A coordinate has no mass.

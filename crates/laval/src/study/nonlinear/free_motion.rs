@@ -68,9 +68,8 @@ pub(in crate::study) struct Measure<'a> {
     balance: Balance<'a>,
     /// First coordinates of the bodies.
     bodies: Vec<usize>,
-    /// Probes that are measured, by index, and themselves: the reference points of the bodies first.
+    /// Probes that are measured, by index: the reference points of the bodies first.
     which: Vec<usize>,
-    pub probes: Vec<Probe>,
 }
 
 /// How far a motion goes.
@@ -93,7 +92,7 @@ impl<'a> Measure<'a> {
         let w = frequency.abs().max(1e-3);
         let balance = Balance::new(system, d, (0.9 * w, 1.1 * w), None)?;
         let bodies = system.bodies().into_iter().map(|b| b.x).collect();
-        Ok(Measure { system, balance, bodies, which: probes::ordered(system), probes: probes::all(system) })
+        Ok(Measure { system, balance, bodies, which: probes::ordered(system) })
     }
 
     /// A motion with harmonics `x` at speed, frequency and drive.

@@ -19,7 +19,7 @@ use crate::model::field::{Field, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{
-    Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
+    self, Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
 };
 use crate::solve::harmonic::free::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::stability::floquet::Exponents;
@@ -27,6 +27,7 @@ use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, larger, range, runs};
 use crate::study::{Context, Study};
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct LimitCycles {
@@ -41,7 +42,7 @@ impl LimitCycles {
 }
 
 impl Study for LimitCycles {
-    type Result = Outcome;
+    type Result = LimitCyclesResult;
     const KIND: &'static str = "limit_cycles";
     const EXAMPLE: &'static str = r#"speed = { from = "500 rpm", to = "12000 rpm" }
 "#;
@@ -78,28 +79,41 @@ impl Study for LimitCycles {
         admit(system, self.request.speeds)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<LimitCyclesResult, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request };
         let found = limit_cycles(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
         let fastest = found.onsets.iter().map(|o| o.frequency.abs()).fold(1.0, f64::max);
         let mut measure = Measure::new(system, found.discretisation, fastest)?;
         let of = |c: &Cycle, measure: &mut Measure| measure.of([c.speed, c.frequency, 0.0], &c.x);
-        let measured: Vec<Vec<Measured>> = found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
-        let shown = Shown { system, request: &request, found: &found, measured, probes: measure.probes };
-        shown.outcome(context).map_err(Diagnostic::from)
+        let measured = found.families.iter().map(|f| f.cycles.iter().map(|c| of(c, &mut measure)).collect()).collect();
+        let end = if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) };
+        Ok(LimitCyclesResult { found, measured, end })
     }
+
+    fn report(&self, system: &System, result: &LimitCyclesResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let LimitCyclesResult { found, measured, end } = result;
+        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system) };
+        shown.outcome(name, *end).map_err(Diagnostic::from)
+    }
+}
+
+/// Families of limit cycles, and how far their motions go.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct LimitCyclesResult {
+    /// Stability of rest, its edges, and the families that begin there.
+    pub found: Cycles,
+    /// Of every family, of every cycle.
+    pub measured: Vec<Vec<Measured>>,
+    /// How the study ended.
+    pub end: outcome::End,
 }
 
 struct Shown<'a> {
     system: &'a System,
     request: &'a Request,
     found: &'a Cycles,
-    measured: Vec<Vec<Measured>>,
+    measured: &'a [Vec<Measured>],
     probes: Vec<Probe>,
 }
 
@@ -144,12 +158,11 @@ impl Shown<'_> {
         own.reduce(|a, b| if larger(a.1, b.1) == a.1 { a } else { b }).unwrap_or((0, f64::NAN))
     }
 
-    fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+    fn outcome(&self, name: &str, end: outcome::End) -> Result<Outcome, OutcomeError> {
         let found = self.found;
-        let ended = if found.stopped { context.end(false) } else { end(found.families.iter().map(|f| &f.end)) };
-        let mut out = Outcome::new(LimitCycles::KIND, context.name)
+        let mut out = Outcome::new(LimitCycles::KIND, name)
             .over("speed", "rad/s")
-            .end(ended)
+            .end(end)
             .work("Newton iterations", found.iterations)
             .work("eigenproblems", found.rest.solved)
             .work("points", found.families.iter().map(|f| f.cycles.len() as u64).sum());
@@ -357,7 +370,7 @@ impl Shown<'_> {
     }
 
     fn table(&self) -> Result<Table, OutcomeError> {
-        let all = in_order(self.found.families.iter().map(|f| &f.cycles[..]), &self.measured);
+        let all = in_order(self.found.families.iter().map(|f| &f.cycles[..]), self.measured);
         let column = |f: &dyn Fn(&Cycle) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
         let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
         let t = Table::new("cycles", "Limit cycles, family by family in order along each; a family may turn back in speed")

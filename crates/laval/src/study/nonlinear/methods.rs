@@ -14,6 +14,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
+use crate::solve::harmonic::balance::problem::Discretisation;
 use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, component, orders};
 use crate::solve::harmonic::branches::response::{Request, Response, respond, symmetry};
 use crate::solve::symmetry::Symmetry;
@@ -22,6 +23,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{one_or_range, probe_name};
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct Methods {
@@ -31,19 +33,11 @@ pub struct Methods {
     pub harmonics: usize,
 }
 
-/// A fold by one method.
-struct FoldBy {
-    method: String,
-    speed: f64,
-    /// From the converged one, rad/s; NaN where it has none near.
-    deviation: f64,
-}
-
 /// Relative deviation that is rounding.
 const EXACT: f64 = 1e-12;
 
 impl Study for Methods {
-    type Result = Outcome;
+    type Result = MethodsResult;
     const KIND: &'static str = "methods";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "12000 rpm", points = 12 }
 harmonics = 7
@@ -81,11 +75,7 @@ harmonics = 7
         symmetry(system, &self.request()).map(drop)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<MethodsResult, Diagnostic> {
         self.admit(system)?;
         let most = usize::try_from(context.work_limit).unwrap_or(usize::MAX).clamp(2, 20_000);
         let request = Request { max_points: most, ..self.request() };
@@ -108,15 +98,45 @@ harmonics = 7
         for (h, by) in lower.iter().filter(|_| converged.discretisation.symmetry != Symmetry::Circular) {
             folds.extend(speeds_of(by).into_iter().map(|speed| {
                 let nearest = exact.iter().copied().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
-                FoldBy { method: Method::Harmonic(*h).to_string(), speed, deviation: nearest.map_or(f64::NAN, |e| speed - e) }
+                FoldBy { method: Method::Harmonic(*h), speed, deviation: nearest.map_or(f64::NAN, |e| speed - e) }
             }));
         }
-        folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged.to_string(), speed, deviation: 0.0 }));
+        folds.extend(exact.iter().map(|&speed| FoldBy { method: Method::Converged, speed, deviation: 0.0 }));
         let complete = within == speeds.len() && found.complete;
-        let outside = Uses::of_response(system, &converged, request.speeds)?.of_states(system);
-        let outcome = self.outcome(system, context, &converged, &found, &folds, context.end(complete)).map_err(Diagnostic::from)?;
-        Ok(outside.into_iter().fold(outcome, Outcome::finding))
+        let uses = Uses::of_response(system, &converged, request.speeds)?;
+        Ok(MethodsResult { discretisation: converged.discretisation, found, folds, uses, end: context.end(complete) })
     }
+
+    fn report(&self, system: &System, result: &MethodsResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let outcome = self.outcome(system, result, name).map_err(Diagnostic::from)?;
+        Ok(result.uses.of_states(system).into_iter().fold(outcome, Outcome::finding))
+    }
+}
+
+/// States and folds by all methods.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct MethodsResult {
+    /// Of the converged response.
+    pub discretisation: Discretisation,
+    /// Peaks of every state by every method.
+    pub found: Comparison,
+    /// Folds by harmonic balance with few orders, then the converged ones.
+    pub folds: Vec<FoldBy>,
+    /// Use of the parts' validity by the converged states.
+    pub uses: Uses,
+    /// How the study ended.
+    pub end: End,
+}
+
+/// A fold by one method.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FoldBy {
+    /// The method.
+    pub method: Method,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// From the nearest converged one, rad/s; NaN where there is none.
+    pub deviation: f64,
 }
 
 fn speeds_of(r: &Response) -> Vec<f64> {
@@ -129,15 +149,8 @@ impl Methods {
         Request { truncation: 1e-9, stability: false, ..Request::over(from, to) }
     }
 
-    fn outcome(
-        &self,
-        system: &System,
-        context: &Context,
-        converged: &Response,
-        found: &Comparison,
-        folds: &[FoldBy],
-        end: End,
-    ) -> Result<Outcome, OutcomeError> {
+    fn outcome(&self, system: &System, result: &MethodsResult, name: &str) -> Result<Outcome, OutcomeError> {
+        let MethodsResult { found, folds, .. } = result;
         let all: Vec<&Value> = found.values.iter().filter(|v| v.method != Method::Converged).collect();
         let converged_of =
             |v: &Value| found.values.iter().find(|c| c.method == Method::Converged && c.speed == v.speed && c.state == v.state);
@@ -181,8 +194,8 @@ impl Methods {
             )
             .float("parameter", "", "k^2 of elliptic balance; NaN for other methods", column(&|v| v.parameter))
             .build()?;
-        let mut out = Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end);
-        for f in self.findings(converged, found, folds) {
+        let mut out = Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end);
+        for f in findings(result) {
             out = out.finding(f);
         }
         if t.rows() > 0 {
@@ -202,7 +215,7 @@ impl Methods {
         if !folds.is_empty() {
             out = out.table(
                 Table::new("folds", "Folds of the response by method")
-                    .text("method", "method", folds.iter().map(|f| f.method.clone()).collect())
+                    .text("method", "method", folds.iter().map(|f| f.method.to_string()).collect())
                     .float("speed", "rad/s", "spin speed", folds.iter().map(|f| f.speed).collect())
                     .float(
                         "deviation",
@@ -215,84 +228,82 @@ impl Methods {
         }
         out.checked()
     }
+}
 
-    fn findings(&self, converged: &Response, found: &Comparison, folds: &[FoldBy]) -> Vec<Finding> {
-        let mut out = Vec::new();
-        let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
-        let (unstable, all) = (states().filter(|v| v.growth > v.growth_error).count(), states().count());
-        if unstable > 0 {
-            let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
-            out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
-        }
-        let mut methods: Vec<Method> = Vec::new();
-        for v in &found.values {
-            if v.method != Method::Converged && !methods.contains(&v.method) {
-                methods.push(v.method);
-            }
-        }
-        for method in methods {
-            let own = || found.values.iter().filter(move |v| v.method == method);
-            let worst = own().filter(|v| v.deviation.is_finite()).max_by(|a, b| a.deviation.total_cmp(&b.deviation));
-            let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
-            let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
-            if let Some(v) = worst {
-                let text = if v.deviation <= EXACT {
-                    format!("By {method}, peaks equal the converged ones to rounding at the speeds compared: off by {{}} at most.{absent}")
-                } else {
-                    let (speed, state) = (significant(v.speed, 5), v.state + 1);
-                    format!("By {method}, peaks at the speeds compared are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
-                };
-                out.push(
-                    Finding::info("deviation", text)
-                        .of(method.to_string())
-                        .value(v.deviation, "")
-                        .shown_as(100.0 * v.deviation, "%")
-                        .evidence("speed", v.speed, "rad/s"),
-                );
-            } else {
-                out.push(Finding::warning("no_states", format!("By {method}, none of the states was found.")).of(method.to_string()));
-            }
-        }
-        let judged = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
-        let (mut wrong, mut count) = (0, 0);
-        for a in judged(Method::Averaging) {
-            // what neither grows nor decays beyond its error has no sign to compare
-            let reported = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
-            if let Some(c) = judged(Method::Converged).find(reported) {
-                count += 1;
-                wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
-            }
-        }
-        if count > 0 {
-            let text = format!(
-                "For {wrong} of {count} states averaging gives another stability than the Floquet exponents: it holds the mode near the speed only."
-            );
-            out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
-        }
-        if let Some(f) = folds
-            .iter()
-            .filter(|f| f.method == Method::Harmonic(1).to_string() && f.deviation.is_finite())
-            .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
-        {
-            let text = format!(
-                "With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.",
-                significant(f.speed - f.deviation, 6)
-            );
-            out.push(Finding::info("fold_deviation", text).value(f.deviation, "rad/s"));
-        }
-        if let Some(why) = found.no_elliptic {
-            out.push(Finding::info("no_elliptic_balance", format!("Elliptic balance was left out: {why}.")));
-        }
-        if let Some(why) = &found.no_time {
-            out.push(Finding::warning("no_time_integration", format!("Some states were not followed in time: {why}.")));
-        }
-        let d = converged.discretisation;
-        if d.symmetry == Symmetry::Circular {
-            out.push(Finding::info(
-                "one_harmonic_exact",
-                "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact.",
-            ));
-        }
-        out
+fn findings(result: &MethodsResult) -> Vec<Finding> {
+    let MethodsResult { found, folds, .. } = result;
+    let mut out = Vec::new();
+    let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
+    let (unstable, all) = (states().filter(|v| v.growth > v.growth_error).count(), states().count());
+    if unstable > 0 {
+        let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
+        out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
     }
+    let mut methods: Vec<Method> = Vec::new();
+    for v in &found.values {
+        if v.method != Method::Converged && !methods.contains(&v.method) {
+            methods.push(v.method);
+        }
+    }
+    for method in methods {
+        let own = || found.values.iter().filter(move |v| v.method == method);
+        let worst = own().filter(|v| v.deviation.is_finite()).max_by(|a, b| a.deviation.total_cmp(&b.deviation));
+        let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
+        let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
+        if let Some(v) = worst {
+            let text = if v.deviation <= EXACT {
+                format!("By {method}, peaks equal the converged ones to rounding at the speeds compared: off by {{}} at most.{absent}")
+            } else {
+                let (speed, state) = (significant(v.speed, 5), v.state + 1);
+                format!("By {method}, peaks at the speeds compared are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
+            };
+            out.push(
+                Finding::info("deviation", text)
+                    .of(method.to_string())
+                    .value(v.deviation, "")
+                    .shown_as(100.0 * v.deviation, "%")
+                    .evidence("speed", v.speed, "rad/s"),
+            );
+        } else {
+            out.push(Finding::warning("no_states", format!("By {method}, none of the states was found.")).of(method.to_string()));
+        }
+    }
+    let judged = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
+    let (mut wrong, mut count) = (0, 0);
+    for a in judged(Method::Averaging) {
+        // what neither grows nor decays beyond its error has no sign to compare
+        let reported = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
+        if let Some(c) = judged(Method::Converged).find(reported) {
+            count += 1;
+            wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
+        }
+    }
+    if count > 0 {
+        let text = format!(
+            "For {wrong} of {count} states averaging gives another stability than the Floquet exponents: it holds the mode near the speed only."
+        );
+        out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
+    }
+    if let Some(f) = folds
+        .iter()
+        .filter(|f| f.method == Method::Harmonic(1) && f.deviation.is_finite())
+        .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
+    {
+        let text =
+            format!("With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.", significant(f.speed - f.deviation, 6));
+        out.push(Finding::info("fold_deviation", text).value(f.deviation, "rad/s"));
+    }
+    if let Some(why) = found.no_elliptic {
+        out.push(Finding::info("no_elliptic_balance", format!("Elliptic balance was left out: {why}.")));
+    }
+    if let Some(why) = &found.no_time {
+        out.push(Finding::warning("no_time_integration", format!("Some states were not followed in time: {why}.")));
+    }
+    if result.discretisation.symmetry == Symmetry::Circular {
+        out.push(Finding::info(
+            "one_harmonic_exact",
+            "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact.",
+        ));
+    }
+    out
 }

@@ -22,13 +22,14 @@ use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::branches::response::Request;
-use crate::store;
+use crate::store::{self, Collected};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
 use cells::Cell;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 const SPACINGS: &[Word] = &[("linear", "equal steps"), ("logarithmic", "equal ratios")];
@@ -83,7 +84,7 @@ const fn spacing(name: &'static str, doc: &'static str) -> Field {
 }
 
 impl Study for ResponseMap {
-    type Result = Outcome;
+    type Result = ResponseMapResult;
     const KIND: &'static str = "response_map";
     const EXAMPLE: &'static str = r#"x = { parameter = "drum.mass", from = "2 kg", to = "4 kg", points = 9 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 9 }
@@ -133,11 +134,7 @@ speed = { from = "100 rpm", to = "12000 rpm" }
         single::admit(system, &self.request)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<ResponseMapResult, Diagnostic> {
         self.admit(system)?;
         let values = self.axes.each_ref().map(ParameterAxis::values);
         let rows = values[0].len() * values[1].len();
@@ -170,8 +167,23 @@ speed = { from = "100 rpm", to = "12000 rpm" }
             let over = spent.load(Ordering::Relaxed) > context.work_limit;
             Ok((!over && !all.iter().any(|c| c.stopped)).then(|| cells::write(&columns, &all)))
         })?;
-        report::report(self, &values, &results, context)
+        let cells = Collected::of(&results)?;
+        let end = context.end(cells.end == End::Reached);
+        Ok(ResponseMapResult { cells, end })
     }
+
+    fn report(&self, _: &System, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+        report::report(self, result, name)
+    }
+}
+
+/// The machines of the map and what their responses come to.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ResponseMapResult {
+    /// One row for each machine, along x and then along y; columns as in the table `map`.
+    pub cells: Collected,
+    /// How the study ended.
+    pub end: End,
 }
 
 /// One parameter and its values; says all that is wrong.

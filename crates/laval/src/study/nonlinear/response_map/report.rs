@@ -2,13 +2,12 @@
 
 use super::border::{Piece, pieces};
 use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
-use super::{ResponseMap, figures};
+use super::{ParameterAxis, ResponseMap, ResponseMapResult, figures};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{End, Finding, Outcome, Table, quantity, significant};
-use crate::store::{Kind, Results};
-use crate::study::motion::steady_state::stored::words;
+use crate::outcome::{Finding, Outcome, Table, quantity, significant};
+use crate::store::{Collected, Kind};
+use crate::study::Study;
 use crate::study::shared::support::inconsistent;
-use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 
 /// All cells that are there.
@@ -63,43 +62,42 @@ fn jumps(word: &str) -> Option<bool> {
     }
 }
 
-pub(super) fn report(study: &ResponseMap, values: &[Vec<f64>; 2], results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let mut numbers = BTreeMap::new();
-    for c in results.columns().iter().filter(|c| c.kind == Kind::Float) {
-        numbers.insert(c.name.clone(), results.numbers(&c.name)?);
-    }
-    let sweeps: Vec<String> = words(results, "sweeps")?.into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
+pub(super) fn report(study: &ResponseMap, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+    let results = &result.cells;
+    let values = &study.axes.each_ref().map(ParameterAxis::values);
+    let floats = results.columns.iter().filter(|c| c.0.kind == Kind::Float);
+    let numbers = floats.map(|c| (c.0.name.clone(), results.numbers(&c.0.name))).collect();
+    let sweeps: Vec<String> = results.words("sweeps").into_iter().map(|w| if w.is_empty() { FAILED.to_string() } else { w }).collect();
     let known: Vec<Option<bool>> = sweeps.iter().map(|w| jumps(w)).collect();
     let map = Map { study, values, numbers, border: pieces(&study.axes, values, &known), sweeps };
-    let complete = results.end() == End::Reached;
-    let mut outcome = Outcome::new(ResponseMap::KIND, context.name).end(context.end(complete));
+    let mut outcome = Outcome::new(ResponseMap::KIND, name).end(result.end);
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
     }
-    for f in failures(&map, results)? {
+    for f in failures(&map, results) {
         outcome = outcome.finding(f);
     }
-    for f in jumping(&map).into_iter().chain(peaks(&map)).chain(instability(&map, results)?).chain(validity(&map, results)?) {
+    for f in jumping(&map).into_iter().chain(peaks(&map)).chain(instability(&map, results)).chain(validity(&map, results)) {
         outcome = outcome.finding(f);
     }
     let points = map.column("points").iter().filter(|p| p.is_finite()).sum::<f64>();
-    outcome = outcome.work("responses", results.done()).work("points", points as u64);
+    outcome = outcome.work("responses", results.done).work("points", points as u64);
     outcome = outcome.table(cell_table(&map, results)?).table(border_table(&map)?);
     figures::add(&map, outcome).checked().map_err(inconsistent)
 }
 
 /// Cells without a response, by cause; branches that were left.
-fn failures(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+fn failures(map: &Map, results: &Collected) -> Vec<Finding> {
     let mut out = Vec::new();
     let mut causes: BTreeMap<String, (usize, usize, String)> = BTreeMap::new();
-    for (i, why) in words(results, "failure")?.into_iter().enumerate().filter(|w| !w.1.is_empty()) {
+    for (i, why) in results.words("failure").into_iter().enumerate().filter(|w| !w.1.is_empty()) {
         causes.entry(crate::study::parameters::uncertainty::cause(&why)).or_insert((0, i, why)).0 += 1;
     }
     for (cause, (count, first, example)) in causes {
         let text = format!("{{}} of {} machines have no response, for instance at {}: {example}", map.len(), map.at(first));
         out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), first));
     }
-    let left = words(results, "end")?.iter().filter(|w| !w.is_empty()).count();
+    let left = results.words("end").iter().filter(|w| !w.is_empty()).count();
     if left > 0 {
         let text = format!("Of {{}} of {} machines a branch of states was left before its end: see the column `end`.", map.len());
         out.push(Finding::warning("branches_left", text).value(left as f64, ""));
@@ -112,7 +110,7 @@ fn failures(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         );
         out.push(Finding::warning("peaks_not_reached", text).value(rising as f64, ""));
     }
-    Ok(out)
+    out
 }
 
 /// How many machines jump, and how wide the hysteresis is.
@@ -161,12 +159,12 @@ fn peaks(map: &Map) -> Vec<Finding> {
 }
 
 /// Machines with unstable states away from the middle of folded curves, and machines whose stability is not known.
-fn instability(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+fn instability(map: &Map, results: &Collected) -> Vec<Finding> {
     let mut out = Vec::new();
     if !map.study.request.stability {
         out.push(Finding::warning("stability_unknown", "Stability was not requested: states shown may be unstable."));
     }
-    let unknown: Vec<String> = words(results, "unjudged")?.into_iter().filter(|w| !w.is_empty()).collect();
+    let unknown: Vec<String> = results.words("unjudged").into_iter().filter(|w| !w.is_empty()).collect();
     if let Some(why) = unknown.first() {
         let text = format!("Stability was not judged for some states of {{}} of {} machines: {why}.", map.len());
         out.push(Finding::warning("stability_unknown", text).value(unknown.len() as f64, ""));
@@ -192,12 +190,12 @@ fn instability(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic>
             out.push(Finding::warning(id, format!("{{}} of {} machines {what}.", map.len())).value(count as f64, ""));
         }
     }
-    Ok(out)
+    out
 }
 
-fn validity(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+fn validity(map: &Map, results: &Collected) -> Vec<Finding> {
     let mut worst: BTreeMap<String, (f64, usize, usize)> = BTreeMap::new();
-    for (cell, what) in words(results, "limit")?.into_iter().enumerate() {
+    for (cell, what) in results.words("limit").into_iter().enumerate() {
         let ratio = map.column("validity")[cell];
         if ratio.is_nan() || ratio <= 1.0 {
             continue;
@@ -217,13 +215,13 @@ fn validity(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         };
         map.with_place(f.of(what), cell)
     };
-    Ok(worst.into_iter().map(one).collect())
+    worst.into_iter().map(one).collect()
 }
 
-fn cell_table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
+fn cell_table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
     let mut t = Table::new("map", "Machines, along x and then along y, and what their response comes to").leading();
     let finite = |x: &f64| if x.is_finite() { *x } else { f64::NAN };
-    for (i, c) in results.columns().iter().enumerate() {
+    for (i, (c, _)) in results.columns.iter().enumerate() {
         if c.kind == Kind::Float {
             // both parameters always have a value
             let doc = if i < 2 || c.doc.contains("NaN") { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
@@ -231,7 +229,7 @@ fn cell_table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
         } else if c.name == "sweeps" {
             t = t.text(&c.name, &c.doc, map.sweeps.clone());
         } else {
-            t = t.text(&c.name, &c.doc, words(results, &c.name)?);
+            t = t.text(&c.name, &c.doc, results.words(&c.name));
         }
     }
     debug_assert!(map.sweeps.iter().all(|s| SWEEPS.contains(&s.as_str())));
