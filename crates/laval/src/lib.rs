@@ -28,7 +28,6 @@
 //!
 //! ```
 //! use laval::prelude::*;
-//! use laval::solve::harmonic::branches::response::Request;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let joint = Link::Between(Attach::on("drum"), Attach::on("base"));
@@ -39,7 +38,7 @@
 //!     .part("bearing", BearingCubic::per_axis(joint), BearingCubicParams::new([1.1e7; 2], [8.7e10; 2]))
 //!     .part("air", Damper::fixed(air), DamperParams::new([42.0; 2]))
 //!     .build()?;
-//! let study = NonlinearResponse::new(Request::over(25.0, 8000.0));
+//! let study = NonlinearResponse::over(25.0, 8000.0);
 //! let outcome = study.run(&machine, &Context::quiet("response"))?;
 //! let folds = outcome.find_table("folds").ok_or("no folds")?;
 //! let speed = folds.column("speed").and_then(|c| c.number(0)).ok_or("no speed")?;
@@ -50,7 +49,6 @@
 //! Liquid in a cavity makes a rotor unstable in a range of speeds above a critical speed. Every study can be made from its fields:
 //!
 //! ```
-//! use laval::parts::liquid::Fill;
 //! use laval::prelude::*;
 //! use serde_json::json;
 //!
@@ -88,6 +86,24 @@
 //! "#)?;
 //! let outcome = loaded.studies[0].study.run(&loaded.system, &Context::quiet("balancing"))?;
 //! assert!(outcome.end == End::Reached && outcome.findings.iter().any(|f| f.id == "time_to_balance"), "{:?}", outcome.findings);
+//! # Ok(()) }
+//! ```
+//!
+//! A study returns tables, figures and findings ([`ErasedStudy::run`](study::ErasedStudy::run)) or its typed result
+//! ([`TypedStudy::result`](study::TypedStudy::result)), which any format of serde that keeps NaN can store; a stored result is reported again, or begun from:
+//!
+//! ```
+//! use laval::prelude::*;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let machine = Builder::new("rotor").part("disc", Disc::planar(), DiscParams::new(3.0));
+//! let shaft = ShaftLumped::lateral(Link::Between(Attach::on("disc"), Attach::ground()));
+//! let machine = machine.part("shaft", shaft, ShaftLumpedParams { stiffness: [3e5; 2], ..ShaftLumpedParams::new() }).build()?;
+//! let study: Modes = construct(&machine, &serde_json::json!({ "speed": 100.0 }))?;
+//! let result = study.result(&machine, &Context::quiet("modes"))?;
+//! let mode = &result.spectrum.modes[0];
+//! assert!((mode.frequency() - (3e5_f64 / 3.0).sqrt()).abs() < 1e-9 && mode.q.len() == 2);
+//! assert_eq!(study.outcome(&machine, &result, "modes")?.kind, "modes");
 //! # Ok(()) }
 //! ```
 //!

@@ -72,6 +72,10 @@ impl NonlinearResponse {
     pub fn new(request: Request) -> Self {
         NonlinearResponse { request, order_threshold: None, one: None }
     }
+    /// Over this range of speeds, rad/s, with the defaults.
+    pub fn over(from: f64, to: f64) -> Self {
+        NonlinearResponse::new(Request::over(from, to))
+    }
     /// The request.
     pub fn request(&self) -> &Request {
         &self.request
