@@ -199,6 +199,30 @@ fn a_short_range_does_not_mislead_about_closing() {
     }
 }
 
+/// A rotor that only tilts, between two isotropic bearings that harden: its reference point does not move, those of the bearings do. The share of the power tends
+/// to `2 c / (tau sqrt(2 k3 (A - C)))`, with the damping c at each bearing.
+#[test]
+fn a_branch_of_tilts_does_not_close_either() {
+    let (a, polar, arm, skew, k, k3) = (0.05f64, 0.02, 0.1, 2e-4, 1e6, 2e13f64);
+    for c in [40.0, 70.0] {
+        let link = |z: f64| Link::Between(Attach::at("rotor", z), Attach::ground());
+        let disc = DiscParams { diametral_inertia: a, polar_inertia: polar, skew, ..DiscParams::new(10.0) };
+        let law = || BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [k3; 2], valid_to: 0.0 };
+        let loss = || DamperParams { damping: [c; 2], tilt_damping: 0.0 };
+        let built = Builder::new("tilting")
+            .part("rotor", Disc::tilting(), disc)
+            .part("low", BearingCubic::isotropic(link(-arm)), law())
+            .part("high", BearingCubic::isotropic(link(arm)), law())
+            .part("low loss", Damper::fixed(link(-arm)), loss())
+            .part("high loss", Damper::fixed(link(arm)), loss());
+        let u = run(built, request(300.0, 4000.0)).unclosed.unwrap_or_else(|| panic!("{c}"));
+        let want = 2.0 * c / (skew * (2.0 * k3 * (a - polar)).sqrt());
+        let Beyond::Tends(limit) = u.beyond else { panic!("{c}: {u:?}") };
+        assert!((limit - want).abs() < 1e-6 && want < 1.0, "{c}: {u:?} {want}");
+        assert!((u.rise - 1.0).abs() < 0.1 && u.amplitude > 10.0 * u.low_amplitude, "{u:?}");
+    }
+}
+
 /// The upper branch of the filled rotor becomes stable through a second frequency, that of the slow wave. Isotropic: where the largest growth rate of the
 /// twelve-state matrix of the rotating frame, written out from the equations and bisected, changes its sign.
 #[test]

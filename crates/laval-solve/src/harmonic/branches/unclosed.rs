@@ -20,7 +20,9 @@ use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::branches::branch::{State, Traced};
 use crate::harmonic::branches::response::{Request, Response};
 use crate::model::part::{At, Rows};
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
+use crate::sectors::circular;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::{Direction, End, Kind, Settings, trace};
 use serde::{Deserialize, Serialize};
@@ -34,7 +36,7 @@ pub struct Unclosed {
     pub branch: usize,
     /// Speed at its end, rad/s.
     pub speed: f64,
-    /// Largest amplitude of a body there at the spin frequency, m.
+    /// Largest amplitude of a point of a body there at the spin frequency, m.
     pub amplitude: f64,
     /// The same on the branch from the other end, m.
     pub low_amplitude: f64,
@@ -132,9 +134,14 @@ fn extrapolated(points: &[(f64, f64)]) -> f64 {
     (0..points.len()).map(|i| weight(i) * points[i].1).sum()
 }
 
-/// Largest forward amplitude of a body at the spin frequency, m.
+/// Largest forward amplitude of a point of a body at the spin frequency, m.
 fn largest(system: &System, orbit: &Orbit, order: usize) -> f64 {
-    system.bodies().iter().map(|b| orbit.whirl(b.x, order).0.abs()).fold(0.0, f64::max)
+    let Some(at) = orbit.orders.iter().position(|&o| o == order) else { return 0.0 };
+    let forward = |p: &Probe| {
+        let [x, y] = p.amplitudes(&orbit.coordinates[at]);
+        circular(x, y).0.abs()
+    };
+    system.probes().iter().filter(|p| !p.is_tilt()).map(forward).fold(0.0, f64::max)
 }
 
 /// `|Im S| / |S|`.
