@@ -9,6 +9,7 @@
 use crate::dense::{Mat, dot, norm};
 use crate::sampling::Points;
 use crate::sampling::distribution::normal_quantile;
+use serde::{Deserialize, Serialize};
 
 /// The request.
 #[derive(Clone, Debug)]
@@ -26,7 +27,7 @@ pub struct Settings {
 }
 
 /// How a search ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Ended {
     /// The distribution has become narrow, or the values no longer differ.
     Arrived,

@@ -19,9 +19,10 @@ use super::ties::{rank, settle};
 use crate::model::system::System;
 use laval_num::complex::{C64, c};
 use laval_num::univariate::{maximum, root};
+use serde::{Deserialize, Serialize};
 
 /// A speed where the frequency of a mode is a multiple of the speed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Critical {
     /// Multiple.
     pub order: f64,

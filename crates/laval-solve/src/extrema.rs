@@ -10,9 +10,10 @@ use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use laval_num::complex::c;
+use serde::{Deserialize, Serialize};
 
 /// A maximum or minimum of an amplitude.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Extremum {
     /// Probe, in the order requested.
     pub probe: usize,
@@ -29,7 +30,7 @@ pub struct Extremum {
 }
 
 /// Response over the speed.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Curve {
     /// By speed.
     pub points: Vec<Response>,

@@ -12,10 +12,11 @@ use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
 use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Complex amplitudes `X` of the motion `Re(X exp(i phase))` over the unknowns of the characteristic matrix, in x and y.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Response {
     /// Spin speed, rad/s.
     pub speed: f64,

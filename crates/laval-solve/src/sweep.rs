@@ -10,9 +10,10 @@ use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::eig::Track;
 use laval_num::work::piece;
+use serde::{Deserialize, Serialize};
 
 /// A mode followed along the speed.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Branch {
     /// Speed and mode, in order of speed.
     pub points: Vec<(f64, MachineMode)>,
@@ -47,7 +48,7 @@ pub struct Sweep {
 }
 
 /// The mode that grows most at a speed.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Strongest {
     /// Spin speed, rad/s.
     pub speed: f64,

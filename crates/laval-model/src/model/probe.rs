@@ -5,9 +5,10 @@ use super::part::Link;
 use super::system::System;
 use laval_num::complex::C64;
 use laval_num::scalar::Scalar;
+use serde::{Deserialize, Serialize};
 
 /// What a probe measures.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Sight {
     /// Displacement of the body's point at this height above its reference point, m.
     Displacement(f64),
@@ -16,7 +17,7 @@ pub enum Sight {
 }
 
 /// A pair of components that is measured of a body.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Probe {
     /// Index in [`System::bodies`].
     pub body: usize,

@@ -6,6 +6,7 @@
 
 use super::quantile::Interval;
 use super::{below, hash, moments};
+use serde::{Deserialize, Serialize};
 
 const LEVELS: usize = 4;
 const STEP: usize = 2;
@@ -53,7 +54,7 @@ fn moved(level: usize) -> usize {
 }
 
 /// What the trajectories say of one input; per unit of probability, so for a uniform input per width of its interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Effects {
     /// Mean.
     pub mu: f64,

@@ -1,9 +1,10 @@
 //! Quantiles of a sample with confidence intervals that assume no distribution, and shares.
 
 use super::distribution::normal_quantile;
+use serde::{Deserialize, Serialize};
 
 /// A number with its confidence interval; NaN where the sample is too small to bound it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
     /// The estimate.
     pub value: f64,

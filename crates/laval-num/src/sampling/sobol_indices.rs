@@ -6,6 +6,7 @@
 
 use super::quantile::{Interval, quantile};
 use super::{Points, below, hash};
+use serde::{Deserialize, Serialize};
 
 /// Resamples of the bootstrap.
 const RESAMPLES: usize = 1000;
@@ -37,7 +38,7 @@ impl Plan {
 }
 
 /// Indices of one input.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Indices {
     /// Share of the variance that goes when this input alone is known.
     pub first: Interval,

@@ -10,12 +10,13 @@
 
 use super::closed::Path;
 use laval_num::univariate::root_by_newton;
+use serde::{Deserialize, Serialize};
 
 /// Most surfaces of a vessel.
 pub const MOST: usize = 4;
 
 /// Where a particle left the liquid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Surface {
     /// The side of the cup, the wall of a bowl or the surface of a disc.
     Wall,
@@ -93,7 +94,7 @@ impl Vessel for Cylinder {
 }
 
 /// The end of a particle's motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Exit {
     /// When, s.
     pub time: f64,

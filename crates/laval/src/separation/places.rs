@@ -7,9 +7,10 @@ use super::ensemble::{Member, Model};
 use super::exit::first_exit;
 use super::motion::Lost;
 use super::particle::{Drag, Particle};
+use serde::{Deserialize, Serialize};
 
 /// A particle at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     /// Time from the start of the machine, s.
     pub time: f64,

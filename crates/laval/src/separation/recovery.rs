@@ -25,6 +25,7 @@ use super::ramp::Ramp;
 use super::slowest::Last;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// Time counted as the field works: during a run-up less than at full speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,7 +125,7 @@ impl Curve {
 }
 
 /// What a share takes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Needed {
     /// Time, s; infinite when the share is never caught, NaN without particles.
     pub time: f64,

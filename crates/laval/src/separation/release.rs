@@ -12,6 +12,7 @@ use super::exit::Exit;
 use super::halton;
 use super::motion::Lost;
 use super::particle::Particle;
+use serde::{Deserialize, Serialize};
 
 /// A particle, its place (m) and its velocity (m/s) in the axes of the cup.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +26,7 @@ pub struct Release {
 }
 
 /// The particle at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Moment {
     /// Time, s.
     pub time: f64,

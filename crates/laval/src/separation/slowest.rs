@@ -21,10 +21,11 @@ use super::tube::Filled;
 use super::vessel::Inside;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// The last particle to leave.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Last {
     /// When, s; infinite when it never leaves.
     pub time: f64,

@@ -3,8 +3,10 @@
 //! Under unbalance the two belong together: the base frequency is the spin speed over the subharmonic divisor. A free motion (a whirl that nobody
 //! forces) repeats at a frequency of its own: the linear parts are then condensed at `s = i k frequency` with their coefficients at `speed`.
 
+use serde::{Deserialize, Serialize};
+
 /// A parameter of the machine that derivatives are taken in; both halves of a lateral pair may move together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Parameter {
     /// Index of the first among the machine's parameters.
     pub first: usize,

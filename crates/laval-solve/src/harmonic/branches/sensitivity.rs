@@ -34,6 +34,7 @@ use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::continuation::Zero;
 use laval_num::dense::{Lu, Mat, dot, norm};
+use serde::{Deserialize, Serialize};
 
 /// What is stationary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,12 +46,13 @@ pub enum Stationary {
 }
 
 /// A parameter of a machine, by path.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Named {
     /// `drum.mass`; a lateral pair that moves together has no `.x`.
     pub path: String,
     /// SI unit.
-    pub unit: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub unit: laval_num::text::Text,
     /// Value.
     pub value: f64,
     /// Which.
@@ -58,7 +60,7 @@ pub struct Named {
 }
 
 /// Derivatives at a stationary point in one parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Slope {
     /// d speed / dp.
     pub speed: f64,
@@ -67,7 +69,7 @@ pub struct Slope {
 }
 
 /// A stationary point and how it moves.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Moved {
     /// Spin speed, rad/s.
     pub speed: f64,

@@ -21,6 +21,7 @@ use crate::solve::sweep::{Sweep, sweep};
 use crate::study::Context;
 use crate::study::shared::support::inconsistent;
 use laval_num::complex::C64;
+use serde::{Deserialize, Serialize};
 
 /// Field: what the roots are held against.
 pub(in crate::study) const COMPARE: Field = Field::optional(
@@ -56,8 +57,42 @@ pub(in crate::study) fn admit(system: &System) -> Result<System, Diagnostic> {
     })
 }
 
-/// Branch, speed, mode of the approximation; its distance from the nearest root of the machine, and that root.
-type Row<'a> = (usize, f64, &'a MachineMode, f64, C64);
+/// A mode of the approximation at a speed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Row {
+    /// Branch of the approximation.
+    pub branch: usize,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// The mode.
+    pub mode: MachineMode,
+    /// Distance from the nearest root of the whole machine, 1/s; NaN where it has none.
+    pub distance: f64,
+    /// That root.
+    pub nearest: C64,
+}
+
+impl Row {
+    /// Distance over the size of the root.
+    fn share(&self) -> f64 {
+        self.distance / self.mode.value.abs()
+    }
+}
+
+/// The approximation beside the whole machine.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Approximation {
+    /// By branch, then speed.
+    pub rows: Vec<Row>,
+    /// Number of branches.
+    pub branches: usize,
+    /// Degree of its characteristic polynomial.
+    pub degree: usize,
+    /// Largest of the speeds computed, rad/s.
+    pub fastest: f64,
+    /// Speed and growth rate where the whole machine grows most, and the same of the approximation.
+    pub most: Option<[(f64, f64); 2]>,
+}
 
 /// How far a root of the approximation is from the nearest root of the machine that whirls alike.
 fn apart(mode: &MachineMode, whole: &Spectrum) -> (f64, C64) {
@@ -68,92 +103,109 @@ fn apart(mode: &MachineMode, whole: &Spectrum) -> (f64, C64) {
     nearest.map_or((f64::NAN, C64::zero()), |m| (distance(m), m.value))
 }
 
-/// Adds the roots of the approximation to those of the machine, as a table, a figure and findings.
+/// Follows the roots of the approximation over the speeds at which those of the machine were found.
 ///
 /// # Errors
 /// As [`admit`], and as the eigenvalue problem.
-pub(in crate::study) fn add(outcome: Outcome, system: &System, whole: &Sweep, context: &Context) -> Result<Outcome, Diagnostic> {
+pub(in crate::study) fn compare(system: &System, whole: &Sweep, context: &Context) -> Result<Approximation, Diagnostic> {
     let other = admit(system)?;
     let speeds: Vec<f64> = whole.points.iter().map(|p| p.0).collect();
     let found = sweep(&other, &|w| rest(&other, w), &speeds, f64::INFINITY, |_, solved| context.goes_on(solved))?;
-    let rows: Vec<Row> = found
-        .branches
-        .iter()
-        .enumerate()
-        .flat_map(|(k, b)| b.points.iter().map(move |(w, m)| (k, *w, m)))
-        .filter_map(|(k, w, m)| {
-            let spectrum = whole.points.iter().find(|p| p.0 == w)?;
-            let (distance, nearest) = apart(m, &spectrum.1);
-            Some((k, w, m, distance, nearest))
-        })
-        .collect();
-    let column = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
-    let table = Table::new("approximate_modes", "Modes of the approximation, each with the nearest root of the whole machine")
-        .float("speed", "rad/s", "spin speed", column(&|r| r.1))
-        .int("mode", "", "branch of the approximation", rows.iter().map(|r| r.0 as i64 + 1).collect())
-        .text("whirl", "direction of whirl", rows.iter().map(|r| r.2.whirl.word().into()).collect())
-        .float("frequency", "rad/s", "frequency", column(&|r| r.2.frequency()))
-        .float("growth", "1/s", "growth rate", column(&|r| r.2.growth()))
-        .float("whole_frequency", "rad/s", "frequency of the nearest root of the whole machine", column(&|r| r.4.im.abs()))
-        .float("whole_growth", "1/s", "its growth rate", column(&|r| r.4.re))
-        .float("distance", "1/s", "distance of the two in the plane of s", column(&|r| r.3))
-        .build()
-        .map_err(inconsistent)?;
-    let degree = found.points.first().map_or(0, |p| p.1.modes.iter().map(|m| if m.value.im > 0.0 { 2 } else { 1 }).sum::<usize>());
-    let mut outcome = outcome;
-    // the mode that is best met, and the one that is worst
-    let share = |k: usize| {
-        let own = rows.iter().filter(|r| r.0 == k);
-        own.map(|r| r.3 / r.2.value.abs()).fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
-    };
-    let shares: Vec<(usize, f64)> = (0..found.branches.len()).map(|k| (k, share(k))).collect();
-    let met = shares.iter().filter(|s| s.1 < 0.01).count();
-    if let Some(r) = rows.iter().max_by(|a, b| (a.3 / a.2.value.abs()).total_cmp(&(b.3 / b.2.value.abs()))) {
-        let text = format!(
-            "The approximation is a polynomial of degree {degree}. {met} of its {} modes stay within 1 % of a root of the whole machine; the one farthest from any, at {}, has {} rad/s and grows \
-             {} 1/s where the machine has {} rad/s and {} 1/s: {{}} of its size.",
-            shares.len(),
-            quantity(r.1, "rad/s"),
-            significant(r.2.frequency(), 5),
-            significant(r.2.growth(), 3),
-            significant(r.4.im.abs(), 5),
-            significant(r.4.re, 3),
-        );
-        outcome = outcome.finding(
-            Finding::info("approximation", text).value(r.3 / r.2.value.abs(), "").evidence("degree", degree as f64, "").evidence(
-                "modes within 1 %",
-                met as f64,
-                "",
-            ),
-        );
-    }
+    let all = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |(w, m)| (k, *w, m)));
+    let rows = all.filter_map(|(branch, speed, m)| {
+        let spectrum = whole.points.iter().find(|p| p.0 == speed)?;
+        let (distance, nearest) = apart(m, &spectrum.1);
+        Some(Row { branch, speed, mode: m.clone(), distance, nearest })
+    });
     let largest = |s: &Sweep| {
         let all = s.points.iter().filter_map(|p| Some((p.0, p.1.least_stable()?.value.re)));
         all.max_by(|a, b| a.1.total_cmp(&b.1))
     };
-    if let (Some(exact), Some(rough)) = (largest(whole), largest(&found)) {
-        let text = format!(
-            "Of the speeds computed the whole machine grows most at {}, {} 1/s, the approximation at {}, {} 1/s: a difference of {{}}.",
-            quantity(exact.0, "rad/s"),
-            significant(exact.1, 4),
-            quantity(rough.0, "rad/s"),
-            significant(rough.1, 4),
-        );
-        outcome = outcome.finding(Finding::info("approximate_growth", text).value(rough.1 - exact.1, "1/s"));
+    Ok(Approximation {
+        rows: rows.collect(),
+        branches: found.branches.len(),
+        degree: found.points.first().map_or(0, |p| p.1.modes.iter().map(|m| if m.value.im > 0.0 { 2 } else { 1 }).sum::<usize>()),
+        fastest: speeds.iter().fold(0.0f64, |m, w| m.max(w.abs())),
+        most: largest(whole).zip(largest(&found)).map(|(exact, rough)| [exact, rough]),
+    })
+}
+
+impl Approximation {
+    /// Adds the roots of the approximation to those of the machine, as a table, a figure and findings.
+    ///
+    /// # Errors
+    /// A table that contradicts itself.
+    pub(in crate::study) fn add(&self, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        let outcome = self.findings().into_iter().fold(outcome, Outcome::finding);
+        Ok(outcome.table(self.table()?).figure(self.figure()))
     }
-    let top = 1.25 * speeds.iter().fold(0.0f64, |m, w| m.max(w.abs()));
-    let frequency = Panel::new(Axis::new("frequency", "rad/s").range(0.0, top))
-        .mark(Line::new("modes", "speed", "frequency").group("mode").reference())
-        .mark(Points::new("approximate_modes", "speed", "frequency").name(format!("degree {degree}")));
-    let growth = Panel::new(Axis::new("growth rate", "1/s"))
-        .mark(Line::new("modes", "speed", "growth").group("mode").reference())
-        .mark(Points::new("approximate_modes", "speed", "growth").name(format!("degree {degree}")));
-    let alt = format!(
-        "Grey lines: frequencies and growth rates of the machine over spin speed. Points: those of its approximation of degree {degree}."
-    );
-    let figure = Figure::new("approximation", "The whole machine and its approximation", alt)
-        .x(Axis::new("spin speed", "rad/s"))
-        .panel(frequency)
-        .panel(growth);
-    Ok(outcome.table(table).figure(figure))
+
+    fn findings(&self) -> Vec<Finding> {
+        let (rows, degree) = (&self.rows, self.degree);
+        let mut out = Vec::new();
+        // the mode that is best met, and the one that is worst
+        let share = |k: usize| {
+            let own = rows.iter().filter(|r| r.branch == k);
+            own.map(Row::share).fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
+        };
+        let met = (0..self.branches).filter(|&k| share(k) < 0.01).count();
+        if let Some(r) = rows.iter().max_by(|a, b| a.share().total_cmp(&b.share())) {
+            let text = format!(
+                "The approximation is a polynomial of degree {degree}. {met} of its {} modes stay within 1 % of a root of the whole machine; the one farthest from any, at {}, has {} rad/s and grows \
+                 {} 1/s where the machine has {} rad/s and {} 1/s: {{}} of its size.",
+                self.branches,
+                quantity(r.speed, "rad/s"),
+                significant(r.mode.frequency(), 5),
+                significant(r.mode.growth(), 3),
+                significant(r.nearest.im.abs(), 5),
+                significant(r.nearest.re, 3),
+            );
+            let finding = Finding::info("approximation", text).value(r.share(), "").evidence("degree", degree as f64, "");
+            out.push(finding.evidence("modes within 1 %", met as f64, ""));
+        }
+        if let Some([exact, rough]) = self.most {
+            let text = format!(
+                "Of the speeds computed the whole machine grows most at {}, {} 1/s, the approximation at {}, {} 1/s: a difference of {{}}.",
+                quantity(exact.0, "rad/s"),
+                significant(exact.1, 4),
+                quantity(rough.0, "rad/s"),
+                significant(rough.1, 4),
+            );
+            out.push(Finding::info("approximate_growth", text).value(rough.1 - exact.1, "1/s"));
+        }
+        out
+    }
+
+    fn table(&self) -> Result<Table, Diagnostic> {
+        let rows = &self.rows;
+        let column = |f: &dyn Fn(&Row) -> f64| rows.iter().map(f).collect::<Vec<f64>>();
+        Table::new("approximate_modes", "Modes of the approximation, each with the nearest root of the whole machine")
+            .float("speed", "rad/s", "spin speed", column(&|r| r.speed))
+            .int("mode", "", "branch of the approximation", rows.iter().map(|r| r.branch as i64 + 1).collect())
+            .text("whirl", "direction of whirl", rows.iter().map(|r| r.mode.whirl.word().into()).collect())
+            .float("frequency", "rad/s", "frequency", column(&|r| r.mode.frequency()))
+            .float("growth", "1/s", "growth rate", column(&|r| r.mode.growth()))
+            .float("whole_frequency", "rad/s", "frequency of the nearest root of the whole machine", column(&|r| r.nearest.im.abs()))
+            .float("whole_growth", "1/s", "its growth rate", column(&|r| r.nearest.re))
+            .float("distance", "1/s", "distance of the two in the plane of s", column(&|r| r.distance))
+            .build()
+            .map_err(inconsistent)
+    }
+
+    fn figure(&self) -> Figure {
+        let (top, degree) = (1.25 * self.fastest, self.degree);
+        let frequency = Panel::new(Axis::new("frequency", "rad/s").range(0.0, top))
+            .mark(Line::new("modes", "speed", "frequency").group("mode").reference())
+            .mark(Points::new("approximate_modes", "speed", "frequency").name(format!("degree {degree}")));
+        let growth = Panel::new(Axis::new("growth rate", "1/s"))
+            .mark(Line::new("modes", "speed", "growth").group("mode").reference())
+            .mark(Points::new("approximate_modes", "speed", "growth").name(format!("degree {degree}")));
+        let alt = format!(
+            "Grey lines: frequencies and growth rates of the machine over spin speed. Points: those of its approximation of degree {degree}."
+        );
+        Figure::new("approximation", "The whole machine and its approximation", alt)
+            .x(Axis::new("spin speed", "rad/s"))
+            .panel(frequency)
+            .panel(growth)
+    }
 }

@@ -10,7 +10,7 @@
 //!
 //! Sources: W. Campbell (1924), as in every rotor-dynamics text; assurance of biorthogonal vectors as in `laval_num::eig::Track`.
 
-use super::approximation;
+use super::approximation::{self, Approximation};
 use super::modes::{THRESHOLD, WHIRLS};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
@@ -18,16 +18,17 @@ use crate::model::part::Domain;
 use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::criticals::{Critical, criticals};
-use crate::solve::pencil::Whirl;
+use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
 use crate::solve::roots::{LEAST, transcendental};
 use crate::solve::sweep::{Branch, Sweep, sweep};
 use crate::study::shared::region;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{About, COUNTS, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or, remarks_between};
+use crate::study::shared::support::{About, COUNTS, EndStates, ROUNDING, SPEED_RANGE, admit_roots, inconsistent, range_or};
 use crate::study::{Context, Study};
 use laval_num::work::piece;
+use serde::{Deserialize, Serialize};
 
 /// Field: multiples of the spin speed.
 pub(in crate::study) const ORDERS: Field = Field::optional(
@@ -137,7 +138,7 @@ pub(in crate::study) fn follow(system: &System, context: &Context, speeds: &[f64
 const MOST_NAMED: usize = 8;
 
 impl Study for Campbell {
-    type Result = Outcome;
+    type Result = CampbellResult;
     const KIND: &'static str = "campbell";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 60 }
 orders = [1, 2]
@@ -180,76 +181,118 @@ orders = [1, 2]
         admit_roots(system, About::Rest, self.speed.from)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<CampbellResult, Diagnostic> {
         // other machines have finitely many modes, which are all followed
         let limit = self.frequency.filter(|_| transcendental(system)).unwrap_or(f64::INFINITY);
         let (found, end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let locate = || criticals(system, &|w| rest(system, w), &found, &self.orders);
         // of a study that has to end those that there is no time for are left out
         let crossings = if end == End::Reached { locate() } else { piece(locate).unwrap_or_default() };
-        let rows: Vec<_> = found.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |p| (k, p))).collect();
-        let column = |f: &dyn Fn(&crate::solve::pencil::MachineMode) -> f64| rows.iter().map(|r| f(&r.1.1)).collect::<Vec<f64>>();
-        let label = |k: usize| {
-            // a mode may change its direction on the way
-            let mut words: Vec<&str> =
-                found.branches[k].points.iter().map(|p| p.1.whirl.at(p.0)).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
-            words.dedup();
-            let words = match words.as_slice() {
-                [] => "aperiodic".to_string(),
-                [one] => one.to_string(),
-                [first, .., last] if first != last => format!("{first} to {last}"),
-                [first, ..] => format!("mostly {first}"),
-            };
-            format!("{} {words}", k + 1)
-        };
-        // waves that nothing inside a part damps grow slowly with any damping outside it: one limit for all speeds
-        let fastest = self.speed.from.abs().max(self.speed.to.abs());
-        let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
-        let threshold = if slow { self.threshold.max(LEAST * fastest) } else { self.threshold };
-        // beside the largest eigenvalue, what is smaller than this is rounding
-        let rounding = ROUNDING * rows.iter().map(|r| r.1.1.value.abs()).fold(0.0, f64::max);
-        let within = |m: &crate::solve::pencil::MachineMode, limit: f64| {
-            m.growth() <= limit + rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
-        };
-        let limit = |m: &crate::solve::pencil::MachineMode| within(m, threshold);
-        let table = Table::new("modes", "Modes followed over the spin speed")
-            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1.0).collect())
-            .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| label(r.0)).collect())
-            .float("frequency", "rad/s", "frequency", column(&|m| m.frequency()))
-            .float("growth", "1/s", "growth rate", column(&|m| m.growth()))
-            .float("damping_ratio", "", "damping ratio", column(&|m| m.damping_ratio()))
-            .text(
-                "whirl",
-                "direction of whirl; none without oscillation across the axis, and at standstill",
-                rows.iter().map(|r| r.1.1.whirl.at(r.1.0).word().into()).collect(),
-            )
-            .flag("stable", "growth rate not above growth_threshold", rows.iter().map(|r| within(&r.1.1, self.threshold)).collect())
-            .build()
-            .map_err(inconsistent)?;
-        let (from, to) = (self.speed.from, self.speed.to);
-        let mut lines =
-            Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", vec![from, 0f64.clamp(from, to), to]);
-        for k in &self.orders {
-            lines = lines.float(
-                format!("{k}x"),
-                "rad/s",
-                "frequency of this order",
-                [from, 0f64.clamp(from, to), to].map(|w| k * w.abs()).to_vec(),
-            );
-        }
+        let states = EndStates::find(|w| rest(system, w), self.speed.from, self.speed.to)?;
+        let approximation = if self.compare { Some(approximation::compare(system, &found, context)?) } else { None };
+        Ok(CampbellResult {
+            speeds: found.points.iter().map(|p| p.0).collect(),
+            branches: found.branches,
+            ambiguous: found.ambiguous,
+            worst_assurance: found.worst_assurance,
+            crossings,
+            approximation,
+            states,
+            end,
+        })
+    }
+
+    fn report(&self, system: &System, result: &CampbellResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let shown = Shown::new(self, system, result);
         let mut outcome =
-            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
-        let worst = rows.iter().filter(|r| !limit(&r.1.1)).max_by(|a, b| a.1.1.growth().total_cmp(&b.1.1.growth()));
-        if let Some((k, (w, m))) = worst {
-            let text =
-                format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {}.", label(*k).trim(), quantity(*w, "rad/s"));
-            outcome = outcome.finding(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"));
+            Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end).work("eigenproblems", result.speeds.len() as u64);
+        outcome = shown.critical_speeds(shown.growth().into_iter().fold(outcome, Outcome::finding));
+        outcome = shown.doubts().into_iter().chain(result.states.remarks(system)).fold(outcome, Outcome::finding);
+        outcome = outcome.table(shown.modes_table()?).table(shown.lines_table()?).table(critical_table(&result.crossings)?);
+        outcome = outcome.figure(shown.figure());
+        if let Some(approximation) = &result.approximation {
+            outcome = approximation.add(outcome)?;
         }
-        for c in &crossings {
+        outcome.checked().map_err(inconsistent)
+    }
+}
+
+/// Modes followed over the spin speed, and the speeds where they meet the excitation lines.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct CampbellResult {
+    /// Speeds computed, rad/s.
+    pub speeds: Vec<f64>,
+    /// The modes, each over the speeds at which it was followed.
+    pub branches: Vec<Branch>,
+    /// Steps, from speed to speed, that were accepted although shapes had mixed.
+    pub ambiguous: Vec<(f64, f64)>,
+    /// Smallest assurance with which a step was accepted.
+    pub worst_assurance: f64,
+    /// Critical speeds, by order, then speed.
+    pub crossings: Vec<Critical>,
+    /// The approximation with few waves, where requested.
+    pub approximation: Option<Approximation>,
+    /// States at the ends of the range.
+    pub states: EndStates,
+    /// How the study ended.
+    pub end: End,
+}
+
+/// Branch, speed and mode.
+type Row<'a> = (usize, f64, &'a MachineMode);
+
+struct Shown<'a> {
+    study: &'a Campbell,
+    system: &'a System,
+    result: &'a CampbellResult,
+    rows: Vec<Row<'a>>,
+    /// Growth above which a mode counts as unstable.
+    threshold: f64,
+    /// Growth that is rounding.
+    rounding: f64,
+}
+
+impl<'a> Shown<'a> {
+    fn new(study: &'a Campbell, system: &'a System, result: &'a CampbellResult) -> Self {
+        let rows: Vec<Row> = result.branches.iter().enumerate().flat_map(|(k, b)| b.points.iter().map(move |(w, m)| (k, *w, m))).collect();
+        // waves that nothing inside a part damps grow slowly with any damping outside it: one limit for all speeds
+        let fastest = study.speed.from.abs().max(study.speed.to.abs());
+        let slow = transcendental(system) && system.domains(fastest).iter().any(Domain::undamped);
+        let threshold = if slow { study.threshold.max(LEAST * fastest) } else { study.threshold };
+        // beside the largest eigenvalue, what is smaller than this is rounding
+        let rounding = ROUNDING * rows.iter().map(|r| r.2.value.abs()).fold(0.0, f64::max);
+        Shown { study, system, result, rows, threshold, rounding }
+    }
+
+    fn label(&self, k: usize) -> String {
+        // a mode may change its direction on the way
+        let points = self.result.branches[k].points.iter();
+        let mut words: Vec<&str> = points.map(|p| p.1.whirl.at(p.0)).filter(|w| *w != Whirl::None).map(Whirl::word).collect();
+        words.dedup();
+        let words = match words.as_slice() {
+            [] => "aperiodic".to_string(),
+            [one] => one.to_string(),
+            [first, .., last] if first != last => format!("{first} to {last}"),
+            [first, ..] => format!("mostly {first}"),
+        };
+        format!("{} {words}", k + 1)
+    }
+
+    fn within(&self, m: &MachineMode, limit: f64) -> bool {
+        m.growth() <= limit + self.rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
+    }
+
+    /// The mode that grows most.
+    fn growth(&self) -> Option<Finding> {
+        let unstable = self.rows.iter().filter(|r| !self.within(r.2, self.threshold));
+        let (k, w, m) = unstable.max_by(|a, b| a.2.growth().total_cmp(&b.2.growth()))?;
+        let at = quantity(*w, "rad/s");
+        let text = format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {at}.", self.label(*k).trim());
+        Some(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"))
+    }
+
+    fn critical_speeds(&self, mut outcome: Outcome) -> Outcome {
+        for c in &self.result.crossings {
             let finding = if c.located() {
                 let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
                 Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
@@ -260,70 +303,98 @@ orders = [1, 2]
                 .finding(finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence("growth", c.growth, "1/s"))
                 .special_point(special(c));
         }
-        if crossings.is_empty() {
-            let text = if end == End::Reached {
+        if self.result.crossings.is_empty() {
+            let text = if self.result.end == End::Reached {
                 "No crossing of a frequency with an excitation line was found in this range."
             } else {
                 "No frequency met an excitation line before the study stopped."
             };
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
-        if !found.ambiguous.is_empty() {
-            let (a, b) = found.ambiguous[0];
+        outcome
+    }
+
+    /// What was not followed, and what cannot be counted.
+    fn doubts(&self) -> Vec<Finding> {
+        let mut out = Vec::new();
+        if let Some(&(a, b)) = self.result.ambiguous.first() {
             let text = format!(
                 "Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.",
-                found.ambiguous.len(),
+                self.result.ambiguous.len(),
                 quantity(b, "rad/s")
             );
-            outcome = outcome.finding(Finding::warning("ambiguous", text).value(a, "rad/s").evidence(
-                "smallest assurance",
-                found.worst_assurance,
-                "",
-            ));
+            let finding = Finding::warning("ambiguous", text).value(a, "rad/s");
+            out.push(finding.evidence("smallest assurance", self.result.worst_assurance, ""));
         }
-        if transcendental(system) {
-            let domains = system.domains(from);
-            for f in region::limits(&domains, from).into_iter().chain(region::accumulation(&domains, from)) {
-                outcome = outcome.finding(f);
-            }
+        if transcendental(self.system) {
+            let from = self.study.speed.from;
+            let domains = self.system.domains(from);
+            out.extend(region::limits(&domains, from).into_iter().chain(region::accumulation(&domains, from)));
             if domains.iter().any(|d| d.dense.is_some()) {
-                outcome = outcome.finding(Finding::warning(
+                out.push(Finding::warning(
                     "slow_roots",
                     "Roots close to the imaginary axis are followed from where they were met, and not all of them are: critical speeds may be missing. forced_response meets \
                      every resonance.",
                 ));
             }
         }
-        for f in remarks_between(system, &rest(system, from)?, rest(system, to)) {
-            outcome = outcome.finding(f);
+        out
+    }
+
+    fn modes_table(&self) -> Result<Table, Diagnostic> {
+        let rows = &self.rows;
+        let column = |f: fn(&MachineMode) -> f64| rows.iter().map(|r| f(r.2)).collect::<Vec<f64>>();
+        Table::new("modes", "Modes followed over the spin speed")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.1).collect())
+            .text("mode", "number of the branch and its direction of whirl", rows.iter().map(|r| self.label(r.0)).collect())
+            .float("frequency", "rad/s", "frequency", column(MachineMode::frequency))
+            .float("growth", "1/s", "growth rate", column(MachineMode::growth))
+            .float("damping_ratio", "", "damping ratio", column(MachineMode::damping_ratio))
+            .text(
+                "whirl",
+                "direction of whirl; none without oscillation across the axis, and at standstill",
+                rows.iter().map(|r| r.2.whirl.at(r.1).word().into()).collect(),
+            )
+            .flag("stable", "growth rate not above growth_threshold", rows.iter().map(|r| self.within(r.2, self.study.threshold)).collect())
+            .build()
+            .map_err(inconsistent)
+    }
+
+    fn lines_table(&self) -> Result<Table, Diagnostic> {
+        let (from, to) = (self.study.speed.from, self.study.speed.to);
+        let speeds = [from, 0f64.clamp(from, to), to];
+        let mut lines = Table::new("excitation", "Excitation lines").float("speed", "rad/s", "spin speed", speeds.to_vec());
+        for k in &self.study.orders {
+            lines = lines.float(format!("{k}x"), "rad/s", "frequency of this order", speeds.map(|w| k * w.abs()).to_vec());
         }
-        let (top, outside) = shown(&found.branches, self.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs())) * from.abs().max(to.abs()));
+        lines.build().map_err(inconsistent)
+    }
+
+    fn figure(&self) -> Figure {
+        let (branches, range) = (&self.result.branches, &self.study.speed);
+        let highest = self.study.orders.iter().fold(0.0, |m: f64, k| m.max(k.abs()));
+        let (top, outside) = shown(branches, highest * range.from.abs().max(range.to.abs()));
         let axis = Axis::new("frequency", "rad/s");
         let axis = if outside.is_empty() { axis } else { axis.range(0.0, top) };
         // a legend of more lines is a wall: then the direction of whirl names and colours them
         let line = |y: &str| {
             let line = Line::new("modes", "speed", y).group("mode").solid_where("stable");
-            if found.branches.len() > MOST_NAMED { line.classes("whirl", WHIRLS) } else { line }
+            if branches.len() > MOST_NAMED { line.classes("whirl", WHIRLS) } else { line }
         };
         let mut frequency = Panel::new(axis).mark(line("frequency"));
-        for k in &self.orders {
+        for k in &self.study.orders {
             frequency = frequency.mark(Line::new("excitation", "speed", format!("{k}x")).name(format!("{k}×")).reference());
         }
         frequency = frequency.mark(Points::new("critical_speeds", "speed", "frequency").name("critical speed"));
-        let growth = Panel::new(Axis::new("growth rate", "1/s")).mark(line("growth")).mark(Rule::y(threshold, "threshold"));
+        let growth = Panel::new(Axis::new("growth rate", "1/s")).mark(line("growth")).mark(Rule::y(self.threshold, "threshold"));
         let alt = format!(
             "Frequencies and growth rates of {} modes over spin speed, with {} critical speeds.{}",
-            found.branches.len(),
-            crossings.len(),
-            beyond(top, &outside.iter().map(|&k| label(k)).collect::<Vec<_>>())
+            branches.len(),
+            self.result.crossings.len(),
+            beyond(top, &outside.iter().map(|&k| self.label(k)).collect::<Vec<_>>())
         );
         let speeds = Axis::new("spin speed", "rad/s");
-        let figure = Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth);
-        outcome = outcome.table(table).table(lines.build().map_err(inconsistent)?).table(critical_table(&crossings)?).figure(figure);
-        if self.compare {
-            outcome = approximation::add(outcome, system, &found, context)?;
-        }
-        outcome.checked().map_err(inconsistent)
+        Figure::new("campbell", "Campbell diagram", alt).x(speeds).panel(frequency).panel(growth)
     }
 }
 

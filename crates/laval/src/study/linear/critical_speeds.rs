@@ -19,13 +19,15 @@ use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
-use crate::solve::extrema::{Extremum, above, curve, seeds};
+use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
 use crate::solve::rest::rest;
+use crate::solve::sweep::Strongest;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{About, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, probe_name, range, remarks_between};
+use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, probe_name, range};
 use crate::study::{Context, Study};
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct CriticalSpeeds {
@@ -38,7 +40,7 @@ pub struct CriticalSpeeds {
 }
 
 impl Study for CriticalSpeeds {
-    type Result = Outcome;
+    type Result = CriticalSpeedsResult;
     const KIND: &'static str = "critical_speeds";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 margin = 0.15
@@ -73,48 +75,114 @@ margin = 0.15
         admit_eigenvalues(system, About::Rest, self.speed.from)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<CriticalSpeedsResult, Diagnostic> {
         let state = |w: f64| rest(system, w);
         let limit = above(self.speed.to * self.orders.iter().fold(0.0, |m: f64, &k| m.max(k)));
         let (found, mut end) = follow(system, context, &self.speed.linspace(120), limit)?;
         let crossings = criticals(system, &state, &found, &self.orders);
-        let probes = system.probes();
         let (_, load) = Characteristic::new(system, &state(self.speed.to)?).loads();
-        let forced = load.iter().any(|f| f.abs() > 0.0) && !probes.is_empty() && end.is_complete();
-        let mut responses = Vec::new();
-        let peaks: Vec<_> = if forced {
+        let forced = load.iter().any(|f| f.abs() > 0.0) && !system.probes().is_empty() && end.is_complete();
+        let mut response = None;
+        if forced {
             let mut speeds = self.speed.linspace(200);
             let mut each = |done| context.goes_on(done);
             speeds.extend(seeds(system, &state, self.speed.from, self.speed.to, &mut each)?.speeds);
-            let response = curve(system, &state, speeds, probes, &mut each)?;
-            if !response.complete {
+            let found = curve(system, &state, speeds, system.probes(), &mut each)?;
+            if !found.complete {
                 end = context.end(false);
             }
-            responses = response.points;
-            response.extrema.into_iter().filter(|e| e.maximum).collect()
-        } else {
-            Vec::new()
-        };
-        let complete = end == End::Reached;
-        let mut outcome =
-            Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(end).work("eigenproblems", found.points.len() as u64);
-        if let Some(f) = unstable(system, &found.strongest, &Follows::Speeds) {
+            response = Some(found);
+        }
+        let states = EndStates::find(state, self.speed.from, self.speed.to)?;
+        Ok(CriticalSpeedsResult { crossings, strongest: found.strongest, spectra: found.points.len() as u64, response, states, end })
+    }
+
+    fn report(&self, system: &System, result: &CriticalSpeedsResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let mut outcome = Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end).work("eigenproblems", result.spectra);
+        if let Some(f) = unstable(system, &result.strongest, &Follows::Speeds) {
             outcome = outcome.finding(f);
         }
-        let name = |p: &Extremum| probe_name(&probes[p.probe]);
-        let subject = |p: &Extremum| match probes[p.probe].is_tilt() {
-            true => format!("the {}", name(p)),
-            false => format!("the response of {}", name(p)),
-        };
-        for c in &crossings {
-            let beside = match own_peak(c, &crossings, &peaks) {
-                _ if !forced || c.order != 1.0 => String::new(),
-                Some(p) if p.unbounded => format!("; there {} has no bound", subject(p)),
-                Some(p) => format!("; {} peaks at {}", subject(p), quantity(p.speed, "rad/s")),
+        let peaks: Vec<Extremum> = result.response.iter().flat_map(|r| &r.extrema).filter(|e| e.maximum).copied().collect();
+        let responses = result.response.as_ref().map_or(&[][..], |r| &r.points);
+        let loose = loose(&result.crossings, &peaks, system.probes(), responses);
+        let shown = Shown { study: self, system, result, peaks: &peaks, loose };
+        outcome = shown.critical_speeds(outcome);
+        outcome = shown.response_peaks(outcome);
+        if let Some(f) = shown.margin() {
+            outcome = outcome.finding(f);
+        }
+        for f in result.states.remarks(system) {
+            outcome = outcome.finding(f);
+        }
+        outcome = outcome.table(critical_table(&result.crossings)?).table(shown.peak_table()?);
+        if !result.crossings.is_empty() {
+            outcome = outcome.figure(shown.figure());
+        }
+        outcome.checked().map_err(inconsistent)
+    }
+}
+
+/// Critical speeds, and the response to unbalance beside them.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct CriticalSpeedsResult {
+    /// By order, then speed.
+    pub crossings: Vec<Critical>,
+    /// The mode that grows most at every speed computed.
+    pub strongest: Vec<Strongest>,
+    /// Speeds whose spectra were followed.
+    pub spectra: u64,
+    /// The response to unbalance; none where nothing forces the machine, or the search was stopped.
+    pub response: Option<Curve>,
+    /// States at the ends of the range.
+    pub states: EndStates,
+    /// How the study ended.
+    pub end: End,
+}
+
+struct Shown<'a> {
+    study: &'a CriticalSpeeds,
+    system: &'a System,
+    result: &'a CriticalSpeedsResult,
+    /// Maxima of the response.
+    peaks: &'a [Extremum],
+    /// Those that belong to no critical speed.
+    loose: Vec<&'a Extremum>,
+}
+
+impl Shown<'_> {
+    fn forced(&self) -> bool {
+        self.result.response.is_some()
+    }
+
+    fn complete(&self) -> bool {
+        self.result.end.is_complete()
+    }
+
+    fn probe(&self, p: &Extremum) -> &Probe {
+        &self.system.probes()[p.probe]
+    }
+
+    fn name(&self, p: &Extremum) -> String {
+        probe_name(self.probe(p))
+    }
+
+    fn subject(&self, p: &Extremum) -> String {
+        match self.probe(p).is_tilt() {
+            true => format!("the {}", self.name(p)),
+            false => format!("the response of {}", self.name(p)),
+        }
+    }
+
+    fn own_peak(&self, c: &Critical) -> Option<&Extremum> {
+        own_peak(c, &self.result.crossings, self.peaks)
+    }
+
+    fn critical_speeds(&self, mut outcome: Outcome) -> Outcome {
+        for c in &self.result.crossings {
+            let beside = match self.own_peak(c) {
+                _ if !self.forced() || c.order != 1.0 => String::new(),
+                Some(p) if p.unbounded => format!("; there {} has no bound", self.subject(p)),
+                Some(p) => format!("; {} peaks at {}", self.subject(p), quantity(p.speed, "rad/s")),
                 None if !c.driven_by_unbalance() => "; in this machine unbalance does not excite it".into(),
                 None => "; the unbalance response has no peak there".into(),
             };
@@ -130,100 +198,100 @@ margin = 0.15
                 c.step,
                 "rad/s",
             );
-            let finding = match own_peak(c, &crossings, &peaks) {
+            let finding = match self.own_peak(c) {
                 Some(p) => finding.evidence("peak of the response", p.speed, "rad/s"),
                 None => finding,
             };
             outcome = outcome.finding(finding).special_point(special(c));
         }
-        let loose = loose(&crossings, &peaks, probes, &responses);
-        for p in &loose {
+        outcome
+    }
+
+    /// Peaks of the response, and that there are no critical speeds.
+    fn response_peaks(&self, mut outcome: Outcome) -> Outcome {
+        for p in &self.loose {
             let text = format!(
                 "The unbalance response peaks at {{}}, where the frequency of no mode equals the speed: {}.",
-                if p.unbounded { format!("{} has no bound there", subject(p)) } else { moves(&probes[p.probe], p.value) }
+                if p.unbounded { format!("{} has no bound there", self.subject(p)) } else { moves(self.probe(p), p.value) }
             );
-            let finding = Finding::info("response_peak", text).of(name(p)).value(p.speed, "rad/s");
-            outcome = outcome.finding(finding.evidence("amplitude", p.value, probes[p.probe].unit()));
+            let finding = Finding::info("response_peak", text).of(self.name(p)).value(p.speed, "rad/s");
+            outcome = outcome.finding(finding.evidence("amplitude", p.value, self.probe(p).unit()));
         }
-        if crossings.is_empty() {
-            let text = match (complete, loose.is_empty()) {
+        if self.result.crossings.is_empty() {
+            let text = match (self.complete(), self.loose.is_empty()) {
                 (true, true) => "No critical speed was found in this range.",
                 (true, false) => "No speed was found in this range at which the frequency of a mode equals it.",
                 _ => "No critical speed was found before the study stopped.",
             };
             outcome = outcome.finding(Finding::info("no_critical_speed", text));
         }
-        for p in &peaks {
-            let (probe, name) = (&probes[p.probe], probe_name(&probes[p.probe]));
+        for p in self.peaks {
+            let name = self.name(p);
             let point = SpecialPoint::new("response_peak", p.speed, p.bracket).of(&name);
-            outcome = outcome.special_point(point.evidence(format!("amplitude of {name}"), p.value, probe.unit()));
+            outcome = outcome.special_point(point.evidence(format!("amplitude of {name}"), p.value, self.probe(p).unit()));
         }
+        outcome
+    }
+
+    /// Distance of the operating speed from the nearest critical speed or peak.
+    fn margin(&self) -> Option<Finding> {
         // a machine at rest has no distance in parts of its speed
-        if let Some(w) = system.machine.speed.filter(|w| *w != 0.0) {
-            let near = |x: &Critical, y: &Critical| (x.speed - w).abs().total_cmp(&(y.speed - w).abs());
-            // a mode with a tenth of critical damping or more does not show as a resonance
-            let lightly = || crossings.iter().filter(|c| damping(c).abs() < 0.1);
-            let excited = |c: &&Critical| !forced || c.order != 1.0 || own_peak(c, &crossings, &peaks).is_some();
-            let peak = loose.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
-            let close = lightly().filter(excited).min_by(|a, b| near(a, b));
-            let peak = peak.filter(|p| close.is_none_or(|c| (p.speed - w).abs() < (c.speed - w).abs()));
-            // without any that the load excites the nearest of the others is named, and is no reason for a warning
-            let (close, quiet) = match (peak, close) {
-                (None, None) => (lightly().min_by(|a, b| near(a, b)), true),
-                (None, c) => (c, false),
-                _ => (None, false),
-            };
-            let place = peak.map(|p| (p.speed, "peak of the unbalance response".to_string())).or(close.map(|c| {
-                let order = if c.order == 1.0 { String::new() } else { format!(" of order {}", c.order) };
-                let not = if c.located() { "" } else { " (not located)" };
-                (c.speed, format!("lightly damped critical speed{order}{not}"))
-            }));
-            if let Some((speed, what)) = place {
-                let distance = (speed - w).abs() / w.abs();
-                let so_far = if complete { "" } else { " found before the study stopped" };
-                let text = format!(
-                    "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{}.",
-                    quantity(speed, "rad/s"),
-                    quantity(w, "rad/s"),
-                    if quiet { "; the unbalance of this machine excites no resonance there" } else { "" }
-                );
-                // which is the nearest, and whether the load excites it, is known of a whole search alone
-                let near = complete && !quiet && distance < self.margin;
-                let finding = if near { Finding::warning("margin", text) } else { Finding::info("margin", text) };
-                outcome = outcome.finding(
-                    finding
-                        .of("to the nearest critical speed, over the operating speed")
-                        .value(distance, "")
-                        .shown_as(100.0 * distance, "%")
-                        .evidence("margin requested", self.margin, ""),
-                );
-            }
-        }
-        for f in remarks_between(system, &state(self.speed.from)?, state(self.speed.to)) {
-            outcome = outcome.finding(f);
-        }
-        let size = |tilt: bool| peaks.iter().map(|p| if probes[p.probe].is_tilt() == tilt { p.value } else { f64::NAN }).collect();
-        let peak_table = Table::new("response_peaks", "Maxima of the unbalance response")
-            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(name).collect())
+        let w = self.system.machine.speed.filter(|w| *w != 0.0)?;
+        let near = |x: &Critical, y: &Critical| (x.speed - w).abs().total_cmp(&(y.speed - w).abs());
+        // a mode with a tenth of critical damping or more does not show as a resonance
+        let lightly = || self.result.crossings.iter().filter(|c| damping(c).abs() < 0.1);
+        let excited = |c: &&Critical| !self.forced() || c.order != 1.0 || self.own_peak(c).is_some();
+        let peak = self.loose.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs()));
+        let close = lightly().filter(excited).min_by(|a, b| near(a, b));
+        let peak = peak.filter(|p| close.is_none_or(|c| (p.speed - w).abs() < (c.speed - w).abs()));
+        // without any that the load excites the nearest of the others is named, and is no reason for a warning
+        let (close, quiet) = match (peak, close) {
+            (None, None) => (lightly().min_by(|a, b| near(a, b)), true),
+            (None, c) => (c, false),
+            _ => (None, false),
+        };
+        let place = peak.map(|p| (p.speed, "peak of the unbalance response".to_string())).or(close.map(|c| {
+            let order = if c.order == 1.0 { String::new() } else { format!(" of order {}", c.order) };
+            let not = if c.located() { "" } else { " (not located)" };
+            (c.speed, format!("lightly damped critical speed{order}{not}"))
+        }));
+        let (speed, what) = place?;
+        let distance = (speed - w).abs() / w.abs();
+        let so_far = if self.complete() { "" } else { " found before the study stopped" };
+        let text = format!(
+            "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{}.",
+            quantity(speed, "rad/s"),
+            quantity(w, "rad/s"),
+            if quiet { "; the unbalance of this machine excites no resonance there" } else { "" }
+        );
+        // which is the nearest, and whether the load excites it, is known of a whole search alone
+        let near = self.complete() && !quiet && distance < self.study.margin;
+        let finding = if near { Finding::warning("margin", text) } else { Finding::info("margin", text) };
+        let finding = finding.of("to the nearest critical speed, over the operating speed").value(distance, "");
+        Some(finding.shown_as(100.0 * distance, "%").evidence("margin requested", self.study.margin, ""))
+    }
+
+    fn peak_table(&self) -> Result<Table, Diagnostic> {
+        let peaks = self.peaks;
+        let size = |tilt: bool| peaks.iter().map(|p| if self.probe(p).is_tilt() == tilt { p.value } else { f64::NAN }).collect();
+        Table::new("response_peaks", "Maxima of the unbalance response")
+            .text("body", "body, point of a body, or tilt of a body", peaks.iter().map(|p| self.name(p)).collect())
             .float("speed", "rad/s", "spin speed", peaks.iter().map(|p| p.speed).collect())
             .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
             .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
             .build()
-            .map_err(inconsistent)?;
-        outcome = outcome.table(critical_table(&crossings)?).table(peak_table);
-        if !crossings.is_empty() {
-            let mut panel = Panel::new(Axis::new("damping ratio", ""))
-                .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
-            if let Some(w) = system.machine.speed {
-                panel = panel.mark(Rule::x(w, "operating speed"));
-            }
-            let alt = format!("Damping ratio at each of {} critical speeds.", crossings.len());
-            let figure = Figure::new("critical_speeds", "Critical speeds", alt)
-                .x(Axis::new("spin speed", "rad/s").range(self.speed.from, self.speed.to))
-                .panel(panel);
-            outcome = outcome.figure(figure);
+            .map_err(inconsistent)
+    }
+
+    fn figure(&self) -> Figure {
+        let mut panel = Panel::new(Axis::new("damping ratio", ""))
+            .mark(Points::new("critical_speeds", "speed", "damping_ratio").classes("whirl", WHIRLS));
+        if let Some(w) = self.system.machine.speed {
+            panel = panel.mark(Rule::x(w, "operating speed"));
         }
-        outcome.checked().map_err(inconsistent)
+        let alt = format!("Damping ratio at each of {} critical speeds.", self.result.crossings.len());
+        let range = &self.study.speed;
+        Figure::new("critical_speeds", "Critical speeds", alt).x(Axis::new("spin speed", "rad/s").range(range.from, range.to)).panel(panel)
     }
 }
 

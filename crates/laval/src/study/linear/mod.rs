@@ -1,6 +1,6 @@
 //! Studies of the machine linearised about its equilibrium.
 
-pub(in crate::study) mod approximation;
+pub mod approximation;
 pub mod campbell;
 pub mod criterion;
 pub mod critical_speeds;

@@ -10,6 +10,7 @@ use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::time_forms;
 use crate::solve::roots::transcendental;
 use crate::solve::{rest, turning};
+use serde::{Deserialize, Serialize};
 
 /// Bounds of a spin speed, rad/s. Coefficients of bearings are given for one sense of turning, that of the axes: a machine that turns the other way is
 /// described by its mirror image.
@@ -215,13 +216,32 @@ pub fn range_or(
     }
 }
 
-/// The remarks of a study over a range of speeds, from its states at the ends; one of them at least is there. Models are left at either end.
-pub fn remarks_between(system: &System, first: &Equilibrium, last: Result<Equilibrium, Diagnostic>) -> Vec<Finding> {
-    let mut out = remarks(system, first);
-    let known: Vec<String> = out.iter().filter(|f| f.level == Level::Invalid).map(|f| f.subject.clone()).collect();
-    // a state that is not to be had there is said by the study itself
-    out.extend(last.iter().flat_map(|last| outside(system, last)).filter(|f| !known.contains(&f.subject)));
-    out
+/// The states a study over a range of speeds is linearised about at both ends of the range.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct EndStates {
+    /// At the first speed.
+    pub first: Equilibrium,
+    /// At the last speed; none where the machine has no such state there.
+    pub last: Option<Equilibrium>,
+}
+
+impl EndStates {
+    /// Finds them.
+    ///
+    /// # Errors
+    /// No state at the first speed.
+    pub fn find(state: impl Fn(f64) -> Result<Equilibrium, Diagnostic>, from: f64, to: f64) -> Result<Self, Diagnostic> {
+        Ok(EndStates { first: state(from)?, last: state(to).ok() })
+    }
+
+    /// The remarks of a study over the range. Models are left at either end.
+    pub fn remarks(&self, system: &System) -> Vec<Finding> {
+        let mut out = remarks(system, &self.first);
+        let known: Vec<String> = out.iter().filter(|f| f.level == Level::Invalid).map(|f| f.subject.clone()).collect();
+        // a state that is not to be had there is said by the study itself
+        out.extend(self.last.iter().flat_map(|last| outside(system, last)).filter(|f| !known.contains(&f.subject)));
+        out
+    }
 }
 
 /// The remarks every linear study owes: nonlinear parts enter by their tangent, fits by their error, weight by the equilibrium.

@@ -1,0 +1,154 @@
+//! Linear response to unbalance over the spin speed: orbits, phases and forces of all bodies, resonances and antiresonances.
+//!
+//! Equations: `T(i W, W) X = F` with the forces that turn with the rotor; frequency-domain parts and memory states enter exactly. The motion of a
+//! point is `x + i y = f exp(i phase) + b exp(-i phase)`; its orbit has the semi-axes `|f| + |b|` and `||f| - |b||`, the longer at the angle `(arg f + arg b)/2` from x.
+//!
+//! Symbols: W spin speed, rad/s; X complex amplitudes; f, b forward and backward amplitude, m.
+//!
+//! Validity: motions small enough for the tangent of nonlinear parts at rest; constant speed.
+//!
+//! Sources: `docs/theory/linear-vibration.md#unbalance-response`.
+
+mod observed;
+mod report;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::field::{Field, RangeValue, Values};
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::{End, Outcome};
+use crate::solve::characteristic::Characteristic;
+use crate::solve::extrema::{Curve, Extremum, curve, seeds};
+use crate::solve::linear_response::{Response, response};
+use crate::solve::pencil::time_forms;
+use crate::solve::rest::rest;
+use crate::solve::sweep::{Strongest, spectrum};
+use crate::study::shared::size;
+use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::support::{EndStates, SPEED_RANGE, one_or_range};
+use crate::study::{Context, Study};
+use observed::observed;
+pub use observed::{Observations, Outside, Shows};
+use serde::{Deserialize, Serialize};
+
+/// See the [module](self).
+pub struct ForcedResponse {
+    /// Speeds, rad/s.
+    pub speed: RangeValue,
+}
+
+impl Study for ForcedResponse {
+    type Result = ForcedResponseResult;
+    const KIND: &'static str = "forced_response";
+    const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm", points = 400 }
+"#;
+    const DOC: &'static str = "Linear unbalance response over the spin speed: amplitude and phase of every body, at its reference point and \
+        wherever something is attached to it, of its tilt, and forces and moments of linear parts, with resonances and antiresonances located. \
+        Nonlinear parts enter by their tangent at rest; nonlinear_response keeps them whole.";
+    const FIELDS: &'static [Field] = &[Field::required(
+        "speed",
+        SPEED_RANGE,
+        "one spin speed, or a range: points (400 unless given) are added where the response bends",
+    )];
+
+    fn build(values: &Values, system: &System, diagnostics: &mut Diagnostics) -> Option<Self> {
+        let speed = one_or_range("speed", values.range("speed")?, 3, values, diagnostics)?;
+        if system.bodies().is_empty() {
+            diagnostics.push(Diagnostic::error("forced_response.no_body", "no body of this machine moves across the axis"));
+            return None;
+        }
+        Some(ForcedResponse { speed })
+    }
+
+    fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
+        vec![SpinSpeeds::between(self.speed.from, self.speed.to)]
+    }
+
+    fn size(&self, system: &System) -> Option<size::Size> {
+        let speeds = self.speed.points.unwrap_or(400);
+        let kept = 4.0 * (system.n() + system.m()) as f64;
+        let listed = (7 * system.bodies().len() + 3 * system.slots().len()) as f64;
+        Some(size::Size {
+            bytes: speeds as f64 * (size::KEPT * kept + size::LISTED * listed),
+            of: format!("responses at {speeds} speeds of {} coordinates", system.n()),
+            fewer: "give the range fewer points: where the response bends it is refined without them",
+        })
+    }
+
+    fn admit(&self, system: &System) -> Result<(), Diagnostic> {
+        let (_, load) = Characteristic::new(system, &rest(system, self.speed.to)?).loads();
+        if load.iter().all(|f| f.abs() == 0.0) {
+            return Err(Diagnostic::error("forced_response.no_unbalance", "nothing forces this machine at the spin speed")
+                .help("give a disc an eccentricity, an unbalance or a skew"));
+        }
+        Ok(())
+    }
+
+    fn compute(&self, system: &System, context: &Context) -> Result<ForcedResponseResult, Diagnostic> {
+        self.admit(system)?;
+        let state = |w: f64| rest(system, w);
+        let mut speeds = self.speed.linspace(400);
+        context.announce(speeds.len() as f64, 10_000.0, "speeds to solve for, and more where the response bends");
+        let mut each = |done: u64| {
+            context.progress.report(done, 0);
+            context.goes_on(done)
+        };
+        // eigenvalues tell where a narrow resonance hides; a machine without time form has none to tell
+        let known = time_forms(system).is_ok();
+        let mut strongest = Vec::new();
+        if known && self.speed.is_one() {
+            strongest.extend(Strongest::of(self.speed.from, &spectrum(system, &state, self.speed.from)?.1));
+        } else if known {
+            let more = seeds(system, &state, self.speed.from, self.speed.to, &mut each)?;
+            speeds.extend(more.speeds);
+            strongest = more.strongest;
+        }
+        let found = curve(system, &state, speeds, system.probes(), &mut each)?;
+        let observed = observed(system, &state, &found.points)?;
+        let mut directions = [f64::NAN; 2];
+        for (direction, tilt) in directions.iter_mut().zip([false, true]) {
+            let Some(e) = largest(&found, system.probes(), tilt).filter(|e| !e.unbounded) else { continue };
+            let there = response(system, &state, e.speed)?;
+            *direction = there.map_or(f64::NAN, |r| r.direction_of(&system.probes()[e.probe]));
+        }
+        let states = EndStates::find(state, self.speed.from, self.speed.to)?;
+        let end = context.end(found.complete);
+        Ok(ForcedResponseResult { curve: found, strongest, observed, directions, states, end })
+    }
+
+    fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
+        report::Shown::new(self, system, result).outcome(name)
+    }
+}
+
+/// The linear response to unbalance.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ForcedResponseResult {
+    /// Amplitudes over the speed, their maxima and minima; probes in the order of the machine.
+    pub curve: Curve,
+    /// The mode that grows most at every speed of the search for resonances; none of a machine without time form.
+    pub strongest: Vec<Strongest>,
+    /// What the parts show.
+    pub observed: Observations,
+    /// Angle of the major axis of the orbit from x at the largest resonance of a displacement, and of a tilt, rad; NaN where there is none.
+    pub directions: [f64; 2],
+    /// States at the ends of the range.
+    pub states: EndStates,
+    /// How the study ended.
+    pub end: End,
+}
+
+/// The largest resonance of a displacement, or of a tilt.
+fn largest<'c>(found: &'c Curve, probes: &[Probe], tilt: bool) -> Option<&'c Extremum> {
+    let mut peaks: Vec<&Extremum> = found.extrema.iter().filter(|e| e.maximum).collect();
+    peaks.sort_by(|a, b| b.value.total_cmp(&a.value));
+    peaks.into_iter().find(|e| probes[e.probe].is_tilt() == tilt)
+}
+
+/// Response at one speed, for callers that want no table.
+///
+/// # Errors
+/// As [`rest`].
+pub fn at_speed(system: &System, speed: f64) -> Result<Option<Response>, Diagnostic> {
+    response(system, &|w| rest(system, w), speed)
+}

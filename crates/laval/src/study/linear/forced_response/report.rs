@@ -1,0 +1,268 @@
+//! Findings, tables and the figure of a linear response.
+
+use super::{ForcedResponse, ForcedResponseResult, largest};
+use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
+use crate::solve::extrema::Extremum;
+use crate::solve::linear_response::Response;
+use crate::solve::pencil::time_forms;
+use crate::study::Study;
+use crate::study::linear::growing::{Follows, unstable};
+use crate::study::shared::probes;
+use crate::study::shared::support::{inconsistent, moves, probe_name};
+
+pub(super) struct Shown<'a> {
+    study: &'a ForcedResponse,
+    system: &'a System,
+    result: &'a ForcedResponseResult,
+    /// Largest residual of the linear systems.
+    residual: f64,
+    /// The largest resonance of a displacement, and of a tilt.
+    largest: [Option<&'a Extremum>; 2],
+}
+
+impl<'a> Shown<'a> {
+    pub fn new(study: &'a ForcedResponse, system: &'a System, result: &'a ForcedResponseResult) -> Self {
+        let residual = result.curve.points.iter().map(|r| r.residual).fold(0.0, f64::max);
+        let largest = [false, true].map(|tilt| largest(&result.curve, system.probes(), tilt));
+        Shown { study, system, result, residual, largest }
+    }
+
+    pub fn outcome(&self, name: &str) -> Result<Outcome, Diagnostic> {
+        let found = &self.result.curve;
+        let one = self.study.speed.is_one();
+        let mut out = Outcome::new(ForcedResponse::KIND, name).over("speed", "rad/s").end(self.result.end).work("solutions", found.solved);
+        let unstable = unstable(self.system, &self.result.strongest, &Follows::Response);
+        let findings = unstable.into_iter().chain(if one { self.amplitudes() } else { Vec::new() }).chain(self.resonances());
+        out = findings.chain(self.doubts()).chain(self.result.states.remarks(self.system)).fold(out, Outcome::finding);
+        out = self.special_points().into_iter().fold(out, Outcome::special_point);
+        let (extrema, figure) = (self.extrema_table()?, self.figure());
+        out = out.table(self.response_table()?);
+        // one speed makes neither curves nor extrema
+        if !one {
+            out = out.table(extrema);
+            out = if figure.panels.is_empty() { out } else { out.figure(figure) };
+        }
+        out.checked().map_err(inconsistent)
+    }
+
+    fn probes(&self) -> &'a [Probe] {
+        self.system.probes()
+    }
+
+    fn points(&self) -> &'a [Response] {
+        &self.result.curve.points
+    }
+
+    fn name(&self, e: &Extremum) -> String {
+        probe_name(&self.probes()[e.probe])
+    }
+
+    /// At one speed: how far everything moves.
+    fn amplitudes(&self) -> Vec<Finding> {
+        let mut out = Vec::new();
+        for (r, p) in self.points().iter().flat_map(|r| self.probes().iter().map(move |p| (r, p))) {
+            let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
+            let who = if p.is_tilt() { p.name.clone() } else { probe_name(p) };
+            let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.study.speed.from, "rad/s")));
+            out.push(finding.of(who).value(r.size(p), p.unit()).evidence("residual", self.residual, ""));
+        }
+        out
+    }
+
+    /// The largest resonances, or that there is none.
+    fn resonances(&self) -> Vec<Finding> {
+        let found = &self.result.curve;
+        let mut out = Vec::new();
+        for (e, direction) in self.largest.into_iter().zip(self.result.directions).filter_map(|(e, d)| Some((e?, d))) {
+            let so_far = if found.complete { "" } else { " found before the study stopped" };
+            let probe = &self.probes()[e.probe];
+            let (id, of) = if probe.is_tilt() { ("largest_tilt_resonance", " of a tilt") } else { ("largest_resonance", "") };
+            let finding = if e.unbounded {
+                let does = if probe.is_tilt() { "tilts" } else { "moves" };
+                let body = if probe.is_tilt() { probe.name.clone() } else { probe_name(probe) };
+                let text = format!("Nothing dissipates at the resonance{of}{so_far} at {{}}: there {body} {does} without bound.");
+                Finding::warning("undamped_resonance", text)
+            } else {
+                let text = format!("The largest resonance{of}{so_far} is at {{}}: {}.", moves(probe, e.value));
+                Finding::info(id, text)
+            };
+            let amplitude = if probe.is_tilt() { "tilt" } else { "amplitude" };
+            let finding =
+                finding.value(e.speed, "rad/s").evidence(amplitude, e.value, probe.unit()).evidence("residual", self.residual, "");
+            out.push(if direction.is_nan() {
+                finding
+            } else {
+                finding.evidence("angle of the major axis of the orbit from x", direction, "rad")
+            });
+        }
+        if self.largest.iter().all(Option::is_none) && !self.study.speed.is_one() {
+            let text = if !found.unknown.is_empty() {
+                "No resonance was found where the response is known."
+            } else if found.complete {
+                "No body has a resonance inside the range of speeds."
+            } else {
+                "No resonance was found before the study stopped."
+            };
+            out.push(Finding::info("no_resonance", text));
+        }
+        out
+    }
+
+    /// Where the response is not known, without bound, or outside the models.
+    fn doubts(&self) -> Vec<Finding> {
+        let found = &self.result.curve;
+        let mut out = Vec::new();
+        if time_forms(self.system).is_err() && !self.study.speed.is_one() {
+            out.push(Finding::info(
+                "frequency_only",
+                "A part is given in the frequency domain only, so that no eigenvalues guided the search: resonances narrower than the step of speeds may be missed, and stability was not assessed.",
+            ));
+        }
+        // other poles than the one already named
+        let unbounded = found.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed);
+        let mut poles: Vec<f64> = unbounded.chain(found.singular.iter().copied()).collect();
+        poles.sort_by(f64::total_cmp);
+        poles.dedup_by(|b, a| (*b - *a).abs() <= 1e-6 * a.abs());
+        let named: Vec<f64> = self.largest.into_iter().flatten().filter(|e| e.unbounded).map(|e| e.speed).collect();
+        for w in poles.into_iter().filter(|w| named.iter().all(|n| (n - w).abs() > 1e-6 * n.abs())) {
+            let text = "The response grows without bound at {}: nothing dissipates there.";
+            out.push(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
+        }
+        if let Some(first) = found.unknown.first() {
+            let text = format!(
+                "At {} of {} speeds, first at {{}}, a part has no accurate reaction, and the response is not known there.",
+                found.unknown.len(),
+                found.unknown.len() + found.singular.len() + found.points.len()
+            );
+            out.push(Finding::warning("response_unknown", text).value(*first, "rad/s"));
+        }
+        for u in &self.result.observed.outside {
+            let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);
+            let text = if u.ratio.is_finite() { text } else { text.replace("{}, above 1", "no finite value") };
+            let finding = Finding::invalid("validity", text);
+            let finding = if u.ratio.is_finite() { finding.value(u.ratio, "") } else { finding };
+            out.push(finding.evidence("at", u.speed, "rad/s").evidence("outside from", u.from, "rad/s").evidence("to", u.to, "rad/s"));
+        }
+        out
+    }
+
+    fn special_points(&self) -> Vec<SpecialPoint> {
+        let one = |e: &Extremum| {
+            let kind = if e.maximum { "resonance" } else { "antiresonance" };
+            let (name, unit) = (self.name(e), self.probes()[e.probe].unit());
+            SpecialPoint::new(kind, e.speed, e.bracket).of(&name).evidence(format!("amplitude of {name}"), e.value, unit)
+        };
+        self.result.curve.extrema.iter().map(one).collect()
+    }
+
+    fn response_table(&self) -> Result<Table, Diagnostic> {
+        let points = self.points();
+        let reported = |what: &str| format!("{what}; NaN beside a resonance without bound");
+        let column = |f: &dyn Fn(&Response) -> f64| points.iter().map(f).collect::<Vec<f64>>();
+        let mut table = Table::new("response", "Linear response to unbalance").float("speed", "rad/s", "spin speed", column(&|r| r.speed));
+        for p in self.probes() {
+            // the tilt of a body has its own columns, a point those of a body of that name
+            let (n, of, unit) = match p.is_tilt() {
+                true => (p.name.clone(), "tilt_", "rad"),
+                false => (probe_name(p), "", "m"),
+            };
+            let amplitude = if p.is_tilt() { "tilt" } else { "amplitude" };
+            table = table
+                .float(format!("{amplitude}.{n}"), unit, reported("semi-major axis of the orbit"), column(&|r| r.size(p)))
+                .float(
+                    format!("{of}minor.{n}"),
+                    unit,
+                    reported("semi-minor axis of the orbit, negative for backward whirl"),
+                    column(&|r| {
+                        let (f, b) = r.circles_of(p);
+                        f.abs() - b.abs()
+                    }),
+                )
+                .float_if_any(
+                    format!("{of}direction.{n}"),
+                    "rad",
+                    "angle of the major axis from x, above -pi/2 and at most pi/2; NaN of a circle, and beside a resonance without bound",
+                    column(&|r| r.direction_of(p)),
+                )
+                .float(format!("{of}forward.{n}"), unit, reported("forward amplitude"), column(&|r| r.circles_of(p).0.abs()))
+                .float(
+                    format!("{of}phase.{n}"),
+                    "rad",
+                    reported("angle of the forward amplitude from the key mark"),
+                    column(&|r| r.circles_of(p).0.arg()),
+                )
+                .float(format!("{of}backward.{n}"), unit, reported("backward amplitude"), column(&|r| r.circles_of(p).1.abs()))
+                .float(
+                    format!("{of}backward_phase.{n}"),
+                    "rad",
+                    reported("angle of the backward amplitude"),
+                    column(&|r| r.circles_of(p).1.arg()),
+                );
+        }
+        for shows in &self.result.observed.quantities {
+            let name = format!("{}.{}", shows.what, shows.part);
+            table = table.float(name, shows.unit, reported("largest value over a turn"), shows.values.clone());
+        }
+        let validity = self.result.observed.validity.clone();
+        let table = table.float("validity", "", reported("largest use of a part's validity over a turn; above 1 is outside"), validity);
+        table.build().map_err(inconsistent)
+    }
+
+    fn extrema_table(&self) -> Result<Table, Diagnostic> {
+        let (extrema, probes) = (&self.result.curve.extrema, self.probes());
+        let size = |tilt: bool| extrema.iter().map(|e| if probes[e.probe].is_tilt() == tilt { e.value } else { f64::NAN }).collect();
+        Table::new("extrema", "Resonances and antiresonances of every body")
+            .text("body", "body, point of a body, or tilt of a body", extrema.iter().map(|e| self.name(e)).collect())
+            .text(
+                "kind",
+                "maximum or minimum of the amplitude",
+                extrema.iter().map(|e| if e.maximum { "resonance" } else { "antiresonance" }.into()).collect(),
+            )
+            .float("speed", "rad/s", "spin speed", extrema.iter().map(|e| e.speed).collect())
+            .float("amplitude", "m", "semi-major axis of the orbit; NaN where it has no bound, and of a tilt", size(false))
+            .float("tilt", "rad", "semi-major axis of the tilt; NaN where it has no bound, and of a displacement", size(true))
+            .build()
+            .map_err(inconsistent)
+    }
+
+    fn figure(&self) -> Figure {
+        let (probes, points) = (self.probes(), self.points());
+        let (mut amplitude, mut phase) = (
+            Panel::new(Axis::log("amplitude", "µm").factor(1e6)),
+            Panel::new(Axis::new("phase", "°").factor(180.0 / std::f64::consts::PI)),
+        );
+        let mut tilt = Panel::new(Axis::log("tilt", "mrad").factor(1e3));
+        for p in probes {
+            if p.is_tilt() {
+                tilt = tilt.mark(Line::new("response", "speed", format!("tilt.{}", p.name)).name(p.name.clone()));
+            } else {
+                let name = probe_name(p);
+                amplitude = amplitude.mark(Line::new("response", "speed", format!("amplitude.{name}")).name(name.clone()));
+                phase = phase.mark(Line::new("response", "speed", format!("phase.{name}")).name(name));
+            }
+        }
+        amplitude = amplitude.mark(Points::new("extrema", "speed", "amplitude").group("kind"));
+        tilt = tilt.mark(Points::new("extrema", "speed", "tilt").group("kind"));
+        let bodies = self.system.bodies().len();
+        let [moved, tilted] = self.largest;
+        let alt = match moved.or(tilted) {
+            Some(e) if e.unbounded => {
+                format!("Amplitudes of {bodies} bodies over spin speed, without bound at {}.", quantity(e.speed, "rad/s"))
+            }
+            Some(e) => {
+                format!("Amplitudes of {bodies} bodies over spin speed; the largest resonance is at {}.", quantity(e.speed, "rad/s"))
+            }
+            None => format!("Amplitudes of {bodies} bodies over spin speed, without resonance."),
+        };
+        // of a machine that only tilts there is nothing to draw of displacements, of one that does not tilt nothing of tilts
+        let largest = |p: &Probe| points.iter().map(|r| r.size(p)).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        let loud = probes::loudest(probes.iter().map(|p| (p, largest(p))));
+        let some = |tilt: bool| probes.iter().any(|p| p.is_tilt() == tilt && !probes::still(p, largest(p), loud, probes::ROUNDING));
+        let figure = Figure::new("response", "Unbalance response", alt).x(Axis::new("spin speed", "rad/s"));
+        let figure = if some(false) { figure.panel(amplitude).panel(phase) } else { figure };
+        if some(true) { figure.panel(tilt) } else { figure }
+    }
+}

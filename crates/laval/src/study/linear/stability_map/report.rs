@@ -1,0 +1,255 @@
+//! Tables, special points and the figure of a stability map.
+
+use super::{StabilityMap, StabilityMapResult};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::outcome::{
+    Axis, Band, Figure, Heat, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, TableBuilder, quantity, significant,
+};
+use crate::solve::roots::transcendental;
+use crate::solve::stability::{Edge, Peak, Row, Sample};
+use crate::study::Study;
+use crate::study::shared::support::inconsistent;
+
+/// A point of the map: its row, what is known there, and whether it is a point of the boundary.
+pub(super) struct Cell {
+    pub row: usize,
+    pub sample: Sample,
+    pub crossing: bool,
+}
+
+pub(super) struct Shown<'a> {
+    pub study: &'a StabilityMap,
+    pub system: &'a System,
+    pub result: &'a StabilityMapResult,
+    /// Roots without number: those that grow are counted, others are not all known.
+    pub endless: bool,
+    /// Growth from which on a mode counts as unstable, 1/s.
+    pub threshold: f64,
+    /// Name and unit of the parameter.
+    pub name: String,
+    pub unit: &'static str,
+    values: Vec<Option<f64>>,
+    pub cells: Vec<Cell>,
+    /// With their rows.
+    pub edges: Vec<(usize, &'a Edge)>,
+    pub peaks: Vec<(usize, &'a Peak)>,
+}
+
+/// The root that crosses a boundary, there.
+fn at_boundary(e: &Edge) -> Sample {
+    Sample { speed: e.speed, value: e.value, sector: None, size: 0.0, on_grid: false, other: false, growing: None, counted: false }
+}
+
+impl<'a> Shown<'a> {
+    pub fn new(study: &'a StabilityMap, system: &'a System, result: &'a StabilityMapResult) -> Self {
+        let (rows, endless, two) = (&result.rows, transcendental(system), study.parameter.is_some());
+        let (name, unit) = match &study.parameter {
+            Some((path, _)) => {
+                let unit = system.param(path).and_then(|i| system.param_slots().get(*i.first()?)).map_or("", |s| s.unit);
+                (path.clone(), unit)
+            }
+            None => (String::new(), ""),
+        };
+        // the map keeps the grid; along one line the points between belong to it too
+        let each = |(row, r): (usize, &'a Row)| {
+            r.samples.iter().filter(|s| s.on_grid || !two).map(move |s| Cell { row, sample: *s, crossing: false })
+        };
+        let mut cells: Vec<Cell> = rows.iter().enumerate().flat_map(each).collect();
+        // the curve of what is known ends at its boundary, not at the last point before it
+        let ends = rows.iter().take(usize::from(endless && !two)).flat_map(|r| &r.edges).filter(|e| e.located);
+        cells.extend(ends.map(|e| Cell { row: 0, sample: at_boundary(e), crossing: true }));
+        if !two {
+            cells.sort_by(|a, b| a.sample.speed.total_cmp(&b.sample.speed));
+        }
+        Shown {
+            study,
+            system,
+            result,
+            endless,
+            threshold: if endless { study.least(system, &study.speed.linspace(200)) } else { study.threshold },
+            name,
+            unit,
+            values: study.values(),
+            cells,
+            edges: rows.iter().enumerate().flat_map(|(k, r)| r.edges.iter().map(move |e| (k, e))).collect(),
+            peaks: rows.iter().enumerate().flat_map(|(k, r)| r.peaks.iter().map(move |p| (k, p))).collect(),
+        }
+    }
+
+    pub fn outcome(&self, name: &str) -> Result<Outcome, Diagnostic> {
+        let (one, two) = (self.study.speed.is_one(), self.two());
+        let solved: u64 = self.rows().iter().map(|r| r.solved).sum();
+        let mut out = Outcome::new(StabilityMap::KIND, name).over("speed", "rad/s").end(self.result.end).work("eigenproblems", solved);
+        out = self.special_points().into_iter().fold(out, Outcome::special_point);
+        out = self.findings().into_iter().chain(self.result.states.remarks(self.system)).fold(out, Outcome::finding);
+        let map = self.map_table()?;
+        let (grows, whirls) = (map.column("growth").is_some(), map.column("frequency").is_some());
+        out = out.table(map);
+        // along the speed there are no boundaries and peaks at one speed, and without a parameter no curve
+        if !one {
+            out = out.table(self.boundary_table()?).table(self.peaks_table()?);
+        }
+        // where nothing is known to grow there is nothing to draw
+        if grows && (two || !one) {
+            out = out.figure(self.figure(whirls));
+        }
+        out.checked().map_err(inconsistent)
+    }
+
+    pub fn rows(&self) -> &'a [Row] {
+        &self.result.rows
+    }
+
+    /// The speed and a parameter vary.
+    pub fn two(&self) -> bool {
+        self.study.parameter.is_some()
+    }
+
+    pub fn complete(&self) -> bool {
+        self.result.end.is_complete()
+    }
+
+    /// Value of the parameter in a row.
+    pub fn value(&self, row: usize) -> f64 {
+        self.values[row].unwrap_or(f64::NAN)
+    }
+
+    /// Roots that grow no faster are not all known.
+    fn unknown(&self, c: &Cell) -> bool {
+        self.endless && !(c.sample.value.re > self.threshold) && !c.crossing
+    }
+
+    fn special_points(&self) -> Vec<SpecialPoint> {
+        let mut out = Vec::new();
+        let at = |p: SpecialPoint, k: usize| if self.two() { p.evidence(self.name.clone(), self.value(k), self.unit) } else { p };
+        for &(k, e) in &self.edges {
+            let kind = if e.onset { "instability_onset" } else { "instability_end" };
+            let status = if e.located { Status::Located } else { Status::Bracketed };
+            let point = SpecialPoint::new(kind, e.speed, e.bracket).status(status).evidence("frequency", e.value.im, "rad/s");
+            out.push(at(point.evidence("uncertainty", e.step, "rad/s"), k));
+        }
+        for &(k, p) in &self.peaks {
+            let point = SpecialPoint::new("growth_peak", p.speed, p.bracket).evidence("growth", p.value.re, "1/s");
+            out.push(at(point.evidence("frequency", p.value.im, "rad/s"), k));
+        }
+        out
+    }
+
+    /// A table that begins with the speed and, where it varies, the parameter.
+    fn places(&self, table: TableBuilder, speeds: Vec<f64>, rows: impl Iterator<Item = usize>) -> TableBuilder {
+        let table = table.float("speed", "rad/s", "spin speed", speeds);
+        let values = rows.map(|k| self.value(k)).collect();
+        if self.two() { table.float(self.name.clone(), self.unit, "parameter", values) } else { table }
+    }
+
+    fn map_table(&self) -> Result<Table, Diagnostic> {
+        let cells = &self.cells;
+        // where all growth is rounding no mode is the strongest
+        let frequency = |c: &Cell| {
+            let row = &self.rows()[c.row];
+            if self.unknown(c) || row.undamped && !row.unstable(&c.sample, 0.0) { f64::NAN } else { c.sample.value.im }
+        };
+        let map = Table::new("map", "Largest growth rate");
+        let map = self
+            .places(map, cells.iter().map(|c| c.sample.speed).collect(), cells.iter().map(|c| c.row))
+            .float_if_any(
+                "growth",
+                "1/s",
+                if self.endless {
+                    "largest growth rate of all modes; NaN where none grows faster than the threshold"
+                } else {
+                    "largest growth rate of all modes"
+                },
+                cells.iter().map(|c| if self.unknown(c) { f64::NAN } else { c.sample.value.re }).collect(),
+            )
+            .float_if_any(
+                "frequency",
+                "rad/s",
+                "frequency of that mode; NaN where nothing damps or drives any, or none grows",
+                cells.iter().map(frequency).collect(),
+            )
+            .flag("other_mode", "it is another mode than at the speed before", cells.iter().map(|c| c.sample.other).collect());
+        let map = if self.endless {
+            let number = |c: &Cell| c.sample.growing.map_or(f64::NAN, |n| n as f64);
+            let doc = "modes that grow faster than the threshold, by the argument principle; NaN where the count could not be brought to agree with the roots found, and \
+                       at a boundary";
+            map.float_if_any("growing", "", doc, cells.iter().map(number).collect())
+        } else {
+            map
+        };
+        map.build().map_err(inconsistent)
+    }
+
+    fn boundary_table(&self) -> Result<Table, Diagnostic> {
+        let edges = &self.edges;
+        let boundary = Table::new("boundary", "Points where the growth rate crosses the threshold, located");
+        self.places(boundary, edges.iter().map(|e| e.1.speed).collect(), edges.iter().map(|e| e.0))
+            .text(
+                "edge",
+                "onset: unstable above this speed; end: stable above",
+                edges.iter().map(|e| if e.1.onset { "onset" } else { "end" }.into()).collect(),
+            )
+            .float("growth", "1/s", "growth rate", edges.iter().map(|e| e.1.value.re).collect())
+            .float("frequency", "rad/s", "frequency", edges.iter().map(|e| e.1.value.im).collect())
+            .text("method", "how it was located", edges.iter().map(|e| if e.1.double { "double root" } else { "bracket" }.into()).collect())
+            .float("uncertainty", "rad/s", "last step or bracket", edges.iter().map(|e| e.1.step).collect())
+            .build()
+            .map_err(inconsistent)
+    }
+
+    fn peaks_table(&self) -> Result<Table, Diagnostic> {
+        let peaks = &self.peaks;
+        let tops = Table::new("peaks", "Maxima of the growth rate over the speed");
+        self.places(tops, peaks.iter().map(|p| p.1.speed).collect(), peaks.iter().map(|p| p.0))
+            .float("growth", "1/s", "growth rate", peaks.iter().map(|p| p.1.value.re).collect())
+            .float("frequency", "rad/s", "frequency", peaks.iter().map(|p| p.1.value.im).collect())
+            .build()
+            .map_err(inconsistent)
+    }
+
+    fn figure(&self, whirls: bool) -> Figure {
+        let (name, unit, threshold) = (self.name.clone(), self.unit, self.threshold);
+        let speed_axis = Axis::new("spin speed", "rad/s");
+        if self.study.speed.is_one() {
+            let growth = Panel::new(Axis::new("growth rate", "1/s"))
+                .mark(Line::new("map", name.clone(), "growth").name("largest growth rate"))
+                .mark(Rule::y(threshold, "threshold"));
+            let at = quantity(self.study.speed.from, "rad/s");
+            return Figure::new("stability", "Largest growth rate", format!("Largest growth rate over {name} at {at}."))
+                .x(Axis::new(name, unit))
+                .panel(growth);
+        }
+        if self.two() {
+            let heat = Heat::new("map", "speed", name.clone(), "growth", Axis::new("growth rate", "1/s")).diverging().contour(threshold);
+            let factor = if unit == "m" { 1e3 } else { 1.0 };
+            let shown = if unit == "m" { "mm" } else { unit };
+            let alt = format!("Largest growth rate over spin speed and {name}, with the boundary of stability.");
+            let panel = Panel::new(Axis::new(name.clone(), shown).factor(factor)).mark(heat);
+            let boundary = Points::new("boundary", "speed", name).name("boundary");
+            return Figure::new("stability", "Stability map", alt).x(speed_axis).panel(panel.mark(boundary));
+        }
+        let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
+        for (from, to) in self.rows()[0].unstable_ranges(threshold) {
+            growth = growth.mark(Band::x(from, to).name("unstable").strip());
+            let ends = format!("unstable {} to {}", significant(from, 4), significant(to, 4));
+            growth = growth.mark(Rule::x(from, ends));
+        }
+        growth = growth
+            .mark(Line::new("map", "speed", "growth").name("largest growth rate"))
+            .mark(Rule::y(threshold, "threshold"))
+            .mark(Points::new("peaks", "speed", "growth").name("peak"))
+            .mark(Points::new("boundary", "speed", "growth").name("boundary"));
+        let frequency = Line::new("map", "speed", "frequency").name("its frequency").begins_where("other_mode");
+        let figure = Figure::new(
+            "stability",
+            "Largest growth rate",
+            "Largest growth rate over spin speed, with the ranges where it exceeds the threshold; below, the frequency of that mode, with a gap where \
+             another mode becomes the strongest.",
+        )
+        .x(speed_axis)
+        .panel(growth);
+        let below = Panel::new(Axis::new("frequency of the strongest mode", "rad/s")).mark(frequency);
+        if whirls { figure.panel(below) } else { figure }
+    }
+}
