@@ -42,6 +42,7 @@ use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Finding};
 #[cfg(feature = "parquet")]
 use folder::Folder;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicI64, AtomicU64, Ordering};
@@ -344,6 +345,29 @@ impl Results {
     /// The same where the rows have a name.
     pub fn remark_of(&self, rows: &str) -> Option<Finding> {
         incomplete(self.done, self.requested(), self.kept, rows)
+    }
+
+    /// How far it came.
+    pub fn extent(&self) -> Extent {
+        Extent { done: self.done, requested: self.requested(), kept: self.kept }
+    }
+}
+
+/// How far a run came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Extent {
+    /// Rows that are there.
+    pub done: u64,
+    /// Rows requested.
+    pub requested: u64,
+    /// They are kept in a folder.
+    pub kept: bool,
+}
+
+impl Extent {
+    /// As [`Results::remark`].
+    pub fn remark(&self) -> Option<Finding> {
+        incomplete(self.done, self.requested, self.kept, "rows")
     }
 }
 

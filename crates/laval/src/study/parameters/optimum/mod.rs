@@ -21,6 +21,7 @@
 mod machine;
 mod report;
 mod request;
+mod result;
 mod search;
 
 use super::uncertainty::build_inner;
@@ -33,6 +34,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
 pub use machine::Vary;
 pub use request::{Aim, Limit};
+pub use result::{Along, Found, OptimumResult, Run, Slope, Stray, Trail};
 
 /// See the [module](self).
 pub struct Optimum {
@@ -56,7 +58,7 @@ pub struct Optimum {
 const MOST_PARAMETERS: usize = 12;
 
 impl Study for Optimum {
-    type Result = Outcome;
+    type Result = OptimumResult;
     const KIND: &'static str = "optimum";
     const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
 vary = [{ parameter = "drum.mass", from = "2 kg", to = "4 kg" }]
@@ -124,21 +126,24 @@ maximise = "least_damped_mode damping ratio"
         self.study.prepare(system, context)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<OptimumResult, Diagnostic> {
         Study::prepare(self, system, context)?;
         let inner = Context { progress: &crate::study::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;
         if context.cancelled() || nominal.end == End::Cancelled {
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+            return Ok(OptimumResult { found: None, end: End::Cancelled });
         }
         let now = quantities(&nominal);
         self.known(&now)?;
         context.announce((self.starts * self.runs) as f64, 1000.0, &format!("runs of the study {} at most", self.study.kind()));
         let found = search::search(self, system, &now, &inner, context);
-        report::report(self, &found, context)
+        Ok(OptimumResult { end: context.end(found.complete), found: Some(found) })
+    }
+
+    fn report(&self, _: &System, result: &OptimumResult, name: &str) -> Result<Outcome, Diagnostic> {
+        match &result.found {
+            Some(found) => report::report(self, found, result.end, name),
+            None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! Findings, tables and figures.
 
-use super::search::{KEPT, Run, SearchResult, TEST};
-use super::{Context, Optimum};
+use super::Optimum;
+use super::result::{Found, Run};
+use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Figure, Finding, Level, Line, Outcome, Panel, Points, Rule, Table, quantity, significant};
+use crate::outcome::{Axis, End, Figure, Finding, Level, Line, Outcome, Panel, Points, Rule, Table, quantity, significant};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -20,11 +21,8 @@ fn with(value: f64, unit: &str) -> String {
     if unit.is_empty() { significant(value, 5) } else { quantity(value, unit) }
 }
 
-pub(super) fn report(study: &Optimum, found: &SearchResult, context: &Context) -> Result<Outcome, Diagnostic> {
-    let mut out = Outcome::new(Optimum::KIND, context.name)
-        .end(context.end(found.complete))
-        .work("runs", found.runs)
-        .work("runs without the number", found.failed);
+pub(super) fn report(study: &Optimum, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
+    let mut out = Outcome::new(Optimum::KIND, name).end(end).work("runs", found.runs).work("runs without the number", found.failed);
     match &found.best {
         None => {
             let text = if !found.complete {
@@ -59,7 +57,7 @@ pub(super) fn report(study: &Optimum, found: &SearchResult, context: &Context) -
     profiles(out, study, found)?.checked().map_err(inconsistent)
 }
 
-fn headline(study: &Optimum, found: &SearchResult, best: &Run) -> Finding {
+fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
     let way = if study.aim.large { "largest" } else { "least" };
     let change = 100.0 * (best.value - found.now) / found.now.abs();
     // of zero nothing is a share
@@ -80,7 +78,7 @@ fn headline(study: &Optimum, found: &SearchResult, best: &Run) -> Finding {
         .evidence("runs", found.runs as f64, "")
 }
 
-fn parameters(study: &Optimum, found: &SearchResult, best: &Run) -> Vec<Finding> {
+fn parameters(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
     let say = |(k, v): (usize, &super::Vary)| {
         let at = if best.place[k] <= AT_BOUND {
             ", its lower bound: a lower one may allow a better machine"
@@ -105,7 +103,7 @@ fn parameters(study: &Optimum, found: &SearchResult, best: &Run) -> Vec<Finding>
     study.vary.iter().enumerate().map(say).collect()
 }
 
-fn limits(study: &Optimum, found: &SearchResult, best: &Run) -> Vec<Finding> {
+fn limits(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
     let each = study.limits.iter().zip(&best.limited).zip(&found.units);
     each.map(|((l, x), unit)| {
         let reached = l.excess(*x) >= -REACHED;
@@ -122,7 +120,7 @@ fn limits(study: &Optimum, found: &SearchResult, best: &Run) -> Vec<Finding> {
 }
 
 /// Whether the best is the best around it.
-fn test(mut out: Outcome, study: &Optimum, found: &SearchResult) -> Outcome {
+fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     if found.slopes.is_empty() {
         return out;
     }
@@ -157,7 +155,7 @@ fn test(mut out: Outcome, study: &Optimum, found: &SearchResult) -> Outcome {
     out
 }
 
-fn optimum_table(study: &Optimum, found: &SearchResult, best: &Run) -> Result<Table, Diagnostic> {
+fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Diagnostic> {
     let side = |k: usize, sign: f64| found.slopes.iter().find(|s| s.along == Some((k, sign))).map_or(f64::NAN, |s| s.slope);
     let all: Vec<usize> = (0..study.vary.len()).collect();
     let float = |f: &dyn Fn(usize) -> f64| all.iter().map(|&k| f(k)).collect::<Vec<f64>>();
@@ -189,7 +187,7 @@ fn optimum_table(study: &Optimum, found: &SearchResult, best: &Run) -> Result<Ta
 }
 
 /// Axis of the number.
-fn axis(study: &Optimum, found: &SearchResult) -> Axis {
+fn axis(study: &Optimum, found: &Found) -> Axis {
     let size = found.best.as_ref().map_or(1.0, |b| b.value.abs());
     let (unit, factor) = match found.unit.as_str() {
         "m" if size < 1e-3 => ("µm", 1e6),
@@ -199,7 +197,7 @@ fn axis(study: &Optimum, found: &SearchResult) -> Axis {
     Axis::new(study.aim.name.replace('_', " "), unit).factor(factor)
 }
 
-fn searches(mut out: Outcome, study: &Optimum, found: &SearchResult) -> Result<Outcome, Diagnostic> {
+fn searches(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome, Diagnostic> {
     let rows: Vec<(usize, u64, f64)> =
         found.trails.iter().enumerate().flat_map(|(k, t)| t.history.iter().map(move |h| (k + 1, h.0, h.1))).collect();
     let table = Table::new("search", "The best machine found so far, with all limits kept")
@@ -225,7 +223,7 @@ fn searches(mut out: Outcome, study: &Optimum, found: &SearchResult) -> Result<O
 }
 
 /// The number along each parameter through the optimum.
-fn profiles(mut out: Outcome, study: &Optimum, found: &SearchResult) -> Result<Outcome, Diagnostic> {
+fn profiles(mut out: Outcome, study: &Optimum, found: &Found) -> Result<Outcome, Diagnostic> {
     let Some(best) = found.best.as_ref().filter(|_| !found.profiles.is_empty()) else { return Ok(out) };
     let rows: Vec<(usize, &Run)> = found.profiles.iter().enumerate().flat_map(|(k, p)| p.iter().map(move |r| (k, r))).collect();
     let table = Table::new("profiles", "The number along each parameter, the others at their best")

@@ -2,6 +2,7 @@
 
 use super::machine::at;
 use super::request::number;
+use super::result::{Along, Found, Run, Slope, Stray, Trail};
 use super::{Context, Limit, Optimum};
 use crate::model::system::System;
 use crate::study::parameters::uncertainty::collect::{Quantity, Sample, sample};
@@ -11,18 +12,6 @@ use laval_num::sampling::distribution::normal_quantile;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
-
-/// A machine that was run.
-#[derive(Clone, Debug)]
-pub(super) struct Run {
-    pub place: Vec<f64>,
-    /// The number; NaN where the study did not find it.
-    pub value: f64,
-    /// By limit: the number, NaN where it was not found.
-    pub limited: Vec<f64>,
-    /// A result lies outside the validity of a model.
-    pub invalid: bool,
-}
 
 /// Excess over a limit that counts as kept, as a share of the limit.
 pub(super) const KEPT: f64 = 1e-9;
@@ -37,55 +26,13 @@ impl Limit {
 
 impl Run {
     /// Largest excess over a limit.
-    pub fn excess(&self, limits: &[Limit]) -> f64 {
+    pub(super) fn excess(&self, limits: &[Limit]) -> f64 {
         let all = limits.iter().zip(&self.limited).map(|(l, x)| l.excess(*x));
         all.fold(0.0, |m, e| if e > m || e.is_nan() { e } else { m })
     }
-    pub fn kept(&self, limits: &[Limit]) -> bool {
+    pub(super) fn kept(&self, limits: &[Limit]) -> bool {
         self.value.is_finite() && self.excess(limits) <= KEPT
     }
-}
-
-/// One search.
-pub(super) struct Trail {
-    /// Runs so far and the best number with all limits kept (NaN before the first), generation by generation.
-    pub history: Vec<(u64, f64)>,
-    pub best: Option<Run>,
-    pub ended: Ended,
-    pub width: f64,
-}
-
-/// A direction: index of the parameter and the sign, or `None` for one between parameters.
-type Along = Option<(usize, f64)>;
-
-/// One-sided slopes of the merit at the optimum, per length in the unit cube, over a direction.
-pub(super) struct Slope {
-    pub along: Along,
-    pub slope: f64,
-}
-
-/// A recommended range.
-pub(super) struct Stray {
-    /// Lowest and highest value, SI, and whether a bound of the search ends it.
-    pub ends: [(f64, bool); 2],
-}
-
-pub(super) struct SearchResult {
-    /// The machine as it is.
-    pub now: f64,
-    pub unit: String,
-    pub units: Vec<String>,
-    pub trails: Vec<Trail>,
-    pub best: Option<Run>,
-    pub slopes: Vec<Slope>,
-    pub stray: Vec<Stray>,
-    /// By parameter: places and runs along it.
-    pub profiles: Vec<Vec<Run>>,
-    pub runs: u64,
-    pub failed: u64,
-    pub complete: bool,
-    /// Weight of the penalty at the end.
-    pub weight: f64,
 }
 
 /// Weights of the penalty, one after the other until the limits are kept.
@@ -158,11 +105,11 @@ impl Bench<'_> {
 }
 
 /// Searches from several starts, tests the best and measures how far each parameter may stray.
-pub(super) fn search(study: &Optimum, system: &System, now: &[Quantity], inner: &Context, context: &Context) -> SearchResult {
+pub(super) fn search(study: &Optimum, system: &System, now: &[Quantity], inner: &Context, context: &Context) -> Found {
     let current = number(now, &study.aim.name, !study.aim.large).unwrap_or(f64::NAN);
     let unit = |name: &str| now.iter().find(|q| q.label == name).map_or(String::new(), |q| q.unit.clone());
     let bench = Bench { study, system, inner, now: current, runs: AtomicU64::new(0), failed: AtomicU64::new(0) };
-    let mut found = SearchResult {
+    let mut found = Found {
         now: current,
         unit: unit(&study.aim.name),
         units: study.limits.iter().map(|l| unit(&l.name)).collect(),
@@ -242,7 +189,7 @@ fn follow(bench: &Bench, start: usize, weight: &mut f64, go_on: &dyn Fn(&Bench) 
 }
 
 /// One-sided slopes at the optimum, recommended ranges, profiles; `None` when stopped.
-fn examine(bench: &Bench, best: &Run, found: &mut SearchResult) -> Option<()> {
+fn examine(bench: &Bench, best: &Run, found: &mut Found) -> Option<()> {
     let s = bench.study;
     let n = s.vary.len();
     let here = bench.merit(best, found.weight);

@@ -15,12 +15,14 @@ mod report;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, respond};
 use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
+pub use places::{Derivatives, Kind, Place};
+use serde::{Deserialize, Serialize};
 
 /// See the [module](self).
 pub struct Sensitivity {
@@ -39,7 +41,7 @@ impl Sensitivity {
 const BARS: usize = 10;
 
 impl Study for Sensitivity {
-    type Result = Outcome;
+    type Result = SensitivityResult;
     const KIND: &'static str = "sensitivity";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 "#;
@@ -75,18 +77,29 @@ impl Study for Sensitivity {
         self.response.admit(system)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<SensitivityResult, Diagnostic> {
         self.admit(system)?;
         let mut request = *self.response.request();
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
-        let found = places::find(system, &response, &request, context)?;
-        let outside = Uses::of_response(system, &response, request.speeds)?.of_states(system);
-        let outcome = report::report(&found, self.bars, context)?;
-        Ok(outside.into_iter().fold(outcome, Outcome::finding))
+        let (found, end) = places::find(system, &response, &request, context)?;
+        let uses = Uses::of_response(system, &response, request.speeds)?;
+        Ok(SensitivityResult { found, uses, end })
     }
+
+    fn report(&self, system: &System, result: &SensitivityResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let outcome = report::report(&result.found, result.end, self.bars, name)?;
+        Ok(result.uses.of_states(system).into_iter().fold(outcome, Outcome::finding))
+    }
+}
+
+/// How the peaks and folds of a response move with the parameters.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SensitivityResult {
+    /// The peaks and folds.
+    pub found: Derivatives,
+    /// How far the states of the response use up the validity of the parts.
+    pub uses: Uses,
+    /// How the study ended.
+    pub end: End,
 }

@@ -15,33 +15,43 @@ use crate::study::Context;
 use crate::study::nonlinear::nonlinear_response::limited;
 use crate::study::shared::probes;
 use laval_num::work;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// What a place is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Kind {
+    /// A peak of a displacement or tilt.
     Peak,
+    /// A fold from which a slow sweep jumps to a larger motion.
     JumpUp,
+    /// A fold from which it jumps to a smaller one.
     JumpDown,
 }
 
 /// A peak or fold.
-pub(super) struct Place {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Place {
+    /// What it is.
     pub kind: Kind,
     /// Number of the branch, from 0.
     pub branch: usize,
     /// Whose displacement or tilt it is.
     pub probe: Probe,
+    /// Its derivatives.
     pub moved: Moved,
 }
 
-/// All that was found.
-pub(super) struct Derivatives {
+/// The peaks and folds of a response with their derivatives.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Derivatives {
+    /// By speed.
     pub places: Vec<Place>,
+    /// The parameters of the machine.
     pub parameters: Vec<Named>,
     /// Places whose derivatives could not be had: speed, rad/s, and why.
     pub without: Vec<(f64, String)>,
-    pub end: End,
+    /// Orders kept.
     pub harmonics: usize,
 }
 
@@ -130,16 +140,16 @@ fn places_of(
     seeds
 }
 
-/// Looks for them on all branches.
+/// Looks for them on all branches, and how that ended.
 ///
 /// # Errors
 /// As [`Balance::new`].
-pub(super) fn find(system: &System, response: &Response, request: &Request, context: &Context) -> Result<Derivatives, Diagnostic> {
+pub(super) fn find(system: &System, response: &Response, request: &Request, context: &Context) -> Result<(Derivatives, End), Diagnostic> {
     let d = response.discretisation.whole();
     let parameters = parameters(system, d.symmetry);
     let indices: Vec<_> = parameters.iter().map(|p| p.parameter).collect();
     let ended = limited(response, request, context);
-    let mut found = Derivatives { places: vec![], parameters, without: vec![], end: End::Reached, harmonics: d.harmonics };
+    let mut found = Derivatives { places: vec![], parameters, without: vec![], harmonics: d.harmonics };
     let mut complete = !matches!(ended, End::Cancelled | End::WorkLimit | End::MaxPoints);
     let mut balance = Balance::new(system, d, request.speeds, None)?;
     let (mut seen, mut seeds) = (Seen::new(system), Vec::new());
@@ -193,6 +203,6 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
     }
     kept.sort_by(|a, b| a.moved.speed.abs().total_cmp(&b.moved.speed.abs()));
     found.places = kept;
-    found.end = if ended == End::MaxPoints { ended } else { context.end(complete) };
-    Ok(found)
+    let end = if ended == End::MaxPoints { ended } else { context.end(complete) };
+    Ok((found, end))
 }

@@ -4,9 +4,9 @@ use super::Sensitivity;
 use super::places::{Derivatives, Kind, Place};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, Band, End, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
-use crate::study::{Context, Study};
 
 /// A relative change per unit of a parameter of zero that is rounding.
 const NOTHING: f64 = 1e-9;
@@ -103,8 +103,8 @@ fn finding(place: &Place, found: &Derivatives) -> Finding {
 }
 
 /// Everything a reader gets.
-pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Result<Outcome, Diagnostic> {
-    let mut out = Outcome::new(Sensitivity::KIND, context.name).over("speed", "rad/s").end(found.end);
+pub(super) fn report(found: &Derivatives, end: End, bars: usize, name: &str) -> Result<Outcome, Diagnostic> {
+    let mut out = Outcome::new(Sensitivity::KIND, name).over("speed", "rad/s").end(end);
     for p in &found.places {
         out = out.finding(finding(p, found));
         let at = p.moved.speed;
@@ -136,7 +136,7 @@ pub(super) fn report(found: &Derivatives, bars: usize, context: &Context) -> Res
         out = out.finding(Finding::warning("no_influence", text));
     }
     if found.places.is_empty() {
-        let text = match found.end {
+        let text = match end {
             End::Reached => "No peak and no fold of the response was found in the range of speeds.",
             _ => "No peak and no fold of the response was found before the study stopped.",
         };

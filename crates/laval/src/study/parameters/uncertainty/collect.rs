@@ -3,10 +3,11 @@
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Level, Outcome};
 use crate::study::{Context, ErasedStudy};
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
 /// A number of an outcome.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Quantity {
     /// Id and subject of the finding, or kind of the special point, and which of several of that name in rising order.
     pub label: String,

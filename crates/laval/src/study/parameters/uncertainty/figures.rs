@@ -1,12 +1,11 @@
 //! Distributions and indices drawn.
 
-use super::report::{Samples, Spread};
+use super::result::{Samples, Shares, Spread};
 use super::{Interval, Uncertainty};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
-use laval_num::sampling::sobol_indices::Indices;
 use std::collections::BTreeMap;
 
 /// Numbers drawn unless some are named.
@@ -35,11 +34,12 @@ pub fn distributions(
     }
     for i in chosen {
         let ((name, unit), s) = (&samples.names[i], &spreads[i]);
-        let (Some(low), Some(high)) = (s.sorted.first(), s.sorted.last()) else { continue };
+        let (low, high) = (s.smallest, s.largest);
         if !(high > low) {
             continue;
         }
-        let (edges, density) = histogram(&s.sorted);
+        let sorted = study.sorted(&samples.values[i]);
+        let (edges, density) = histogram(&sorted);
         // up, along and down each bar
         let x: Vec<f64> = (0..density.len()).flat_map(|b| [edges[b], edges[b + 1]]).collect();
         let y: Vec<f64> = density.iter().flat_map(|d| [*d, *d]).collect();
@@ -52,10 +52,10 @@ pub fn distributions(
             .build()
             .map_err(inconsistent)?;
         let curve = format!("distribution {name}");
-        let n = s.sorted.len();
+        let n = sorted.len();
         let picked: Vec<usize> = (0..n.min(CURVE)).map(|j| if n <= CURVE { j } else { j * (n - 1) / (CURVE - 1) }).collect();
         let steps = Table::new(&curve, format!("Share of the samples below a value of {name}"))
-            .float("value", unit, "value", picked.iter().map(|&j| s.sorted[j]).collect())
+            .float("value", unit, "value", picked.iter().map(|&j| sorted[j]).collect())
             .float("share", "", "share of the samples at or below it", picked.iter().map(|&j| (j + 1) as f64 / n as f64).collect())
             .build()
             .map_err(inconsistent)?;
@@ -135,14 +135,9 @@ fn bars(mut outcome: Outcome, study: &Uncertainty, name: &str, what: &str, bars:
     Ok(outcome.figure(figure))
 }
 
-pub fn indices(
-    mut outcome: Outcome,
-    study: &Uncertainty,
-    samples: &Samples,
-    found: &[Option<(Vec<Indices>, usize)>],
-) -> Result<Outcome, Diagnostic> {
+pub fn indices(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Option<Shares>]) -> Result<Outcome, Diagnostic> {
     for i in shown(study, samples) {
-        let Some((list, _)) = &found[i] else { continue };
+        let Some(Shares { each: list, .. }) = &found[i] else { continue };
         let kinds =
             vec![("total", list.iter().map(|x| x.total).collect()), ("first order", list.iter().map(|x| x.first).collect::<Vec<_>>())];
         let shape = Bars { title: "Sensitivity", axis: Axis::new("share of the variance", ""), kinds };

@@ -15,6 +15,7 @@
 pub(in crate::study) mod collect;
 mod figures;
 mod report;
+mod result;
 mod tolerance;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -24,12 +25,14 @@ use crate::outcome::{End, Outcome};
 use crate::store::{self, Cells, Column};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, ErasedStudy, Study};
+pub use collect::Quantity;
 pub(in crate::study) use collect::cause;
 use collect::{Sample, encode, quantities, sample};
 use laval_num::sampling::quantile::Interval;
 use laval_num::sampling::{MOST_DIMENSIONS, MOST_POINTS, Points, morris, sobol_indices};
 use laval_num::work::Here;
 use rayon::prelude::*;
+pub use result::{Failure, Found, Samples, Shares, Spread, Statistics, UncertaintyResult};
 pub use tolerance::Uncertain;
 
 const METHODS: &[Word] =
@@ -73,7 +76,7 @@ pub struct Uncertainty {
 }
 
 impl Study for Uncertainty {
-    type Result = Outcome;
+    type Result = UncertaintyResult;
     const KIND: &'static str = "uncertainty";
     const EXAMPLE: &'static str = r#"study = { kind = "modes", speed = "3000 rpm" }
 parameters = [{ parameter = "drum.mass", distribution = "normal", deviation = "2 %" }]
@@ -141,15 +144,11 @@ samples = 256
         self.study.prepare(system, context)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<UncertaintyResult, Diagnostic> {
         let inner = Context { progress: &crate::study::Silent, work_limit: u64::MAX, keep: None, ..*context };
         let nominal = self.study.run(system, &inner)?;
         if context.cancelled() || nominal.end == End::Cancelled {
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+            return Ok(UncertaintyResult { found: None, end: End::Cancelled });
         }
         let rows = self.samples * self.runs();
         let plan = store::Plan {
@@ -178,7 +177,14 @@ samples = 256
             let all: Vec<(Vec<f64>, Sample)> = range.into_par_iter().map(one).collect();
             Ok(self.cells(first, &all))
         })?;
-        report::report(self, &quantities(&nominal), &results, context)
+        Ok(UncertaintyResult { found: Some(Found::new(self, quantities(&nominal), &results)?), end: results.end() })
+    }
+
+    fn report(&self, _: &System, result: &UncertaintyResult, name: &str) -> Result<Outcome, Diagnostic> {
+        match &result.found {
+            Some(found) => report::report(self, found, result.end, name),
+            None => Ok(Outcome::new(Self::KIND, name).end(result.end)),
+        }
     }
 }
 

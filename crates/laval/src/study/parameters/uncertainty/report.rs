@@ -1,130 +1,36 @@
 //! From samples to findings and tables.
 
-use super::collect::{Quantity, cause, decode};
-use super::{CONFIDENCE, Design, Uncertainty, figures};
+use super::result::{Failure, Found, Samples, Shares, Spread, Statistics};
+use super::{Design, Uncertainty, figures};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Finding, Outcome, Table, TableBuilder, quantity};
-use crate::store::Results;
+use crate::outcome::{End, Finding, Outcome, Table, TableBuilder, quantity};
+use crate::study::Study;
 use crate::study::shared::support::inconsistent;
-use crate::study::{Context, Study};
-use laval_num::sampling::distribution::normal_quantile;
 use laval_num::sampling::morris::Effects;
-use laval_num::sampling::quantile::{Interval, quantile, share};
+use laval_num::sampling::quantile::Interval;
 use laval_num::sampling::sobol_indices::Indices;
-use laval_num::sampling::{moments, morris, sobol_indices};
 use std::collections::BTreeMap;
 
-/// All samples, column by column; numbers are NaN where a sample does not have them.
-pub struct Samples {
-    /// Values of each parameter.
-    pub parameters: Vec<Vec<f64>>,
-    /// Name and unit of each number found, the machine's own first.
-    pub names: Vec<(String, String)>,
-    /// Values of each number.
-    pub values: Vec<Vec<f64>>,
-    /// Samples with a result outside the validity of a model.
-    pub invalid: usize,
-    /// Causes of failures: how often, first sample, one message.
-    pub failures: BTreeMap<String, (usize, usize, String)>,
-    /// Whether a sample has no result.
-    pub failed: Vec<bool>,
-    /// Number of samples.
-    pub count: usize,
-}
-
-impl Samples {
-    fn read(study: &Uncertainty, nominal: &[Quantity], results: &Results) -> Result<Samples, Diagnostic> {
-        let k = study.parameters.len();
-        let mut out = Samples {
-            parameters: vec![Vec::new(); k],
-            names: nominal.iter().map(|q| (q.label.clone(), q.unit.clone())).collect(),
-            values: vec![Vec::new(); nominal.len()],
-            invalid: 0,
-            failures: BTreeMap::new(),
-            failed: Vec::new(),
-            count: 0,
-        };
-        let mut places: BTreeMap<String, usize> = nominal.iter().enumerate().map(|(i, q)| (q.label.clone(), i)).collect();
-        for chunk in results.chunks() {
-            let chunk = chunk?;
-            for i in 0..chunk.rows.len() {
-                for (p, column) in out.parameters.iter_mut().enumerate() {
-                    column.push(chunk.cells[p + 1].number(i));
-                }
-                out.values.iter_mut().for_each(|v| v.push(f64::NAN));
-                for q in decode(chunk.cells[k + 1].word(i).unwrap_or("{}")) {
-                    let at = *places.entry(q.label.clone()).or_insert_with(|| {
-                        out.names.push((q.label.clone(), q.unit.clone()));
-                        out.values.push(vec![f64::NAN; out.count + 1]);
-                        out.values.len() - 1
-                    });
-                    out.values[at][out.count] = q.value;
-                }
-                out.invalid += usize::from(chunk.cells[k + 2].number(i) == 1.0);
-                let why = chunk.cells[k + 3].word(i);
-                out.failed.push(why.is_some());
-                if let Some(why) = why {
-                    let sample = chunk.rows.start + i;
-                    out.failures.entry(cause(why)).or_insert_with(|| (0, sample, why.to_string())).0 += 1;
-                }
-                out.count += 1;
-            }
-        }
-        Ok(out)
-    }
-}
-
-/// Statistics of one number over the samples that are independent draws.
-pub struct Spread {
-    /// Values that exist, rising.
-    pub sorted: Vec<f64>,
-    /// Mean and its interval.
-    pub mean: Interval,
-    /// Standard deviation.
-    pub deviation: f64,
-    /// Share of the samples with a result in which the number exists.
-    pub share: Interval,
-    /// Quantiles requested.
-    pub quantiles: Vec<Interval>,
-}
-
-impl Spread {
-    fn of(values: &[f64], succeeded: usize, quantiles: &[f64]) -> Spread {
-        let mut sorted: Vec<f64> = values.iter().copied().filter(|x| x.is_finite()).collect();
-        sorted.sort_by(f64::total_cmp);
-        let (mean, deviation) = moments(&sorted);
-        let half = normal_quantile(0.5 + 0.5 * CONFIDENCE) * deviation / (sorted.len() as f64).sqrt();
-        Spread {
-            mean: Interval { value: mean, low: mean - half, high: mean + half },
-            deviation,
-            share: share(sorted.len(), succeeded, CONFIDENCE),
-            quantiles: quantiles.iter().map(|&p| quantile(&sorted, p, CONFIDENCE)).collect(),
-            sorted,
-        }
-    }
-}
-
 /// The outcome of all samples that are there.
-pub fn report(study: &Uncertainty, nominal: &[Quantity], results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let samples = Samples::read(study, nominal, results)?;
-    let mut outcome = Outcome::new(Uncertainty::KIND, context.name).end(results.end()).work("runs of the study", samples.count as u64);
-    let own: BTreeMap<&str, f64> = nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
+pub fn report(study: &Uncertainty, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
+    let samples = &found.samples;
+    let mut outcome = Outcome::new(Uncertainty::KIND, name).end(end).work("runs of the study", samples.count as u64);
+    let own: BTreeMap<&str, f64> = found.nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
     // what is missing is said before what was found
-    outcome = failures(outcome, &samples)?;
-    match study.design {
-        Design::Morris => outcome = screening(outcome, study, &samples)?,
-        Design::Plain(_) | Design::Sobol(_) => outcome = distributions(outcome, study, &samples, &own)?,
+    outcome = failures(outcome, samples)?;
+    match &found.statistics {
+        Statistics::Effects(effects) => outcome = screening(outcome, study, samples, effects)?,
+        Statistics::Spreads { spreads, drawn, succeeded } => {
+            outcome = distributions(outcome, study, samples, &own, (spreads, *succeeded))?.work("independent samples", *drawn as u64);
+        }
     }
-    if let Design::Sobol(points) = study.design {
-        let plan = sobol_indices::Plan { points, seed: study.seed, inputs: study.parameters.len() };
-        let found: Vec<Option<(Vec<Indices>, usize)>> =
-            samples.values.iter().map(|v| sobol_indices::indices(&plan, v, CONFIDENCE)).collect();
-        outcome = sensitivity(outcome, study, &samples, &found)?;
+    if matches!(study.design, Design::Sobol(_)) {
+        outcome = sensitivity(outcome, study, samples, &found.indices)?;
     }
-    if let Some(remark) = results.remark() {
+    if let Some(remark) = found.extent.remark() {
         outcome = outcome.finding(remark);
     }
-    outcome = outcome.table(table_of(study, &samples)?);
+    outcome = outcome.table(table_of(study, samples)?);
     outcome.checked().map_err(inconsistent)
 }
 
@@ -174,23 +80,20 @@ fn lead(mut outcome: Outcome, sentences: Vec<Finding>, table: &str) -> Outcome {
     outcome
 }
 
-fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, own: &BTreeMap<&str, f64>) -> Result<Outcome, Diagnostic> {
-    // of the runs for the indices the first two of each base point are independent draws
-    let independent = |row: usize| !matches!(study.design, Design::Sobol(_)) || row % study.runs() < 2;
-    let drawn = (0..samples.count).filter(|&r| independent(r)).count();
-    let succeeded = (0..samples.count).filter(|&r| independent(r) && !samples.failed[r]).count();
-    let of = |v: &Vec<f64>| {
-        let picked: Vec<f64> = v.iter().enumerate().filter(|(r, _)| independent(*r)).map(|(_, x)| *x).collect();
-        Spread::of(&picked, succeeded, &study.quantiles)
-    };
-    let spreads: Vec<Spread> = samples.values.iter().map(of).collect();
+fn distributions(
+    mut outcome: Outcome,
+    study: &Uncertainty,
+    samples: &Samples,
+    own: &BTreeMap<&str, f64>,
+    (spreads, succeeded): (&[Spread], usize),
+) -> Result<Outcome, Diagnostic> {
     // what varies first
     let mut said: Vec<usize> = (0..spreads.len()).collect();
     said.sort_by_key(|&k| !(spreads[k].deviation > 0.0));
     let mut sentences = Vec::new();
     for k in said {
         let ((name, unit), s) = (&samples.names[k], &spreads[k]);
-        if s.sorted.is_empty() {
+        if s.count == 0 {
             continue;
         }
         // a sentence keeps the outer two; the table has all
@@ -207,8 +110,8 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
         if s.deviation > 0.0 && ends.len() == 2 && ends[0] != ends[1] {
             text += &format!(", {}", ends.join(", "));
         }
-        if s.sorted.len() < succeeded {
-            text += &format!("; found in {} of {succeeded} samples", s.sorted.len());
+        if s.count < succeeded {
+            text += &format!("; found in {} of {succeeded} samples", s.count);
         }
         let mut finding = Finding::info("distribution", text + ".")
             .of(name)
@@ -240,22 +143,12 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
     );
     let table = interval(table, "mean", "", "mean", &spreads.iter().map(|s| s.mean).collect::<Vec<_>>())
         .float("deviation", "", "standard deviation; NaN below two values", spreads.iter().map(|s| s.deviation).collect())
-        .float(
-            "smallest",
-            "",
-            "smallest value; NaN without values",
-            spreads.iter().map(|s| s.sorted.first().copied().unwrap_or(f64::NAN)).collect(),
-        )
-        .float(
-            "largest",
-            "",
-            "largest value; NaN without values",
-            spreads.iter().map(|s| s.sorted.last().copied().unwrap_or(f64::NAN)).collect(),
-        )
-        .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.sorted.len() as i64).collect())
+        .float("smallest", "", "smallest value; NaN without values", spreads.iter().map(|s| s.smallest).collect())
+        .float("largest", "", "largest value; NaN without values", spreads.iter().map(|s| s.largest).collect())
+        .int("count", "", "samples in which it was found", spreads.iter().map(|s| s.count as i64).collect())
         .leading();
     let table = interval(table, "share", "", "share of the samples with a result", &spreads.iter().map(|s| s.share).collect::<Vec<_>>());
-    outcome = outcome.work("independent samples", drawn as u64).table(table.build().map_err(inconsistent)?);
+    outcome = outcome.table(table.build().map_err(inconsistent)?);
 
     let rows: Vec<(usize, usize)> = (0..spreads.len()).flat_map(|i| (0..study.quantiles.len()).map(move |j| (i, j))).collect();
     let table = Table::new("quantiles", "Values below which a share of the samples lies")
@@ -265,28 +158,23 @@ fn distributions(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, o
     let all: Vec<Interval> = rows.iter().map(|r| spreads[r.0].quantiles[r.1]).collect();
     let table = interval(table, "value", "", "quantile", &all);
     outcome = outcome.table(table.build().map_err(inconsistent)?);
-    figures::distributions(outcome, study, samples, &spreads, own)
+    figures::distributions(outcome, study, samples, spreads, own)
 }
 
 fn significant(x: f64) -> String {
     crate::outcome::significant(x, 4)
 }
 
-fn sensitivity(
-    mut outcome: Outcome,
-    study: &Uncertainty,
-    samples: &Samples,
-    found: &[Option<(Vec<Indices>, usize)>],
-) -> Result<Outcome, Diagnostic> {
+fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Option<Shares>]) -> Result<Outcome, Diagnostic> {
     let rows: Vec<(usize, usize, &Indices, usize)> = found
         .iter()
         .enumerate()
-        .flat_map(|(q, f)| f.iter().flat_map(move |(list, used)| list.iter().enumerate().map(move |(p, i)| (q, p, i, *used))))
+        .flat_map(|(q, f)| f.iter().flat_map(move |f| f.each.iter().enumerate().map(move |(p, i)| (q, p, i, f.used))))
         .collect();
     let (mut sentences, mut without) = (Vec::new(), Vec::new());
     for (q, f) in found.iter().enumerate() {
         let name = &samples.names[q].0;
-        let Some((list, used)) = f else {
+        let Some(Shares { each: list, used }) = f else {
             without.push(name.as_str());
             continue;
         };
@@ -342,9 +230,7 @@ fn sensitivity(
     figures::indices(outcome, study, samples, found)
 }
 
-fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Result<Outcome, Diagnostic> {
-    let plan = morris::Plan { seed: study.seed, inputs: study.parameters.len() };
-    let found: Vec<Vec<Effects>> = samples.values.iter().map(|v| morris::effects(&plan, v, CONFIDENCE)).collect();
+fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Vec<Effects>]) -> Result<Outcome, Diagnostic> {
     let mut sentences = Vec::new();
     for (list, (name, unit)) in found.iter().zip(&samples.names) {
         let known = list.iter().enumerate().filter(|(_, e)| e.count > 0);
@@ -376,13 +262,13 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples) -> Re
         )
         .int("count", "", "effects", rows.iter().map(|r| at(r).count as i64).collect());
     outcome = outcome.table(table.build().map_err(inconsistent)?);
-    figures::effects(outcome, study, samples, &found)
+    figures::effects(outcome, study, samples, found)
 }
 
 fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnostic> {
-    let mut all: Vec<(&String, &(usize, usize, String))> = samples.failures.iter().collect();
-    all.sort_by(|a, b| b.1.0.cmp(&a.1.0).then(a.0.cmp(b.0)));
-    for (cause, (count, first, example)) in &all {
+    let mut all: Vec<(&String, &Failure)> = samples.failures.iter().collect();
+    all.sort_by(|a, b| b.1.count.cmp(&a.1.count).then(a.0.cmp(b.0)));
+    for (cause, Failure { count, first, example }) in &all {
         let instance = if *count > 1 { format!(", for instance sample {first}") } else { String::new() };
         let text = format!("{{}} of {} samples have no result{instance}: {example}", samples.count);
         outcome = outcome.finding(Finding::warning("failed_samples", text).of(*cause).value(*count as f64, "").evidence(
@@ -397,8 +283,8 @@ fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnost
     }
     let table = Table::new("failures", "Samples without a result, by cause")
         .text("cause", "cause, without its numbers", all.iter().map(|f| f.0.clone()).collect())
-        .int("count", "", "how many", all.iter().map(|f| f.1.0 as i64).collect())
-        .int("first", "", "first such sample", all.iter().map(|f| f.1.1 as i64).collect())
-        .text("example", "what it said", all.iter().map(|f| f.1.2.clone()).collect());
+        .int("count", "", "how many", all.iter().map(|f| f.1.count as i64).collect())
+        .int("first", "", "first such sample", all.iter().map(|f| f.1.first as i64).collect())
+        .text("example", "what it said", all.iter().map(|f| f.1.example.clone()).collect());
     Ok(outcome.table(table.build().map_err(inconsistent)?))
 }
