@@ -1,17 +1,12 @@
 //! What a recovery takes: time and speed, and how both depend on speed, size, density and viscosity.
 
 use super::Separation;
-use super::report::{Built, EnsembleResult};
-use crate::outcome::{Finding, Table, quantity, significant};
-use crate::separation::batch::{Batch, FELT, RunUp, Spinning};
+use super::compute::Ensemble;
+use super::result::{Demand, SpeedNeeded};
+use crate::separation::batch::{Batch, FELT, Spinning};
 use crate::separation::ensemble::Model;
 use crate::separation::law::Law;
-use crate::separation::machine::Turning;
-use crate::separation::measures;
-use crate::separation::particle::Particle;
-use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::centrifuge::cups::task::needed;
-use crate::study::shared::support::RPM;
 use laval_num::univariate::maximum;
 
 /// Highest speed shown over that of the study.
@@ -26,12 +21,10 @@ fn affordable(study: &Separation, spinning: &Spinning, speed: f64) -> bool {
     if !spinning.integrated() {
         return true;
     }
-    let (batch, powder) = (&study.task.batch, &study.task.suspension.powder);
-    let median = Particle { radius: 0.5 * powder.size.quantile(0.5), density: powder.density.quantile(0.5) };
-    match batch.model {
+    match study.task.batch.model {
         Model::Drifting => true,
         Model::Inertial => false,
-        Model::Adaptive => 0.5 * study.task.suspension.medium.rates(&median).two_n >= FELT * speed.abs(),
+        Model::Adaptive => 0.5 * study.task.suspension.medium.rates(&study.median()).two_n >= FELT * speed.abs(),
     }
 }
 
@@ -62,10 +55,16 @@ fn moved(law: &Law, liquid: f64, by: f64) -> Law {
     }
 }
 
-impl EnsembleResult<'_> {
-    /// Another speed can be requested.
-    pub fn any_speed(&self) -> bool {
-        searched(self.study, self.spinning)
+impl Ensemble<'_> {
+    /// Times at a row of speeds, and how the time depends on each parameter; none where no other speed can be requested.
+    pub fn demand(&self) -> Option<Demand> {
+        searched(self.study, self.spinning).then(|| {
+            let speed = self.speed_needed();
+            let highest = HIGHEST_SHOWN;
+            let speeds: Vec<f64> = (0..=32).map(|k| self.study.speed.abs() * highest.powf(-1.0 + 2.0 * k as f64 / 32.0)).collect();
+            let times = speeds.iter().map(|&w| self.time_at(w)).collect();
+            Demand { speed, speeds, times, exponents: self.exponents() }
+        })
     }
 
     /// Time a batch takes at a speed, s; NaN where a path cannot be computed.
@@ -84,14 +83,14 @@ impl EnsembleResult<'_> {
 
     /// The lowest speed that catches the recovery in the time at hand, and the width of its bracket: scanned from below, then narrowed. Otherwise the highest
     /// speed looked at.
-    fn speed_needed(&self) -> Result<(f64, f64), f64> {
+    fn speed_needed(&self) -> SpeedNeeded {
         let s = self.study;
         let spare = |w: f64| {
             let t = self.time_at(w);
             if t > 0.0 { (s.task.time / t).ln() } else { f64::NEG_INFINITY }
         };
         if spare(0.0) >= 0.0 {
-            return Ok((0.0, 0.0));
+            return SpeedNeeded::Found { speed: 0.0, bracket: 0.0 };
         }
         let (mut earlier, mut before) = ((0.0, f64::NEG_INFINITY), (0.0, f64::NEG_INFINITY));
         for k in 0..40 {
@@ -120,85 +119,20 @@ impl EnsembleResult<'_> {
                     let m = spare(x);
                     if m >= 0.0 { high = (x, m) } else { low = (x, m) }
                 }
-                return Ok((high.0, high.0 - low.0));
+                return SpeedNeeded::Found { speed: high.0, bracket: high.0 - low.0 };
             }
             (earlier, before) = (before, (w, m));
         }
-        Err(before.0)
-    }
-
-    /// The speed a recovery needs, and whether the model still holds there.
-    pub fn speed_findings(&self, name: &str) -> Vec<Finding> {
-        let s = &self.study.task;
-        let time = match s.throughput {
-            Some(q) => format!("at {} l/h", significant(q * 3.6e6, 4)),
-            None => format!("in {}", quantity(s.time, "s")),
-        };
-        let with = match s.batch.run_up {
-            RunUp::None => "",
-            RunUp::Linear(_) | RunUp::Smooth(_) => ", the run-up at the same acceleration included",
-            RunUp::Programme(_) => ", with all speeds of the programme in proportion to the last",
-        };
-        let found = self.speed_needed();
-        let finding = match found {
-            Ok((0.0, _)) => {
-                Finding::info("speed_needed", format!("Gravity alone catches {name} {time}: no spin is needed, {{}}.")).value(0.0, "rad/s")
-            }
-            Ok((w, bracket)) => Finding::info("speed_needed", format!("Catching {name} {time} takes at least {{}}{with}."))
-                .value(w, "rad/s")
-                .shown_as(w * RPM, "rpm")
-                .evidence("width of the bracket", bracket, "rad/s")
-                .evidence("places of the fixed set", s.batch.places as f64, ""),
-            Err(highest) => {
-                let text =
-                    format!("None of the speeds computed, up to {} rpm, catches {name} {time}{with}.", significant(highest * RPM, 4));
-                Finding::warning("speed_needed", text)
-            }
-        };
-        let felt = found.ok().and_then(|(w, _)| gravity_felt(&s.vessel.separator, w, s.suspension.medium.gravity));
-        let doubt = felt.map(|field| {
-            let text = format!(
-                "At the speed needed the field is {{}} g at the innermost liquid; the model of a machine that liquid flows through leaves gravity out, which holds from {} g on.",
-                significant(FIELD, 2)
-            );
-            Finding::warning("speed_needed_gravity", text).value(field, "").evidence("least field over gravity", FIELD, "")
-        });
-        std::iter::once(finding).chain(doubt).collect()
-    }
-
-    /// Times at a row of speeds, and how the time depends on each parameter.
-    pub fn demand_tables(&self) -> Built<(Table, Table)> {
-        let speeds: Vec<f64> = (0..=32).map(|k| self.study.speed.abs() * HIGHEST_SHOWN.powf(-1.0 + 2.0 * k as f64 / 32.0)).collect();
-        let times: Vec<f64> = speeds.iter().map(|&w| self.time_at(w)).collect();
-        Ok((self.demand_table(&speeds, &times)?, sensitivity_table(&self.sensitivities())?))
-    }
-
-    fn demand_table(&self, speeds: &[f64], times: &[f64]) -> Built<Table> {
-        let s = &self.study.task;
-        let g = s.suspension.medium.gravity;
-        let times = times.iter().map(|&t| if t.is_finite() { t } else { f64::NAN }).collect();
-        let turned: Vec<Turning> = speeds.iter().map(|&w| s.vessel.separator.at(w)).collect();
-        let mut table = Table::new("demand", format!("Time that catches {} % over the speed", significant(100.0 * s.recovery, 4)))
-            .float("time", "s", "time (residence time where liquid flows through); NaN where it is never caught", times)
-            .float(
-                "rcf",
-                "",
-                "field at the largest radius over gravity",
-                turned.iter().map(|t| measures::rcf(t.speed, t.radii().1, g)).collect(),
-            );
-        if turned.iter().all(|t| t.tilt().is_some()) {
-            table = table.float("tilt", "rad", "tilt", turned.iter().filter_map(Turning::tilt).collect());
-        }
-        table.float("speed", "rad/s", "spin speed", speeds.to_vec()).build()
+        SpeedNeeded::None { highest: before.0 }
     }
 
     /// d ln t_q/d ln p by central differences.
-    fn sensitivities(&self) -> [(&'static str, f64); 4] {
+    fn exponents(&self) -> [f64; 4] {
         let (w, s) = (self.study.speed, &self.study.task);
         let h: f64 = 0.01;
-        let slope = |name: &'static str, time: &dyn Fn(f64) -> f64| {
+        let slope = |time: &dyn Fn(f64) -> f64| {
             let d = (time(1.0 + h) / time(1.0 - h)).ln() / ((1.0 + h) / (1.0 - h)).ln();
-            (name, if d.is_finite() { d } else { f64::NAN })
+            if d.is_finite() { d } else { f64::NAN }
         };
         let with = |change: &dyn Fn(&mut Batch)| {
             let mut batch = s.batch.clone();
@@ -206,17 +140,10 @@ impl EnsembleResult<'_> {
             self.time_of(&batch, w)
         };
         [
-            slope("speed", &|by| self.time_at(w * by)),
-            slope("size", &|by| with(&|b| b.powder.size = scaled(&b.powder.size, by))),
-            slope("density difference", &|by| with(&|b| b.powder.density = moved(&b.powder.density, b.medium.density, by))),
-            slope("viscosity", &|by| with(&|b| b.medium.viscosity *= by)),
+            slope(&|by| self.time_at(w * by)),
+            slope(&|by| with(&|b| b.powder.size = scaled(&b.powder.size, by))),
+            slope(&|by| with(&|b| b.powder.density = moved(&b.powder.density, b.medium.density, by))),
+            slope(&|by| with(&|b| b.medium.viscosity *= by)),
         ]
     }
-}
-
-fn sensitivity_table(rows: &[(&str, f64)]) -> Built<Table> {
-    Table::new("sensitivity", "Relative change of the time needed over the relative change of a parameter (d ln t_q/d ln p)")
-        .text("parameter", "parameter", rows.iter().map(|r| r.0.into()).collect())
-        .float("exponent", "", "exponent of the time; NaN where the share is never caught", rows.iter().map(|r| r.1).collect())
-        .build()
 }

@@ -1,15 +1,15 @@
 //! Figures of a separation.
 
-use super::report::EnsembleResult;
+use super::report::Shown;
 use crate::outcome::{Axis, Figure, Line, Outcome, Panel, Points, Rule};
 use crate::study::shared::support::RPM;
 
-impl EnsembleResult<'_> {
+impl Shown<'_> {
     pub fn figures(&self, mut out: Outcome) -> Outcome {
         let s = self.study;
         let line = |y: &str, name: &str| Line::new("efficiency", "time", y).name(name);
         let mut panel = Panel::new(Axis::new("share caught", "%").factor(100.0).range(0.0, 102.0)).mark(line("efficiency", "all"));
-        let flow = s.task.throughput.is_some();
+        let flow = self.flow();
         for (column, name) in [("wall", "at the wall"), ("bottom", "at the bottom"), ("surface", "at the surface")] {
             let used = out
                 .find_table("efficiency")

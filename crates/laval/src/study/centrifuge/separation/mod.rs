@@ -9,11 +9,13 @@
 //!
 //! Sources: `docs/theory/separation.md`; 000_a291f7ede1484e56 chapter 3.
 
+mod compute;
 mod demand;
 mod figures;
+mod findings;
 mod meter;
-mod paths;
 mod report;
+mod result;
 mod tables;
 
 use super::cups::CUP;
@@ -27,14 +29,18 @@ use crate::separation::ensemble::Member;
 use crate::separation::exit::Exit;
 use crate::separation::machine::Separator;
 use crate::separation::motion::Lost;
+use crate::separation::particle::Particle;
 use crate::separation::ramp::Ramp;
 use crate::separation::recovery::Watch;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
+use compute::Ensemble;
 use laval_num::work::Here;
 use meter::Meter;
 use rayon::prelude::*;
+use report::Shown;
+pub use result::{Demand, PARAMETERS, Path, Recovered, Released, RunUpTime, Separated, SeparationResult, SpeedNeeded};
 
 /// See the [module](self).
 pub struct Separation {
@@ -53,7 +59,7 @@ pub struct Separation {
 }
 
 impl Study for Separation {
-    type Result = Outcome;
+    type Result = SeparationResult;
     const KIND: &'static str = "separation";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 time = "8 min"
@@ -221,11 +227,7 @@ ramp = "30 s"
         Vec::new()
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, _: &System, context: &Context) -> Result<SeparationResult, Diagnostic> {
         let spinning = self.task.batch.at(self.speed);
         if spinning.crowd.is_empty() {
             return Err(
@@ -234,18 +236,41 @@ ramp = "30 s"
         }
         let meter = Meter::new(self, &spinning, context);
         let (watch, goes_on) = (|| meter.one(), || meter.goes_on());
-        let found = exits(&spinning, &watch).and_then(|exits| report::EnsembleResult::new(self, &spinning, exits, (&watch, &goes_on)));
-        let outcome = found.and_then(|f| f.outcome(system, context));
+        let found = exits(&spinning, &watch).and_then(|exits| Ensemble::new(self, &spinning, exits, (&watch, &goes_on))?.separated());
+        // what was not computed is not said
         if context.cancelled() {
-            // what was not computed is not said
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
+            return Ok(SeparationResult { found: None, end: End::Cancelled });
         }
         if !goes_on() {
-            let text = "The work limit, counted in paths of particles, was reached before all paths were computed: nothing of it is shown.";
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::WorkLimit).finding(Finding::info("nothing_shown", text)));
+            return Ok(SeparationResult { found: None, end: End::WorkLimit });
         }
         meter.finish();
-        outcome
+        Ok(SeparationResult { found: Some(found?), end: End::Reached })
+    }
+
+    fn report(&self, system: &System, result: &SeparationResult, name: &str) -> Result<Outcome, Diagnostic> {
+        if let Some(found) = &result.found {
+            return Shown { study: self, found }.outcome(system, name);
+        }
+        let out = Outcome::new(Self::KIND, name).end(result.end);
+        if result.end == End::Cancelled {
+            return Ok(out);
+        }
+        let text = "The work limit, counted in paths of particles, was reached before all paths were computed: nothing of it is shown.";
+        Ok(out.finding(Finding::info("nothing_shown", text)))
+    }
+}
+
+impl Separation {
+    /// The particle of median size and density.
+    fn median(&self) -> Particle {
+        let p = &self.task.suspension.powder;
+        Particle { radius: 0.5 * p.size.quantile(0.5), density: p.density.quantile(0.5) }
+    }
+
+    /// The particles are heavier than the liquid.
+    fn heavy(&self) -> bool {
+        self.median().density > self.task.suspension.medium.density
     }
 }
 
