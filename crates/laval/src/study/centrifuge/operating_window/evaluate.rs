@@ -10,11 +10,13 @@ use super::{Objective, OperatingWindow, Policy, SPEEDS};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
 use crate::model::system::System;
+use crate::separation::machine::Separator;
 use crate::solve::extrema::seeds;
 use crate::solve::rest::rest;
 use crate::study::Context;
 use crate::study::shared::limits::Limit;
 use laval_num::univariate::maximum;
+use serde::{Deserialize, Serialize};
 
 /// How carefully a range is looked at.
 pub(super) enum Care<'a> {
@@ -27,25 +29,54 @@ pub(super) enum Care<'a> {
 }
 
 /// One machine evaluated over the range.
-pub(super) struct Evaluated {
-    pub required: Requirements,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Evaluated {
+    /// By speed.
     pub points: Vec<Point>,
+    /// Where everything is kept.
     pub intervals: Vec<Interval>,
     /// Where everything but the separation is kept.
     pub mechanical: Vec<Interval>,
+    /// The recommended speed.
     pub best: Option<Point>,
     /// Bodies whose tilt no limit sees.
     pub unseen: Vec<Unseen>,
+    /// Folds of the response of a nonlinear machine, rad/s.
     pub folds: Vec<f64>,
+    /// Orders kept of it.
     pub harmonics: Option<usize>,
+    /// The way up and down, where it was simulated.
     pub passage: Option<Passage>,
+    /// The run-up to the recommended speed of tubes held at an angle.
+    pub counted: Option<Counted>,
+}
+
+/// A run-up counted by an estimate.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Counted {
+    /// Time at full speed as which it counts, by the field at mean radius, s.
+    pub counted: f64,
+    /// How long it takes, s.
+    pub duration: f64,
+    /// As which it counts by the square of the speed alone, s.
+    pub equivalent: f64,
 }
 
 /// A body that tilts, forced to do so or not, without a limit that its tilt could break.
-pub(super) struct Unseen {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Unseen {
     /// Index among the bodies.
     pub index: usize,
+    /// Its name.
     pub name: String,
+}
+
+/// The run-up of tubes held at an angle to a speed.
+fn counted(required: &Requirements, best: &Point) -> Option<Counted> {
+    let task = required.task.as_ref().filter(|t| matches!(t.vessel.separator, Separator::Tube(..)))?;
+    let ramp = task.batch.run_up.to(best.speed)?;
+    let counted = task.batch.at(best.speed).clock.counted(ramp.duration());
+    Some(Counted { counted, duration: ramp.duration(), equivalent: ramp.equivalent() })
 }
 
 /// Bodies that tilt without a limit on that, and whose displacement is the same at all points that count.
@@ -121,7 +152,8 @@ impl OperatingWindow {
         let harmonics = branches.as_ref().map(Branches::harmonics);
         drop(branches);
         let unseen = unseen(system, &required);
-        Ok(Some(Evaluated { required, points, intervals: found, mechanical, best, unseen, folds, harmonics, passage }))
+        let counted = best.as_ref().and_then(|best| counted(&required, best));
+        Ok(Some(Evaluated { points, intervals: found, mechanical, best, unseen, folds, harmonics, passage, counted }))
     }
 
     /// Branches of a nonlinear machine; none when it is linear.

@@ -14,6 +14,7 @@ use crate::study::centrifuge::cups::task::{Task, needed};
 use crate::study::shared::limits::{Limit, Limits};
 use crate::study::shared::support::largest;
 use laval_num::complex::{C64, c};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Names of the requirements, in the order they are shown.
@@ -28,9 +29,9 @@ pub(super) const VALID: usize = 7;
 const NEXT: f64 = 1e-3;
 
 /// A requirement at a speed.
-#[derive(Clone, Debug)]
-pub(super) struct Margin {
-    /// Index in [`NAMES`].
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Margin {
+    /// Index among the requirements, in the order they are shown: separation, vibration, self-centring, stability, clearance, passage, strength, validity.
     pub name: usize,
     /// Margin; NaN where it is not defined, which counts as not kept.
     pub value: f64,
@@ -46,18 +47,23 @@ impl Margin {
 }
 
 /// Everything at one speed.
-#[derive(Clone, Debug)]
-pub(super) struct Point {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Point {
+    /// Spin speed, rad/s.
     pub speed: f64,
+    /// The requirements.
     pub margins: Vec<Margin>,
     /// Time to reach the recovery, run-up counted as requested, s.
     pub needed: f64,
+    /// Tilt of the cups, rad; NaN without cups.
     pub tilt: f64,
+    /// Unbalance of the cups, kg m.
     pub unbalance: f64,
     /// Number of stable steady states.
     pub states: usize,
     /// Energy of a batch: kinetic energy of the spin and work of the drive at speed, J.
     pub energy: f64,
+    /// Largest growth rate, before and after the separation, 1/s.
     pub growth: f64,
     /// Largest tilt of each body, rad.
     pub leans: Vec<f64>,
@@ -105,7 +111,6 @@ pub(super) struct Requirements {
     /// Time of the run-up to the top of the range, s.
     pub ramp: Option<f64>,
     pub policy: Policy,
-    pub top: f64,
 }
 
 /// Evaluates the requirements of one machine.

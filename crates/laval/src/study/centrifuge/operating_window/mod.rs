@@ -23,24 +23,34 @@
 mod borders;
 mod contents;
 mod evaluate;
+mod figures;
+mod findings;
 mod margins;
 mod passage;
+mod recommended;
 mod report;
 mod request;
 mod steady;
+mod tables;
 mod vary;
 mod window;
 
+use super::cups::CUP;
 use super::cups::task::{DIAMETER, MODEL, PARTICLES, RECOVERY, START, THROUGHPUT};
-use super::cups::{CUP, uncarried};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::System;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
 use evaluate::Care;
+pub use evaluate::{Counted, Evaluated, Unseen};
+pub use margins::{Margin, Point};
+pub use passage::{Passage, Stretch};
+use serde::{Deserialize, Serialize};
+pub use vary::{Cell, Map, Robust};
+pub use window::{End as Edge, Interval};
 
 /// What the best speed is best for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +94,7 @@ const MAP_POINTS: usize = 12;
 const MAP_PLACES: usize = 256;
 
 impl Study for OperatingWindow {
-    type Result = Outcome;
+    type Result = WindowResult;
     const KIND: &'static str = "operating_window";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "3000 rpm" }
 time = "10 min"
@@ -174,20 +184,43 @@ ramp = "60 s"
         vec![SpinSpeeds::between(from, self.speed.to)]
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<WindowResult, Diagnostic> {
         let corners = if self.uncertain.is_empty() { 0 } else { 1usize << self.uncertain.len() };
         let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
         let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
         context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
         let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
-            return Ok(Outcome::new(Self::KIND, context.name).over("speed", "rad/s").end(context.end(false)));
+            return Ok(WindowResult { found: None, end: context.end(false) });
         };
         let robust = self.robust(system, context, &main)?;
         let map = self.mapped(system, context, &main)?;
-        report::WindowResult { study: self, main, robust, map, uncarried: uncarried(system, None) }.outcome(context)
+        Ok(WindowResult { found: Some(Found { main, robust, map }), end: End::Reached })
     }
+
+    fn report(&self, system: &System, result: &WindowResult, name: &str) -> Result<Outcome, Diagnostic> {
+        match &result.found {
+            Some(found) => report::Shown::new(self, system, found)?.outcome(name),
+            None => Ok(Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end)),
+        }
+    }
+}
+
+/// The speeds at which the machine may run.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct WindowResult {
+    /// None where the study was stopped before the range was scanned.
+    pub found: Option<Found>,
+    /// How the study ended.
+    pub end: End,
+}
+
+/// The window of the machine, and of others like it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Found {
+    /// The machine as it is.
+    pub main: Evaluated,
+    /// At the corners of uncertain parameters, with room for the tolerance of the speed.
+    pub robust: Option<Robust>,
+    /// Over speed and a parameter.
+    pub map: Option<Map>,
 }

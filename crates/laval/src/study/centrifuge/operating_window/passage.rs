@@ -4,43 +4,42 @@ use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::model::timed::Speeds;
-use crate::outcome::Finding;
 use crate::solve::motion::envelope::Window;
 use crate::solve::motion::trajectory::{Choice, Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape};
 use crate::study::Context;
-use crate::study::motion::drive::without_inertia;
 use crate::study::motion::start::Start;
 use crate::study::shared::limits::Limits;
 use crate::study::shared::support::largest;
 use laval_num::ode::End;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// What happens on the way to a speed.
-#[derive(Clone)]
-pub(super) struct Passage {
-    bodies: Vec<String>,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Passage {
+    /// Names of the bodies.
+    pub bodies: Vec<String>,
     /// Points beside the reference points.
-    points: Vec<Probe>,
-    ways: [Vec<Stretch>; 2],
+    pub points: Vec<Probe>,
+    /// Up and down, each from the lowest speed on.
+    pub ways: [Vec<Stretch>; 2],
     /// Steps of the integration.
     pub steps: u64,
-    /// That the torque is without the inertia of parts.
-    pub lacks: Option<Finding>,
 }
 
 /// A stretch of the way.
-#[derive(Clone)]
-struct Stretch {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Stretch {
     /// Its lowest and its highest speed, rad/s.
-    speeds: (f64, f64),
+    pub speeds: (f64, f64),
     /// Largest displacement of each body, m, and the speed it happens at.
-    moved: Vec<(f64, f64)>,
+    pub moved: Vec<(f64, f64)>,
     /// The same of each point beside the reference points.
-    aside: Vec<(f64, f64)>,
+    pub aside: Vec<(f64, f64)>,
     /// Torque of the drive, N m.
-    torque: f64,
+    pub torque: f64,
 }
 
 /// The largest displacement of a body on one way.
@@ -57,13 +56,12 @@ const PARTS: f64 = 1e6;
 
 impl Passage {
     /// Simulates both ways; `duration` is the time to the top speed. `None` when it was stopped, or the work limit ended it.
-    pub fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Option<Self>, Diagnostic> {
-        let lacks = without_inertia(system, "The torque of the run-up is");
+    pub(super) fn simulate(system: &System, top: f64, duration: f64, context: &Context) -> Result<Option<Self>, Diagnostic> {
         context.announce(duration * top / TAU, 1e5, "turns of the rotor to integrate in the simulation of the passage");
         let reported = |share: f64| context.progress.report((share * PARTS) as u64, PARTS as u64);
         let Some((ways, steps)) = both_ways(system, (top, duration), context, &reported)? else { return Ok(None) };
         let points = system.probes().iter().filter(|p| !p.is_tilt() && !p.is_reference()).cloned().collect();
-        Ok(Some(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps, lacks }))
+        Ok(Some(Passage { bodies: system.bodies().into_iter().map(|b| b.name).collect(), points, ways, steps }))
     }
 
     /// Stretches of a way up to a speed.
@@ -72,7 +70,7 @@ impl Passage {
     }
 
     /// Largest displacement of each body on the way up to a speed and down again.
-    pub fn peaks(&self, speed: f64) -> Vec<Peak> {
+    pub(super) fn peaks(&self, speed: f64) -> Vec<Peak> {
         let of = |k: usize| self.largest(speed, move |s| s.moved.get(k).copied());
         let one = |(k, body): (usize, &String)| -> Vec<Peak> {
             let peak = |(up, at): (bool, (f64, f64))| Peak { body: body.clone(), up, displacement: at.0, speed: at.1 };
@@ -108,7 +106,7 @@ impl Passage {
     }
 
     /// Margin of the passage to a speed and back.
-    pub fn margin(&self, speed: f64, limits: &Limits) -> (f64, String) {
+    pub(super) fn margin(&self, speed: f64, limits: &Limits) -> (f64, String) {
         let mut worst = (f64::INFINITY, "passage".to_string());
         for limit in &limits.passage {
             let body = self.bodies.iter().position(|b| *b == limit.body);

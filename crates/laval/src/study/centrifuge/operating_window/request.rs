@@ -162,7 +162,7 @@ fn aimed(objective: Objective, values: &Values, system: &System, limits: &Limits
     }
 }
 
-fn policy(values: &Values) -> Policy {
+pub(super) fn policy(values: &Values) -> Policy {
     match values.choice("branch_policy") {
         Some("reached") => Policy::Reached,
         Some("highest") => Policy::Highest,
@@ -170,13 +170,13 @@ fn policy(values: &Values) -> Policy {
     }
 }
 
-/// What is requested of a machine like the one that the study was read for; for a map with fewer places.
+/// The separation and the limits requested of a machine like the one that the study was read for.
 ///
 /// # Errors
 /// When its cups and suspension no longer fit what is requested.
-pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Result<Requirements, Diagnostic> {
+pub(super) fn requested(study: &OperatingWindow, system: &System) -> Result<(Option<Task>, Limits), Diagnostic> {
     let (v, mut own) = (&study.values, Diagnostics::default());
-    let mut task = separated(v, system, study.speed.to, &mut own);
+    let task = separated(v, system, study.speed.to, &mut own);
     let limits = limits::of(system);
     run_up(v, &limits, &mut own);
     if own.has_errors() {
@@ -185,6 +185,15 @@ pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Re
             "what the study requires of the machine does not fit its cups and suspension",
         ));
     }
+    Ok((task, limits))
+}
+
+/// All that is requested of such a machine; for a map with fewer places.
+///
+/// # Errors
+/// As [`requested`]; a machine that cannot be after the separation.
+pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Result<Requirements, Diagnostic> {
+    let (v, (mut task, limits)) = (&study.values, requested(study, system)?);
     let cups = cups::carried(system);
     let after = match task.as_ref().and_then(|task| {
         let own = cups.iter().position(|c| c.name == task.vessel.name);
@@ -196,5 +205,5 @@ pub(super) fn fitting(study: &OperatingWindow, system: &System, map: bool) -> Re
     if let Some(task) = task.as_mut().filter(|_| map) {
         task.batch.places = task.batch.places.min(MAP_PLACES);
     }
-    Ok(Requirements { task, limits, cups, after, ramp: v.number("ramp"), policy: policy(v), top: study.speed.to })
+    Ok(Requirements { task, limits, cups, after, ramp: v.number("ramp"), policy: policy(v) })
 }

@@ -9,21 +9,44 @@ use crate::model::field::{Extra, FieldKind, RangeValue, Value};
 use crate::model::system::System;
 use crate::outcome::quantity;
 use crate::study::{Context, blocks, with_blocks};
+use laval_num::text::Text;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// A window that holds at all corners of the uncertain parameters.
-pub(super) struct Robust {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Robust {
+    /// Lowest and highest speeds, rad/s.
     pub intervals: Vec<(f64, f64)>,
+    /// Corners of the uncertain parameters.
     pub corners: usize,
 }
 
 /// Least margin over speed and a parameter.
-pub(super) struct Map {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Map {
+    /// Path of the parameter.
     pub path: String,
-    pub unit: &'static str,
-    /// Speed, value, least margin, what binds.
-    pub cells: Vec<(f64, f64, f64, &'static str)>,
+    /// Its unit.
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub unit: Text,
+    /// By parameter, then speed.
+    pub cells: Vec<Cell>,
+}
+
+/// A point of a map.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Cell {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Value of the parameter.
+    pub value: f64,
+    /// Least margin, not below -1.
+    pub margin: f64,
+    /// Requirement that has it.
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub binding: Text,
 }
 
 impl OperatingWindow {
@@ -89,7 +112,7 @@ impl OperatingWindow {
             for &w in &grid {
                 if let Some(p) = points.iter().min_by(|a, b| (a.speed - w).abs().total_cmp(&(b.speed - w).abs())) {
                     let binding = p.binding().map_or("", |m| margins::NAMES[m.name]);
-                    cells.push((w, x, p.least().max(-1.0), binding));
+                    cells.push(Cell { speed: w, value: x, margin: p.least().max(-1.0), binding });
                 }
             }
         }

@@ -2,12 +2,14 @@
 
 use super::margins::{Evaluator, NAMES, Point};
 use crate::diagnostic::Diagnostic;
+use laval_num::text::Text;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// One end of an interval.
-#[derive(Clone, Debug)]
-pub(super) struct End {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct End {
     /// Last feasible speed, rad/s.
     pub speed: f64,
     /// The requirement that ends it, or `range`.
@@ -15,18 +17,22 @@ pub(super) struct End {
     /// What binds in it.
     pub detail: String,
     /// crossing, jump, eigenvalue crossing, domain limit.
-    pub event: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub event: Text,
     /// Width of the bracket, rad/s.
     pub bracket: f64,
-    /// Beyond it: the margin that ends it, and how many stable states there are against inside.
+    /// Beyond it: the margin that ends it.
     pub beyond: f64,
+    /// Stable states inside, and beyond it.
     pub states: [usize; 2],
 }
 
 /// Speeds at which all requirements are kept.
-#[derive(Clone, Debug)]
-pub(super) struct Interval {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Interval {
+    /// Where it begins.
     pub low: End,
+    /// Where it ends.
     pub high: End,
 }
 

@@ -1,0 +1,146 @@
+//! Tables of an operating window.
+
+use super::MAP_PLACES;
+use super::margins::{Margin, NAMES, Point};
+use super::report::{Built, Shown};
+use super::window::End;
+use crate::outcome::Table;
+
+impl Shown<'_> {
+    pub fn margins_table(&self) -> Built<Table> {
+        let rows: Vec<(&Point, &Margin)> = self.found.main.points.iter().flat_map(|p| p.margins.iter().map(move |m| (p, m))).collect();
+        Table::new("margins", "Every requirement over the speed; kept where the margin is 0 or more")
+            .float("speed", "rad/s", "spin speed", rows.iter().map(|r| r.0.speed).collect())
+            .text("requirement", "name of the requirement", rows.iter().map(|r| NAMES[r.1.name].into()).collect())
+            .float(
+                "margin",
+                "",
+                "margin, for stable and clear a distance in speed; NaN where it is not defined, which counts as not kept",
+                rows.iter().map(|r| finite(r.1.value)).collect(),
+            )
+            .flag("kept", "the requirement is kept", rows.iter().map(|r| r.1.value >= 0.0).collect())
+            .float(
+                "shown",
+                "",
+                "margin between -1 and 1, for the figure; NaN where it is not defined",
+                rows.iter().map(|r| finite(r.1.value).clamp(-1.0, 1.0)).collect(),
+            )
+            .text("by", "what binds in it", rows.iter().map(|r| r.1.detail.clone()).collect())
+            .build()
+    }
+
+    pub fn points_table(&self) -> Built<Table> {
+        let p = &self.found.main.points;
+        let column = |f: &dyn Fn(&Point) -> f64| p.iter().map(|x| finite(f(x))).collect::<Vec<f64>>();
+        Table::new("speeds", "The machine at every speed looked at")
+            .float("speed", "rad/s", "spin speed", column(&|x| x.speed))
+            .flag("inside", "all requirements are kept", p.iter().map(Point::feasible).collect())
+            .float("least margin", "", "least margin; NaN where a requirement is not defined", column(&|x| x.least()))
+            .text(
+                "binding",
+                "requirement with the least margin",
+                p.iter().map(|x| x.binding().map_or("", |m| NAMES[m.name]).into()).collect(),
+            )
+            .float(
+                "time",
+                "s",
+                "time to reach the recovery, run-up as requested; NaN where nothing is to be separated or it is never reached",
+                column(&|x| x.needed),
+            )
+            .float("tilt", "rad", "tilt of the cups; NaN without cups", column(&|x| x.tilt))
+            .float("unbalance", "kg m", "unbalance of the cups; NaN where it cannot be computed", column(&|x| x.unbalance))
+            .float(
+                "growth",
+                "1/s",
+                "largest growth rate, before and after the separation; NaN where there is none to tell",
+                column(&|x| x.growth),
+            )
+            .int("states", "", "number of steady states met", p.iter().map(|x| x.states as i64).collect())
+            .float(
+                "energy",
+                "J",
+                "kinetic energy of the spin and work of the drive in the time at hand; NaN where it cannot be computed",
+                column(&|x| x.energy),
+            )
+            .build()
+    }
+
+    pub fn intervals_table(&self) -> Built<Table> {
+        let i = &self.found.main.intervals;
+        Table::new("window", "Intervals in which all requirements are kept")
+            .float("low", "rad/s", "lowest speed", i.iter().map(|x| x.low.speed).collect())
+            .float("high", "rad/s", "highest speed", i.iter().map(|x| x.high.speed).collect())
+            .text("low binding", "requirement that ends it below", i.iter().map(|x| x.low.binding.clone()).collect())
+            .text("high binding", "requirement that ends it above", i.iter().map(|x| x.high.binding.clone()).collect())
+            .text("low event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.low.event.into()).collect())
+            .text("high event", "crossing, jump, eigenvalue crossing or domain limit", i.iter().map(|x| x.high.event.into()).collect())
+            .text("low reason", "why it ends below", i.iter().map(|x| self.reported(&x.low)).collect())
+            .text("high reason", "why it ends above", i.iter().map(|x| self.reported(&x.high)).collect())
+            .float("low bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.low.bracket).collect())
+            .float("high bracket", "rad/s", "width of the bracket", i.iter().map(|x| x.high.bracket).collect())
+            .float(
+                "relative width",
+                "",
+                "width over the mean speed",
+                i.iter().map(|x| 2.0 * (x.high.speed - x.low.speed) / (x.high.speed + x.low.speed)).collect(),
+            )
+            .build()
+    }
+
+    /// Window over the time at hand: in each mechanical interval, from the speed at which the time needed falls below it.
+    pub fn trade_table(&self) -> Built<Option<Table>> {
+        let m = &self.found.main;
+        let Some(task) = &self.task else { return Ok(None) };
+        let (mut time, mut low, mut high) = (vec![], vec![], vec![]);
+        for k in 0..=40 {
+            let t = task.time * 10f64.powf(-1.0 + 2.0 * k as f64 / 40.0);
+            for i in &m.mechanical {
+                let inside: Vec<&Point> =
+                    m.points.iter().filter(|p| p.speed >= i.low.speed && p.speed <= i.high.speed && p.needed.is_finite()).collect();
+                let Some(first) = inside.iter().position(|p| p.needed <= t) else { continue };
+                let at = inside[first];
+                // straight in the logarithms between the points of the scan
+                let start = match first.checked_sub(1).map(|b| inside[b]) {
+                    Some(b) if b.needed > at.needed => {
+                        let share = ((b.needed / t).ln() / (b.needed / at.needed).ln()).clamp(0.0, 1.0);
+                        b.speed * (at.speed / b.speed).powf(share)
+                    }
+                    _ => at.speed,
+                };
+                time.push(t);
+                low.push(start);
+                high.push(i.high.speed);
+            }
+        }
+        Table::new("trade", "Window over the time at hand (lower end interpolated in the scan)")
+            .float("time", "s", "time at hand", time)
+            .float("low", "rad/s", "lowest speed", low)
+            .float("high", "rad/s", "highest speed", high)
+            .build()
+            .map(Some)
+    }
+
+    pub fn map_table(&self) -> Built<Option<Table>> {
+        let Some(map) = &self.found.map else { return Ok(None) };
+        let c = &map.cells;
+        let mut table =
+            Table::new("map", format!("Least margin over spin speed and {} (separation from at most {MAP_PLACES} places)", map.path))
+                .float("speed", "rad/s", "spin speed", c.iter().map(|c| c.speed).collect())
+                .float(map.path.clone(), map.unit, "parameter", c.iter().map(|c| c.value).collect())
+                .float("margin", "", "least margin, not below -1", c.iter().map(|c| c.margin).collect())
+                .text("binding", "requirement with the least margin", c.iter().map(|c| c.binding.into()).collect());
+        if map.unit == "K" {
+            table = table.float("celsius", "degC", "parameter in degrees Celsius", c.iter().map(|c| c.value - 273.15).collect());
+        }
+        table.build().map(Some)
+    }
+
+    /// The reason for a table.
+    fn reported(&self, e: &End) -> String {
+        if e.event == "domain limit" { "the range looked at ends".into() } else { self.reason(e).0 }
+    }
+}
+
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { f64::NAN }
+}
