@@ -1,7 +1,9 @@
 //! Spin-speed programmes: speed, spin acceleration and the exact phase as functions of time.
 
+use serde::{Deserialize, Serialize};
+
 /// The spin at one moment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Spin {
     /// Angle since the start, the integral of the speed, rad.
     pub phase: f64,

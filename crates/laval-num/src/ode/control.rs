@@ -2,6 +2,7 @@
 
 use super::event::Event;
 use super::system::{Failure, Ode};
+use serde::{Deserialize, Serialize};
 
 /// A tolerance, the same for all states or one for each.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +77,7 @@ impl Control<'_> {
 }
 
 /// Work done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Work {
     /// Accepted steps.
     pub steps: u64,
@@ -93,7 +94,7 @@ pub struct Work {
 }
 
 /// Why a step was rejected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Cause {
     /// The error estimate exceeded the tolerance.
     Error,
@@ -106,7 +107,7 @@ pub enum Cause {
 }
 
 /// How an integration ended. The state reached until then is always kept.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum End {
     /// The final time was reached.
     Reached,
@@ -144,7 +145,7 @@ pub enum End {
 }
 
 /// Result of an integration.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// Time of the state reached.
     pub t: f64,

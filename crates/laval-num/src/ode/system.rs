@@ -2,11 +2,12 @@
 
 use crate::complex::{C64, c};
 use crate::dense::{Lu, Mat, Singular};
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// Why a right side, a Jacobian or a request could not be evaluated. It ends the integration;
 /// a right side that merely left its domain returns a value that is not finite instead, and the step is retried smaller.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure(pub Cow<'static, str>);
 
 impl std::fmt::Display for Failure {

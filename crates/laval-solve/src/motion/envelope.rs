@@ -1,9 +1,10 @@
 //! The envelope of a motion: its largest displacements, window by window, and the rate at which it grows.
 
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Largest displacement of a body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// |x + i y| from rest, m.
     pub amplitude: f64,
@@ -12,7 +13,7 @@ pub struct Peak {
 }
 
 /// One window of the envelope of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Window {
     /// Largest displacement from rest in it; NaN when nothing was computed there.
     pub peak: Peak,

@@ -15,6 +15,7 @@ use laval_num::eig::eigenvalues;
 use laval_num::ode::{
     Control, Crossing, Dop853, End, Event, Method, Observer, Ode, Radau, Run, Step, StiffOde, Tolerance, Work, integrate,
 };
+use serde::{Deserialize, Serialize};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -60,12 +61,13 @@ pub struct Plan<'p> {
 }
 
 /// Largest use of one statement of validity.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Use {
     /// Slot of the part.
     pub slot: usize,
     /// The statement.
-    pub what: &'static str,
+    #[serde(deserialize_with = "laval_num::text::one")]
+    pub what: laval_num::text::Text,
     /// Largest ratio.
     pub ratio: f64,
     /// When.
@@ -81,7 +83,7 @@ pub struct Use {
 }
 
 /// Where a motion passed its bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Left {
     /// Index of the body.
     pub body: usize,
@@ -121,7 +123,7 @@ pub struct Trajectory {
 }
 
 /// Tilt of a body from rest, rad.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Tilting {
     /// Index of the body.
     pub body: usize,

@@ -18,7 +18,7 @@ pub use context::{Context, Progress, STEP, Silent};
 pub use kind::{ErasedStudy, Study, StudyKind, TypedStudy, kind};
 pub use laval_num::work::Cancel;
 pub use linear::{approximation, campbell, criterion, critical_speeds, forced_response, modes, stability_map};
-pub use motion::{basins, motion_map, run_up, sweep, transient};
+pub use motion::{basins, motion_map, record, run_up, sweep, transient};
 pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear_response, response_map, stationary};
 pub use parameters::{optimum, sensitivity, uncertainty};
 pub use registry::registry;

@@ -2,6 +2,7 @@
 
 mod basins;
 mod claims;
+mod continued;
 mod motion_map;
 mod spin_load;
 mod sweep;

@@ -3,22 +3,43 @@
 use super::history::Columns;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::Outline;
-use crate::model::system::Workspace;
+use crate::model::system::{System, Workspace};
 use crate::outcome::{Animation, Circle, Outcome, significant};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
+use serde::{Deserialize, Serialize};
 
 /// Most frames: the rest of the outputs is left out evenly.
 const MOST_FRAMES: usize = 600;
 /// Share of the largest circle that the largest displacement takes, at most.
 const SHARE: f64 = 0.25;
 
-/// What is seen at an output: circles, bodies, both in axes that turn with the rotor.
-struct Frame {
-    t: f64,
-    phase: f64,
-    outlines: Vec<(usize, Outline)>,
-    bodies: Vec<[f64; 2]>,
+/// The motion of a rotor with movable masses, in axes that turn with it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RotorMotion {
+    /// Times of the frames, s.
+    pub times: Vec<f64>,
+    /// Spin angles at them, rad.
+    pub phases: Vec<f64>,
+    /// Displacements of every body, m.
+    pub bodies: Vec<Vec<[f64; 2]>>,
+    /// Tracks and masses.
+    pub circles: Vec<CircleMotion>,
+}
+
+/// A track or a mass.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CircleMotion {
+    /// Its part and its own name.
+    pub name: String,
+    /// Radius, m.
+    pub radius: f64,
+    /// A movable mass, not its track.
+    pub movable: bool,
+    /// Displacement of its carrier, m.
+    pub displacements: Vec<[f64; 2]>,
+    /// Its centre relative to it, m.
+    pub places: Vec<[f64; 2]>,
 }
 
 fn turned(x: [f64; 2], phase: f64) -> [f64; 2] {
@@ -26,22 +47,38 @@ fn turned(x: [f64; 2], phase: f64) -> [f64; 2] {
     [c * x[0] + s * x[1], c * x[1] - s * x[0]]
 }
 
-fn frames(motion: &mut Motion, trajectory: &Trajectory) -> Option<Vec<Frame>> {
+/// The motion of a machine with movable masses; `None` of others.
+pub(in crate::study) fn played(motion: &mut Motion, trajectory: &Trajectory) -> Option<RotorMotion> {
     let system = motion.system();
+    let bodies = system.bodies();
     let dim = trajectory.state.len().max(1);
     let stride = trajectory.times.len().div_ceil(MOST_FRAMES).max(1);
-    let (mut ws, mut out) = (Workspace::default(), Vec::new());
+    let mut ws = Workspace::default();
+    let mut out = RotorMotion { times: vec![], phases: vec![], bodies: vec![vec![]; bodies.len()], circles: vec![] };
     for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)).step_by(stride) {
         let phase = motion.spin(t, y).phase;
-        let mut outlines = motion.with_point(t, y, |s, at| s.outlines(at, &mut ws)).ok()?;
-        for (_, o) in &mut outlines {
-            o.displacement = turned(o.displacement, phase);
-            o.place = turned(o.place, phase);
+        let outlines = motion.with_point(t, y, |s, at| s.outlines(at, &mut ws)).ok()?;
+        if out.times.is_empty() {
+            let circle = |(slot, own): &(usize, Outline)| CircleMotion {
+                name: format!("{} {}", system.slots()[*slot].name, own.name),
+                radius: own.radius,
+                movable: own.movable,
+                displacements: vec![],
+                places: vec![],
+            };
+            out.circles = outlines.iter().map(circle).collect();
         }
-        let bodies = system.bodies().iter().map(|b| turned([y[b.x], y[b.x + 1]], phase)).collect();
-        out.push(Frame { t, phase, outlines, bodies });
+        for (circle, (_, o)) in out.circles.iter_mut().zip(outlines) {
+            circle.displacements.push(turned(o.displacement, phase));
+            circle.places.push(turned(o.place, phase));
+        }
+        for (own, b) in out.bodies.iter_mut().zip(&bodies) {
+            own.push(turned([y[b.x], y[b.x + 1]], phase));
+        }
+        out.times.push(t);
+        out.phases.push(phase);
     }
-    out.first().is_some_and(|f| f.outlines.iter().any(|o| o.1.movable)).then_some(out)
+    out.circles.iter().any(|c| c.movable).then_some(out)
 }
 
 /// The largest of 1, 2, 5, 10 .. not above `x`, at least 1.
@@ -57,37 +94,31 @@ fn round(x: f64) -> f64 {
 ///
 /// # Errors
 /// An outcome that does not hold together.
-pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let Some(frames) = frames(motion, trajectory) else { return Ok(outcome) };
-    let system = motion.system();
+pub(in crate::study) fn report(system: &System, rotor: &RotorMotion, outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let mut c = Columns::default();
-    let mut add = |name: &str, unit: &str, doc: &str, of: &dyn Fn(&Frame) -> f64| {
-        c.add(name, unit, doc, frames.iter().map(of).collect());
-        name.to_string()
-    };
-    let time = add("t", "s", "time", &|f| f.t);
-    let phase = add("phase", "rad", "spin angle", &|f| f.phase);
-    let mut pair = |name: &str, doc: &str, of: &dyn Fn(&Frame) -> [f64; 2]| {
-        ["x", "y"].map(|k| add(&format!("{name}.{k}"), "m", doc, &|f| of(f)[usize::from(k == "y")]))
+    c.add("t", "s", "time", rotor.times.clone());
+    c.add("phase", "rad", "spin angle", rotor.phases.clone());
+    let mut pair = |name: &str, doc: &str, points: &[[f64; 2]]| {
+        [("x", 0), ("y", 1)].map(|(k, i)| {
+            let column = format!("{name}.{k}");
+            c.add(&column, "m", doc, points.iter().map(|p| p[i]).collect());
+            column
+        })
     };
     let mut circles = Vec::new();
     let mut largest = (0.0f64, 0.0f64);
-    for (b, body) in system.bodies().iter().enumerate() {
-        let displacement = pair(&body.name, "displacement in axes that turn with the rotor", &|f| f.bodies[b]);
+    for (body, points) in system.bodies().iter().zip(&rotor.bodies) {
+        let displacement = pair(&body.name, "displacement in axes that turn with the rotor", points);
         circles.push(Circle { name: body.name.clone(), displacement, place: None, radius: 0.0, movable: false });
     }
-    for (k, (slot, own)) in frames[0].outlines.iter().enumerate() {
-        let name = format!("{} {}", system.slots()[*slot].name, own.name);
-        let displacement = pair(&format!("{name}, carried"), "displacement of its centre in axes that turn with the rotor", &|f| {
-            f.outlines[k].1.displacement
-        });
-        let place = own.movable.then(|| pair(&name, "place from there in axes that turn with the rotor", &|f| f.outlines[k].1.place));
-        for f in &frames {
-            let [x, y] = f.outlines[k].1.displacement;
-            largest.0 = largest.0.max(x.hypot(y));
-        }
+    for own in &rotor.circles {
+        let name = &own.name;
+        let doc = "displacement of its centre in axes that turn with the rotor";
+        let displacement = pair(&format!("{name}, carried"), doc, &own.displacements);
+        let place = own.movable.then(|| pair(name, "place from there in axes that turn with the rotor", &own.places));
+        largest.0 = own.displacements.iter().fold(largest.0, |most, [x, y]| most.max(x.hypot(*y)));
         largest.1 = largest.1.max(own.radius);
-        circles.push(Circle { name, displacement, place, radius: own.radius, movable: own.movable });
+        circles.push(Circle { name: name.clone(), displacement, place, radius: own.radius, movable: own.movable });
     }
     let enlarged = round(SHARE * largest.1 / largest.0);
     let alt = format!(
@@ -99,8 +130,8 @@ pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, out
         title: "Rotor, tracks and balls".into(),
         alt,
         table: "animation".into(),
-        time,
-        phase,
+        time: "t".into(),
+        phase: "phase".into(),
         enlarged,
         circles,
     };

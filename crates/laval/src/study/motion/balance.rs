@@ -2,6 +2,7 @@
 
 use super::animation;
 use super::history::{Columns, end_in_words, sound};
+use super::record::MotionRecord;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::DofKind;
 use crate::model::system::{System, Workspace};
@@ -12,6 +13,7 @@ use crate::solve::pencil::modes_about;
 use crate::solve::rest::rest;
 use crate::solve::unbalance::{Unbalance, unbalance};
 use laval_num::complex::C64;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// The unbalance counts as settled while it stays within this share of that without balancing from what it is at the end.
@@ -21,54 +23,68 @@ const STILL: f64 = 1e-4;
 /// Fewest outputs from which a drift is reported.
 const FEWEST: usize = 75;
 
-/// Unbalance at the outputs of a trajectory.
-struct Series {
-    at: Vec<Unbalance>,
-    speed: Vec<f64>,
+/// The unbalance of a machine with parts that balance by themselves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Balancing {
+    /// At the outputs of the motion.
+    pub unbalance: Vec<Unbalance>,
+    /// Masses that do not follow the rotor at the end.
+    pub caught: Option<Caught>,
 }
 
-fn series(motion: &mut Motion, trajectory: &Trajectory) -> Option<Series> {
+/// Masses that do not follow the rotor at the end of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Caught {
+    /// Number of them.
+    pub count: usize,
+    /// Mean rate in the rotor of the one that slips most, rad/s.
+    pub slip: f64,
+    /// Mean speed of the rotor meanwhile, rad/s.
+    pub speed: f64,
+    /// Time over which both are averaged, s.
+    pub span: f64,
+    /// Natural frequency near which it goes round, rad/s.
+    pub near: Option<f64>,
+}
+
+/// `None` of a machine without such parts.
+pub(in crate::study) fn balancing(motion: &mut Motion, trajectory: &Trajectory) -> Option<Balancing> {
     let system = motion.system();
     let dim = trajectory.state.len().max(1);
     let mut ws = Workspace::default();
-    let mut out = Series { at: Vec::new(), speed: Vec::new() };
+    let mut all = Vec::new();
     for (&t, y) in trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)) {
         let seen = motion.with_point(t, y, |s, at| (!s.corrections(at, &mut ws).is_empty()).then(|| unbalance(system, at, &mut ws)));
-        out.at.push(seen.ok()??);
-        out.speed.push(motion.spin(t, y).speed);
+        all.push(seen.ok()??);
     }
-    (!out.at.is_empty()).then_some(out)
+    (!all.is_empty()).then(|| Balancing { unbalance: all, caught: caught(motion, trajectory) })
 }
 
 /// Appends the warnings of parts; for a machine with parts that balance by themselves the findings, a table and figures.
 ///
 /// # Errors
 /// An outcome that does not hold together.
-pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let system = motion.system();
+pub(in crate::study) fn report(system: &System, record: &MotionRecord, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     for (slot, text) in system.warnings() {
         let name = &system.slots()[slot].name;
         outcome = outcome.finding(Finding::warning("purpose", format!("\"{name}\": {text}.")).of(name));
     }
-    if trajectory.left.is_some() {
-        return Ok(outcome);
-    }
-    let Some(series) = series(motion, trajectory) else { return Ok(outcome) };
-    let caught = caught(motion, trajectory);
-    for finding in findings(&series, trajectory, caught.is_some()).into_iter().chain(caught) {
+    let Some(balancing) = &record.balancing else { return Ok(outcome) };
+    for finding in findings(balancing, record).into_iter().chain(balancing.caught.as_ref().map(in_words)) {
         outcome = outcome.finding(finding);
     }
-    let column = |f: &dyn Fn(usize) -> f64| (0..series.at.len()).map(f).collect::<Vec<f64>>();
+    let at = &balancing.unbalance;
+    let column = |f: &dyn Fn(usize) -> f64| (0..at.len()).map(f).collect::<Vec<f64>>();
     let mut c = Columns::default();
-    c.add("t", "s", "time", trajectory.times.clone());
-    c.add("unbalance", "kg m", "unbalance with the balls where they are", column(&|i| series.at[i].moment.abs()));
-    c.add("without", "kg m", "unbalance without the balls", column(&|i| series.at[i].without()));
-    c.add("capacity", "kg m", "the most the balls can cancel", column(&|i| series.at[i].capacity));
+    c.add("t", "s", "time", record.times.clone());
+    c.add("unbalance", "kg m", "unbalance with the balls where they are", column(&|i| at[i].moment.abs()));
+    c.add("without", "kg m", "unbalance without the balls", column(&|i| at[i].without()));
+    c.add("capacity", "kg m", "the most the balls can cancel", column(&|i| at[i].capacity));
     c.add(
         "grade",
         "m/s",
         "spin speed times unbalance over mass (ISO 21940-11)",
-        column(&|i| series.at[i].grade(series.at[i].moment.abs(), series.speed[i])),
+        column(&|i| at[i].grade(at[i].moment.abs(), record.spin[i].speed)),
     );
     let line = |column: &str| Line::new("balance", "t", column).name(column);
     let figure = Figure::new(
@@ -84,7 +100,10 @@ pub(in crate::study) fn report(motion: &mut Motion, trajectory: &Trajectory, mut
         Some(figure) => outcome.figure(figure),
         None => outcome,
     };
-    sound(animation::report(motion, trajectory, outcome)?.checked())
+    if let Some(rotor) = &record.animation {
+        outcome = animation::report(system, rotor, outcome)?;
+    }
+    sound(outcome.checked())
 }
 
 /// Share of an unbalance that is rounding.
@@ -96,8 +115,8 @@ const SLIPS: f64 = 0.01;
 /// Distance of their rate from a natural frequency, over it, at which that is named.
 const HELD: f64 = 0.1;
 
-/// That masses do not follow the rotor at the end, and the natural frequency near which they go round.
-fn caught(motion: &Motion, trajectory: &Trajectory) -> Option<Finding> {
+/// Masses that do not follow the rotor at the end, and the natural frequency near which they go round.
+fn caught(motion: &Motion, trajectory: &Trajectory) -> Option<Caught> {
     let system = motion.system();
     let (dim, count) = (trajectory.state.len().max(1), trajectory.times.len());
     let from = count.checked_sub(1 + count / LATE)?;
@@ -113,17 +132,21 @@ fn caught(motion: &Motion, trajectory: &Trajectory) -> Option<Finding> {
     let near =
         own.iter().flat_map(|s| &s.modes).map(|m| m.frequency()).min_by(|a, b| (a - rate.abs()).abs().total_cmp(&(b - rate.abs()).abs()));
     let near = near.filter(|f| *f > 0.0 && (f - rate.abs()).abs() <= HELD * f);
-    let held = near.map_or(String::new(), |f| format!(", near the natural frequency of {}", quantity(f, "rad/s")));
+    Some(Caught { count: slips.len(), slip: most, speed, span, near })
+}
+
+fn in_words(caught: &Caught) -> Finding {
+    let held = caught.near.map_or(String::new(), |f| format!(", near the natural frequency of {}", quantity(f, "rad/s")));
     let text = format!(
         "Of the masses {} did not follow the rotor: in the end going round at {{}} on average, the rotor at {}{held}.",
-        slips.len(),
-        quantity(speed, "rad/s")
+        caught.count,
+        quantity(caught.speed, "rad/s")
     );
-    Some(Finding::warning("masses_caught", text).value(rate, "rad/s").evidence("mean slip", most, "rad/s").evidence(
+    Finding::warning("masses_caught", text).value(caught.speed + caught.slip, "rad/s").evidence("mean slip", caught.slip, "rad/s").evidence(
         "averaged over",
-        span,
+        caught.span,
         "s",
-    ))
+    )
 }
 
 /// Turns of the rotor on either side of a time over which masses are watched, and turns in it that they make meanwhile when they go round.
@@ -152,17 +175,18 @@ fn angles(system: &System) -> Option<Figure> {
     (!inside.is_empty()).then(|| Figure::new("angles", "Angles in the rotor", text).x(Axis::new("time", "s")).panel(panel))
 }
 
-/// What is said of the unbalance; `slips` where masses do not follow the rotor in the end.
-fn findings(series: &Series, trajectory: &Trajectory, slips: bool) -> Vec<Finding> {
-    let (Some(last), Some(&speed)) = (series.at.last(), series.speed.last()) else { return Vec::new() };
+/// What is said of the unbalance.
+fn findings(balancing: &Balancing, record: &MotionRecord) -> Vec<Finding> {
+    let (at, slips) = (&balancing.unbalance, balancing.caught.is_some());
+    let (Some(last), Some(speed)) = (at.last(), record.spin.last().map(|s| s.speed)) else { return Vec::new() };
     let (left, without) = (last.moment.abs(), last.without());
     let mut out = Vec::new();
     let harm = left > (1.0 + NOTHING) * without;
-    let [_, at] = end_in_words(trajectory);
+    let [_, when] = end_in_words(record);
     let text = if harm {
-        format!("{at} the balls make the unbalance larger: it is {{}}.")
+        format!("{when} the balls make the unbalance larger: it is {{}}.")
     } else {
-        format!("{at} the balls leave an unbalance of {{}}.")
+        format!("{when} the balls leave an unbalance of {{}}.")
     };
     let make = if harm { Finding::warning } else { Finding::info };
     out.push(
@@ -177,17 +201,17 @@ fn findings(series: &Series, trajectory: &Trajectory, slips: bool) -> Vec<Findin
         out.push(Finding::warning("insufficient_capacity", text).value(last.capacity, "kg m").evidence("needed", without, "kg m"));
     }
     let away = |u: &Unbalance| !((u.moment.abs() - left).abs() <= SETTLED * without);
-    let (count, since) = (series.at.len(), series.at.iter().rposition(away));
+    let (count, since) = (at.len(), at.iter().rposition(away));
     // for a fifth of the time at least
     let lasting = since.is_none_or(|i| i + count / LATE < count);
-    if slips || !lasting || !(remaining(&series.at) <= SETTLED * without) {
-        out.push(Finding::info("balance_unsettled", format!("{at} the balls are still moving: the unbalance has not settled.")));
+    if slips || !lasting || !(remaining(at) <= SETTLED * without) {
+        out.push(Finding::info("balance_unsettled", format!("{when} the balls are still moving: the unbalance has not settled.")));
     } else if let (Some(i), false) = (since, harm) {
         let share = significant(100.0 * SETTLED, 2);
         let text = format!(
             "The balls reduce the unbalance. After {{}} it has its last value, to within {share} % of the unbalance without the balls."
         );
-        let finding = Finding::info("time_to_balance", text).value(trajectory.times[i + 1], "s");
+        let finding = Finding::info("time_to_balance", text).value(record.times[i + 1], "s");
         out.push(finding.evidence("within this share of the unbalance without balls", SETTLED, ""));
     }
     out

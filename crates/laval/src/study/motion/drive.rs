@@ -8,6 +8,7 @@ use crate::outcome::{Finding, SpecialPoint, Status, quantity};
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use laval_num::univariate::root;
+use serde::{Deserialize, Serialize};
 
 /// The speed rests when what still accelerates is below this share of the torque the vibration takes.
 const RESTING: f64 = 0.05;
@@ -50,12 +51,29 @@ impl Quiet<'_> {
     }
 }
 
-/// Findings of a motion with a free spin, and where its speed was caught.
-pub(in crate::study) fn findings(motion: &Motion, trajectory: &Trajectory) -> (Vec<Finding>, Option<SpecialPoint>) {
+/// A free spin that a vibration has caught.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Capture {
+    /// Mean speed at the end, rad/s.
+    pub speed: f64,
+    /// Torque that the vibration takes, N m.
+    pub torque: f64,
+    /// Rate at which the speed still changes, rad/s^2.
+    pub acceleration: f64,
+    /// Speed without vibration, rad/s; none where it would rise on and on.
+    pub without: Option<f64>,
+    /// When the speed came near the one it has at the end, s.
+    pub since: f64,
+    /// Outputs between which it did, s.
+    pub bracket: (f64, f64),
+}
+
+/// Whether a free spin was caught.
+pub(in crate::study) fn capture(motion: &Motion, trajectory: &Trajectory) -> Option<Capture> {
     let system = motion.system();
     let count = trajectory.times.len();
     if !motion.is_free() || trajectory.left.is_some() || count < 20 {
-        return (Vec::new(), None);
+        return None;
     }
     let dim = trajectory.state.len();
     let speeds: Vec<f64> =
@@ -74,26 +92,39 @@ pub(in crate::study) fn findings(motion: &Motion, trajectory: &Trajectory) -> (V
     let reachable = quiet.reachable(speed);
     let caught = speed > 0.0 && surplus > 0.0 && (inertia * accel).abs() < RESTING * surplus && speed < (1.0 - BELOW) * reachable;
     if !caught {
-        return (Vec::new(), None);
-    }
-    let instead = if reachable.is_finite() {
-        format!("without vibration it would run at {}", quantity(reachable, "rad/s"))
-    } else {
-        "without vibration it would rise on and on".into()
-    };
-    let text = format!("The drive is caught at {{}}: the vibration takes its torque, and the speed hardly changes any more; {instead}.");
-    let mut finding = Finding::warning("capture", text)
-        .value(speed, "rad/s")
-        .evidence("torque the vibration takes", surplus, "N m")
-        .evidence("power the vibration takes", surplus * speed, "W")
-        .evidence("speed still changes at", accel, "rad/s^2");
-    if reachable.is_finite() {
-        finding = finding.evidence("speed without vibration", reachable, "rad/s");
+        return None;
     }
     let first = speeds.iter().rposition(|w| !((w - speed).abs() <= NEAR * speed)).map_or(0, |i| i + 1).min(count - 1);
-    let bracket = (trajectory.times[first.saturating_sub(1)], trajectory.times[first]);
-    let point = SpecialPoint::new("capture", trajectory.times[first], bracket).status(Status::Bracketed).evidence("speed", speed, "rad/s");
-    (vec![finding.evidence("caught since", trajectory.times[first], "s")], Some(point))
+    Some(Capture {
+        speed,
+        torque: surplus,
+        acceleration: accel,
+        without: Some(reachable).filter(|w| w.is_finite()),
+        since: trajectory.times[first],
+        bracket: (trajectory.times[first.saturating_sub(1)], trajectory.times[first]),
+    })
+}
+
+impl Capture {
+    /// In a sentence, and where it was.
+    pub(in crate::study) fn report(&self) -> (Finding, SpecialPoint) {
+        let instead = match self.without {
+            Some(w) => format!("without vibration it would run at {}", quantity(w, "rad/s")),
+            None => "without vibration it would rise on and on".into(),
+        };
+        let text =
+            format!("The drive is caught at {{}}: the vibration takes its torque, and the speed hardly changes any more; {instead}.");
+        let mut finding = Finding::warning("capture", text)
+            .value(self.speed, "rad/s")
+            .evidence("torque the vibration takes", self.torque, "N m")
+            .evidence("power the vibration takes", self.torque * self.speed, "W")
+            .evidence("speed still changes at", self.acceleration, "rad/s^2");
+        if let Some(w) = self.without {
+            finding = finding.evidence("speed without vibration", w, "rad/s");
+        }
+        let point = SpecialPoint::new("capture", self.since, self.bracket).status(Status::Bracketed).evidence("speed", self.speed, "rad/s");
+        (finding.evidence("caught since", self.since, "s"), point)
+    }
 }
 
 /// Share of a trajectory over which torques are averaged: the unbalance makes them swing.

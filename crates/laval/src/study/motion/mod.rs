@@ -8,6 +8,7 @@ pub(in crate::study) mod history;
 pub mod motion_map;
 pub(in crate::study) mod moved_roots;
 pub(in crate::study) mod passages;
+pub mod record;
 pub mod run_up;
 pub(in crate::study) mod spectra;
 pub(in crate::study) mod start;

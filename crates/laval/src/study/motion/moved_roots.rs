@@ -7,12 +7,30 @@ use crate::solve::characteristic::Characteristic;
 use crate::solve::pencil::Linearised;
 use crate::solve::rest::rest;
 use crate::study::Context;
+use serde::{Deserialize, Serialize};
 
 /// Most roots that are compared: those that grow or decay fastest.
 const MOST: usize = 24;
 
+/// How far rational time forms move the roots of a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MovedRoots {
+    /// Growth or decay from which on the error of the forms holds, 1/s; at 0 it holds for all that grows.
+    pub margin: f64,
+    /// Roots compared.
+    pub compared: usize,
+    /// Roots beside which the exact machine has none.
+    pub lost: usize,
+    /// Largest distance of a root from that of the exact machine, 1/s.
+    pub moved: f64,
+    /// Its frequency, rad/s.
+    pub frequency: f64,
+    /// Growing roots of the forms.
+    pub growing: usize,
+}
+
 /// Roots of the form compared with those of the exact characteristic function beside them, where the error of the form holds.
-pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &Context) -> Option<Finding> {
+pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, context: &Context) -> Option<MovedRoots> {
     let Timed::Fitted(form) = timed else { return None };
     let margin =
         form.slots().iter().filter_map(|s| s.part.replaced_in_time()?.fitted()).map(|f| f.margin * speed.abs()).fold(0.0, f64::max);
@@ -41,15 +59,23 @@ pub(in crate::study) fn moved_roots(exact: &System, timed: &Timed, speed: f64, c
         }
     }
     let growing = modes.iter().filter(|m| m.value.re > 0.0).count();
-    let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
-    if compared == 0 && lost == 0 {
-        let text =
-            format!("With its rational time forms the machine has no roots {which}, so that none was compared with the exact machine's.");
-        return Some(Finding::info("time_form_roots", text));
+    Some(MovedRoots { margin, compared, lost, moved: worst.0, frequency: worst.1, growing })
+}
+
+impl MovedRoots {
+    pub(in crate::study) fn finding(&self) -> Finding {
+        let MovedRoots { margin, compared, lost, growing, .. } = *self;
+        let which = if margin > 0.0 { format!("that grow or decay beyond {} 1/s", significant(margin, 3)) } else { "that grow".into() };
+        if compared == 0 && lost == 0 {
+            let text = format!(
+                "With its rational time forms the machine has no roots {which}, so that none was compared with the exact machine's."
+            );
+            return Finding::info("time_form_roots", text);
+        }
+        let make = if lost == 0 { Finding::info } else { Finding::warning };
+        let more = if lost > 0 { format!("; beside {lost} of them the exact machine has no root") } else { String::new() };
+        let text = format!("Rational time forms move the roots {which} by at most {{}}{more}.");
+        let finding = make("time_form_roots", text).value(self.moved, "1/s").evidence("at frequency", self.frequency, "rad/s");
+        finding.evidence("roots compared", compared as f64, "").evidence("of the form, growing", growing as f64, "")
     }
-    let make = if lost == 0 { Finding::info } else { Finding::warning };
-    let more = if lost > 0 { format!("; beside {lost} of them the exact machine has no root") } else { String::new() };
-    let text = format!("Rational time forms move the roots {which} by at most {{}}{more}.");
-    let finding = make("time_form_roots", text).value(worst.0, "1/s").evidence("at frequency", worst.1, "rad/s");
-    Some(finding.evidence("roots compared", compared as f64, "").evidence("of the form, growing", growing as f64, ""))
 }

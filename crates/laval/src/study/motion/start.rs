@@ -26,8 +26,8 @@ pub(in crate::study) struct Start {
     states: Vec<f64>,
     /// Coordinates that begin elsewhere, by the word of their parts.
     places: Vec<(usize, f64)>,
-    /// What must be said of it.
-    pub finding: Option<Finding>,
+    /// Why it begins undeflected although it is loaded.
+    pub undeflected: Option<String>,
 }
 
 impl Start {
@@ -36,15 +36,9 @@ impl Start {
         let places = system.places();
         let loaded = system.machine.axis == Axis::Horizontal;
         match rest(system, speed).or_else(|d| if loaded { hanging(system, speed, &places) } else { Err(d) }) {
-            Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, finding: None },
+            Ok(found) => Start { states: settled(system, &found.q, found.z, speed), rest: found.q, places, undeflected: None },
             Err(d) => {
-                let text = format!("The motion starts undeflected and is measured from there: {}.", d.message);
-                Start {
-                    rest: vec![0.0; system.n()],
-                    states: vec![0.0; system.m()],
-                    places,
-                    finding: loaded.then(|| Finding::warning("start", text)),
-                }
+                Start { rest: vec![0.0; system.n()], states: vec![0.0; system.m()], places, undeflected: loaded.then_some(d.message) }
             }
         }
     }
@@ -63,6 +57,12 @@ impl Start {
             }
         }
     }
+}
+
+/// That a motion starts undeflected, and why.
+pub(in crate::study) fn undeflected(why: &Option<String>) -> Option<Finding> {
+    let why = why.as_ref()?;
+    Some(Finding::warning("start", format!("The motion starts undeflected and is measured from there: {why}.")))
 }
 
 /// Internal states of linear parts solve `z' = 0`, which is affine in them; where nothing drives them they stay.

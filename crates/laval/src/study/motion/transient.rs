@@ -12,8 +12,9 @@
 
 use super::balance;
 use super::drive;
-use super::history::{self, ABSOLUTE, Listed, METHOD, PHASE, POINTS, RELATIVE, Settings};
+use super::history::{self, ABSOLUTE, METHOD, PHASE, POINTS, RELATIVE, Settings};
 use super::moved_roots::moved_roots;
+use super::record::{Beside, Capture, MotionRecord, MotionState};
 use super::spectra::{self, Spectra};
 use super::start::{self, Entry, INITIAL, Start};
 use super::turns::Turns;
@@ -23,11 +24,12 @@ use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
 use crate::outcome::{End, Finding, Outcome};
 use crate::solve::motion::envelope::{Growth, Window, growth};
-use crate::solve::motion::trajectory::{Plan, Trajectory, simulate};
+use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::{Context, Study};
+use serde::{Deserialize, Serialize};
 
 /// Speeds of a motion that starts at this one.
 fn speeds(system: &System, speed: f64) -> Speeds {
@@ -40,6 +42,7 @@ const WINDOWS: usize = 200;
 const SEVERAL: f64 = 8.0;
 
 /// See the [module](self).
+#[derive(Clone, Debug)]
 pub struct Transient {
     duration: f64,
     speed: f64,
@@ -50,10 +53,23 @@ pub struct Transient {
     velocities: bool,
     observables: bool,
     spectra: Option<Spectra>,
+    /// A state the motion starts from, in place of `initial`.
+    from: Option<MotionState>,
+}
+
+/// A motion in time.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct TransientResult {
+    /// The motion, with its state at the end.
+    pub motion: MotionRecord,
+    /// Where a free spin was caught by a vibration.
+    pub capture: Option<Capture>,
+    /// How the study ended.
+    pub end: End,
 }
 
 impl Study for Transient {
-    type Result = Outcome;
+    type Result = TransientResult;
     const KIND: &'static str = "transient";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 duration = "2 s"
@@ -157,6 +173,7 @@ kick = { "drum.x'" = "20 mm/s" }
             velocities: values.flag("velocities").unwrap_or(false),
             observables: values.flag("observables").unwrap_or(true),
             spectra,
+            from: None,
         })
     }
 
@@ -175,28 +192,27 @@ kick = { "drum.x'" = "20 mm/s" }
 
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         let Some(timed) = context.timed(system, speeds(system, self.speed))? else { return Ok(()) };
-        let motion = Motion::new(&timed, Motion::law_of(&timed, self.speed, self.settings.phase))?;
+        let motion = Motion::new(&timed, self.law(&timed))?;
         history::admit(&motion, self.settings.method)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<TransientResult, Diagnostic> {
         let s = &self.settings;
         let exact = system;
-        let Some(timed) = context.timed(system, speeds(system, self.speed))? else {
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
-        };
+        let timed = context.timed(system, speeds(system, self.speed))?.ok_or_else(history::stopped)?;
         let system: &System = &timed;
-        let mut motion = Motion::new(system, Motion::law_of(system, self.speed, s.phase))?;
-        let no_account = history::keep_account(&mut motion);
+        let mut motion = Motion::new(system, self.law(system))?;
+        let no_account = motion.keep_account().err();
         let mut y = vec![0.0; laval_num::ode::Ode::dim(&motion)];
         let start = Start::new(system, self.speed);
-        start.write(&start::renumbered(&self.initial, exact, system), &mut y);
-        if let Some(k) = motion.spin_start() {
-            (y[k], y[k + 1]) = (s.phase, self.speed);
+        match &self.from {
+            Some(state) => state.write(&motion, &mut y)?,
+            None => {
+                start.write(&start::renumbered(&self.initial, exact, system), &mut y);
+                if let Some(k) = motion.spin_start() {
+                    (y[k], y[k + 1]) = (s.phase, self.speed);
+                }
+            }
         }
         history::announce(context, self.duration, self.speed);
         let requested: Vec<f64> = match self.step {
@@ -227,43 +243,93 @@ kick = { "drum.x'" = "20 mm/s" }
             progress: &history::progress(context, self.duration),
         };
         let mut trajectory = simulate(&mut motion, &y, &plan)?;
-        let record = self.spectra.as_ref().map(|s| (s, s.taken(&motion, &start, &mut trajectory, &drawn)));
-        let path = turns.map(|t| t.taken(&motion, &mut trajectory, &requested)).transpose()?.flatten();
+        let spectra = self.spectra.as_ref().map_or_else(Vec::new, |s| s.taken(&motion, &start, &mut trajectory, &drawn));
+        let last_turns = turns.and_then(|t| t.taken(&motion, &mut trajectory, &requested));
         let trajectory = history::magnified(&mut motion, &y, &plan, trajectory, s.points)?;
-        let (end, stopped) = history::ended(&trajectory);
-        let mut outcome = Outcome::new(Self::KIND, context.name).over("t", "s").end(end);
-        for finding in stopped.into_iter().chain(start.finding.clone()).chain(self.findings(&motion, &trajectory, &start)) {
+        let moved_roots = moved_roots(exact, &timed, self.speed, context);
+        let beside = Beside {
+            start: &start,
+            velocities: self.velocities,
+            observables: self.observables,
+            no_account,
+            last_turns,
+            moved_roots,
+            spectra,
+        };
+        let record = MotionRecord::of(&mut motion, &trajectory, beside);
+        let end = history::end(&record);
+        Ok(TransientResult { motion: record, capture: drive::capture(&motion, &trajectory), end })
+    }
+
+    fn report(&self, system: &System, result: &TransientResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let record = &result.motion;
+        let mut outcome = Outcome::new(Self::KIND, name).over("t", "s").end(result.end);
+        for finding in history::stop(record).into_iter().chain(start::undeflected(&record.undeflected)) {
             outcome = outcome.finding(finding);
         }
-        outcome = moved_roots(exact, &timed, self.speed, context).into_iter().fold(outcome, Outcome::finding);
-        let (mut outcome, balance) = history::accounted(&mut motion, &trajectory, no_account, outcome)?;
-        if let Some((spectra, record)) = record {
-            outcome = spectra.report(&record, outcome)?;
+        let moved = record.moved_roots.as_ref().map(|m| m.finding());
+        outcome = self.findings(system, record).into_iter().chain(moved).fold(outcome, Outcome::finding);
+        outcome = history::common_findings(system, record, outcome);
+        if let Some(spectra) = &self.spectra {
+            outcome = spectra.report(&record.spectra, outcome)?;
         }
-        let (captured, point) = drive::findings(&motion, &trajectory);
-        outcome = captured.into_iter().fold(outcome, Outcome::finding);
-        outcome = point.into_iter().fold(outcome, Outcome::special_point);
-        let listed = Listed { velocities: self.velocities, observables: self.observables, path, envelope: true };
-        let outcome = history::shown(&mut motion, &trajectory, listed, balance, outcome)?;
-        balance::report(&mut motion, &trajectory, outcome)
+        if let Some((finding, point)) = result.capture.map(|c| c.report()) {
+            outcome = outcome.finding(finding).special_point(point);
+        }
+        let outcome = history::shown(system, record, Some(&self.law(system)), outcome)?;
+        balance::report(system, record, outcome)
     }
 }
 
 impl Transient {
-    fn findings(&self, motion: &Motion, trajectory: &Trajectory, start: &Start) -> Vec<Finding> {
-        let system = motion.system();
+    /// The same study from the state at the end of another motion of the machine, in place of `initial`, at its speed; time begins anew at 0.
+    ///
+    /// ```
+    /// use laval::prelude::*;
+    /// use serde_json::json;
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let ground = || Link::Between(Attach::on("disc"), Attach::ground());
+    /// let machine = Builder::new("Laval rotor")
+    ///     .part("disc", Disc::planar(), DiscParams { eccentricity: 20e-6, ..DiscParams::new(3.0) })
+    ///     .part("shaft", ShaftLumped::lateral(ground()), ShaftLumpedParams { stiffness: [3e5; 2], ..ShaftLumpedParams::new() })
+    ///     .part("air", Damper::fixed(ground()), DamperParams::new([20.0; 2]))
+    ///     .build()?;
+    /// let study = |duration: f64| construct::<Transient>(&machine, &json!({ "speed": 250.0, "duration": duration }));
+    /// let context = Context::quiet("motion");
+    /// let whole = study(0.5)?.result(&machine, &context)?;
+    /// let first = study(0.2)?.result(&machine, &context)?;
+    /// let second = study(0.3)?.continued_from(&first.motion.end_state).result(&machine, &context)?;
+    /// let [a, b] = [&whole, &second].map(|r| &r.motion.end_state);
+    /// assert!((a.coordinates[0] - b.coordinates[0]).abs() < 1e-10);
+    /// assert!((a.spin.phase - b.spin.phase).abs() < 1e-9);
+    /// # Ok(()) }
+    /// ```
+    #[must_use]
+    pub fn continued_from(&self, state: &MotionState) -> Transient {
+        let settings = Settings { phase: state.spin.phase, ..self.settings.clone() };
+        Transient { speed: state.spin.speed, settings, from: Some(state.clone()), ..self.clone() }
+    }
+
+    /// How the spin moves.
+    fn law(&self, system: &System) -> SpinLaw {
+        Motion::law_of(system, self.speed, self.settings.phase)
+    }
+
+    fn findings(&self, system: &System, record: &MotionRecord) -> Vec<Finding> {
+        let last_state = &record.end_state;
         // a drive of its own starts slowly
-        let fastest = motion.spin(trajectory.run.t, &trajectory.state).speed.abs().max(self.speed.abs());
+        let fastest = last_state.spin.speed.abs().max(self.speed.abs());
         let turn = std::f64::consts::TAU / fastest;
-        if let Some(finding) = history::unbounded(system, trajectory, turn) {
-            return vec![finding];
+        if let Some(left) = record.left {
+            return vec![history::unbounded(system, left, &record.windows[left.body], turn)];
         }
-        let still = history::negligible(&self.settings, start);
-        let [by, at] = history::end_in_words(trajectory);
+        let still = history::negligible(&self.settings, &record.rest);
+        let [by, at] = history::end_in_words(record);
         let mut out = Vec::new();
         // the body that moves most at the end speaks for the machine
         let last = |w: &[Window]| w.iter().rev().map(|w| w.peak.amplitude).find(|a| a.is_finite()).unwrap_or(0.0);
-        let motions = history::probe_motions(system, trajectory, still);
+        let motions = history::probe_motions(system, record, still);
         let of = |tilt: bool| motions.iter().filter(move |s| s.tilt == tilt && last(s.windows) > s.still);
         let most = |tilt: bool| of(tilt).max_by(|a, b| last(a.windows).total_cmp(&last(b.windows)));
         // a machine whose bodies stay in their places may tilt
@@ -272,7 +338,7 @@ impl Transient {
         let clear = |g: &Growth| g.rate.abs() > 3.0 * g.uncertainty;
         let grows = rate.as_ref().is_some_and(|g| clear(g) && g.rate > 0.0);
         for s in &motions {
-            let finding = if grows && s.moves() && s.peak.t >= 0.9 * trajectory.run.t {
+            let finding = if grows && s.moves() && s.peak.t >= 0.9 * record.run.t {
                 let (id, what) = if s.tilt { ("largest_tilt", "tilt") } else { ("largest_displacement", "displacement") };
                 let text = format!("The {what} of \"{}\" from rest reaches {{}} {by}, while the motion still grows.", s.body);
                 Some(Finding::info(id, text).of(&s.body).value(s.peak.amplitude, s.unit))
@@ -282,25 +348,25 @@ impl Transient {
             out.extend(finding.map(|f| f.evidence("reached at", s.peak.t, "s")));
         }
         for b in system.bodies() {
-            let (x, y) = (trajectory.state[b.x], trajectory.state[b.x + 1]);
-            let away = (x - start.rest[b.x]).hypot(y - start.rest[b.x + 1]);
+            let (x, y) = (last_state.coordinates[b.x], last_state.coordinates[b.x + 1]);
+            let away = (x - record.rest[b.x]).hypot(y - record.rest[b.x + 1]);
             if away <= still {
                 continue;
             }
             let text = format!("{at} \"{}\" is {{}} from its place of rest.", b.name);
             let finding = Finding::info("end_state", text).of(&b.name).value(away, "m").evidence("x", x, "m").evidence("y", y, "m");
-            out.push(finding.evidence("t", trajectory.run.t, "s"));
+            out.push(finding.evidence("t", record.run.t, "s"));
         }
         if system.machine.drive == Drive::Free {
             out.extend(drive::without_inertia(system, "The spin speed changes"));
-            let speed = motion.spin(trajectory.run.t, &trajectory.state).speed;
+            let speed = last_state.spin.speed;
             let text = format!("{at} the spin speed is {{}}.");
             out.push(Finding::info("end_speed", text).value(speed, "rad/s").evidence("change", speed - self.speed, "rad/s"));
         }
         let Some(loudest) = loudest else { return out };
         let Some(g) = rate else {
             let window = self.duration / WINDOWS as f64;
-            let finding = if trajectory.run.t > SEVERAL * turn && window > 0.5 * turn && trajectory.run.t < SEVERAL * window {
+            let finding = if record.run.t > SEVERAL * turn && window > 0.5 * turn && record.run.t < SEVERAL * window {
                 // the integration ended early in the duration: its envelope has hardly a value
                 let text = "Whether the motion grows is not assessed: the largest displacements are kept per {} of the duration, several turns in one. Give a shorter duration.";
                 Finding::info("no_growth_rate", text).value(window, "s")

@@ -1,6 +1,7 @@
 //! The path of the bodies over the last turns of the rotor, where the outputs requested are too far apart to draw it.
 
 use super::history::Columns;
+use super::record::{LastTurns, Series};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::Table;
 use crate::solve::motion::Motion;
@@ -15,9 +16,7 @@ const TURNS: usize = 12;
 const SAMPLES: usize = 48;
 
 /// The rotor turns too far between outputs for lines through them to be the motion.
-pub(in crate::study) fn coarse(motion: &Motion, trajectory: &Trajectory) -> bool {
-    let dim = trajectory.state.len().max(1);
-    let spins: Vec<Spin> = trajectory.times.iter().zip(trajectory.states.chunks_exact(dim)).map(|(&t, y)| motion.spin(t, y)).collect();
+pub(in crate::study) fn coarse(spins: &[Spin]) -> bool {
     spins.windows(2).any(|w| (w[1].phase - w[0].phase).abs() > TAU / COARSE)
 }
 
@@ -42,11 +41,8 @@ impl Turns {
         merged(self.0.iter().copied(), outputs)
     }
 
-    /// Takes the samples out of a trajectory, which keeps the outputs requested besides: a table of the path, if the trajectory came so far.
-    ///
-    /// # Errors
-    /// A table that contradicts itself.
-    pub fn taken(&self, motion: &Motion, trajectory: &mut Trajectory, outputs: &[f64]) -> Result<Option<Table>, Diagnostic> {
+    /// Takes the samples out of a trajectory, which keeps the outputs requested besides: the path, if the trajectory came so far.
+    pub fn taken(&self, motion: &Motion, trajectory: &mut Trajectory, outputs: &[f64]) -> Option<LastTurns> {
         let coordinates = motion.system().coordinates();
         let places: Vec<usize> = motion.system().bodies().iter().flat_map(|b| [b.x, b.x + 1]).collect();
         let (mut times, mut path) = (Vec::new(), vec![Vec::new(); places.len()]);
@@ -55,15 +51,25 @@ impl Turns {
             path.iter_mut().zip(&places).for_each(|(p, &i)| p.push(y[i]));
         });
         if times.len() != self.0.len() || places.is_empty() {
-            return Ok(None);
+            return None;
         }
-        let mut columns = Columns::default();
-        columns.add("t", "s", "time", times);
-        for (&i, values) in places.iter().zip(path) {
-            columns.add(&coordinates[i].name, coordinates[i].dof.unit, "coordinate", values);
-        }
-        columns.table("last turns", &format!("Motion of the bodies over the last {TURNS} turns, {SAMPLES} samples in each")).map(Some)
+        let series = |(&i, values): (&usize, Vec<f64>)| {
+            let c = &coordinates[i];
+            Series { name: c.name.clone(), unit: c.dof.unit.into(), values }
+        };
+        Some(LastTurns { times, coordinates: places.iter().zip(path).map(series).collect() })
     }
+}
+
+/// The last turns as a table.
+///
+/// # Errors
+/// A table that contradicts itself.
+pub(in crate::study) fn table(last: &LastTurns) -> Result<Table, Diagnostic> {
+    let mut columns = Columns::default();
+    columns.add("t", "s", "time", last.times.clone());
+    columns.all(&last.coordinates, "coordinate");
+    columns.table("last turns", &format!("Motion of the bodies over the last {TURNS} turns, {SAMPLES} samples in each"))
 }
 
 /// Two rising lists of times as one, each time once.

@@ -5,6 +5,7 @@
 use crate::model::system::System;
 use crate::solve::pencil::modes_about;
 use crate::solve::rest::rest;
+use serde::{Deserialize, Serialize};
 
 /// Growth rates along a programme.
 pub(in crate::study) struct Rates {
@@ -26,8 +27,8 @@ struct Rate {
 const NEAR: f64 = 0.05;
 
 /// A range of speeds in which the machine is unstable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::study) struct Range {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Range {
     /// Speeds at its ends in the order of time, rad/s.
     pub speeds: [f64; 2],
     /// Growth of a motion through it.

@@ -5,6 +5,7 @@
 //! motions on one attractor each is at most one tolerance from it.
 
 use crate::study::shared::support::largest;
+use serde::{Deserialize, Serialize};
 
 /// Distance that counts as agreement, over the settling tolerance.
 pub(super) const AGREE: f64 = 10.0;
@@ -25,8 +26,8 @@ pub(super) struct Motion {
 }
 
 /// Motions that are the same.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Attractor {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Attractor {
     /// Forcing periods after which it repeats; none for all motions that do not repeat.
     pub period: Option<usize>,
     /// Motions, in order.
@@ -38,8 +39,11 @@ pub(super) struct Attractor {
 }
 
 /// What the motions are, in order of amplitude, with those that do not repeat last; and to which each belongs, none where it has no limit.
-pub(super) struct AttractorSet {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AttractorSet {
+    /// By amplitude.
     pub attractors: Vec<Attractor>,
+    /// Of every motion, the attractor it belongs to.
     pub of: Vec<Option<usize>>,
     /// Smallest distance of two attractors of one period over the size of the larger.
     pub gap: Option<f64>,

@@ -15,13 +15,18 @@ mod attractors;
 mod axes;
 mod masses;
 mod report;
+mod result;
 mod rows;
 
-use super::history::{METHOD, time_forms};
-use super::start::{self, Entry, INITIAL, Start};
+pub use masses::{Checked, Class, Differs, MassAttractor, MassKind, Rehearsal};
+pub use result::{Attractor, AttractorSet, BasinsResult, Found, MassBasins, ModesAtRest, MotionBasins};
+
+use super::history::{METHOD, stopped, time_forms};
+use super::record::exact_parts;
+use super::start::{self, Entry, INITIAL, Start, state_names};
 use super::steady_state::columns::cells;
 use super::steady_state::fields::{self, SLOWEST};
-use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, fastest_growth, method, neutral, slowest_decay};
+use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, fastest_growth, method, neutral, sizes, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values, Word};
 use crate::model::probe::Probe;
@@ -29,11 +34,12 @@ use crate::model::system::{Body, Drive, System};
 use crate::model::timed::{Speeds, Timed};
 use crate::outcome::{End, Outcome, quantity};
 use crate::solve::ensemble::{self, Form, Method, Settings};
-use crate::store::{self, Rows};
+use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, speed};
 use crate::study::{Context, Study};
+use attractors::Ruler;
 use axes::{InitialValueAxis, MOST_POINTS};
 use std::ops::Range;
 use std::sync::Arc;
@@ -69,7 +75,7 @@ pub struct Basins {
 }
 
 impl Study for Basins {
-    type Result = Outcome;
+    type Result = BasinsResult;
     const KIND: &'static str = "basins";
     const EXAMPLE: &'static str = r#"speed = "3000 rpm"
 from = { "drum.x" = "-1 mm", "drum.y" = "-1 mm" }
@@ -186,18 +192,12 @@ points = 50
         ensemble::admit(&timed, method(&timed, self.rules.method, self.speed))
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<BasinsResult, Diagnostic> {
         self.prepare(system, context)?;
         if masses::has(system, self.speed) {
             return masses::run(self, system, context);
         }
-        let Some(timed) = context.timed(system, Speeds::One(self.speed))? else {
-            return Ok(Outcome::new(Self::KIND, context.name).end(End::Cancelled));
-        };
+        let timed = context.timed(system, Speeds::One(self.speed))?.ok_or_else(stopped)?;
         let own = timed.with(&[]).map_err(Diagnostics::into_error)?;
         // internal states have other numbers in time
         let moved = |i: usize| match i.checked_sub(2 * system.n()) {
@@ -210,9 +210,11 @@ points = 50
             budget: Budget::new(context.work_limit),
             study: self,
             start: Start::new(&own, self.speed),
-            rate: slowest_decay(&own, self.speed),
-            growth: fastest_growth(&own, self.speed),
-            neutral: neutral(&own, self.speed),
+            modes: ModesAtRest {
+                decay: slowest_decay(&own, self.speed),
+                growth: fastest_growth(&own, self.speed),
+                neutral: neutral(&own, self.speed),
+            },
             bodies: system.bodies(),
             probes: probes::all(system),
             values: self.axes.each_ref().map(InitialValueAxis::values),
@@ -230,7 +232,7 @@ points = 50
             rows: count,
             chunk: count.div_ceil(50).clamp(64, 256),
         };
-        match members.undecaying() {
+        match members.modes.undecaying() {
             Some(what) => {
                 let whole = format!(
                     "{} motions to follow ({} cells and the undisturbed start), each for up to {} turns: {what}, so that nothing says how long settling takes",
@@ -243,7 +245,22 @@ points = 50
             None => context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat"),
         }
         let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
+        let motions = Collected::of(&results)?;
+        let end = context.end(motions.end == End::Reached);
+        let (states, sizes) = (state_names(&members.system), sizes(&members.system, self.speed));
+        let ruler = Ruler { sizes: &sizes, rest: &members.start.rest, tolerance: self.rules.tolerance };
+        let attractors = ruler.sort(&rows::motions(self, &motions, &states, &members.probes, &members.modes)?);
+        let forms = exact_parts(&members.system);
+        let found = MotionBasins { motions, attractors, states, sizes, modes: members.modes, forms };
+        Ok(BasinsResult { found: Some(Found::Motions(Box::new(found))), undeflected: members.start.undeflected, end })
+    }
+
+    fn report(&self, system: &System, result: &BasinsResult, name: &str) -> Result<Outcome, Diagnostic> {
+        match &result.found {
+            Some(Found::Motions(found)) => Ok(time_forms(&found.forms, report::report(self, system, (result, found), name)?)),
+            Some(Found::Masses(found)) => masses::report(self, system, (result, found), name),
+            None => Ok(masses::nothing(result, name)),
+        }
     }
 }
 
@@ -257,12 +274,7 @@ struct Members<'a> {
     system: Arc<System>,
     method: Method,
     start: Start,
-    /// Decay rate of the slowest mode at rest, 1/s.
-    rate: Option<f64>,
-    /// Growth rate of the fastest growing mode at rest, 1/s.
-    growth: Option<f64>,
-    /// A mode at rest neither decays nor grows.
-    neutral: bool,
+    modes: ModesAtRest,
     bodies: Vec<Body>,
     /// What is recorded of every motion.
     probes: Vec<Probe>,
@@ -270,17 +282,19 @@ struct Members<'a> {
     values: [Vec<f64>; 2],
 }
 
-impl Members<'_> {
+impl ModesAtRest {
     /// Which mode at rest does not decay.
     fn undecaying(&self) -> Option<String> {
-        match (self.rate, self.growth) {
+        match (self.decay, self.growth) {
             (Some(_), _) => None,
             (None, Some(growth)) => Some(format!("at rest a mode of this machine grows by {}", quantity(growth, "1/s"))),
             (None, None) if self.neutral => Some("at rest a mode of this machine neither decays nor grows".into()),
             (None, None) => Some("the modes of this machine at rest are not known".into()),
         }
     }
+}
 
+impl Members<'_> {
     /// Start from rest and what the file says of it.
     fn undisturbed(&self) -> Vec<f64> {
         let mut y = vec![0.0; 2 * self.system.n() + self.system.m()];
@@ -309,7 +323,7 @@ impl Members<'_> {
             speed: self.study.speed,
             y: self.start_of(row),
             rest: self.start.rest.clone(),
-            rate: self.rate,
+            rate: self.modes.decay,
         };
         let members: Vec<Member> = range.clone().map(member).collect();
         let probes = self.probes.clone();

@@ -1,17 +1,18 @@
 //! What is said of basins.
 
-use super::super::start::state_names;
+use super::super::start;
 use super::super::steady_state::period::{LONGEST, Verdict};
-use super::super::steady_state::{RUNAWAY, UNBOUNDED, sizes, stored};
-use super::attractors::{AGREE, Attractor, AttractorSet, Motion, Ruler};
-use super::rows::{PLACE, orbit};
-use super::{Basins, Members};
+use super::super::steady_state::{RUNAWAY, UNBOUNDED, stored};
+use super::attractors::{AGREE, Attractor, AttractorSet, Motion};
+use super::rows::{self, PLACE};
+use super::{Basins, BasinsResult, MotionBasins};
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::model::system::System;
 use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Points, Table, quantity};
-use crate::store::Results;
+use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
-use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 
 /// Attractors of which a finding speaks.
@@ -19,7 +20,10 @@ const MOST_REPORTED: usize = 8;
 
 /// All rows, the undisturbed start first, and what they are.
 struct Map<'a> {
-    members: &'a Members<'a>,
+    study: &'a Basins,
+    data: &'a MotionBasins,
+    /// What is recorded of every motion.
+    probes: Vec<Probe>,
     place: Vec<[f64; 2]>,
     /// Word of the judgement.
     motion: Vec<String>,
@@ -28,58 +32,36 @@ struct Map<'a> {
     motions: Vec<Motion>,
     /// By probe.
     amplitude: Vec<Vec<f64>>,
-    /// The probe by which attractors are ordered and named: the first body, or its tilt where it only tilts.
+    /// The probe by which attractors are ordered and named.
     lead: usize,
     /// By body.
     rms: Vec<Vec<f64>>,
-    found: AttractorSet,
+    found: &'a AttractorSet,
 }
 
 impl<'a> Map<'a> {
-    fn read(members: &'a Members<'a>, results: &Results) -> Result<Self, Diagnostic> {
-        let position =
-            |name: &str| results.position(name).ok_or_else(|| Diagnostic::error("store.columns", format!("there is no column \"{name}\"")));
-        let names = state_names(&members.system);
-        let peaks = members.probes.iter().map(|p| position(&probes::column(p))).collect::<Result<Vec<_>, _>>()?;
-        let means = members.bodies.iter().map(|b| position(&format!("rms.{}", b.name))).collect::<Result<Vec<_>, _>>()?;
-        let (x, y, word, period, remaining) =
-            (position(PLACE[0])?, position(PLACE[1])?, position("motion")?, position("period")?, position("remaining")?);
-        let states = (0..LONGEST)
-            .map(|p| names.iter().map(|n| position(&orbit(p, &n.0))).collect::<Result<Vec<_>, _>>())
-            .collect::<Result<Vec<_>, _>>()?;
-        let (mut place, mut motion, mut motions) = (vec![], vec![], vec![]);
-        let mut amplitude = vec![vec![]; peaks.len()];
-        let mut rms = vec![vec![]; means.len()];
-        for chunk in results.chunks() {
-            let chunk = chunk?;
-            for r in 0..chunk.rows.len() {
-                let number = |c: usize| chunk.cells[c].number(r);
-                let k = number(period);
-                let turns = if k.is_finite() { (k as usize).min(LONGEST) } else { 0 };
-                let assessment = chunk.cells[word].word(r).unwrap_or_default();
-                place.push([number(x), number(y)]);
-                motions.push(Motion {
-                    orbit: (0..turns).rev().map(|p| states[p].iter().map(|&c| number(c)).collect()).collect(),
-                    // where a mode neither decays nor grows, what does not repeat may never settle
-                    irregular: assessment == Verdict::NotPeriodic.word() && !members.neutral,
-                    remaining: number(remaining),
-                    amplitude: f64::NAN,
-                });
-                motion.push(assessment.to_string());
-                amplitude.iter_mut().zip(&peaks).for_each(|(a, &c)| a.push(number(c)));
-                rms.iter_mut().zip(&means).for_each(|(a, &c)| a.push(number(c)));
-            }
+    fn read(study: &'a Basins, system: &System, data: &'a MotionBasins) -> Result<Self, Diagnostic> {
+        let (results, probes) = (&data.motions, probes::all(system));
+        let means: Vec<String> = system.bodies().iter().map(|b| format!("rms.{}", b.name)).collect();
+        let own = [PLACE[0], PLACE[1], "failure", "bounded", "validity", "steps", "periods"].map(String::from);
+        stored::check(results, own.into_iter().chain(probes.iter().map(probes::column)).chain(means.iter().cloned()))?;
+        let motions = rows::motions(study, results, &data.states, &probes, &data.modes)?;
+        if data.attractors.of.len() != motions.len() {
+            return Err(Diagnostic::error("basins.rows", "the attractors are not those of these motions"));
         }
-        let known =
-            probes::resolved(members.probes.iter().cloned().zip(amplitude.iter().cloned()).collect(), members.study.rules.tolerance);
-        let lead = known.iter().min_by_key(|k| k.0.body).and_then(|k| members.probes.iter().position(|p| *p == k.0)).unwrap_or(0);
-        if let Some(own) = amplitude.get(lead) {
-            motions.iter_mut().zip(own).for_each(|(m, &a)| m.amplitude = a);
-        }
-        let (sizes, rules) = (sizes(&members.system, members.study.speed), &members.study.rules);
-        let found = Ruler { sizes: &sizes, rest: &members.start.rest, tolerance: rules.tolerance }.sort(&motions);
-        let failure = stored::words(results, "failure")?;
-        Ok(Map { members, place, motion, failure, motions, amplitude, lead, rms, found })
+        Ok(Map {
+            study,
+            data,
+            place: results.numbers(PLACE[0]).into_iter().zip(results.numbers(PLACE[1])).map(|(x, y)| [x, y]).collect(),
+            motion: results.words("motion"),
+            failure: results.words("failure"),
+            motions,
+            amplitude: probes.iter().map(|p| results.numbers(&probes::column(p))).collect(),
+            lead: rows::lead(study, results, &probes).unwrap_or(0),
+            rms: means.iter().map(|m| results.numbers(m)).collect(),
+            found: &data.attractors,
+            probes,
+        })
     }
 
     /// Rows of the grid.
@@ -108,7 +90,7 @@ impl<'a> Map<'a> {
     /// "drum.x = 1 mm, drum.x' = 0.1 m/s"
     fn at(&self, place: [f64; 2]) -> String {
         let one = |k: usize| {
-            let axis = &self.members.study.axes[k];
+            let axis = &self.study.axes[k];
             format!("{} = {}", axis.name, quantity(place[k], &axis.unit))
         };
         format!("{}, {}", one(0), one(1))
@@ -123,28 +105,33 @@ impl<'a> Map<'a> {
     }
 }
 
-pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let map = Map::read(members, results)?;
-    let complete = results.end() == End::Reached;
-    let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    let rows = format!("motions ({} cells and the undisturbed start)", members.values[0].len() * members.values[1].len());
-    for f in results.remark_of(&rows).into_iter().chain(members.start.finding.clone()) {
+pub(super) fn report(
+    study: &Basins,
+    system: &System,
+    (result, data): (&BasinsResult, &MotionBasins),
+    name: &str,
+) -> Result<Outcome, Diagnostic> {
+    let (map, results) = (Map::read(study, system, data)?, &data.motions);
+    let mut outcome = Outcome::new(Basins::KIND, name).end(result.end);
+    let axes = &study.axes;
+    let cells: usize = axes.iter().map(|a| a.values().len()).product();
+    let rows = format!("motions ({cells} cells and the undisturbed start)");
+    for f in results.remark_of(&rows).into_iter().chain(start::undeflected(&result.undeflected)) {
         outcome = outcome.finding(f);
     }
-    outcome = cut_short(&map, results, outcome)?;
+    outcome = cut_short(&map, outcome);
     outcome = shares(&map, outcome);
     outcome = failures(&map, outcome);
-    outcome = disturbance(&map, complete, outcome);
+    outcome = disturbance(&map, results.end == End::Reached, outcome);
     outcome = undecided(&map, outcome);
-    let axes = &members.study.axes;
     let at = |row: usize, f: Finding| {
         let place = map.place[row];
         f.evidence(axes[0].name.clone(), place[0], axes[0].unit.clone()).evidence(axes[1].name.clone(), place[1], axes[1].unit.clone())
     };
-    outcome = stored::limits(results, at, outcome)?;
-    let steps = results.numbers("steps")?.iter().sum::<f64>();
-    outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
-    outcome = tables(&map, results, outcome)?;
+    outcome = stored::limits(results, at, outcome);
+    let steps = results.numbers("steps").iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done).work("steps", steps as u64);
+    outcome = tables(&map, outcome)?;
     figure(&map, outcome).checked().map_err(inconsistent)
 }
 
@@ -154,7 +141,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(map.members.study.speed, "rad/s");
+    let speed = quantity(map.study.speed, "rad/s");
     let own: Vec<(usize, &Attractor, usize)> =
         map.found.attractors.iter().enumerate().map(|(k, a)| (k, a, map.count(a))).filter(|x| x.2 > 0).collect();
     let repeating = own.iter().filter(|x| x.1.period.is_some()).count();
@@ -163,7 +150,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
         1 => format!("{{}} motion that repeats was found to be reached from the grid, at {speed}."),
         _ => format!("{{}} different motions that repeat were found to be reached from the grid, at {speed}."),
     };
-    let tolerance = AGREE * map.members.study.rules.tolerance;
+    let tolerance = AGREE * map.study.rules.tolerance;
     let mut finding = Finding::info("attractors", text).value(repeating as f64, "").evidence("cells", cells as f64, "");
     finding = finding.evidence("distance over the size of a motion that counts as the same", tolerance, "");
     if let Some(gap) = map.found.gap {
@@ -179,7 +166,7 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
             Some(turns) => format!("which repeats after {turns} turns"),
             None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
         };
-        let lead = map.members.probes.get(map.lead);
+        let lead = map.probes.get(map.lead);
         let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (probes::quality(p), probes::owner(p), p.unit()));
         let moves = if lead.is_some() { quantity(map.peak(a, map.lead), unit) } else { String::new() };
         let begin = if a.period.is_some() { format!("{}, {what}", upper(&map.name(k))) } else { upper(&what) };
@@ -203,7 +190,7 @@ pub(super) fn share(count: usize, of: usize) -> (f64, f64) {
 
 /// The cell nearest to the undisturbed start that ends in another attractor.
 fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
-    let axes = &map.members.study.axes;
+    let axes = &map.study.axes;
     let Some(&start) = map.place.first() else { return outcome };
     let place = map.at(start);
     let Some(home) = map.found.of[0] else {
@@ -220,8 +207,7 @@ fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     if !(complete && axes[0].holds(start[0]) && axes[1].holds(start[1])) {
         return outcome.finding(Finding::info("undisturbed", from + "."));
     }
-    let all = sizes(&map.members.system, map.members.study.speed);
-    let scale = axes.each_ref().map(|a| a.index.map_or(1.0, |i| all[i]));
+    let scale = axes.each_ref().map(|a| a.index.and_then(|i| map.data.sizes.get(i)).copied().unwrap_or(1.0));
     let distance = |row: usize| ((map.place[row][0] - start[0]) / scale[0]).hypot((map.place[row][1] - start[1]) / scale[1]);
     let other =
         map.cells().filter(|&r| map.found.of[r].is_some() && !at_home(r)).map(|r| (distance(r), r)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -276,17 +262,17 @@ fn failures(map: &Map, mut outcome: Outcome) -> Outcome {
 }
 
 /// That settling was cut short.
-fn cut_short(map: &Map, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn cut_short(map: &Map, outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
-    let bounded = results.numbers("bounded")?;
+    let bounded = map.data.motions.numbers("bounded");
     let cut = map.cells().filter(|&r| bounded[r] == 1.0 && map.found.of[r].is_some()).count();
-    if cut == 0 || map.members.rate.is_none() {
-        return Ok(outcome);
+    if cut == 0 || map.data.modes.decay.is_none() {
+        return outcome;
     }
     let text = format!(
         "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode requires; they are classified by their last turns."
     );
-    Ok(outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, "")))
+    outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""))
 }
 
 /// Cells without a settled motion.
@@ -294,14 +280,14 @@ fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let count = |word: &str| map.cells().filter(|&r| map.word(r) == word).count();
     if !map.place.is_empty()
-        && let Some(what) = map.members.undecaying()
+        && let Some(what) = map.data.modes.undecaying()
     {
-        let most = map.members.study.rules.most_periods;
+        let most = map.study.rules.most_periods;
         let mut text = format!(
             "{}: nothing says how long settling takes, and motions that do not repeat were followed for {most} turns (most_periods).",
             upper(&what)
         );
-        if map.members.neutral {
+        if map.data.modes.neutral {
             text += " One that does not repeat by then is called not settled.";
         }
         outcome = outcome.finding(Finding::warning("no_decay", text));
@@ -319,9 +305,9 @@ pub(super) fn upper(text: &str) -> String {
     letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
 }
 
-fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let (members, rows) = (map.members, map.cells());
-    let axes = &members.study.axes;
+fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let (results, rows) = (&map.data.motions, map.cells());
+    let axes = &map.study.axes;
     let of_cells = |values: &[f64]| values[rows.clone()].iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect::<Vec<f64>>();
     let mut cells = Table::new("cells", "The motion every cell of the grid settles on");
     for k in 0..2 {
@@ -341,9 +327,9 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             "period",
             "",
             "forcing periods after which the motion repeats; NaN where there is none",
-            of_cells(&results.numbers("period")?),
+            of_cells(&results.numbers("period")),
         );
-    for (k, p) in members.probes.iter().enumerate() {
+    for (k, p) in map.probes.iter().enumerate() {
         let doc = format!("largest {}; NaN where it failed", probes::quality(p));
         cells = cells.float(probes::column(p), p.unit(), doc, of_cells(&map.amplitude[k]));
     }
@@ -352,9 +338,9 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             "remaining",
             "",
             "estimated distance from the settled motion over its size; NaN where there is none",
-            of_cells(&results.numbers("remaining")?),
+            of_cells(&results.numbers("remaining")),
         )
-        .float("periods", "", "forcing periods integrated", of_cells(&results.numbers("periods")?))
+        .float("periods", "", "forcing periods integrated", of_cells(&results.numbers("periods")))
         .text("failure", "why there is no motion", map.failure.iter().skip(1).cloned().collect());
     outcome = outcome.table(cells.build().map_err(inconsistent)?);
 
@@ -376,7 +362,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
         .int("cells", "", "cells of the grid that end in it", all.iter().map(|a| map.count(a) as i64).collect())
         .float("share", "", "share p of all cells", column(&|a| share(map.count(a), rows.len()).0))
         .float("share_error", "", "sampling error sqrt(p (1 - p)/N) for N cells", column(&|a| share(map.count(a), rows.len()).1));
-    for (k, p) in members.probes.iter().enumerate() {
+    for (k, p) in map.probes.iter().enumerate() {
         table = table.float(probes::column(p), p.unit(), format!("largest {}", probes::quality(p)), column(&|a| map.peak(a, k)));
         if let Some(rms) = map.rms.get(k) {
             let doc = "root of the mean squared displacement of its best motion";
@@ -391,21 +377,19 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
             column(&|a| map.motions[a.best].remaining),
         )
         .float("spread", "", "largest distance of a motion from the first over its size; zero where none repeats", column(&|a| a.spread));
-    if members.study.rules.shooting {
-        let shot = |name: &str| results.numbers(name).map(|v| column(&|a| v[a.best]));
+    if map.study.rules.shooting {
+        let shot = |name: &str| {
+            let all = results.numbers(name);
+            column(&|a| all.get(a.best).copied().unwrap_or(f64::NAN))
+        };
         table = table
             .float(
                 "residual",
                 "",
                 "last correction of shooting over its size; NaN where shooting was not needed or failed",
-                shot("residual")?,
+                shot("residual"),
             )
-            .float(
-                "multiplier",
-                "",
-                "largest modulus of its multipliers; NaN where shooting was not needed or failed",
-                shot("multiplier")?,
-            );
+            .float("multiplier", "", "largest modulus of its multipliers; NaN where shooting was not needed or failed", shot("multiplier"));
     }
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     outcome = outcome.table(poincare(map)?);
@@ -421,7 +405,7 @@ fn tables(map: &Map, results: &Results, mut outcome: Outcome) -> Result<Outcome,
 
 /// Poincare points of the attractors that repeat.
 fn poincare(map: &Map) -> Result<Table, Diagnostic> {
-    let names = state_names(&map.members.system);
+    let names = &map.data.states;
     let mut rows: Vec<(i64, i64, &str, &str, f64)> = Vec::new();
     for (k, a) in map.found.attractors.iter().enumerate() {
         for (p, y) in map.motions[a.best].orbit.iter().enumerate() {
@@ -443,7 +427,7 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     if map.cells().is_empty() {
         return outcome;
     }
-    let axes = &map.members.study.axes;
+    let axes = &map.study.axes;
     let drawn = |k: usize| {
         let a = &axes[k];
         let largest = map.place.iter().map(|p| p[k].abs()).fold(0.0, f64::max);
@@ -463,7 +447,7 @@ fn figure(map: &Map, outcome: Outcome) -> Outcome {
     if axes[0].holds(start[0]) && axes[1].holds(start[1]) {
         panel = panel.mark(Points::new("undisturbed", PLACE[0], PLACE[1]).name("undisturbed start"));
     }
-    let speed = quantity(map.members.study.speed, "rad/s");
+    let speed = quantity(map.study.speed, "rad/s");
     let alt = format!("The motion each start settles on at {speed}, over the initial values {} and {}.", axes[0].name, axes[1].name);
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(panel);
     let (x, y) = (drawn(0), drawn(1));

@@ -3,8 +3,14 @@
 use super::super::start::state_names;
 use super::super::steady_state::SteadyState;
 use super::super::steady_state::columns::{self, RowColumn, body, number};
-use super::super::steady_state::period::LONGEST;
-use super::{Basins, Members};
+use super::super::steady_state::period::{LONGEST, Verdict};
+use super::super::steady_state::stored;
+use super::attractors::Motion;
+use super::{Basins, Members, ModesAtRest};
+use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
+use crate::store::Collected;
+use crate::study::shared::probes;
 
 /// One motion.
 pub(super) struct Row {
@@ -44,6 +50,45 @@ pub(super) fn columns(study: &Basins, members: &Members) -> Vec<RowColumn<Row>> 
         }
     }
     out
+}
+
+/// The motions of stored rows, with their Poincare sets.
+///
+/// # Errors
+/// Rows that are not those of this study and machine.
+pub(super) fn motions(
+    study: &Basins,
+    results: &Collected,
+    states: &[(String, String)],
+    all: &[Probe],
+    modes: &ModesAtRest,
+) -> Result<Vec<Motion>, Diagnostic> {
+    let orbits = (0..LONGEST).flat_map(|p| states.iter().map(move |s| orbit(p, &s.0)));
+    let own = ["motion", "period", "remaining"].map(String::from);
+    stored::check(results, own.into_iter().chain(orbits))?;
+    let states: Vec<Vec<Vec<f64>>> = (0..LONGEST).map(|p| states.iter().map(|n| results.numbers(&orbit(p, &n.0))).collect()).collect();
+    let (word, period, remaining) = (results.words("motion"), results.numbers("period"), results.numbers("remaining"));
+    let amplitude = lead(study, results, all).map_or_else(Vec::new, |k| results.numbers(&probes::column(&all[k])));
+    let one = |r: usize| {
+        let k = period[r];
+        let turns = if k.is_finite() { (k as usize).min(LONGEST) } else { 0 };
+        Motion {
+            orbit: (0..turns).rev().map(|p| states[p].iter().map(|c| c[r]).collect()).collect(),
+            // where a mode neither decays nor grows, what does not repeat may never settle
+            irregular: word[r] == Verdict::NotPeriodic.word() && !modes.neutral,
+            remaining: remaining[r],
+            amplitude: amplitude.get(r).copied().unwrap_or(f64::NAN),
+        }
+    };
+    Ok((0..word.len()).map(one).collect())
+}
+
+/// The probe by which attractors are ordered and named: the first body, or its tilt where it only tilts.
+pub(super) fn lead(study: &Basins, results: &Collected, all: &[Probe]) -> Option<usize> {
+    let sizes = all.iter().map(|p| (p.clone(), results.numbers(&probes::column(p)))).collect();
+    let known = probes::resolved(sizes, study.rules.tolerance);
+    let first = known.iter().min_by_key(|k| k.0.body).and_then(|k| all.iter().position(|p| *p == k.0)).unwrap_or(0);
+    (first < all.len()).then_some(first)
 }
 
 /// Name of the column of a state `p` turns before the end.

@@ -11,6 +11,7 @@
 mod report;
 
 use super::history::{METHOD, time_forms};
+use super::record::{UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::{self, RowColumn, body, cells, number, word};
 use super::steady_state::fields::{self, SLOWEST};
@@ -19,15 +20,16 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
-use crate::store::{self, Rows};
+use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED_RANGE, range, range_or};
 use crate::study::{Context, Study};
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -68,7 +70,7 @@ pub struct MotionMap {
 }
 
 impl Study for MotionMap {
-    type Result = Outcome;
+    type Result = MotionMapResult;
     const KIND: &'static str = "motion_map";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 60 }
 y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 20 }
@@ -160,11 +162,7 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         ensemble::admit(&timed, self.method(&timed))
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<MotionMapResult, Diagnostic> {
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
@@ -186,8 +184,25 @@ y = { parameter = "drum.eccentricity", from = "10 um", to = "100 um", points = 2
         };
         context.announce(plan.rows as f64, 1000.0, "motions to follow until they repeat");
         let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
-        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
+        let motions = Collected::of(&results)?;
+        let end = context.end(motions.end == End::Reached);
+        Ok(MotionMapResult { motions, forms: exact_parts(&members.system), end })
     }
+
+    fn report(&self, system: &System, result: &MotionMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+        Ok(time_forms(&result.forms, report::report(self, system, result, name)?))
+    }
+}
+
+/// Settled motions over two parameters, or the spin speed and one.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct MotionMapResult {
+    /// One row for each point, along x and then along y; columns as in the table `map`.
+    pub motions: Collected,
+    /// Rational forms that stood for exact parts.
+    pub forms: Vec<UsedForm>,
+    /// How the study ended.
+    pub end: End,
 }
 
 /// The speeds along x.
@@ -276,11 +291,15 @@ impl columns::Row for Row {
 /// Name of the column that tells why there is no machine.
 const REFUSED: &str = "refused";
 
+/// The place of a row on a grid: along x first.
+fn place(values: &[Vec<f64>; 2], row: usize) -> [f64; 2] {
+    let width = values[0].len();
+    [values[0][row % width], values[1][row / width]]
+}
+
 impl Members<'_> {
-    /// The place of a row: along x first.
     fn at(&self, row: usize) -> [f64; 2] {
-        let width = self.values[0].len();
-        [self.values[0][row % width], self.values[1][row / width]]
+        place(&self.values, row)
     }
 
     fn columns(&self) -> Vec<RowColumn<Row>> {

@@ -1,15 +1,16 @@
 //! From points to findings, the table and the figures.
 
-use super::{Members, MotionMap, REFUSED};
+use super::{GridAxis, MotionMap, MotionMapResult, REFUSED, place};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
-use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
-use crate::store::{Kind, Results};
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::store::{Collected, Kind};
+use crate::study::Study;
 use crate::study::motion::steady_state::period::LONGEST;
 use crate::study::motion::steady_state::stored;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
-use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 
 /// Repetitions that have a word of their own.
@@ -19,7 +20,9 @@ const WIDE: f64 = 30.0;
 
 /// All points.
 struct Map<'a> {
-    members: &'a Members<'a>,
+    study: &'a MotionMap,
+    /// Values along both axes.
+    values: [Vec<f64>; 2],
     /// What the motion of each is, in a word of the legend.
     classes: Vec<String>,
     /// Largest values of every probe, but of displacements that are not resolved beside the tilt of their body.
@@ -29,12 +32,12 @@ struct Map<'a> {
 impl Map<'_> {
     /// "speed = 300 rad/s, drum.eccentricity = 50 µm"
     fn place(&self, row: usize) -> String {
-        let (at, axes) = (self.members.at(row), &self.members.study.axes);
+        let (at, axes) = (place(&self.values, row), &self.study.axes);
         [0, 1].map(|k| format!("{} = {}", axes[k].name(), quantity(at[k], axes[k].unit))).join(", ")
     }
 
     fn with_place(&self, f: Finding, row: usize) -> Finding {
-        let (at, axes) = (self.members.at(row), &self.members.study.axes);
+        let (at, axes) = (place(&self.values, row), &self.study.axes);
         (0..2).fold(f, |f, k| f.evidence(axes[k].name(), at[k], axes[k].unit))
     }
 
@@ -59,25 +62,30 @@ fn all_classes() -> Vec<String> {
     repeating.chain(["not periodic", "not settled", "failed"].map(String::from)).collect()
 }
 
-pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let periods = results.numbers("period")?;
-    let classes: Vec<String> = stored::words(results, "motion")?.iter().zip(&periods).map(|(m, &p)| class(m, p)).collect();
-    let mut sizes = Vec::new();
-    for p in probes::all(&members.system) {
-        let own = results.numbers(&probes::column(&p))?;
-        sizes.push((p, own));
-    }
-    let map = Map { members, classes, sizes: probes::resolved(sizes, members.study.rules.tolerance) };
-    let mut outcome = Outcome::new(MotionMap::KIND, context.name).end(context.end(results.end() == End::Reached));
+pub(super) fn report(study: &MotionMap, system: &System, result: &MotionMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+    let (results, all) = (&result.motions, probes::all(system));
+    let own = ["motion", "period", "failure", "validity", "steps", REFUSED].map(String::from);
+    stored::check(results, own.into_iter().chain(all.iter().map(probes::column)))?;
+    let classes: Vec<String> = results.words("motion").iter().zip(results.numbers("period")).map(|(m, p)| class(m, p)).collect();
+    let sizes = all
+        .into_iter()
+        .map(|p| {
+            let own = results.numbers(&probes::column(&p));
+            (p, own)
+        })
+        .collect();
+    let sizes = probes::resolved(sizes, study.rules.tolerance);
+    let map = Map { study, values: study.axes.each_ref().map(GridAxis::values), classes, sizes };
+    let mut outcome = Outcome::new(MotionMap::KIND, name).end(result.end);
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
     }
-    for f in largest(&map).into_iter().chain(repetition(&map)).chain(without(&map, results)?) {
+    for f in largest(&map).into_iter().chain(repetition(&map)).chain(without(&map, results)) {
         outcome = outcome.finding(f);
     }
-    outcome = stored::limits(results, |row, f| map.with_place(f, row), outcome)?;
-    let steps = results.numbers("steps")?.iter().filter(|s| s.is_finite()).sum::<f64>();
-    outcome = outcome.work("motions", results.done()).work("steps", steps as u64).table(table(&map, results)?);
+    outcome = stored::limits(results, |row, f| map.with_place(f, row), outcome);
+    let steps = results.numbers("steps").iter().filter(|s| s.is_finite()).sum::<f64>();
+    outcome = outcome.work("motions", results.done).work("steps", steps as u64).table(table(&map, results)?);
     figures(&map, outcome).checked().map_err(inconsistent)
 }
 
@@ -114,7 +122,7 @@ fn repetition(map: &Map) -> Vec<Finding> {
 }
 
 /// Points without a settled motion, by cause.
-fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
+fn without(map: &Map, results: &Collected) -> Vec<Finding> {
     let all = map.classes.len();
     let mut out = Vec::new();
     let unsettled = map.count(|c| c == "not settled");
@@ -123,7 +131,7 @@ fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         out.push(Finding::warning("not_settled", text).value(unsettled as f64, ""));
     }
     let mut causes: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    let refused = stored::words(results, REFUSED)?;
+    let refused = results.words(REFUSED);
     for (row, why) in refused.iter().enumerate().filter(|w| !w.1.is_empty()) {
         causes.entry(crate::study::parameters::uncertainty::cause(why)).or_insert((0, row)).0 += 1;
     }
@@ -132,23 +140,23 @@ fn without(map: &Map, results: &Results) -> Result<Vec<Finding>, Diagnostic> {
         out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), row));
     }
     let mut motions: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    for (row, why) in stored::words(results, "failure")?.into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
+    for (row, why) in results.words("failure").into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
         motions.entry(why).or_insert((0, row)).0 += 1;
     }
     for (why, (count, row)) in motions {
         let text = format!("{{}} of {all} motions could not be followed, for instance at {}: it {why}.", map.place(row));
         out.push(map.with_place(Finding::warning("failed_motions", text).of(why).value(count as f64, ""), row));
     }
-    Ok(out)
+    out
 }
 
-fn table(map: &Map, results: &Results) -> Result<Table, Diagnostic> {
+fn table(map: &Map, results: &Collected) -> Result<Table, Diagnostic> {
     let mut t = Table::new("map", "Motions, along x and then along y").leading();
-    for (i, c) in results.columns().iter().enumerate() {
+    for (i, (c, _)) in results.columns.iter().enumerate() {
         if c.kind == Kind::Text {
-            t = t.text(&c.name, &c.doc, stored::words(results, &c.name)?);
+            t = t.text(&c.name, &c.doc, results.words(&c.name));
         } else {
-            let finite = results.numbers(&c.name)?.into_iter().map(|x| if x.is_finite() { x } else { f64::NAN }).collect();
+            let finite = results.numbers(&c.name).into_iter().map(|x| if x.is_finite() { x } else { f64::NAN }).collect();
             let doc = if i < 2 { c.doc.clone() } else { format!("{}; NaN where there is none", c.doc) };
             t = t.float(&c.name, &c.unit, doc, finite);
         }
@@ -171,8 +179,8 @@ fn figures(map: &Map, mut outcome: Outcome) -> Outcome {
     if map.classes.is_empty() {
         return outcome;
     }
-    let axes = &map.members.study.axes;
-    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.members.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
+    let axes = &map.study.axes;
+    let side = |k: usize| drawn(axes[k].name(), axes[k].unit, map.values[k].iter().fold(0.0, |m: f64, x| m.max(x.abs())), false);
     let [x, y] = [0, 1].map(|k| axes[k].name());
     let figure = |name: String, title: String, heat: Heat| {
         let alt = format!("{title} over {x} and {y}.");

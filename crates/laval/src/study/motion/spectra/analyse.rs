@@ -5,6 +5,7 @@ use crate::solve::programme::Spin;
 use crate::study::shared::support::largest;
 use laval_num::complex::{C64, c};
 use laval_num::fourier::{Fft, hann};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// Lines over orders, per order.
@@ -23,7 +24,7 @@ const MOST_FREQUENCIES: usize = 400;
 
 /// Samples of a motion, equally spaced.
 #[derive(Clone, Debug, Default)]
-pub struct Record {
+pub(super) struct Record {
     t: Vec<f64>,
     phase: Vec<f64>,
     speed: Vec<f64>,
@@ -41,17 +42,20 @@ impl Record {
 }
 
 /// A part of a motion at an order: signed, forward positive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// Frequency over the spin speed.
     pub order: f64,
+    /// Radius of its circle, m.
     pub amplitude: f64,
 }
 
 /// The spectra of one window.
-#[derive(Clone, Debug)]
-pub(super) struct Window {
-    /// Time and spin speed at its middle.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Window {
+    /// Time at its middle, s.
     pub t: f64,
+    /// Spin speed there, rad/s.
     pub speed: f64,
     /// Turns of the rotor that its orders are taken over; NaN where there are too few.
     pub turns: f64,

@@ -26,6 +26,7 @@ use crate::outcome::Outcome;
 use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::Trajectory;
 use analyse::Record;
+pub use analyse::{Part, Window};
 use std::f64::consts::TAU;
 
 /// `waterfall`.
@@ -125,21 +126,21 @@ impl Spectra {
         merged(self.times(), outputs)
     }
 
-    /// Takes the samples out of a trajectory, which keeps the outputs requested besides.
-    pub fn taken(&self, motion: &Motion, start: &Start, trajectory: &mut Trajectory, outputs: &[f64]) -> Record {
+    /// Takes the samples out of a trajectory, which keeps the outputs requested besides: the spectra of the whole windows.
+    pub fn taken(&self, motion: &Motion, start: &Start, trajectory: &mut Trajectory, outputs: &[f64]) -> Vec<Window> {
         let mut record = Record::default();
         let (ix, iy) = (self.body.x, self.body.x + 1);
         separated(trajectory, self.times(), outputs, |t, y| {
             record.push(t, motion.spin(t, y), (y[ix] - start.rest[ix], y[iy] - start.rest[iy]))
         });
-        record
+        analyse::windows(self, &record)
     }
 
-    /// Adds tables, figures and findings of the whole windows of a record.
+    /// Adds tables, figures and findings of spectra.
     ///
     /// # Errors
     /// A table that contradicts itself.
-    pub fn report(&self, record: &Record, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-        report::report(self, &analyse::windows(self, record), outcome)
+    pub fn report(&self, windows: &[Window], outcome: Outcome) -> Result<Outcome, Diagnostic> {
+        report::report(self, windows, outcome)
     }
 }

@@ -1,26 +1,24 @@
-//! Read from the stored rows of steady-state studies: words, and parts outside their validity.
+//! Read from the stored rows of steady-state studies: parts outside their validity.
 
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome};
-use crate::store::Results;
+use crate::store::Collected;
 use std::collections::BTreeMap;
 
-/// Words of a column; empty where there is none.
-pub fn words(results: &Results, column: &str) -> Result<Vec<String>, Diagnostic> {
-    let Some(c) = results.position(column) else { return Ok(vec![]) };
-    let mut out = Vec::new();
-    for chunk in results.chunks() {
-        let chunk = chunk?;
-        out.extend((0..chunk.rows.len()).map(|i| chunk.cells[c].word(i).unwrap_or_default().to_string()));
-    }
-    Ok(out)
+/// These columns are there: the rows may be those of a stored result.
+///
+/// # Errors
+/// A column that is not.
+pub fn check(results: &Collected, mut columns: impl Iterator<Item = String>) -> Result<(), Diagnostic> {
+    let missing = columns.find(|name| !results.columns.iter().any(|c| c.0.name == *name));
+    missing.map_or(Ok(()), |name| Err(Diagnostic::error("store.columns", format!("there is no column \"{name}\""))))
 }
 
 /// Parts that leave their model, with the worst use. `at` says where a row lies.
-pub fn limits(results: &Results, at: impl Fn(usize, Finding) -> Finding, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let uses = results.numbers("validity")?;
+pub fn limits(results: &Collected, at: impl Fn(usize, Finding) -> Finding, mut outcome: Outcome) -> Outcome {
+    let uses = results.numbers("validity");
     let mut worst: BTreeMap<String, (f64, usize, usize)> = BTreeMap::new();
-    for (row, (what, ratio)) in words(results, "limit")?.into_iter().zip(uses).enumerate().filter(|(_, x)| x.1 > 1.0) {
+    for (row, (what, ratio)) in results.words("limit").into_iter().zip(uses).enumerate().filter(|(_, x)| x.1 > 1.0) {
         let entry = worst.entry(what).or_insert((ratio, row, 0));
         entry.2 += 1;
         if ratio > entry.0 {
@@ -37,5 +35,5 @@ pub fn limits(results: &Results, at: impl Fn(usize, Finding) -> Finding, mut out
         };
         outcome = outcome.finding(at(row, finding.of(part)));
     }
-    Ok(outcome)
+    outcome
 }

@@ -1,6 +1,6 @@
 //! A sweep drawn.
 
-use super::Members;
+use super::Shown;
 use super::report::Path;
 use crate::outcome::{Axis, Figure, Heat, Line, Outcome, Panel, Points, Rule};
 use crate::study::shared::probes;
@@ -12,7 +12,7 @@ const MOST_BODIES: usize = 4;
 /// Lowest amplitude of a waterfall over its highest.
 const DEPTH: f64 = 1e-6;
 
-pub(super) fn figures(members: &Members, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
+pub(super) fn figures(shown: &Shown, paths: &[Path], any: bool, mut outcome: Outcome) -> Outcome {
     if !any {
         return outcome;
     }
@@ -21,19 +21,19 @@ pub(super) fn figures(members: &Members, paths: &[Path], any: bool, mut outcome:
     let largest = |k: usize| paths.iter().flat_map(|p| &p.amplitude[k]).fold(0.0f64, |m, a| if *a > m { *a } else { m });
     let alt = format!("Largest displacement or tilt of each body over spin speed (start: {ways}).");
     let mut figure = Figure::new("amplitude", "Amplitude", alt).x(speed());
-    let resolved = |k: &usize| !members.tilts(&members.probes[*k]) || paths.iter().any(|p| largest(*k) > p.unresolved[*k]);
-    let drawn: Vec<usize> = (0..members.probes.len()).filter(resolved).collect();
+    let resolved = |k: &usize| !shown.tilts(&shown.probes[*k]) || paths.iter().any(|p| largest(*k) > p.unresolved[*k]);
+    let drawn: Vec<usize> = (0..shown.probes.len()).filter(resolved).collect();
     for tilt in [false, true] {
-        for &k in drawn.iter().filter(|&&k| members.probes[k].is_tilt() == tilt).take(MOST_BODIES) {
-            let probe = &members.probes[k];
+        for &k in drawn.iter().filter(|&&k| shown.probes[k].is_tilt() == tilt).take(MOST_BODIES) {
+            let probe = &shown.probes[k];
             let axis = probes::axis(crate::study::shared::support::probe_name(probe), probe, largest(k));
             figure = figure.panel(Panel::new(axis).mark(Line::new("sweep", "speed", probes::column(probe)).group("start").nested()));
         }
     }
     outcome = outcome.figure(figure);
-    let study = members.study;
-    let probe = &members.probes[study.section.0];
-    let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| members.system.coordinates()[r.0].name.as_str());
+    let study = shown.study;
+    let probe = &shown.probes[study.section.0];
+    let name = probe.rows[study.section.1].first().map_or(probe.name.as_str(), |r| shown.system.coordinates()[r.0].name.as_str());
     let axis = probes::axis(name, probe, largest(study.section.0));
     let alt = format!("{name} at phase zero over spin speed: one point for every turn after which the motion repeats (start: {ways}).");
     let panel = Panel::new(axis).mark(Points::new("poincare", "speed", probes::quality(probe)).classes("start", WAYS));
@@ -49,7 +49,7 @@ pub(super) fn figures(members: &Members, paths: &[Path], any: bool, mut outcome:
         let heat = Heat::new("waterfall", "speed", "order", "amplitude", colours);
         let alt = format!(
             "Order spectra of {} over spin speed (start: {}); negative orders turn backward.",
-            members.bodies[b].name,
+            shown.bodies[b].name,
             study.ways[0].word()
         );
         outcome =

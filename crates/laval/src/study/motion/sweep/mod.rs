@@ -18,6 +18,7 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
+use super::record::{UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::cells;
 use super::steady_state::fields::{self, SLOWEST};
@@ -28,9 +29,9 @@ use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
 use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Body, Drive, System};
 use crate::model::timed::Speeds;
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::solve::ensemble::{self, Form, Method, Settings};
-use crate::store::{self, Rows};
+use crate::store::{self, Collected, Rows};
 use crate::study::shared::probes;
 use crate::study::shared::size::{KEPT, LISTED, Size};
 use crate::study::shared::speed_range::SpinSpeeds;
@@ -41,6 +42,7 @@ use lyapunov::Pairs;
 use rayon::prelude::*;
 use refine::{Followed, SteadyPoint};
 use rows::Row;
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -90,7 +92,7 @@ pub struct Sweep {
 }
 
 impl Study for Sweep {
-    type Result = Outcome;
+    type Result = SweepResult;
     const KIND: &'static str = "sweep";
     const EXAMPLE: &'static str = r#"speed = { from = "1000 rpm", to = "9000 rpm", points = 200 }
 start = "up_and_down"
@@ -203,11 +205,7 @@ start = "up_and_down"
         ensemble::admit(&timed, method(&timed, self.rules.method, self.fastest()))
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<SweepResult, Diagnostic> {
         self.admit(system)?;
         let own = system.timed(Speeds::Several)?.with(&[]).map_err(Diagnostics::into_error)?;
         let initial = start::renumbered(&self.initial, system, &own);
@@ -238,7 +236,50 @@ start = "up_and_down"
             let computed = members.rows(range.start / ways..range.end / ways, carried, counter);
             Ok(computed.map(|list| cells(&rows, &list)))
         })?;
-        Ok(time_forms(&members.system, report::report(&members, &results, context)?))
+        let motions = Collected::of(&results)?;
+        let end = context.end(motions.end == End::Reached);
+        let undeflected = Start::new(&members.system, members.speeds[0]).undeflected;
+        Ok(SweepResult { motions, undeflected, forms: exact_parts(&members.system), end })
+    }
+
+    fn report(&self, system: &System, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let shown = Shown { study: self, system, bodies: system.bodies(), probes: probes::all(system) };
+        Ok(time_forms(&result.forms, report::report(&shown, result, name)?))
+    }
+}
+
+/// Settled motions at many speeds.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SweepResult {
+    /// One row for each speed and way, step by step, and at each step way by way; a way down begins at the highest speed. Columns as in the table `sweep`, and the points of the
+    /// bifurcation diagram, lines of the spectrum and the state at the end of each motion.
+    pub motions: Collected,
+    /// Why motions begin undeflected although the machine is loaded.
+    pub undeflected: Option<String>,
+    /// Rational forms that stood for exact parts.
+    pub forms: Vec<UsedForm>,
+    /// How the study ended.
+    pub end: End,
+}
+
+/// A sweep as it is reported.
+struct Shown<'a> {
+    study: &'a Sweep,
+    system: &'a System,
+    bodies: Vec<Body>,
+    /// What is recorded of every motion.
+    probes: Vec<Probe>,
+}
+
+impl Shown<'_> {
+    /// Share of the loudest below which a motion is not resolved.
+    fn unresolved(&self) -> f64 {
+        self.study.unresolved()
+    }
+
+    /// The body of a probe has a tilt beside it.
+    fn tilts(&self, probe: &Probe) -> bool {
+        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.body == probe.body)
     }
 }
 
@@ -263,6 +304,11 @@ impl Sweep {
     fn fastest(&self) -> f64 {
         self.speed.from.abs().max(self.speed.to.abs())
     }
+
+    /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
+    fn unresolved(&self) -> f64 {
+        probes::UNRESOLVED * self.rules.tolerance
+    }
 }
 
 /// A sweep on its machine.
@@ -277,18 +323,6 @@ struct Members<'a> {
     bodies: Vec<Body>,
     /// What is recorded of every motion.
     probes: Vec<Probe>,
-}
-
-impl Members<'_> {
-    /// Share of the loudest below which a motion is not resolved: settling ends within the tolerance.
-    fn unresolved(&self) -> f64 {
-        probes::UNRESOLVED * self.study.rules.tolerance
-    }
-
-    /// The body of a probe has a tilt beside it.
-    fn tilts(&self, probe: &Probe) -> bool {
-        !probe.is_tilt() && self.probes.iter().any(|p| p.is_tilt() && p.body == probe.body)
-    }
 }
 
 /// State a followed motion brings along, for each way; none where it failed.

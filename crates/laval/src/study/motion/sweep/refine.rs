@@ -65,7 +65,7 @@ impl Members<'_> {
         found: SteadyPoint,
         counter: &Rows,
     ) -> Option<Step> {
-        let share = self.unresolved();
+        let share = self.study.unresolved();
         let jumps = |a: &Followed, b: &SteadyPoint| self.followed(&b.0).is_some_and(|b| a.jumps_to(&b, share));
         // a linear machine has one motion at every speed: nothing to jump to
         let single = way == Way::Rest || self.system.slots().iter().all(|s| s.is_linear());

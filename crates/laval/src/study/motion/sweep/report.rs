@@ -1,18 +1,18 @@
 //! What is said of a sweep.
 
-use super::super::start::Start;
+use super::super::start;
 use super::super::steady_state::measure::{HIGHEST, LINES, POINTS};
 use super::super::steady_state::period::LONGEST;
-use super::super::steady_state::stored::{limits, words};
+use super::super::steady_state::stored::{self, limits};
 use super::refine::JUMP;
 use super::rows::{STATE, point, spectrum};
-use super::{Members, Sweep, Way, figures};
+use super::{Shown, Sweep, SweepResult, Way, figures};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{End, Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
-use crate::store::{Kind, Results};
+use crate::outcome::{Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
+use crate::store::{Collected, Kind};
+use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
-use crate::study::{Context, Study};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -50,27 +50,25 @@ pub(super) struct Jump {
     pub amplitudes: (f64, f64),
 }
 
-fn paths(members: &Members, results: &Results) -> Result<Vec<Path>, Diagnostic> {
-    let ways = &members.study.ways;
-    let motion = words(results, "motion")?;
-    let own = |column: &str, w: usize| {
-        Ok::<_, Diagnostic>(results.numbers(column)?.into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>())
-    };
+fn paths(shown: &Shown, results: &Collected) -> Vec<Path> {
+    let ways = &shown.study.ways;
+    let motion = results.words("motion");
+    let own = |column: &str, w: usize| results.numbers(column).into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>();
     let one = |(w, way): (usize, &Way)| {
-        let amplitude = members.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Result<Vec<_>, _>>()?;
+        let amplitude = shown.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Vec<_>>();
         let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
-        let loudest = probes::loudest(members.probes.iter().zip(amplitude.iter().map(largest)));
-        Ok(Path {
+        let loudest = probes::loudest(shown.probes.iter().zip(amplitude.iter().map(largest)));
+        Path {
             way: *way,
-            speed: own("speed", w)?,
+            speed: own("speed", w),
             motion: motion.iter().skip(w).step_by(ways.len()).cloned().collect(),
-            period: own("period", w)?,
-            bounded: own("bounded", w)?.iter().map(|b| *b == 1.0).collect(),
-            placed: own("jump_before", w)?.into_iter().zip(own("jump_after", w)?).collect(),
+            period: own("period", w),
+            bounded: own("bounded", w).iter().map(|b| *b == 1.0).collect(),
+            placed: own("jump_before", w).into_iter().zip(own("jump_after", w)).collect(),
             amplitude,
-            rank: members.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
-            unresolved: members.probes.iter().map(|p| members.unresolved() * loudest * p.typical()).collect(),
-        })
+            rank: shown.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
+            unresolved: shown.probes.iter().map(|p| shown.unresolved() * loudest * p.typical()).collect(),
+        }
     };
     ways.iter().enumerate().map(one).collect()
 }
@@ -136,51 +134,54 @@ fn begun(way: Way) -> &'static str {
     }
 }
 
-pub(super) fn report(members: &Members, results: &Results, context: &Context) -> Result<Outcome, Diagnostic> {
-    let paths = paths(members, results)?;
-    let end = context.end(results.end() == End::Reached);
-    let mut outcome = Outcome::new(Sweep::KIND, context.name).over("speed", "rad/s").end(end);
+pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
+    let results = &result.motions;
+    let amplitudes = shown.probes.iter().map(probes::column);
+    let own = ["start", "speed", "decay", "jump_before", "jump_after", "motion", "period", "bounded", "validity", "steps", "failure"];
+    stored::check(results, own.map(String::from).into_iter().chain(amplitudes))?;
+    let paths = paths(shown, results);
+    let mut outcome = Outcome::new(Sweep::KIND, name).over("speed", "rad/s").end(result.end);
     let jumps: Vec<Jump> = paths.iter().flat_map(jumps).collect();
-    for f in results.remark().into_iter().chain(Start::new(&members.system, members.speeds[0]).finding) {
+    for f in results.remark().into_iter().chain(start::undeflected(&result.undeflected)) {
         outcome = outcome.finding(f);
     }
-    outcome = undamped(results, outcome)?;
-    outcome = largest(members, &paths, outcome);
-    outcome = reported_jumps(members, &paths, &jumps, outcome);
+    outcome = undamped(results, outcome);
+    outcome = largest(shown, &paths, outcome);
+    outcome = reported_jumps(shown, &paths, &jumps, outcome);
     outcome = hysteresis(&paths, outcome);
     outcome = motions(&paths, outcome);
-    outcome = failures(results, outcome)?;
-    let speeds = results.numbers("speed")?;
-    outcome = limits(results, |row, f| f.evidence("at", speeds[row], "rad/s"), outcome)?;
-    outcome = exponents(members.study, results, outcome)?;
-    let steps = results.numbers("steps")?.iter().sum::<f64>();
-    outcome = outcome.work("motions", results.done()).work("steps", steps as u64);
-    outcome = tables(members, results, &jumps, outcome)?;
-    figures::figures(members, &paths, results.done() > 0, outcome).checked().map_err(inconsistent)
+    outcome = failures(results, outcome);
+    let speeds = results.numbers("speed");
+    outcome = limits(results, |row, f| f.evidence("at", speeds[row], "rad/s"), outcome);
+    outcome = exponents(shown.study, results, outcome);
+    let steps = results.numbers("steps").iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done).work("steps", steps as u64);
+    outcome = tables(shown, results, &jumps, outcome)?;
+    figures::figures(shown, &paths, results.done > 0, outcome).checked().map_err(inconsistent)
 }
 
 /// That settling has no end where a mode at rest does not decay.
-fn undamped(results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let decay = results.numbers("decay")?;
+fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
+    let decay = results.numbers("decay");
     let none = decay.iter().filter(|x| !x.is_finite()).count();
     if none == 0 {
-        return Ok(outcome);
+        return outcome;
     }
     let text = format!(
         "At {{}} of {} speeds a mode of the machine at rest does not decay: nothing says how long settling takes there, and what is shown, jumps and \
          hysteresis included, may be what is left of the start.",
         decay.len()
     );
-    Ok(outcome.finding(Finding::warning("no_decay", text).value(none as f64, "")))
+    outcome.finding(Finding::warning("no_decay", text).value(none as f64, ""))
 }
 
-fn largest(members: &Members, paths: &[Path], mut outcome: Outcome) -> Outcome {
-    for (k, probe) in members.probes.iter().enumerate() {
+fn largest(shown: &Shown, paths: &[Path], mut outcome: Outcome) -> Outcome {
+    for (k, probe) in shown.probes.iter().enumerate() {
         let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[k][i], p.motion[i] == "periodic");
         let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));
         let Some((way, speed, a, repeats)) = all.filter(|x| x.2.is_finite()).max_by(|x, y| x.2.total_cmp(&y.2)) else { continue };
         // of a body that only tilts its tilt is reported
-        if members.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
+        if shown.tilts(probe) && paths.iter().all(|p| a <= p.unresolved[k]) {
             continue;
         }
         // of a motion that does not repeat the largest of the periods recorded
@@ -194,9 +195,9 @@ fn largest(members: &Members, paths: &[Path], mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-fn reported_jumps(members: &Members, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
+fn reported_jumps(shown: &Shown, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
-        let probe = &members.probes[j.probe];
+        let probe = &shown.probes[j.probe];
         let (who, unit) = (probes::subject(probe), probe.unit());
         let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
         let between = between(j.placed);
@@ -328,10 +329,10 @@ fn upper(text: &str) -> String {
     letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
 }
 
-fn failures(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
-    let speeds = results.numbers("speed")?;
+fn failures(results: &Collected, mut outcome: Outcome) -> Outcome {
+    let speeds = results.numbers("speed");
     let mut causes: BTreeMap<String, (usize, f64)> = BTreeMap::new();
-    for (why, speed) in words(results, "failure")?.into_iter().zip(&speeds).filter(|x| !x.0.is_empty()) {
+    for (why, speed) in results.words("failure").into_iter().zip(&speeds).filter(|x| !x.0.is_empty()) {
         causes.entry(why).or_insert((0, *speed)).0 += 1;
     }
     for (why, (count, first)) in causes {
@@ -340,41 +341,41 @@ fn failures(results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnost
         outcome =
             outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, "").evidence("first at", first, "rad/s"));
     }
-    Ok(outcome)
+    outcome
 }
 
-fn exponents(study: &Sweep, results: &Results, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn exponents(study: &Sweep, results: &Collected, outcome: Outcome) -> Outcome {
     if study.lyapunov.is_none() {
-        return Ok(outcome);
+        return outcome;
     }
-    let (speed, value, halves) = (results.numbers("speed")?, results.numbers("lyapunov")?, results.numbers("lyapunov_halves")?);
+    let (speed, value, halves) = (results.numbers("speed"), results.numbers("lyapunov"), results.numbers("lyapunov_halves"));
     let clear: Vec<usize> = (0..value.len()).filter(|&i| value[i] > 3.0 * halves[i]).collect();
     let Some(&top) = clear.iter().max_by(|&&a, &&b| value[a].total_cmp(&value[b])) else {
-        return Ok(outcome.finding(Finding::info("no_chaos", "No Lyapunov exponent is clearly positive: no motion found is chaotic.")));
+        return outcome.finding(Finding::info("no_chaos", "No Lyapunov exponent is clearly positive: no motion found is chaotic."));
     };
     let text = format!("{} motions have a clearly positive Lyapunov exponent: they are chaotic. The largest is {{}}.", clear.len());
     let finding = Finding::warning("chaos", text).value(value[top], "1/s").evidence("at", speed[top], "rad/s");
-    Ok(outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s")))
+    outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s"))
 }
 
-fn tables(members: &Members, results: &Results, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn tables(shown: &Shown, results: &Collected, jumps: &[Jump], mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
     let skipped = |name: &str| ["point_", "spectrum_"].iter().any(|p| name.starts_with(p)) || name.starts_with(STATE);
     let mut table = Table::new("sweep", "Settled motion at every speed");
-    for c in results.columns().iter().filter(|c| !skipped(&c.name)) {
+    for (c, _) in results.columns.iter().filter(|c| !skipped(&c.0.name)) {
         table = match c.kind {
-            Kind::Text => table.text(&c.name, &c.doc, words(results, &c.name)?),
+            Kind::Text => table.text(&c.name, &c.doc, results.words(&c.name)),
             _ => {
                 // infinity marks what has no bound
-                let values: Vec<f64> = results.numbers(&c.name)?.iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect();
+                let values: Vec<f64> = results.numbers(&c.name).iter().map(|x| if x.is_finite() { *x } else { f64::NAN }).collect();
                 let none = if values.iter().any(|x| x.is_nan()) { "; NaN where there is none" } else { "" };
                 table.float(&c.name, &c.unit, format!("{}{none}", c.doc), values)
             }
         };
     }
     outcome = outcome.table(table.build().map_err(inconsistent)?);
-    let (start, speed, period) = (words(results, "start")?, results.numbers("speed")?, results.numbers("period")?);
-    let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Result<Vec<_>, _>>()?;
-    let section = &members.probes[members.study.section.0];
+    let (start, speed, period) = (results.words("start"), results.numbers("speed"), results.numbers("period"));
+    let points = (0..POINTS).map(|p| results.numbers(&point(p))).collect::<Vec<_>>();
+    let section = &shown.probes[shown.study.section.0];
     let (quality, unit) = (probes::quality(section), section.unit());
     // a motion of period k has k points, the last ones
     let kept = |row: usize| POINTS - if period[row].is_finite() { (period[row] as usize).clamp(1, POINTS) } else { POINTS };
@@ -386,9 +387,9 @@ fn tables(members: &Members, results: &Results, jumps: &[Jump], mut outcome: Out
             .float("speed", "rad/s", "spin speed", rows.iter().map(|r| speed[r.0]).collect())
             .float(quality, unit, quality, rows.iter().map(|r| r.1).collect());
     outcome = outcome.table(poincare.build().map_err(inconsistent)?);
-    if members.study.waterfall.is_some() {
-        let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Result<Vec<_>, _>>()?;
-        let first = members.study.ways[0].word();
+    if shown.study.waterfall.is_some() {
+        let lines = (0..=2 * LINES * HIGHEST).map(|l| results.numbers(&spectrum(l))).collect::<Vec<_>>();
+        let first = shown.study.ways[0].word();
         let rows: Vec<(usize, usize)> =
             (0..speed.len()).filter(|&r| start[r] == first).flat_map(|r| (0..lines.len()).map(move |l| (r, l))).collect();
         let table = Table::new("waterfall", "Circular parts of the motion over speed and order")
@@ -409,18 +410,17 @@ fn tables(members: &Members, results: &Results, jumps: &[Jump], mut outcome: Out
     }
     outcome = outcome.table(end_states(results)?);
     let column = |f: &dyn Fn(&Jump) -> f64| jumps.iter().map(f).collect::<Vec<f64>>();
-    let size =
-        |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if members.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
+    let size = |tilt: bool, of: &dyn Fn(&Jump) -> f64| column(&|j| if shown.probes[j.probe].is_tilt() == tilt { of(j) } else { f64::NAN });
     let mut table = Table::new("jumps", "Changes between neighbouring speeds that the motion on either side does not announce")
         .text("start", "how the motion began", jumps.iter().map(|j| j.way.word().into()).collect())
-        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&members.probes[j.probe])).collect())
+        .text("body", "body whose amplitude changes most", jumps.iter().map(|j| probes::owner(&shown.probes[j.probe])).collect())
         .float("before", "rad/s", "last speed before", column(&|j| j.before))
         .float("after", "rad/s", "first speed after", column(&|j| j.after))
         .float("placed_before", "rad/s", "last speed before, in smaller steps", column(&|j| j.placed.0))
         .float("placed_after", "rad/s", "first speed after, in smaller steps", column(&|j| j.placed.1))
         .float("amplitude_before", "m", "largest displacement before; NaN of a tilt", size(false, &|j| j.amplitudes.0))
         .float("amplitude_after", "m", "largest displacement after; NaN of a tilt", size(false, &|j| j.amplitudes.1));
-    if jumps.iter().any(|j| members.probes[j.probe].is_tilt()) {
+    if jumps.iter().any(|j| shown.probes[j.probe].is_tilt()) {
         table = table.float("tilt_before", "rad", "largest tilt before; NaN of a displacement", size(true, &|j| j.amplitudes.0)).float(
             "tilt_after",
             "rad",
@@ -432,12 +432,12 @@ fn tables(members: &Members, results: &Results, jumps: &[Jump], mut outcome: Out
 }
 
 /// States at the last speed computed, from which another sweep can go on.
-fn end_states(results: &Results) -> Result<Table, Diagnostic> {
-    let start = words(results, "start")?;
+fn end_states(results: &Collected) -> Result<Table, Diagnostic> {
+    let start = results.words("start");
     let mut rows: Vec<(&str, &str, &str, f64)> = Vec::new();
-    for c in results.columns() {
+    for (c, _) in &results.columns {
         let Some(name) = c.name.strip_prefix(STATE) else { continue };
-        let values = results.numbers(&c.name)?;
+        let values = results.numbers(&c.name);
         for way in [Way::Rest, Way::Up, Way::Down] {
             if let Some(i) = start.iter().rposition(|s| s == way.word()) {
                 rows.push((way.word(), name, c.unit.as_str(), values[i]));

@@ -8,10 +8,11 @@ use crate::solve::stationary::{Search, State};
 use crate::solve::unbalance::{Unbalance, unbalance};
 use crate::study::shared::support::{larger, largest};
 use crate::study::shared::validity::Uses;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Kinds of states.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Class {
     /// No body is displaced or tilted.
     Balanced,

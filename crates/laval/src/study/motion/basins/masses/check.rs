@@ -3,30 +3,39 @@
 //! The steps are the same, so that a motion differs only by what was concluded from it. Beside a border nothing else than a disagreement can be expected now and
 //! then; one with no neighbour that ends elsewhere would be a mistake.
 
-use super::Members;
 use super::follow::Goal;
+use super::{Basins, Members, place};
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{Finding, Outcome, Table};
 use crate::study::motion::basins::rows::PLACE;
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::Points;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Seed of the choice of cells.
 const SEED: u32 = 37;
 
 /// A cell that ends elsewhere.
-struct Differs {
-    cell: usize,
-    expected: String,
-    end: String,
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Differs {
+    /// Its number.
+    pub cell: usize,
+    /// What the map says of it.
+    pub expected: String,
+    /// What it ends in.
+    pub end: String,
     /// A cell beside it ends elsewhere than expected.
-    border: bool,
+    pub border: bool,
 }
 
-pub(super) struct Checked {
-    cells: usize,
-    differ: Vec<Differs>,
+/// Cells that were followed to their ends after all.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Checked {
+    /// Number of cells.
+    pub cells: usize,
+    /// Those that end elsewhere.
+    pub differ: Vec<Differs>,
 }
 
 /// One of the eight cells about a cell says something else.
@@ -36,11 +45,8 @@ fn at_a_border(words: &[String], width: usize, cell: usize) -> bool {
     around(j, words.len() / width).any(|b| around(i, width).any(|a| words[b * width + a] != words[cell]))
 }
 
-/// Follows cells; `None` when none are requested, and when stopped.
+/// Follows cells; `None` when stopped.
 pub(super) fn check(members: &Members, names: &[String], words: &[String]) -> Option<Checked> {
-    if members.study.check == 0 {
-        return None;
-    }
     let at = |k: usize| ((Points::Random.at(SEED, k as u32, 0) * words.len() as f64) as usize).min(words.len() - 1);
     let mut chosen: Vec<usize> = (0..members.study.check).map(at).collect();
     chosen.sort_unstable();
@@ -65,7 +71,7 @@ pub(super) fn check(members: &Members, names: &[String], words: &[String]) -> Op
 
 impl Checked {
     /// A finding, and a table of the cells that differ.
-    pub fn report(&self, members: &Members, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    pub(super) fn report(&self, study: &Basins, values: &[Vec<f64>; 2], outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let (differ, inside) = (self.differ.len(), self.differ.iter().filter(|d| !d.border).count());
         let rest = match (differ, inside) {
             (0, _) => String::new(),
@@ -80,8 +86,8 @@ impl Checked {
             .evidence("end elsewhere", differ as f64, "")
             .evidence("of them with no neighbour that does", inside as f64, "");
         let mut table = Table::new("disagreements", "Cells followed to their ends that end elsewhere than expected");
-        for (k, axis) in members.study.axes.iter().enumerate() {
-            let places = self.differ.iter().map(|d| members.place(d.cell)[k]).collect();
+        for (k, axis) in study.axes.iter().enumerate() {
+            let places = self.differ.iter().map(|d| place(values, d.cell)[k]).collect();
             table = table.float(PLACE[k], &axis.unit, axis.meaning(), places);
         }
         let column = |f: &dyn Fn(&Differs) -> String| self.differ.iter().map(f).collect::<Vec<String>>();

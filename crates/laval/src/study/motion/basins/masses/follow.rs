@@ -4,7 +4,7 @@
 //! stable state at rest when it comes nearer and is within [`DEEP`] of it; elsewhere at rest when it does not stir for some windows; in motion when the mean slip rates of the last windows
 //! agree.
 
-use super::known::{Kind, KnownAttractors};
+use super::known::{KnownAttractors, MassKind};
 use super::space::Space;
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, EnsembleTask, Leg, LegEnd, Next, Start};
@@ -158,7 +158,7 @@ impl Follow<'_> {
             return log.recognised.map(Goal::Known);
         }
         let deep = |k: usize| {
-            let stable = matches!(self.known.attractors[k].kind, Kind::Rest { stable: true, .. });
+            let stable = matches!(self.known.attractors[k].kind, MassKind::Rest { stable: true, .. });
             stable && log.last[k] <= DEEP && before.get(k).is_some_and(|b| log.last[k] < *b)
         };
         (0..log.last.len()).find(|&k| deep(k)).map(Goal::Known)

@@ -2,6 +2,7 @@
 
 use super::space::Space;
 use crate::study::nonlinear::stationary::classify::Class;
+use serde::{Deserialize, Serialize};
 
 /// Slip rates over the speed that differ by less belong to one motion.
 const SAME_SLIP: f64 = 0.03;
@@ -16,17 +17,57 @@ const SHARE: f64 = 0.5;
 /// Share of its size and stir within which motions that swing are one.
 const ALIKE: f64 = 0.1;
 
-/// What it is.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
-    /// A state at rest in turning axes: class, largest growth rate (1/s), coordinates.
-    Rest { class: Class, growth: f64, stable: bool, q: Vec<f64> },
-    /// Masses that go round or swing: mean slip rates over the speed, in rising order within each group; mean size and largest stir of its windows.
-    Moving { slip: Vec<f64>, size: f64, stir: f64 },
+/// What motions of a machine with movable masses end in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum MassKind {
+    /// A state at rest in turning axes.
+    Rest {
+        /// What kind of state.
+        class: Class,
+        /// Largest growth rate of small disturbances, 1/s.
+        growth: f64,
+        /// Small disturbances decay.
+        stable: bool,
+        /// Coordinates.
+        q: Vec<f64>,
+    },
+    /// Masses that go round or swing.
+    Moving {
+        /// Mean slip rates over the speed, in rising order within each group of masses that may be exchanged.
+        slip: Vec<f64>,
+        /// Mean distance of the bodies from the axis, weighted by inertia.
+        size: f64,
+        /// Largest distance from rest in turning axes, on the same scale.
+        stir: f64,
+    },
+}
+
+/// An attractor of a machine with movable masses.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MassAttractor {
+    /// What it is.
+    pub kind: MassKind,
+    /// Distance within which a motion is assigned to it; zero where none is.
+    pub radius: f64,
+    /// Nearest approach of a motion that ended elsewhere; none where none was followed.
+    pub approach: Option<f64>,
+}
+
+impl MassAttractor {
+    /// It may be ended in.
+    pub fn attracts(&self) -> bool {
+        self.kind.attracts()
+    }
+}
+
+impl MassKind {
+    fn attracts(&self) -> bool {
+        !matches!(self, MassKind::Rest { stable: false, .. })
+    }
 }
 
 pub(super) struct Attractor {
-    pub kind: Kind,
+    pub kind: MassKind,
     /// States on it, with their images.
     points: Vec<Vec<f64>>,
     /// Distance within which a motion is assigned to it; zero where none is.
@@ -38,12 +79,17 @@ pub(super) struct Attractor {
 impl Attractor {
     pub fn rest(space: &Space, q: &[f64], class: Class, growth: f64, stable: bool) -> Self {
         let points = space.images(&space.resting(q));
-        Attractor { kind: Kind::Rest { class, growth, stable, q: q.to_vec() }, points, radius: 0.0, approach: f64::INFINITY }
+        Attractor { kind: MassKind::Rest { class, growth, stable, q: q.to_vec() }, points, radius: 0.0, approach: f64::INFINITY }
     }
 
     /// It may be ended in.
     pub fn attracts(&self) -> bool {
-        !matches!(self.kind, Kind::Rest { stable: false, .. })
+        self.kind.attracts()
+    }
+
+    /// What is kept of it.
+    pub fn kept(&self) -> MassAttractor {
+        MassAttractor { kind: self.kind.clone(), radius: self.radius, approach: Some(self.approach).filter(|a| a.is_finite()) }
     }
 
     pub fn distance(&self, space: &Space, at: &[f64]) -> f64 {
@@ -60,7 +106,7 @@ impl KnownAttractors {
     /// The motion with these slip rates.
     pub fn moving(&self, slip: &[f64]) -> Option<usize> {
         let off = |own: &[f64]| own.iter().zip(slip).map(|(a, b)| (a - b).abs()).fold(0.0, crate::study::shared::support::larger);
-        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip: own, .. } if off(own) <= SAME_SLIP))
+        self.attractors.iter().position(|a| matches!(&a.kind, MassKind::Moving { slip: own, .. } if off(own) <= SAME_SLIP))
     }
 
     /// The motion without slip above `round` like which all these windows are (slip rates, size, stir).
@@ -73,13 +119,13 @@ impl KnownAttractors {
             };
             own.iter().all(|s| s.abs() <= round) && windows.iter().all(one)
         };
-        self.attractors.iter().position(|a| matches!(&a.kind, Kind::Moving { slip, size, stir } if like(slip, *size, *stir)))
+        self.attractors.iter().position(|a| matches!(&a.kind, MassKind::Moving { slip, size, stir } if like(slip, *size, *stir)))
     }
 
     /// Adds what a motion that was followed to its end shows of what it moves on.
     pub fn learn(&mut self, space: &Space, slip: &[f64], (size, stir): (f64, f64), tail: &[Vec<f64>]) {
         let k = self.moving(slip).unwrap_or_else(|| {
-            let kind = Kind::Moving { slip: slip.to_vec(), size, stir };
+            let kind = MassKind::Moving { slip: slip.to_vec(), size, stir };
             self.attractors.push(Attractor { kind, points: vec![], radius: 0.0, approach: f64::INFINITY });
             self.attractors.len() - 1
         });
@@ -97,7 +143,7 @@ impl KnownAttractors {
     /// Distances of a state; where only `near` ones count, those of motions are infinite beyond the radius.
     pub fn distances(&self, space: &Space, at: &[f64], near: bool) -> Vec<f64> {
         let of = |a: &Attractor| match &a.kind {
-            Kind::Moving { .. } if near => {
+            MassKind::Moving { .. } if near => {
                 if a.points.iter().any(|p| space.nearer(p, at, a.radius)) {
                     a.radius
                 } else {

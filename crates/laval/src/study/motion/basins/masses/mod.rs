@@ -16,24 +16,29 @@ mod report;
 mod space;
 
 use super::rows::PLACE;
-use super::{Basins, Context};
+use super::{Basins, BasinsResult, Context, Found, MassBasins};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::system::{Drive, System};
-use crate::outcome::{Finding, Outcome};
+use crate::outcome::{End, Finding, Outcome};
 use crate::solve::ensemble::{self, Form, Settings};
 use crate::solve::stationary::images::Images;
 use crate::solve::stationary::{Request, Search, State};
 use crate::solve::turning::isotropic;
-use crate::store;
+use crate::store::{self, Collected};
 use crate::study::Study;
 use crate::study::motion::start::Start;
 use crate::study::motion::steady_state::columns::{RowColumn, cells, count, number, word};
 use crate::study::motion::steady_state::{Budget, method};
+pub use crate::study::nonlinear::stationary::classify::Class;
 use crate::study::nonlinear::stationary::classify::{Scale, Seen};
 use crate::study::nonlinear::stationary::states_at;
+pub use check::{Checked, Differs};
 use follow::{Begin, Course, Follow, Goal};
 use known::{Attractor, KnownAttractors};
+pub use known::{MassAttractor, MassKind};
 use laval_num::sampling::Points;
+pub(super) use report::report;
+use serde::{Deserialize, Serialize};
 use space::Space;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -60,15 +65,18 @@ pub(super) fn has(system: &System, speed: f64) -> bool {
 }
 
 /// What the starts followed beforehand show.
-#[derive(Default)]
-struct Rehearsal {
-    /// Starts that showed what there is, and those that showed how near motions come.
-    learned: usize,
-    witnessed: usize,
-    /// Starts followed to the end afterwards; those that would have been assigned to an attractor earlier; those assigned wrongly.
-    tried: usize,
-    assigned: usize,
-    wrong: usize,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Rehearsal {
+    /// Starts that showed what there is.
+    pub learned: usize,
+    /// Starts that showed how near motions come.
+    pub witnessed: usize,
+    /// Starts followed to the end afterwards.
+    pub tried: usize,
+    /// Those of them that would have been assigned to an attractor earlier.
+    pub assigned: usize,
+    /// Those that would have been assigned wrongly.
+    pub wrong: usize,
 }
 
 /// A motion that was followed, and the class of the state where it rests at none of the known attractors.
@@ -76,6 +84,12 @@ struct Row {
     place: [f64; 2],
     course: Course,
     class: Option<&'static str>,
+}
+
+/// Initial values of a cell.
+fn place(values: &[Vec<f64>; 2], cell: usize) -> [f64; 2] {
+    let width = values[0].len();
+    [values[0][cell % width], values[1][cell / width]]
 }
 
 struct Members<'a> {
@@ -109,8 +123,7 @@ impl Members<'_> {
     }
 
     fn place(&self, cell: usize) -> [f64; 2] {
-        let width = self.values[0].len();
-        [self.values[0][cell % width], self.values[1][cell / width]]
+        place(&self.values, cell)
     }
 
     fn follow(&self, starts: &[Begin], early: bool, done: &(dyn Fn() + Sync)) -> Option<Vec<Course>> {
@@ -259,7 +272,7 @@ fn columns(members: &Members) -> Vec<RowColumn<Row>> {
     out
 }
 
-pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<BasinsResult, Diagnostic> {
     let own = system.with(&[]).map_err(Diagnostics::into_error)?;
     let (states, images) = states_at(&own, study.speed, STARTS, context)?;
     let held = states.first().map_or_else(|| vec![0.0; own.n()], |s| s.state.x[..own.n()].to_vec());
@@ -284,8 +297,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     };
     context.announce(count as f64, 1000.0, "motions to follow until their masses rest or go on moving alike");
     let Some(seen) = members.rehearse(count) else {
-        let text = "The study was stopped while it followed starts beforehand: no cell of the grid was computed.";
-        return Ok(Outcome::new(Basins::KIND, context.name).end(context.end(false)).finding(Finding::warning("incomplete", text)));
+        return Ok(BasinsResult { found: None, undeflected: members.start.undeflected, end: context.end(false) });
     };
     let columns = columns(&members);
     let plan = store::Plan {
@@ -295,5 +307,21 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
         chunk: count.div_ceil(50).clamp(64, 4096),
     };
     let results = store::run(plan, context, |range, counter| Ok(members.rows(range, counter).map(|list| cells(&columns, &list))))?;
-    report::report(&members, &seen, &results)
+    let cells = Collected::of(&results)?;
+    let complete = cells.end == End::Reached;
+    let attractors: Vec<MassAttractor> = members.known.attractors.iter().map(Attractor::kept).collect();
+    let wanted = members.early && complete && study.check > 0;
+    let names = report::names(&attractors);
+    let checked = if wanted { check::check(&members, &names, &report::ends(&cells, &names)) } else { None };
+    let end = context.end(complete && !(wanted && checked.is_none()));
+    let masses = members.space.images.groups.iter().flatten().copied().collect();
+    let recognition = members.early.then_some(seen);
+    let found = MassBasins { attractors, masses, cells, recognition, checked };
+    Ok(BasinsResult { found: Some(Found::Masses(Box::new(found))), undeflected: members.start.undeflected, end })
+}
+
+/// Of a study that was stopped before the first cell.
+pub(super) fn nothing(result: &BasinsResult, name: &str) -> Outcome {
+    let text = "The study was stopped while it followed starts beforehand: no cell of the grid was computed.";
+    Outcome::new(Basins::KIND, name).end(result.end).finding(Finding::warning("incomplete", text))
 }

@@ -1,15 +1,17 @@
 //! What is said of the basins of a machine with movable masses.
 
-use super::super::Basins;
+use super::super::axes::InitialValueAxis;
 use super::super::report::{share, upper};
 use super::super::rows::PLACE;
-use super::check;
-use super::known::{Attractor, Kind};
-use super::{EARLY, FAILURE, GOAL, Members, Rehearsal, STATE, STEPS, TURNS};
+use super::super::{Basins, BasinsResult, MassBasins};
+use super::known::{MassAttractor, MassKind};
+use super::{EARLY, FAILURE, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
-use crate::store::Results;
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::store::Collected;
 use crate::study::Study;
+use crate::study::motion::start;
 use crate::study::motion::steady_state::stored;
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
@@ -20,13 +22,13 @@ const ROUND: f64 = 1e-2;
 const UNSETTLED: &str = "not settled";
 
 /// What an attractor is called; several of a kind are numbered.
-fn names(all: &[Attractor]) -> Vec<String> {
-    let kind = |a: &Attractor| match &a.kind {
-        Kind::Rest { class, stable: true, .. } => class.words().to_string(),
-        Kind::Rest { class, .. } => format!("{}, unstable", class.words()),
-        Kind::Moving { slip, .. } if slip.iter().all(|s| s.abs() > ROUND) => "masses go round".into(),
-        Kind::Moving { slip, .. } if slip.iter().any(|s| s.abs() > ROUND) => "some masses go round".into(),
-        Kind::Moving { .. } => "masses swing".into(),
+pub(super) fn names(all: &[MassAttractor]) -> Vec<String> {
+    let kind = |a: &MassAttractor| match &a.kind {
+        MassKind::Rest { class, stable: true, .. } => class.words().to_string(),
+        MassKind::Rest { class, .. } => format!("{}, unstable", class.words()),
+        MassKind::Moving { slip, .. } if slip.iter().all(|s| s.abs() > ROUND) => "masses go round".into(),
+        MassKind::Moving { slip, .. } if slip.iter().any(|s| s.abs() > ROUND) => "some masses go round".into(),
+        MassKind::Moving { .. } => "masses swing".into(),
     };
     let kinds: Vec<String> = all.iter().map(kind).collect();
     let name = |(k, word): (usize, &String)| {
@@ -36,43 +38,53 @@ fn names(all: &[Attractor]) -> Vec<String> {
     kinds.iter().enumerate().map(name).collect()
 }
 
-pub(super) fn report(members: &Members, seen: &Rehearsal, results: &Results) -> Result<Outcome, Diagnostic> {
-    let context = members.context;
-    let complete = results.end() == End::Reached;
-    let mut outcome = Outcome::new(Basins::KIND, context.name).end(context.end(complete));
-    for f in results.remark_of("motions").into_iter().chain(members.start.finding.clone()) {
-        outcome = outcome.finding(f);
-    }
-    let all = &members.known.attractors;
-    let names = names(all);
-    let states = results.numbers(STATE)?;
-    let goals = stored::words(results, GOAL)?;
-    let words: Vec<String> =
-        states.iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect();
-    let checked = if members.early && complete { check::check(members, &names, &words) } else { None };
-    if members.early && complete && members.study.check > 0 && checked.is_none() {
-        outcome = outcome.end(context.end(false));
-    }
-    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
-    outcome = shares(members, &counts, &names, words.len(), outcome);
-    outcome = undecided(&counts, words.len(), results, outcome)?;
-    outcome = early(members, seen, &results.numbers(EARLY)?, outcome);
-    if let Some(checked) = &checked {
-        outcome = checked.report(members, outcome)?;
-    }
-    let turns = results.numbers(TURNS)?;
-    let steps = results.numbers(STEPS)?.iter().sum::<f64>();
-    outcome = outcome.work("motions", results.done()).work("steps", steps as u64).work("turns", turns.iter().sum::<f64>() as u64);
-    outcome = tables(members, results, &names, &counts, &words, outcome)?;
-    figure(members, &names, words, outcome).checked().map_err(inconsistent)
+/// What every cell ends in.
+pub(super) fn ends(cells: &Collected, names: &[String]) -> Vec<String> {
+    let goals = cells.words(GOAL);
+    cells.numbers(STATE).iter().zip(goals).map(|(s, goal)| names.get((*s as usize).wrapping_sub(1)).cloned().unwrap_or(goal)).collect()
 }
 
-fn shares(members: &Members, counts: &BTreeMap<&str, usize>, names: &[String], cells: usize, mut outcome: Outcome) -> Outcome {
+pub(in crate::study::motion::basins) fn report(
+    study: &Basins,
+    system: &System,
+    (result, data): (&BasinsResult, &MassBasins),
+    name: &str,
+) -> Result<Outcome, Diagnostic> {
+    let results = &data.cells;
+    stored::check(results, [PLACE[0], PLACE[1], STATE, GOAL, EARLY, TURNS, STEPS, FAILURE].map(String::from).into_iter())?;
+    let mut outcome = Outcome::new(Basins::KIND, name).end(result.end);
+    for f in results.remark_of("motions").into_iter().chain(start::undeflected(&result.undeflected)) {
+        outcome = outcome.finding(f);
+    }
+    let names = names(&data.attractors);
+    let words = ends(results, &names);
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    words.iter().for_each(|w| *counts.entry(w).or_default() += 1);
+    outcome = shares(study, data, &counts, &names, words.len(), outcome);
+    outcome = undecided(&counts, words.len(), results, outcome);
+    outcome = early(data.recognition, &results.numbers(EARLY), outcome);
+    if let Some(checked) = &data.checked {
+        outcome = checked.report(study, &study.axes.each_ref().map(InitialValueAxis::values), outcome)?;
+    }
+    let turns = results.numbers(TURNS);
+    let steps = results.numbers(STEPS).iter().sum::<f64>();
+    outcome = outcome.work("motions", results.done).work("steps", steps as u64).work("turns", turns.iter().sum::<f64>() as u64);
+    outcome = tables(study, system, data, &names, &counts, &words, outcome)?;
+    figure(study, &names, words, outcome).checked().map_err(inconsistent)
+}
+
+fn shares(
+    study: &Basins,
+    data: &MassBasins,
+    counts: &BTreeMap<&str, usize>,
+    names: &[String],
+    cells: usize,
+    mut outcome: Outcome,
+) -> Outcome {
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(members.study.speed, "rad/s");
+    let speed = quantity(study.speed, "rad/s");
     let mut order: Vec<(&str, usize)> = counts.iter().map(|(w, n)| (*w, *n)).filter(|x| x.0 != UNSETTLED && x.0 != "failed").collect();
     order.sort_by_key(|x| (std::cmp::Reverse(x.1), x.0));
     let text = match order.len() {
@@ -85,8 +97,8 @@ fn shares(members: &Members, counts: &BTreeMap<&str, usize>, names: &[String], c
         let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
         let mut balances = false;
         if let Some(k) = names.iter().position(|n| n == word) {
-            match &members.known.attractors[k].kind {
-                Kind::Rest { class, stable, .. } => {
+            match &data.attractors[k].kind {
+                MassKind::Rest { class, stable, .. } => {
                     balances = class.balances();
                     if !stable {
                         text = format!(
@@ -95,8 +107,8 @@ fn shares(members: &Members, counts: &BTreeMap<&str, usize>, names: &[String], c
                         );
                     }
                 }
-                Kind::Moving { slip, .. } => {
-                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * members.study.speed, "rad/s")).collect();
+                MassKind::Moving { slip, .. } => {
+                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * study.speed, "rad/s")).collect();
                     text = format!("{} at mean rates of {}: reached from {{}} of the cells.", upper(word), rates.join(" and "));
                 }
             }
@@ -108,27 +120,27 @@ fn shares(members: &Members, counts: &BTreeMap<&str, usize>, names: &[String], c
     outcome
 }
 
-fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Results, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {
+fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Collected, mut outcome: Outcome) -> Outcome {
     if let Some(&n) = counts.get(UNSETTLED) {
         let text = format!("{{}} of {cells} cells did not settle within the largest number of turns: they belong to no attractor here.");
         outcome = outcome.finding(Finding::warning("not_settled", text).value(n as f64, ""));
     }
     let mut causes: BTreeMap<String, usize> = BTreeMap::new();
-    for why in stored::words(results, FAILURE)?.into_iter().filter(|w| !w.is_empty()) {
+    for why in results.words(FAILURE).into_iter().filter(|w| !w.is_empty()) {
         *causes.entry(why).or_default() += 1;
     }
     for (why, count) in causes {
         let text = format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.");
         outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
     }
-    Ok(outcome)
+    outcome
 }
 
 /// How ends of motions were recognised early, and how often that was wrong.
-fn early(members: &Members, seen: &Rehearsal, stored: &[f64], outcome: Outcome) -> Outcome {
-    if !members.early {
+fn early(seen: Option<Rehearsal>, stored: &[f64], outcome: Outcome) -> Outcome {
+    let Some(seen) = seen else {
         return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
-    }
+    };
     let count = stored.iter().filter(|t| **t == 1.0).count();
     let text = format!(
         "The end of {{}} of {} cells was concluded before it was reached, from a distance to an attractor half as large as the nearest approach of {} motions that ended \
@@ -150,38 +162,38 @@ fn early(members: &Members, seen: &Rehearsal, stored: &[f64], outcome: Outcome) 
 }
 
 fn tables(
-    members: &Members,
-    results: &Results,
+    study: &Basins,
+    system: &System,
+    data: &MassBasins,
     names: &[String],
     counts: &BTreeMap<&str, usize>,
     words: &[String],
     outcome: Outcome,
 ) -> Result<Outcome, Diagnostic> {
-    let axes = &members.study.axes;
-    let whole =
-        |name: &str| results.numbers(name).map(|v| v.into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>());
+    let (axes, results) = (&study.axes, &data.cells);
+    let whole = |name: &str| results.numbers(name).into_iter().map(|x| if x >= 0.0 { x as i64 } else { 0 }).collect::<Vec<i64>>();
     let mut cells = Table::new("cells", "What the motion from every cell of the grid ends in");
     for (k, axis) in axes.iter().enumerate() {
-        cells = cells.float(PLACE[k], &axis.unit, axis.meaning(), results.numbers(PLACE[k])?);
+        cells = cells.float(PLACE[k], &axis.unit, axis.meaning(), results.numbers(PLACE[k]));
     }
     let cells = cells
-        .int("attractor", "", "number in the table of attractors; 0 where the motion ends in none of them", whole(STATE)?)
+        .int("attractor", "", "number in the table of attractors; 0 where the motion ends in none of them", whole(STATE))
         .text("end", "what the cell ends in", words.to_vec())
-        .int("early", "", "1 where the end was recognised before it was reached", whole(EARLY)?)
-        .int("turns", "", "turns of the rotor integrated", whole(TURNS)?)
-        .text("failure", "why there is no motion", stored::words(results, FAILURE)?);
-    let all = &members.known.attractors;
-    let column = |f: &dyn Fn(&Attractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
+        .int("early", "", "1 where the end was recognised before it was reached", whole(EARLY))
+        .int("turns", "", "turns of the rotor integrated", whole(TURNS))
+        .text("failure", "why there is no motion", results.words(FAILURE));
+    let all = &data.attractors;
+    let column = |f: &dyn Fn(&MassAttractor) -> f64| all.iter().map(f).collect::<Vec<f64>>();
     let count = |name: &String| counts.get(name.as_str()).copied().unwrap_or(0);
     let mut table = Table::new("attractors", "States at rest in turning axes, and motions with masses that go round")
         .int("attractor", "", "number", (1..=all.len() as i64).collect())
         .text("what", "what it is", names.to_vec())
-        .flag("stable", "small disturbances decay; true for motions, which were reached", all.iter().map(Attractor::attracts).collect())
+        .flag("stable", "small disturbances decay; true for motions, which were reached", all.iter().map(MassAttractor::attracts).collect())
         .float(
             "growth",
             "1/s",
             "largest growth rate of small disturbances; NaN for motions",
-            column(&|a| if let Kind::Rest { growth, .. } = a.kind { growth } else { f64::NAN }),
+            column(&|a| if let MassKind::Rest { growth, .. } = a.kind { growth } else { f64::NAN }),
         )
         .int("cells", "", "cells of the grid that end in it", names.iter().map(|n| count(n) as i64).collect())
         .float("share", "", "share of all cells", names.iter().map(|n| share(count(n), words.len().max(1)).0).collect())
@@ -190,20 +202,19 @@ fn tables(
             "approach",
             "",
             "nearest a motion came that ended elsewhere; infinite where none was followed",
-            column(&|a| if a.approach.is_finite() { a.approach } else { f64::NAN }),
+            column(&|a| a.approach.unwrap_or(f64::NAN)),
         );
-    for b in members.system.bodies() {
-        let radius = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[b.x].hypot(q[b.x + 1]) } else { f64::NAN };
+    for b in system.bodies() {
+        let radius = |a: &MassAttractor| if let MassKind::Rest { q, .. } = &a.kind { q[b.x].hypot(q[b.x + 1]) } else { f64::NAN };
         table = table.float(format!("displacement.{}", b.name), "m", "distance from the axis; NaN for motions", column(&radius));
     }
-    let angles = members.space.images.groups.iter().flatten();
-    for (k, &i) in angles.enumerate() {
-        let name = &members.system.coordinates()[i].name;
-        let slip = |a: &Attractor| match &a.kind {
-            Kind::Rest { .. } => 0.0,
-            Kind::Moving { slip, .. } => slip[k] * members.study.speed,
+    for (k, &i) in data.masses.iter().enumerate() {
+        let name = &system.coordinates()[i].name;
+        let slip = |a: &MassAttractor| match &a.kind {
+            MassKind::Rest { .. } => 0.0,
+            MassKind::Moving { slip, .. } => slip[k] * study.speed,
         };
-        let place = |a: &Attractor| if let Kind::Rest { q, .. } = &a.kind { q[i] } else { f64::NAN };
+        let place = |a: &MassAttractor| if let MassKind::Rest { q, .. } = &a.kind { q[i] } else { f64::NAN };
         table = table.float(format!("angle.{name}"), "rad", "where it rests; NaN for motions", column(&place)).float(
             format!("slip.{name}"),
             "rad/s",
@@ -218,11 +229,11 @@ fn tables(
 /// Words of the map that have colours of their own.
 const FIRST: [&str; 5] = ["balanced", "masses go round", "masses together", "unbalance reduced", "partly balanced"];
 
-fn figure(members: &Members, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
+fn figure(study: &Basins, names: &[String], words: Vec<String>, outcome: Outcome) -> Outcome {
     if words.is_empty() {
         return outcome;
     }
-    let axes = &members.study.axes;
+    let axes = &study.axes;
     let drawn = |k: usize| Axis::new(&axes[k].name, &axes[k].unit);
     // words that many maps have first: they have the same colours in all
     let mut classes: Vec<String> = FIRST.map(String::from).to_vec();
@@ -234,7 +245,7 @@ fn figure(members: &Members, names: &[String], words: Vec<String>, outcome: Outc
         }
     }
     let heat = Heat::new("cells", PLACE[0], PLACE[1], "end", Axis::new("ends in", "")).of_classes(classes);
-    let speed = quantity(members.study.speed, "rad/s");
+    let speed = quantity(study.speed, "rad/s");
     let alt = format!("What each start ends in at {speed}, over {} and {}.", axes[0].meaning(), axes[1].meaning());
     let mut figure = Figure::new("basins", "Basins of attraction", alt).x(drawn(0)).panel(Panel::new(drawn(1)).mark(heat));
     if axes[0].unit == axes[1].unit {

@@ -1,0 +1,64 @@
+//! The steady linear response at the speeds of a run-up.
+
+use crate::model::blocks::Grid;
+use crate::model::linear::{Form, LinearModel, LinearScratch};
+use crate::model::part::At;
+use crate::model::system::System;
+use crate::model::tangent::{Tangent, TangentScratch};
+use crate::solve::characteristic::{Equilibrium, Frame};
+use crate::solve::rest::unlinearised;
+use laval_num::complex::{C64, c};
+use laval_num::dense::{Lu, Mat};
+
+/// Steady unbalance response of the machine linearised at rest.
+pub(super) struct LinearResponse<'a> {
+    system: &'a System,
+    model: LinearModel<f64>,
+    scratch: LinearScratch<f64>,
+    tangent: Tangent,
+    tangent_scratch: TangentScratch,
+    stiffness: Grid<C64>,
+}
+
+impl<'a> LinearResponse<'a> {
+    /// `None` when a nonlinear part has no linear form at rest, states of its own, or forces of its own that turn.
+    pub fn new(system: &'a System) -> Option<Self> {
+        let still = Equilibrium::zero(system, Frame::Fixed, 0.0);
+        let fits =
+            system.slots().iter().all(|s| s.is_linear() || (s.states.is_empty() && !s.uses.spin)) && unlinearised(system, &still).is_none();
+        fits.then(|| LinearResponse {
+            system,
+            model: LinearModel::default(),
+            scratch: LinearScratch::default(),
+            tangent: Tangent::default(),
+            tangent_scratch: TangentScratch::default(),
+            stiffness: Grid::empty(),
+        })
+    }
+
+    /// Largest |x + i y| of each body, at any of its points; NaN where the stiffness is singular.
+    pub fn amplitudes(&mut self, speed: f64) -> Vec<f64> {
+        let system = self.system;
+        let (n, zero) = (system.n(), vec![0.0; system.n().max(system.m())]);
+        let (q, z) = (&zero[..n], &zero[..system.m()]);
+        system.linear(system.params(), speed, Form::Frequency, &mut self.model, &mut self.scratch);
+        let s = c(0.0, speed);
+        system.dynamic_stiffness(system.params(), &self.model, Form::Frequency, s, &mut self.stiffness, &mut self.scratch);
+        let at = At { q, v: q, a: q, z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+        system.tangent(&at, false, &mut self.tangent, &mut self.tangent_scratch, |slot| !slot.is_linear());
+        let t = &self.tangent;
+        let matrix = Mat::from_fn(self.stiffness.rows(), self.stiffness.cols(), |i, j| {
+            let own = self.stiffness[(i, j)];
+            if i < n && j < n { own + c(t.q[(i, j)], 0.0) + s.scale(t.v[(i, j)]) + (s * s).scale(t.a[(i, j)]) } else { own }
+        });
+        let b = &self.model.blocks;
+        let mut x: Vec<C64> = (0..matrix.rows()).map(|i| if i < n { c(b.force_cos[i], -b.force_sin[i]) } else { c(0.0, 0.0) }).collect();
+        let count = system.bodies().len();
+        let Ok(lu) = Lu::new(&matrix) else { return vec![f64::NAN; count] };
+        lu.solve(&mut x);
+        // forward and backward parts turn against each other: their radii add up once a turn
+        let size = |[x, y]: [C64; 2]| 0.5 * ((x + y.mul_i()).abs() + (x - y.mul_i()).abs());
+        let points = |k: usize| system.probes().iter().filter(move |p| p.body == k && !p.is_tilt());
+        (0..count).map(|k| crate::study::shared::support::largest(points(k).map(|p| size(p.amplitudes(&x))))).collect()
+    }
+}

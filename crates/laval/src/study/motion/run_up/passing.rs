@@ -1,0 +1,127 @@
+//! Peaks of the envelope along a run-up, and what they are.
+
+use super::RunUp;
+use crate::model::system::System;
+use crate::solve::motion::envelope::Peak;
+use crate::solve::motion::trajectory::Trajectory;
+use crate::study::motion::balance;
+use crate::study::motion::history;
+use crate::study::motion::passages::{PROMINENT, envelope, passages};
+use crate::study::motion::record::MotionRecord;
+use crate::study::motion::unstable::{Range, Rates};
+use serde::{Deserialize, Serialize};
+
+/// Peaks of the envelope of a body or of its tilt.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyPassages {
+    /// Name of the body.
+    pub body: String,
+    /// It is the tilt of the body.
+    pub tilt: bool,
+    /// Peaks by time.
+    pub passages: Vec<Passage>,
+    /// Peaks while masses go round in the rotor.
+    pub swings: Option<Swings>,
+}
+
+/// A peak of an envelope.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Passage {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Speeds at the values of the envelope before and after it, rad/s.
+    pub beside: (f64, f64),
+    /// When, s.
+    pub t: f64,
+    /// Amplitude, m or rad.
+    pub amplitude: f64,
+    /// What it is.
+    pub nature: Nature,
+}
+
+/// What a peak of an envelope is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Nature {
+    /// The spin speed meets a natural frequency on the way.
+    Resonance,
+    /// The motion grows through a range in which the machine is unstable.
+    Unstable(Range),
+    /// No more than a peak.
+    Peak,
+}
+
+/// Peaks of an envelope while masses go round in the rotor.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Swings {
+    /// Number of peaks.
+    pub peaks: usize,
+    /// Largest amplitude, m or rad.
+    pub amplitude: f64,
+    /// Spin speed there, rad/s.
+    pub speed: f64,
+}
+
+impl RunUp {
+    /// The passages of all bodies and tilts that move.
+    pub(super) fn passages(
+        &self,
+        system: &System,
+        record: &MotionRecord,
+        trajectory: &Trajectory,
+        stop: &dyn Fn() -> bool,
+    ) -> Vec<BodyPassages> {
+        let mut rates: Option<Option<Rates>> = None;
+        let mut out = Vec::new();
+        let spin = |t: f64| self.programme.at(t);
+        for own in history::probe_motions(system, record, history::negligible(&self.settings, &record.rest)) {
+            if own.peak.amplitude <= own.still {
+                continue;
+            }
+            let seen = envelope(own.windows, &spin);
+            let mut found = BodyPassages { body: own.body.clone(), tilt: own.tilt, passages: Vec::new(), swings: None };
+            let mut round: Vec<(f64, f64)> = Vec::new();
+            let passed = passages(&seen, &spin);
+            if !passed.is_empty() && rates.is_none() {
+                rates = Some(Rates::along(system, record.run.t, &|t| spin(t).speed, stop));
+            }
+            for &i in &passed {
+                let p = seen[i];
+                let speed = |k: usize| spin(seen[k].t).speed;
+                let beside = |mut k: Box<dyn Iterator<Item = usize>>| k.find(|&k| seen[k].t != p.t).map_or(speed(i), speed);
+                let (before, after) = (beside(Box::new((0..i).rev())), beside(Box::new(i + 1..seen.len())));
+                let at = spin(p.t).speed;
+                if before == at && after == at {
+                    // nothing is passed while the speed is held
+                    continue;
+                }
+                if balance::slips(system, trajectory, p.t, &|t| spin(t).phase) {
+                    round.push((p.amplitude, at));
+                    continue;
+                }
+                let since = lowest_before(&seen, &passed, i);
+                let nature = nature(rates.as_ref().and_then(Option::as_ref), [since, p.t]);
+                found.passages.push(Passage { speed: at, beside: (before, after), t: p.t, amplitude: p.amplitude, nature });
+            }
+            let most = round.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+            found.swings = most.map(|&(amplitude, speed)| Swings { peaks: round.len(), amplitude, speed });
+            out.push(found);
+        }
+        out
+    }
+}
+
+/// What a peak of the envelope is, from the time since which it rises: a resonance where the machine is stable and the spin speed meets a natural frequency on the way,
+/// growth through a range in which it is not stable, else no more than a peak.
+fn nature(rates: Option<&Rates>, [since, until]: [f64; 2]) -> Nature {
+    match rates.and_then(|r| r.most(since, until)).filter(|range| range.factor > 1.0 / PROMINENT) {
+        Some(range) => Nature::Unstable(range),
+        None if rates.is_some_and(|r| r.meets(since, until)) => Nature::Resonance,
+        None => Nature::Peak,
+    }
+}
+
+/// The time of the lowest place of an envelope between a passage and the one before it.
+fn lowest_before(seen: &[Peak], passed: &[usize], at: usize) -> f64 {
+    let from = passed.iter().copied().take_while(|&k| k < at).last().unwrap_or(0);
+    seen[from..=at].iter().min_by(|a, b| a.amplitude.total_cmp(&b.amplitude)).map_or(0.0, |p| p.t)
+}

@@ -1,0 +1,170 @@
+//! What is said and shown of a run-up.
+
+use super::{BodyPassages, Nature, Passage, RunUp, RunUpResult};
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, SpecialPoint, Status, quantity, significant};
+use crate::study::Study;
+use crate::study::motion::history::{self, Columns, ProbeMotion};
+use crate::study::motion::passages::envelope;
+use crate::study::motion::unstable::Range;
+use crate::study::motion::{balance, drive, start};
+
+pub(super) fn report(study: &RunUp, system: &System, result: &RunUpResult, name: &str) -> Result<Outcome, Diagnostic> {
+    let record = &result.motion;
+    let mut outcome = Outcome::new(RunUp::KIND, name).over("speed", "rad/s").end(result.end);
+    for f in history::stop(record).into_iter().chain(start::undeflected(&record.undeflected)) {
+        outcome = outcome.finding(f);
+    }
+    match record.left {
+        Some(left) => {
+            let speed = study.programme.at(left.t).speed;
+            let f = history::unbounded(system, left, &result.unbounded, std::f64::consts::TAU / speed.abs());
+            outcome = outcome.finding(f.evidence("speed there", speed, "rad/s"));
+        }
+        None => outcome = peaks(study, system, result, outcome),
+    }
+    outcome = record.moved_roots.as_ref().map(|m| m.finding()).into_iter().fold(outcome, Outcome::finding);
+    outcome = drive_shown(system, result, outcome)?;
+    outcome = history::common_findings(system, record, outcome);
+    outcome = envelope_shown(study, system, result, outcome)?;
+    if let Some(spectra) = &study.spectra {
+        outcome = spectra.report(&record.spectra, outcome)?;
+    }
+    let outcome = history::shown(system, record, None, outcome)?;
+    balance::report(system, record, outcome)
+}
+
+/// Largest displacements and the passages through resonances.
+fn peaks(study: &RunUp, system: &System, result: &RunUpResult, mut outcome: Outcome) -> Outcome {
+    let record = &result.motion;
+    for seen in history::probe_motions(system, record, history::negligible(&study.settings, &record.rest)) {
+        let peak = seen.peak;
+        let Some(largest) = seen.largest() else { continue };
+        let speed = study.programme.at(peak.t).speed;
+        outcome = outcome.finding(largest.evidence("at speed", speed, "rad/s").evidence("at time", peak.t, "s"));
+        if let Some(own) = result.passages.iter().find(|p| p.body == seen.body && p.tilt == seen.tilt) {
+            outcome = passed(&seen, own, outcome);
+        }
+    }
+    outcome
+}
+
+fn passed(seen: &ProbeMotion, own: &BodyPassages, mut outcome: Outcome) -> Outcome {
+    let (name, b, unit) = (seen.words(), seen.label(), seen.unit);
+    for p in &own.passages {
+        let (before, after) = p.beside;
+        let finding = passage((&name, &b), p).value(p.speed, "rad/s").evidence("amplitude", p.amplitude, unit);
+        let point = SpecialPoint::new("peak", p.speed, (before.min(after), before.max(after))).status(Status::Bracketed);
+        outcome = outcome.finding(finding.evidence("at time", p.t, "s")).special_point(point.evidence("amplitude", p.amplitude, unit));
+    }
+    if let Some(swings) = &own.swings {
+        let text =
+            format!("{name} swings while masses go round in the rotor, which is no resonance of its own: its envelope peaks most at {{}}.");
+        let finding = Finding::info("swings", text).of(&b).value(swings.speed, "rad/s").evidence("amplitude", swings.amplitude, unit);
+        outcome = outcome.finding(finding.evidence("peaks", swings.peaks as f64, ""));
+    }
+    outcome
+}
+
+/// What a peak of the envelope is, in a sentence.
+fn passage((name, subject): (&str, &str), p: &Passage) -> Finding {
+    match p.nature {
+        Nature::Resonance => Finding::info("peak", format!("{name} passes a resonance: its envelope peaks at {{}}.")),
+        Nature::Peak => Finding::info("peak", format!("The envelope of {} peaks at {{}}.", name.replacen("The ", "the ", 1))),
+        Nature::Unstable(Range { speeds: [a, b], factor, rate }) => {
+            let (a, b, times) = (quantity(a, "rad/s"), quantity(b, "rad/s"), significant(factor, 2));
+            let text = format!(
+                "{name} grows by itself between {a} and {b}, where the machine is unstable, by a factor of up to {times}: its envelope peaks at {{}}. Pass this range \
+                 quickly, or add damping."
+            );
+            Finding::warning("unstable_range", text).evidence("largest growth rate there", rate, "1/s")
+        }
+    }
+    .of(subject)
+}
+
+/// Torque and power of the drive at the outputs.
+fn drive_shown(system: &System, result: &RunUpResult, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let (record, torque) = (&result.motion, &result.torque);
+    let spins = &record.spin;
+    let power: Vec<f64> = torque.iter().zip(spins).map(|(m, s)| m * s.speed).collect();
+    let accelerates = spins.iter().any(|s| s.accel != 0.0);
+    let speeds: Vec<f64> = spins.iter().map(|s| s.speed).collect();
+    let driven = speeds.first().is_some_and(|&w| system.drive_torque(w).is_some());
+    let beyond = if driven { "Beyond its motors the drive" } else { "The drive" };
+    let short = drive::short(system, &speeds, torque, accelerates);
+    let lacking = if accelerates { drive::without_inertia(system, "Torque and power of the drive are") } else { None };
+    let largest =
+        |x: &[f64]| x.iter().enumerate().map(|(i, x)| (x.abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map_or((f64::NAN, 0), |m| m);
+    let ((most, at), (strongest, when)) = (largest(torque), largest(&power));
+    let speed = |i: usize| spins.get(i).map_or(f64::NAN, |s| s.speed);
+    let mut columns = Columns::default();
+    columns.add("t", "s", "time", record.times.clone());
+    columns.add("speed", "rad/s", "spin speed", spins.iter().map(|s| s.speed).collect());
+    columns.add("acceleration", "rad/s^2", "spin acceleration", spins.iter().map(|s| s.accel).collect());
+    columns.add("torque", "N m", "torque the drive must bring", torque.clone());
+    columns.add("power", "W", "power the drive must bring", power);
+    let line = |column: &str| Line::new("drive", "t", column).name(column);
+    let figure = Figure::new("drive", "Drive", "Spin speed, torque and power of the drive against time.")
+        .x(Axis::new("time", "s"))
+        .panel(Panel::new(Axis::new("speed", "rad/s")).mark(line("speed")))
+        .panel(Panel::new(Axis::new("torque", "N m")).mark(line("torque")))
+        .panel(Panel::new(Axis::new("power", "W")).mark(line("power")));
+    let outcome = outcome.table(columns.table("drive", "Torque and power of the drive against time")?).figure(figure);
+    if record.left.is_some() {
+        return Ok(outcome);
+    }
+    let outcome = short.into_iter().chain(lacking).fold(outcome, Outcome::finding);
+    Ok(outcome
+        .finding(Finding::info("largest_torque", format!("{beyond} must bring a torque of up to {{}}.")).value(most, "N m").evidence(
+            "at speed",
+            speed(at),
+            "rad/s",
+        ))
+        .finding(Finding::info("largest_power", format!("{beyond} must bring a power of up to {{}}.")).value(strongest, "W").evidence(
+            "at speed",
+            speed(when),
+            "rad/s",
+        )))
+}
+
+/// Envelope against speed, beside the linear response.
+fn envelope_shown(study: &RunUp, system: &System, result: &RunUpResult, outcome: Outcome) -> Result<Outcome, Diagnostic> {
+    let (record, bodies) = (&result.motion, system.bodies());
+    if bodies.is_empty() {
+        return Ok(outcome);
+    }
+    let seen: Vec<_> = record.windows.iter().map(|w| envelope(w, &|t| study.programme.at(t))).collect();
+    let middle = study.middles(record);
+    let count = middle.len();
+    let speeds: Vec<f64> = middle.iter().map(|&t| study.programme.at(t).speed).collect();
+    let mut columns = Columns::default();
+    columns.add("t", "s", "middle of the window", middle);
+    columns.add("speed", "rad/s", "spin speed there", speeds);
+    let mut figure = Figure::new(
+        "envelope",
+        "Envelope against speed",
+        "Largest displacement of each body from rest within a turn, against the spin speed.",
+    )
+    .x(Axis::new("speed", "rad/s"));
+    for (k, b) in bodies.iter().enumerate() {
+        let amplitude = |i: usize| seen[k][i].amplitude;
+        let doc = "largest distance from rest in the window and within half a turn of it";
+        columns.add(format!("{} amplitude", b.name), "m", doc, (0..count).map(amplitude).collect());
+        let mut panel = Panel::new(Axis::new(&b.name, "mm").factor(1e3))
+            .mark(Line::new("envelope", "speed", format!("{} amplitude", b.name)).name("envelope"));
+        if let Some(linear) = &result.linear {
+            let name = format!("{} linear", b.name);
+            columns.add(
+                &name,
+                "m",
+                "largest |x + i y| of the steady linear response, at any point of the body, at this speed; NaN where nothing holds or damps the machine",
+                linear[k].clone(),
+            );
+            panel = panel.mark(Line::new("envelope", "speed", name).name("steady linear response"));
+        }
+        figure = figure.panel(panel);
+    }
+    Ok(outcome.table(columns.table("envelope", "Envelope of the motion against speed")?).figure(figure))
+}
