@@ -76,6 +76,11 @@ pub(super) fn extend<'a>(
     cancel: &'a AtomicBool,
     tick: Tick,
 ) -> Result<(), Diagnostic> {
+    // how much there is to search follows from all folds
+    if !complete {
+        response.cut = Some(Cut::default());
+        return Ok(());
+    }
     let (symmetry, _) = symmetry(system, request)?;
     let done = response.branches.iter().map(|b| b.points.len()).sum();
     let left = usize::try_from(request.work).unwrap_or(usize::MAX).saturating_sub(done);
@@ -86,10 +91,6 @@ pub(super) fn extend<'a>(
     let all = |each: usize| (0, each * speeds.len());
     let in_time = if search.response.discretisation.divisor == 1 { request.time_starts } else { 0 };
     search.done = Cut { speeds: all(1), starts: all(search.starts()), in_time: all(in_time) };
-    if !complete {
-        search.response.cut = Some(search.done);
-        return Ok(());
-    }
     let mut next = 0;
     search.switch_from(&mut next)?;
     for speed in speeds {

@@ -122,7 +122,8 @@ pub struct Response {
     pub work: Vec<(laval_num::text::Text, u64)>,
 }
 
-/// A search for further states that was stopped: what was done of it, and of how much.
+/// A search for further states that was stopped: what was done of it, and of how much; nothing of nothing where the main branches were stopped, from which it
+/// begins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Cut {
     /// Speeds at which it was done.

@@ -109,6 +109,11 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
 
 /// A search that is not complete shows no absence.
 fn stopped(cut: &Cut, none: bool) -> Finding {
+    if cut.speeds.1 == 0 {
+        let text = "The search for further states was not begun: the branches from the ends of the range were stopped, or took all points allowed. Whether \
+                    there are such states is not known.";
+        return Finding::info("further_states_unknown", text);
+    }
     let of = |(made, all): (usize, usize)| format!("{made} of {all}");
     let in_time = if cut.in_time.1 > 0 { format!(" and {} starts in time", of(cut.in_time)) } else { String::new() };
     let text = format!(

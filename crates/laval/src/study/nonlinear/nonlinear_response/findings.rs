@@ -24,7 +24,7 @@ impl Shown<'_> {
     pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
         let mut out = Vec::new();
         for up in [true, false] {
-            out.extend(sweeps::findings(response, up, request.speeds, &|f| self.size_at(response, f)));
+            out.extend(sweeps::findings(response, up, request.speeds, &|f| self.size_at(f)));
         }
         out.extend(sweeps::unfollowed(response));
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
@@ -43,8 +43,8 @@ impl Shown<'_> {
             out.extend(families::all(response));
         }
         let displaced = self.displaced();
-        let rising = self.rising.as_ref().filter(|_| displaced);
-        for r in rising.into_iter().chain(&self.tilt_rising) {
+        let rising = self.measured.rising.as_ref().filter(|_| displaced);
+        for r in rising.into_iter().chain(&self.measured.tilt_rising) {
             out.push(self.without_largest(r, &response.branches[r.branch]));
         }
         if let Some(l) = self.most().filter(|_| displaced && rising.is_none()) {
@@ -72,8 +72,8 @@ impl Shown<'_> {
                 .evidence("scaled residual", of(&|p| p.residual), ""),
             );
         }
-        let reported = self.largest.iter().filter(|l| !self.only_tilts(l));
-        for l in reported.filter(|_| self.largest.len() > 1 && displaced && rising.is_none()) {
+        let reported = self.measured.largest.iter().filter(|l| !self.only_tilts(l));
+        for l in reported.filter(|_| self.measured.largest.len() > 1 && displaced && rising.is_none()) {
             let (a, speed) = l.best();
             let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.owner, significant(speed, 6));
             let slope = l.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
@@ -194,7 +194,7 @@ impl Shown<'_> {
 
     fn invalid(&self) -> Vec<Finding> {
         let mut uses = Uses::default();
-        self.validity.iter().flatten().for_each(|u| uses.join(u));
+        self.measured.validity.iter().flatten().for_each(|u| uses.join(u));
         uses.of_states(self.system)
     }
 }

@@ -1,19 +1,24 @@
 //! What is said of the forces of bearings and to the ground: the largest, and where the force of a bearing nearly vanishes.
 
+use super::measuring::Measuring;
 use super::shown::Shown;
 use crate::outcome::{Finding, significant};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense};
 use crate::solve::harmonic::branches::response::{Request, Response};
+use serde::{Deserialize, Serialize};
 
 /// Extreme values of the force of one part over the states that can be held.
-pub(super) struct Extremes {
-    pub(super) slot: usize,
-    /// At a computed point: force, N, and speed, rad/s; refined between the points where it falls on both sides.
-    largest: (f64, f64),
-    refined: Option<Peak>,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Extremes {
+    /// Index of the part among the parts of the machine.
+    pub slot: usize,
+    /// At a computed point: force, N, and speed, rad/s.
+    pub largest: (f64, f64),
+    /// Refined between the points where it falls on both sides.
+    pub refined: Option<Peak>,
     /// Where it nearly vanishes, with its share of the smaller of the largest forces on both sides.
-    vanishing: Vec<(Peak, f64)>,
+    pub vanishing: Vec<(Peak, f64)>,
 }
 
 /// A force is rounding at this share of the largest of all, as of a rotating damper in synchronous whirl.
@@ -23,7 +28,7 @@ const VANISHING: f64 = 0.05;
 /// Places listed for one part at most.
 const MOST: usize = 2;
 
-impl Shown<'_> {
+impl Measuring<'_> {
     /// Of every part that shows a force.
     pub(super) fn extreme_forces(&mut self, response: &Response, request: &Request) -> Vec<Extremes> {
         let mut all: Vec<Extremes> =
@@ -35,13 +40,16 @@ impl Shown<'_> {
 
     fn extremes(&mut self, response: &Response, request: &Request, slot: usize) -> Option<Extremes> {
         let name = &self.system.slots()[slot].name;
-        let column =
-            self.observed.iter().position(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+        let column = self
+            .measured
+            .observed
+            .iter()
+            .position(|(n, unit)| unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
         let measure = Measure::Force(slot);
         let mut values = Vec::new();
         let mut vanishing = Vec::new();
         for (b, branch) in response.branches.iter().enumerate() {
-            let force: Vec<f64> = self.observations[b].iter().map(|o| o.get(column).copied().unwrap_or(f64::NAN)).collect();
+            let force: Vec<f64> = self.measured.observations[b].iter().map(|o| o.get(column).copied().unwrap_or(f64::NAN)).collect();
             let held = |i: usize| !branch.points[i].unstable();
             values.push((0..force.len()).map(|i| if held(i) { force[i] } else { f64::NAN }).collect::<Vec<f64>>());
             // the largest force from either end up to each point
@@ -76,12 +84,14 @@ impl Shown<'_> {
         let speed = response.branches[top.at.0].points[top.at.1].speed;
         Some(Extremes { slot, largest: (top.value, speed), refined: top.refined, vanishing })
     }
+}
 
+impl Shown<'_> {
     /// The largest force of each part, and where one nearly vanishes.
     pub(super) fn force_findings(&self) -> Vec<Finding> {
         let mut out = Vec::new();
-        let rising = self.rising.is_some();
-        for e in &self.forces {
+        let rising = self.measured.rising.is_some();
+        for e in &self.measured.forces {
             let name = &self.system.slots()[e.slot].name;
             let (force, speed) = e.refined.as_ref().map_or(e.largest, |p| (p.value, p.speed));
             let so_far = if rising { " up to where the states were left" } else { "" };
@@ -96,7 +106,7 @@ impl Shown<'_> {
                     .evidence("speed", speed, "rad/s"),
             );
         }
-        for e in &self.forces {
+        for e in &self.measured.forces {
             let name = &self.system.slots()[e.slot].name;
             for (p, share) in &e.vanishing {
                 let text = format!(

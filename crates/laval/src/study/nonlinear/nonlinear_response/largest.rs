@@ -1,43 +1,49 @@
 //! The largest displacement and force over all states that can be held.
 
+use super::measuring::Measuring;
 use super::shown::Shown;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense};
 use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::study::shared::probes;
 use laval_num::continuation::End;
+use serde::{Deserialize, Serialize};
 
 /// The largest displacement or tilt of a body.
-pub(super) struct Largest {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Largest {
     /// Name of the body, or of a point of it.
-    pub(super) owner: String,
-    /// At a computed point: size, m or rad, and speed, rad/s.
-    size: f64,
-    speed: f64,
+    pub owner: String,
+    /// At a computed point: size, m or rad.
+    pub size: f64,
+    /// Its speed, rad/s.
+    pub speed: f64,
     /// Between computed points, where it falls on both sides.
-    pub(super) refined: Option<Peak>,
+    pub refined: Option<Peak>,
     /// It lies where a branch meets the end of the range of speeds.
-    pub(super) at_end: bool,
+    pub at_end: bool,
     /// Speed, rad/s, at which its branch was left inside the range: beyond it nothing is known.
-    pub(super) left: Option<f64>,
+    pub left: Option<f64>,
 }
 
 impl Largest {
     /// Size, m or rad, and speed, rad/s, as well as known.
-    pub(super) fn best(&self) -> (f64, f64) {
+    pub fn best(&self) -> (f64, f64) {
         self.refined.as_ref().map_or((self.size, self.speed), |p| (p.value, p.speed))
     }
 }
 
 /// A displacement or tilt that still rises where a branch was left, above all others of its kind: there is no largest one.
-pub(super) struct Rising {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Rising {
     /// Index among the probes measured.
-    pub(super) probe: usize,
-    /// Size, m or rad, and speed, rad/s, at the last point.
-    pub(super) size: f64,
-    pub(super) speed: f64,
+    pub probe: usize,
+    /// Size, m or rad, at the last point.
+    pub size: f64,
+    /// Speed there, rad/s.
+    pub speed: f64,
     /// Index of the branch.
-    pub(super) branch: usize,
+    pub branch: usize,
 }
 
 /// The largest value at a computed point, and between points.
@@ -51,7 +57,7 @@ pub(super) struct Summit {
 /// Of several peaks each that is as high as this share of the highest, at computed points, is refined: the highest may lie farther from a point.
 const COMPETES: f64 = 0.9;
 
-impl Shown<'_> {
+impl Measuring<'_> {
     /// The largest of values by branch and point; NaN where a state does not count.
     pub(super) fn summit(&mut self, response: &Response, request: &Request, measure: Measure, values: &[Vec<f64>]) -> Option<Summit> {
         let all = values.iter().enumerate().flat_map(|(b, v)| v.iter().enumerate().map(move |(i, v)| (*v, b, i)));
@@ -93,7 +99,7 @@ impl Shown<'_> {
         for (b, branch) in response.branches.iter().enumerate() {
             let left = !matches!(branch.end, End::Reached | End::Closed);
             for (&k, values) in own.iter().zip(&mut values) {
-                let a = |i: usize| self.sizes[b][i][k];
+                let a = |i: usize| self.measured.sizes[b][i][k];
                 let last = branch.points.len().saturating_sub(1);
                 let foot = if left { (1..=last).rev().find(|&i| !(a(i) >= a(i - 1))).unwrap_or(0) } else { last };
                 let mut own = vec![f64::NAN; branch.points.len()];
@@ -115,15 +121,12 @@ impl Shown<'_> {
         let rising = rising.filter(|r| r.size > most);
         (largest, rising)
     }
+}
 
+impl Shown<'_> {
     /// It is the displacement of a body that only tilts.
     pub(super) fn only_tilts(&self, l: &Largest) -> bool {
-        let own = self.tilts.iter().find(|t| t.owner == l.owner);
+        let own = self.measured.tilts.iter().find(|t| t.owner == l.owner);
         own.is_some_and(|t| l.best().0 <= probes::ROUNDING * t.best().0)
-    }
-
-    /// Some point is displaced, and not only by what rounding leaves beside the tilts.
-    pub(super) fn displaced(&self) -> bool {
-        probes::displaced(|| self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied())))
     }
 }

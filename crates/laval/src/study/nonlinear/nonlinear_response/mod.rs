@@ -29,7 +29,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Value, Values};
 use crate::model::system::{Drive, System};
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::solve::ensemble;
 use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Request, States, respond, symmetry};
 use crate::solve::harmonic::branches::time_starts;
@@ -37,17 +37,29 @@ use crate::solve::symmetry::Symmetry;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use measuring::Measuring;
 pub(in crate::study) use one::around;
+pub use result::{Measured, NonlinearResponseResult};
 use shown::Shown;
 pub(in crate::study) use shown::limited;
+pub use {
+    forces::Extremes,
+    largest::{Largest, Rising},
+    one::Motion,
+    orders::{Edge, Orders, Stretch, Whirl, Whirls},
+    self_centring::{Approach, Centring},
+    tuning::Tuned,
+};
 
 mod families;
 mod findings;
 mod forces;
 mod largest;
+mod measuring;
 mod one;
 mod orders;
 mod picture;
+mod result;
 mod self_centring;
 mod shown;
 mod stability;
@@ -118,7 +130,7 @@ pub(in crate::study) const MAX_POINTS: Field =
     Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch");
 
 impl Study for NonlinearResponse {
-    type Result = Outcome;
+    type Result = NonlinearResponseResult;
     const KIND: &'static str = "nonlinear_response";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 harmonics = "auto"
@@ -188,28 +200,35 @@ harmonics = "auto"
         admit(system, &self.request)
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<NonlinearResponseResult, Diagnostic> {
         self.admit(system)?;
         let mut request = Request { work: context.work_limit, ..self.request };
         request.max_points = request.max_points.min(usize::try_from(context.work_limit).unwrap_or(usize::MAX)).max(2);
-        if let Some(speed) = self.one {
-            return one::outcome(Self::KIND, system, &request, speed, context);
-        }
         let response = respond(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
-        let mut shown = Shown::new(system, &response, &request)?;
-        shown.measure(&response);
-        (shown.largest, shown.rising) = shown.peaks(&response, &request, false);
-        shown.forces = shown.extreme_forces(&response, &request);
-        (shown.tilts, shown.tilt_rising) = shown.peaks(&response, &request, true);
-        shown.centring = shown.centring(&response);
-        shown.tuned = shown.tuning(&response, &request);
-        let mut outcome = shown.outcome(&response, &request, context)?;
-        if let Some(threshold) = self.order_threshold {
-            outcome = shown.orders(&response, threshold, outcome)?;
+        if let Some(speed) = self.one {
+            let motions = Some(one::motions(system, &request, &response, speed, context)?);
+            let end = if context.cancelled() { End::Cancelled } else { limited(&response, &request, context) };
+            return Ok(NonlinearResponseResult { response, measured: None, orders: None, motions, end });
+        }
+        let mut measuring = Measuring::new(system, &response, &request)?;
+        let measured = measuring.all(&response, &request);
+        let orders = self.order_threshold.map(|threshold| measuring.orders(&response, threshold));
+        let end = limited(&response, &request, context);
+        Ok(NonlinearResponseResult { response, measured: Some(measured), orders, motions: None, end })
+    }
+
+    fn report(&self, system: &System, result: &NonlinearResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let NonlinearResponseResult { response, measured, orders, motions, end } = result;
+        if let (Some(speed), Some(motions)) = (self.one, motions) {
+            return one::outcome(Self::KIND, system, response, (speed, motions), name, *end);
+        }
+        let Some(measured) = measured else {
+            return Err(Diagnostic::error("response.result", "the stored response is of one speed, and this study is over a range"));
+        };
+        let shown = Shown::new(system, response, measured);
+        let mut outcome = shown.outcome(&self.request, name, *end)?;
+        if let (Some(threshold), Some(orders)) = (self.order_threshold, orders) {
+            outcome = shown.with_orders(orders, threshold, outcome)?;
         }
         outcome.checked().map_err(Diagnostic::from)
     }

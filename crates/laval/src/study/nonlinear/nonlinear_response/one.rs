@@ -2,14 +2,13 @@
 //!
 //! They are those of the branches over a narrow range about it, corrected at the speed itself.
 
-use super::shown::limited;
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{End, Finding, Outcome, Table, quantity};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
-use crate::solve::harmonic::branches::response::{Request, Response, respond};
+use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::Context;
 use crate::study::shared::probes;
@@ -17,6 +16,7 @@ use crate::study::shared::support::inconsistent;
 use laval_num::continuation::Zero;
 use laval_num::dense::Mat;
 use laval_num::newton::{Options, newton};
+use serde::{Deserialize, Serialize};
 
 /// Half the width of the range in which branches are followed, over the speed.
 const ASIDE: f64 = 1e-3;
@@ -29,13 +29,14 @@ pub(in crate::study) fn around(speed: f64) -> (f64, f64) {
 }
 
 /// A motion at the speed.
-struct Motion {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Motion {
     /// Largest value of each probe over a period, m or rad.
-    amplitudes: Vec<f64>,
+    pub amplitudes: Vec<f64>,
     /// Period in turns.
-    turns: usize,
+    pub turns: usize,
     /// Largest growth rate and its error, 1/s; NaN where it was not assessed.
-    growth: (f64, f64),
+    pub growth: (f64, f64),
 }
 
 impl Motion {
@@ -49,7 +50,13 @@ impl Motion {
 }
 
 /// Motions at the speed, by the displacement of the first body.
-fn motions(system: &System, request: &Request, response: &Response, speed: f64, context: &Context) -> Result<Vec<Motion>, Diagnostic> {
+pub(super) fn motions(
+    system: &System,
+    request: &Request,
+    response: &Response,
+    speed: f64,
+    context: &Context,
+) -> Result<Vec<Motion>, Diagnostic> {
     let (which, probes) = (probes::ordered(system), probes::all(system));
     let mut stability = if request.stability { Stability::new(system).ok() } else { None };
     let mut out: Vec<Motion> = Vec::new();
@@ -87,16 +94,20 @@ fn motions(system: &System, request: &Request, response: &Response, speed: f64, 
     Ok(out)
 }
 
-/// The study at one speed.
-pub(super) fn outcome(kind: &str, system: &System, request: &Request, speed: f64, context: &Context) -> Result<Outcome, Diagnostic> {
-    let response = respond(system, request, context.cancel, &|done| context.progress.report(done, 0))?;
-    let found = motions(system, request, &response, speed, context)?;
+/// What is said of the motions at a speed.
+pub(super) fn outcome(
+    kind: &str,
+    system: &System,
+    response: &Response,
+    (speed, found): (f64, &[Motion]),
+    name: &str,
+    end: End,
+) -> Result<Outcome, Diagnostic> {
     let probes = probes::all(system);
     let loud = probes::loudest(found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied())));
     let tilts = |b: usize| probes.iter().any(|p| p.is_tilt() && p.body == b);
-    let end = if context.cancelled() { End::Cancelled } else { limited(&response, request, context) };
     let complete = end == End::Reached;
-    let mut outcome = Outcome::new(kind, context.name).over("speed", "rad/s").end(end);
+    let mut outcome = Outcome::new(kind, name).over("speed", "rad/s").end(end);
     for (name, count) in &response.work {
         outcome = outcome.work(*name, *count);
     }

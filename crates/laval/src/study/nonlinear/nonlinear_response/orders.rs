@@ -3,6 +3,7 @@
 //! Of order k of the base frequency a body moves on an ellipse of semi-major axis `|Z_k| + |Z_-k|`, forward where `|Z_k|` is the larger. Along a branch the speeds
 //! at which the semi-major axis passes the threshold are solved for between neighbouring points, and the largest value between them likewise.
 
+use super::measuring::Measuring;
 use super::shown::{Shown, words};
 use super::tables::label;
 use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
@@ -10,6 +11,7 @@ use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Response, State, Traced};
 use laval_num::newton::{Options, newton};
+use serde::{Deserialize, Serialize};
 
 /// Parts of the response listed one by one at most.
 const MOST: usize = 6;
@@ -21,7 +23,7 @@ const DRAWN: f64 = 1e-2;
 const MOST_PANELS: usize = 4;
 
 /// Forward and backward amplitude of a body at an order, m.
-type Whirl = (f64, f64);
+pub type Whirl = (f64, f64);
 
 fn axis(w: Whirl) -> f64 {
     w.0 + w.1
@@ -60,38 +62,58 @@ fn kind(order: usize, turns: usize) -> &'static str {
 }
 
 /// An end of an interval in which an order exceeds the threshold.
-#[derive(Clone, Copy)]
-struct Edge {
-    speed: f64,
-    bracket: (f64, f64),
-    residual: f64,
-    located: bool,
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Edge {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Speeds between which it lies, rad/s.
+    pub bracket: (f64, f64),
+    /// Scaled residual of the balance.
+    pub residual: f64,
+    /// It was solved for; otherwise only the bracket is known.
+    pub located: bool,
     /// The branch begins or ends here, still above.
-    cut: bool,
+    pub cut: bool,
 }
 
 /// Where an order of a body exceeds the threshold, along a branch.
-struct Stretch {
-    body: usize,
-    order: usize,
-    branch: usize,
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Stretch {
+    /// Index of the body.
+    pub body: usize,
+    /// Order of the base frequency.
+    pub order: usize,
+    /// Index of the branch.
+    pub branch: usize,
     /// Ends by speed.
-    ends: [Edge; 2],
-    /// Largest amplitude and its speed.
-    largest: Whirl,
-    at: f64,
+    pub ends: [Edge; 2],
+    /// Largest amplitude.
+    pub largest: Whirl,
+    /// Its speed, rad/s.
+    pub at: f64,
 }
 
 /// The whirls of one branch: by point, order and body.
-struct Whirls {
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Whirls {
     /// Orders of the base frequency beside the synchronous one.
-    orders: Vec<usize>,
-    values: Vec<Vec<Vec<Whirl>>>,
+    pub orders: Vec<usize>,
+    /// By point, order and body.
+    pub values: Vec<Vec<Vec<Whirl>>>,
+}
+
+/// The orders of all branches, and where they exceed the threshold.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Orders {
+    /// Where an order of a body exceeds the threshold, along a branch.
+    pub stretches: Vec<Stretch>,
+    /// By branch.
+    pub whirls: Vec<Whirls>,
 }
 
 impl Whirls {
     fn of(balance: &mut Balance, branch: &Traced, bodies: &[(String, usize)]) -> Whirls {
-        let mut out = Whirls { orders: Vec::new(), values: Vec::new() };
+        let mut out = Whirls::default();
         for p in &branch.points {
             let orbit = Orbit::of(balance, &p.x, p.speed).unwrap_or_default();
             if out.orders.is_empty() {
@@ -187,11 +209,10 @@ impl Between<'_, '_> {
     }
 }
 
-impl Shown<'_> {
-    /// The orders that exceed the threshold (m) anywhere: findings, special points, table and figure.
-    pub(super) fn orders(&mut self, response: &Response, threshold: f64, mut out: Outcome) -> Result<Outcome, OutcomeError> {
-        let mut stretches = Vec::new();
-        let mut all = Vec::new();
+impl Measuring<'_> {
+    /// The orders of all states, and where they exceed the threshold, m.
+    pub(super) fn orders(&mut self, response: &Response, threshold: f64) -> Orders {
+        let mut out = Orders::default();
         for (b, branch) in response.branches.iter().enumerate() {
             let bodies = self.bodies.clone();
             let balance = self.balance_mut(branch);
@@ -200,20 +221,35 @@ impl Shown<'_> {
                 for (body, (_, x)) in bodies.iter().enumerate() {
                     let values: Vec<Whirl> = whirls.values.iter().map(|v| v[o][body]).collect();
                     let found = stretches_of(balance, branch, &values, (*x, order), threshold);
-                    stretches.extend(found.into_iter().map(|(ends, largest, at)| Stretch { body, order, branch: b, ends, largest, at }));
+                    out.stretches.extend(found.into_iter().map(|(ends, largest, at)| Stretch {
+                        body,
+                        order,
+                        branch: b,
+                        ends,
+                        largest,
+                        at,
+                    }));
                 }
             }
-            all.push(whirls);
+            out.whirls.push(whirls);
         }
-        for f in self.order_findings(response, &stretches, threshold) {
+        out
+    }
+}
+
+impl Shown<'_> {
+    /// The orders that exceed the threshold (m) anywhere: findings, special points, table and figure.
+    pub(super) fn with_orders(&self, orders: &Orders, threshold: f64, mut out: Outcome) -> Result<Outcome, OutcomeError> {
+        let (response, Orders { stretches, whirls }) = (self.response, orders);
+        for f in self.order_findings(response, stretches, threshold) {
             out = out.finding(f);
         }
-        for s in &stretches {
+        for s in stretches {
             for (e, what) in s.ends.iter().zip(["onset", "end"]).filter(|(e, _)| !e.cut) {
                 let turns = response.branches[s.branch].turns();
                 let name = format!("{} {what}", kind(s.order, turns));
                 let status = if e.located { Status::Located } else { Status::Bracketed };
-                let point = SpecialPoint::new(name, e.speed, e.bracket).of(&self.bodies[s.body].0).status(status);
+                let point = SpecialPoint::new(name, e.speed, e.bracket).of(&self.bodies[s.body]).status(status);
                 out = out.special_point(point.evidence("order", s.order as f64 / turns as f64, "").evidence(
                     "scaled residual",
                     e.residual,
@@ -224,9 +260,9 @@ impl Shown<'_> {
         if stretches.is_empty() {
             return Ok(out);
         }
-        let table = self.order_table(response, &all, &stretches)?;
+        let table = self.order_table(response, whirls, stretches)?;
         out = out.table(table);
-        Ok(out.figure(self.order_figure(&stretches, threshold)))
+        Ok(out.figure(self.order_figure(stretches, threshold)))
     }
 
     fn order_findings(&self, response: &Response, stretches: &[Stretch], threshold: f64) -> Vec<Finding> {
@@ -242,7 +278,7 @@ impl Shown<'_> {
         let mut out: Vec<Finding> = Vec::new();
         for s in sorted.iter().take(MOST) {
             let branch = &response.branches[s.branch];
-            let (name, order) = (&self.bodies[s.body].0, number(s.order, branch.turns()));
+            let (name, order) = (&self.bodies[s.body], number(s.order, branch.turns()));
             let [first, last] = s.ends;
             let part = kind(s.order, branch.turns());
             let what = format!("The {part} of order {order} of \"{name}\", {}, exceeds {limit}", sense(s.largest));
@@ -295,7 +331,7 @@ impl Shown<'_> {
                 .text("order", "frequency over the spin frequency", rows.iter().map(|r| number(r.order, traced(r).turns())).collect())
                 .flag("begins", "first point of a branch", rows.iter().map(|r| r.point == 0).collect())
                 .flag("not unstable", "stable, or not judged", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
-        for (k, (name, _)) in self.bodies.iter().enumerate() {
+        for (k, name) in self.bodies.iter().enumerate() {
             let column = |f: &dyn Fn(Whirl) -> f64| rows.iter().map(|r| f(all[r.branch].values[r.point][r.index][k])).collect::<Vec<f64>>();
             let none = "NaN where the motion could not be had";
             t = t
@@ -307,13 +343,13 @@ impl Shown<'_> {
     }
 
     fn order_figure(&self, stretches: &[Stretch], threshold: f64) -> Figure {
-        let names = self.bodies.iter().take(MOST_PANELS).map(|b| b.0.as_str()).collect::<Vec<_>>().join(", ");
+        let names = self.bodies.iter().take(MOST_PANELS).map(String::as_str).collect::<Vec<_>>().join(", ");
         let alt = format!("Semi-major axes of the orders beside the synchronous one over spin speed ({names}), with the threshold.");
         let mut figure = Figure::new("orders", "Sub- and superharmonics", alt).x(Axis::new("spin speed", "rad/s"));
         // what lies far below the threshold is no matter
         let largest = stretches.iter().map(|s| axis(s.largest)).fold(threshold, f64::max);
         let top = 2e6 * largest;
-        for (name, _) in self.bodies.iter().take(MOST_PANELS) {
+        for name in self.bodies.iter().take(MOST_PANELS) {
             let line =
                 Line::new("orders", "speed", format!("{name} amplitude")).group("order").begins_where("begins").solid_where("not unstable");
             let panel = Panel::new(Axis::log(name, "µm").factor(1e6).range(1e6 * DRAWN * threshold, top))

@@ -15,7 +15,8 @@ const MOST_PANELS: usize = 4;
 impl Shown<'_> {
     /// Largest displacement and growth rate over the speed; with `all` families of states, every body in a panel of its own.
     pub(super) fn figure(&self, response: &Response, all: bool, speeds: (f64, f64)) -> Figure {
-        let moved = self.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s)).filter(|(p, _)| !p.is_tilt()).map(|s| *s.1);
+        let moved =
+            self.measured.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s)).filter(|(p, _)| !p.is_tilt()).map(|s| *s.1);
         let values: Vec<f64> = moved.filter(|a| *a > 0.0 && a.is_finite()).collect();
         let (least, most) = values.iter().fold((f64::INFINITY, 0.0f64), |(l, m), &a| (l.min(a), m.max(a)));
         let factor_of = |label: String| {
@@ -43,14 +44,14 @@ impl Shown<'_> {
         let mut panels: Vec<Panel> = if !displaced {
             vec![]
         } else if all {
-            self.bodies.iter().map(|(name, _)| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()
+            self.bodies.iter().map(|name| factor_of(format!("rms displacement of {name}")).mark(line(name, ""))).collect()
         } else {
             let panel = factor_of("largest displacement".into());
             let shown = self.probes.iter().filter(|p| !p.is_tilt());
             vec![shown.fold(panel, |panel, p| panel.mark(column(probes::largest_column(p), &probes::owner(p))))]
         };
         // the largest tilts are among what parts show
-        let tilt = |p: &&Probe| p.is_tilt() && self.observed.iter().any(|o| o.0 == format!("{} tilt", p.name));
+        let tilt = |p: &&Probe| p.is_tilt() && self.measured.observed.iter().any(|o| o.0 == format!("{} tilt", p.name));
         let tilts: Vec<&Probe> = self.probes.iter().filter(tilt).collect();
         if !tilts.is_empty() {
             let panel = Panel::new(Axis::new("largest tilt", "mrad").factor(1e3));
@@ -90,14 +91,17 @@ impl Shown<'_> {
         let mut figure = Figure::new(
             "forces",
             "Forces of the steady response",
-            format!("Largest force over a period of {} parts against speed.", self.forces.len()),
+            format!("Largest force over a period of {} parts against speed.", self.measured.forces.len()),
         )
         .x(Axis::new("speed", "rad/s"));
         let limits = self.force_limits();
-        for e in self.forces.iter().take(MOST_PANELS) {
+        for e in self.measured.forces.iter().take(MOST_PANELS) {
             let name = &self.system.slots()[e.slot].name;
-            let column =
-                self.observed.iter().find(|(n, unit)| *unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
+            let column = self
+                .measured
+                .observed
+                .iter()
+                .find(|(n, unit)| unit == "N" && n.strip_prefix(name.as_str()).is_some_and(|n| n.starts_with(' ')))?;
             let line = Line::new("response", "speed", &column.0).name("largest over a period").solid_where("not unstable");
             let line = match (all, response.branches.len()) {
                 (true, _) => line.group("states").begins_where("begins"),
@@ -116,7 +120,7 @@ impl Shown<'_> {
     fn alt(&self, response: &Response) -> String {
         let folds = response.branches.iter().map(|b| b.folds.len()).sum::<usize>();
         match self.most() {
-            Some(l) if self.rising.is_none() && self.displaced() => format!(
+            Some(l) if self.measured.rising.is_none() && self.displaced() => format!(
                 "Largest displacement of each body against speed, on {} branch(es) with {folds} fold(s); the largest, {} of {}, is at {} rad/s.",
                 response.branches.len(),
                 quantity(l.best().0, "m"),

@@ -1,33 +1,42 @@
 //! What is said of self-centring: the displacement that a rotor tends to at ever higher speed, and how far from it the machine is at the top of the range.
 
+use super::measuring::Measuring;
 use super::shown::Shown;
 use crate::outcome::{Finding, quantity, significant};
 use crate::solve::centring::{Limit, limit};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::response::{Response, Traced};
 use laval_num::complex::C64;
+use serde::{Deserialize, Serialize};
 
 /// The limit and the way to it.
-pub(super) struct Centring {
-    limit: Limit,
-    bodies: Vec<Approach>,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Centring {
+    /// The motion at ever higher speed.
+    pub limit: Limit,
+    /// The bodies that follow the unbalance.
+    pub bodies: Vec<Approach>,
 }
 
 /// One body on its way to the limit.
-struct Approach {
-    body: usize,
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Approach {
+    /// Index of the body.
+    pub body: usize,
     /// Forward displacement of the limit, m.
-    limit: C64,
-    /// Speed, rad/s, and forward displacement, m, at the top of the range on the branch of small motions.
-    speed: f64,
-    displacement: C64,
+    pub limit: C64,
+    /// Speed at the top of the range, rad/s.
+    pub speed: f64,
+    /// Forward displacement there on the branch of small motions, m.
+    pub displacement: C64,
     /// d ln |deviation| / d ln speed just below that speed.
-    power: f64,
+    pub power: f64,
     /// The deviation falls like the inverse square of the speed over the last octave, so that it may be continued.
-    settled: bool,
-    /// Speed, rad/s, inside the range from which on the deviation is below [`CLOSE`].
-    reached: Option<f64>,
-    stable: bool,
+    pub settled: bool,
+    /// Speed, rad/s, inside the range from which on the deviation is below 1 %.
+    pub reached: Option<f64>,
+    /// The state at the top of the range lasts.
+    pub stable: bool,
 }
 
 impl Approach {
@@ -53,7 +62,7 @@ fn exponent((w, a): (f64, f64), (v, b): (f64, f64)) -> f64 {
     (b / a).ln() / (v / w).ln()
 }
 
-impl Shown<'_> {
+impl Measuring<'_> {
     /// On the branch of the smallest motion that reaches the top of the range.
     pub(super) fn centring(&mut self, response: &Response) -> Option<Centring> {
         let top = response.branches.iter().flat_map(|b| &b.points).map(|p| p.speed.abs()).fold(0.0, f64::max);
@@ -68,7 +77,7 @@ impl Shown<'_> {
         let mut bodies = Vec::new();
         for (body, &limit) in goal.iter().enumerate().filter(|(_, z)| z.abs() > MOVES * largest) {
             let x = self.bodies[body].1;
-            let at = |shown: &mut Self, branch: &Traced, i: usize| shown.orbit(branch, i).map(|o| o.whirl(x, 1).0);
+            let at = |measuring: &mut Self, branch: &Traced, i: usize| measuring.orbit(branch, i).map(|o| o.whirl(x, 1).0);
             let mut best: Option<(C64, &Traced, usize)> = None;
             for &(branch, i) in &ends {
                 let Some(z) = at(self, branch, i) else { continue };
@@ -79,7 +88,8 @@ impl Shown<'_> {
             let Some((displacement, branch, i)) = best else { continue };
             // along the branch from the top: speed and deviation
             let way: Vec<usize> = if i == 0 { (0..branch.points.len()).collect() } else { (0..branch.points.len()).rev().collect() };
-            let deviation_at = |shown: &mut Self, k: usize| Some((branch.points[k].speed.abs(), (at(shown, branch, k)? - limit).abs()));
+            let deviation_at =
+                |measuring: &mut Self, k: usize| Some((branch.points[k].speed.abs(), (at(measuring, branch, k)? - limit).abs()));
             let below = |share: f64| way.iter().copied().find(|&k| branch.points[k].speed.abs() <= share * top);
             let here = (top, (displacement - limit).abs());
             let Some(power) = below(BELOW).and_then(|k| deviation_at(self, k)).map(|there| exponent(there, here)) else { continue };
@@ -109,10 +119,12 @@ impl Shown<'_> {
         bodies.retain(|a| (a.displacement * a.limit.conj()).re > 0.0 && a.power < 0.0 && a.deviation().is_finite());
         (!bodies.is_empty()).then_some(Centring { limit, bodies })
     }
+}
 
+impl Shown<'_> {
     /// Forces that parts without damping tend to, by slot, N.
     pub(super) fn force_limits(&self) -> Vec<(usize, f64)> {
-        let Some(c) = &self.centring else { return Vec::new() };
+        let Some(c) = &self.measured.centring else { return Vec::new() };
         let slots = self.system.slots();
         let lasting = |&k: &usize| !slots[k].is_linear() && !slots[k].uses.velocity && !slots[k].uses.spin && slots[k].states.is_empty();
         let forces = Measure::forces(self.system).into_iter().filter(lasting);
@@ -121,10 +133,10 @@ impl Shown<'_> {
 
     /// Displacements and forces that remain at ever higher speed.
     pub(super) fn centring_findings(&self) -> Vec<Finding> {
-        let Some(c) = &self.centring else { return Vec::new() };
+        let Some(c) = &self.measured.centring else { return Vec::new() };
         let mut out = Vec::new();
         for a in &c.bodies {
-            let name = &self.bodies[a.body].0;
+            let name = &self.bodies[a.body];
             let deviation = a.deviation();
             let held = if a.stable { "" } else { " (that state does not last)" };
             let mut text = format!(

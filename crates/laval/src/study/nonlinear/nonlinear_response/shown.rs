@@ -1,275 +1,59 @@
-//! What a reader sees of every state: amplitudes, observed quantities, validity; the tables and the figure.
+//! What a reader sees of the states: findings, tables and figures of a result.
 
 use super::NonlinearResponse;
-use super::forces::Extremes;
-use super::largest::{Largest, Rising};
-use super::self_centring::Centring;
+use super::largest::Largest;
+use super::result::Measured;
 use super::tables::{branch_table, change_table};
-use super::tuning::Tuned;
-use crate::diagnostic::Diagnostic;
-use crate::model::part::{At, Observed};
 use crate::model::probe::Probe;
-use crate::model::system::{System, Workspace};
+use crate::model::system::System;
 use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
-use crate::solve::harmonic::balance::orbit::Orbit;
-use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::measure::Measure;
-use crate::solve::harmonic::branches::peak::{Peak, Sense, refine};
 use crate::solve::harmonic::branches::response::{Fold, Request, Response, State, States, Traced};
-use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
-use crate::study::shared::support::{larger, largest};
-use crate::study::shared::validity::Uses;
+use crate::study::shared::support::largest;
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
-use std::f64::consts::TAU;
 
-/// What a reader sees of every point.
+/// A response and what is measured of it.
 pub(super) struct Shown<'a> {
     pub(super) system: &'a System,
-    /// By the discretisation of a branch.
-    balances: Vec<Balance<'a>>,
-    pub(super) bodies: Vec<(String, usize)>,
-    /// Probes that are measured, the reference points of the bodies first, and their indices among those of the machine.
+    pub(super) response: &'a Response,
+    pub(super) measured: &'a Measured,
+    pub(super) bodies: Vec<String>,
+    /// Probes that are measured, the reference points of the bodies first.
     pub(super) probes: Vec<Probe>,
-    pub(super) which: Vec<usize>,
-    /// By branch and point: per probe the largest value over a period, m or rad.
-    pub(super) sizes: Vec<Vec<Vec<f64>>>,
-    /// By branch and point: per body |Z_1|, largest distance from the axis, largest x, largest component slower than the spin, root of the mean square,
-    /// largest y, amplitudes of x and y at the spin frequency.
-    pub(super) amplitudes: Vec<Vec<Vec<[f64; 8]>>>,
-    /// By branch and fold: per probe the largest value over a period.
-    pub(super) at_folds: Vec<Vec<Vec<f64>>>,
-    /// Slots of parts whose force is measured; by branch, point and slot the force at the spin frequency: semi-major axis, amplitudes of x and y.
+    /// Slots of parts whose force is measured.
     pub(super) force_slots: Vec<usize>,
-    pub(super) first_forces: Vec<Vec<Vec<[f64; 3]>>>,
-    /// Names and units of observed quantities, and by branch and point their largest values.
-    pub(super) observed: Vec<(String, &'static str)>,
-    pub(super) observations: Vec<Vec<Vec<f64>>>,
-    /// By branch and point: use of the parts' validity.
-    pub(super) validity: Vec<Vec<Uses>>,
-    /// Largest displacement of each point of the bodies.
-    pub(super) largest: Vec<Largest>,
-    pub(super) rising: Option<Rising>,
-    pub(super) forces: Vec<Extremes>,
-    /// Largest tilt of each body.
-    pub(super) tilts: Vec<Largest>,
-    pub(super) tilt_rising: Option<Rising>,
-    pub(super) centring: Option<Centring>,
-    pub(super) tuned: Vec<Tuned>,
 }
 
-const SAMPLES: usize = 64;
-/// Instants at which a circular motion, whose sizes stay, is looked at.
-const ROUND: usize = 4;
-/// Step of the second look at a largest value, over the step of the samples.
-const CLOSER: f64 = 0.125;
-
 impl<'a> Shown<'a> {
-    pub(super) fn new(system: &'a System, response: &Response, request: &Request) -> Result<Self, Diagnostic> {
-        let mut balances: Vec<Balance> = Vec::new();
-        for d in response.branches.iter().map(|b| b.discretisation.whole()) {
-            if !balances.iter().any(|b| b.discretisation() == d) {
-                balances.push(Balance::new(system, d, request.speeds, None)?);
-            }
-        }
-        let bodies = system.bodies().into_iter().map(|b| (b.name, b.x)).collect();
-        Ok(Shown {
-            system,
-            balances,
-            bodies,
-            probes: probes::all(system),
-            which: probes::ordered(system),
-            sizes: vec![],
-            amplitudes: vec![],
-            at_folds: vec![],
-            force_slots: Measure::forces(system),
-            first_forces: vec![],
-            observed: vec![],
-            observations: vec![],
-            validity: vec![],
-            largest: vec![],
-            rising: None,
-            forces: vec![],
-            tilts: vec![],
-            tilt_rising: None,
-            centring: None,
-            tuned: vec![],
-        })
+    pub(super) fn new(system: &'a System, response: &'a Response, measured: &'a Measured) -> Self {
+        let bodies = system.bodies().into_iter().map(|b| b.name).collect();
+        Shown { system, response, measured, bodies, probes: probes::all(system), force_slots: Measure::forces(system) }
     }
 
-    /// A largest or least value next to a point of a branch.
-    pub(super) fn refined(&mut self, branch: &Traced, i: usize, measure: Measure, sense: Sense, request: &Request) -> Option<Peak> {
-        let at = self.balance_of(branch);
-        refine(&mut self.balances[at], branch, i, measure, sense, request.speeds)
-    }
-
-    /// The whole motion of a state.
-    pub(super) fn orbit(&mut self, branch: &Traced, i: usize) -> Option<Orbit> {
-        let (at, state) = (self.balance_of(branch), branch.points.get(i)?);
-        Orbit::of(&mut self.balances[at], &state.x, state.speed).ok()
+    /// Some point is displaced.
+    pub(super) fn displaced(&self) -> bool {
+        self.measured.displaced(&self.probes)
     }
 
     /// The largest displacement of all.
     pub(super) fn most(&self) -> Option<&Largest> {
-        self.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
-    }
-
-    /// Index of the balance whose unknowns a branch has.
-    fn balance_of(&self, branch: &Traced) -> usize {
-        let d = branch.discretisation.whole();
-        self.balances.iter().position(|b| b.discretisation() == d).unwrap_or(0)
-    }
-
-    /// The balance whose unknowns a branch has.
-    pub(super) fn balance_mut(&mut self, branch: &Traced) -> &mut Balance<'a> {
-        let at = self.balance_of(branch);
-        &mut self.balances[at]
-    }
-
-    pub(super) fn measure(&mut self, response: &Response) {
-        for branch in &response.branches {
-            let balance = self.balance_of(branch);
-            let (mut amplitudes, mut observations, mut validity, mut forces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-            let mut sizes = Vec::new();
-            for state in &branch.points {
-                let orbit = Orbit::of(&mut self.balances[balance], &state.x, state.speed).unwrap_or_default();
-                let own = self.amplitudes_of(&orbit, branch.turns());
-                sizes.push(self.sizes_of(&orbit, branch.turns(), &own));
-                amplitudes.push(own);
-                forces.push(self.forces_of(&orbit, branch.turns()));
-                let (seen, valid) = self.observe(&orbit, branch.turns(), branch.discretisation.whole().symmetry);
-                observations.push(seen);
-                validity.push(valid);
-            }
-            let mut folds = Vec::new();
-            for f in &branch.folds {
-                let orbit = Orbit::of(&mut self.balances[balance], &f.x, f.speed).unwrap_or_default();
-                let own = self.amplitudes_of(&orbit, branch.turns());
-                folds.push(self.sizes_of(&orbit, branch.turns(), &own));
-            }
-            self.at_folds.push(folds);
-            self.first_forces.push(forces);
-            self.sizes.push(sizes);
-            self.amplitudes.push(amplitudes);
-            self.observations.push(observations);
-            self.validity.push(validity);
-        }
+        self.measured.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
     }
 
     /// What moves most at a fold, of tilts where nothing is displaced: its probe and the largest value.
-    pub(super) fn size_at(&self, response: &Response, fold: &Fold) -> Option<(&Probe, f64)> {
+    pub(super) fn size_at(&self, fold: &Fold) -> Option<(&Probe, f64)> {
         let place = |(b, t): (usize, &Traced)| Some((b, t.folds.iter().position(|f| std::ptr::eq(f, fold))?));
-        let (b, k) = response.branches.iter().enumerate().find_map(place)?;
-        let (which, size) = probes::most(&self.probes, self.at_folds.get(b)?.get(k)?, !self.displaced())?;
+        let (b, k) = self.response.branches.iter().enumerate().find_map(place)?;
+        let (which, size) = probes::most(&self.probes, self.measured.at_folds.get(b)?.get(k)?, !self.displaced())?;
         Some((&self.probes[which], size))
     }
 
-    /// Largest value of every probe; that of a reference point is known already.
-    fn sizes_of(&self, orbit: &Orbit, turns: usize, own: &[[f64; 8]]) -> Vec<f64> {
-        let (bodies, others) = self.which.split_at(own.len().min(self.which.len()));
-        own.iter().take(bodies.len()).map(|a| a[1]).chain(probes::sizes(self.system, others, orbit, turns)).collect()
-    }
-
-    /// Of every part whose force is measured, its force at the spin frequency.
-    fn forces_of(&self, orbit: &Orbit, turns: usize) -> Vec<[f64; 3]> {
-        let one = |&slot: &usize| {
-            if orbit.orders.is_empty() {
-                return [f64::NAN; 3];
-            }
-            let [x, y] = Measure::Force(slot).first_order(self.system, orbit, turns);
-            let (forward, backward) = ((x + y.mul_i()).scale(0.5), (x - y.mul_i()).scale(0.5));
-            [forward.abs() + backward.abs(), x.abs(), y.abs()]
-        };
-        self.force_slots.iter().map(one).collect()
-    }
-
-    fn amplitudes_of(&self, orbit: &Orbit, divisor: usize) -> Vec<[f64; 8]> {
-        if orbit.orders.is_empty() {
-            return vec![[f64::NAN; 8]; self.bodies.len()];
-        }
-        let (n, m) = (self.system.n(), self.system.m());
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let slow = |x: usize| {
-            let whirls = (1..divisor).map(|k| orbit.whirl(x, k));
-            whirls.fold(0.0, |m, (forward, backward)| larger(larger(m, forward.abs()), backward.abs()))
-        };
-        let first = orbit.orders.iter().position(|&k| k == divisor);
-        let own = |x: usize| first.map_or(0.0, |i| orbit.coordinates[i][x].abs());
-        let start = |&(_, x): &(String, usize)| [orbit.whirl(x, divisor).0.abs(), 0.0, 0.0, slow(x), 0.0, 0.0, own(x), own(x + 1)];
-        let mut out: Vec<[f64; 8]> = self.bodies.iter().map(start).collect();
-        let samples = SAMPLES * divisor;
-        let h = TAU / samples as f64;
-        // by instant, body after body: squares of the distance from the axis, of x and of y, smooth where the sizes themselves have kinks
-        let mut squares = |tau: f64| -> Vec<f64> {
-            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let of = |&(_, i): &(String, usize)| {
-                let [x0, y0] = orbit.rest_of(i);
-                let (x, y) = (q[i] - x0, q[i + 1] - y0);
-                [x * x + y * y, x * x, y * y]
-            };
-            self.bodies.iter().flat_map(of).collect()
-        };
-        let series: Vec<Vec<f64>> = (0..samples).map(|j| squares(h * j as f64)).collect();
-        for (b, o) in out.iter_mut().enumerate() {
-            for (which, k) in [(1, 3 * b), (2, 3 * b + 1), (5, 3 * b + 2)] {
-                o[which] = crest(&series, k).map_or(f64::NAN, |(top, beside)| {
-                    let mut near = |shift: f64| squares(h * (top as f64 + beside + shift * CLOSER))[k];
-                    larger(series[top][k], vertex([near(-1.0), near(0.0), near(1.0)]).1).sqrt()
-                });
-            }
-            o[4] = (series.iter().map(|s| s[3 * b]).sum::<f64>() / samples as f64).sqrt();
-        }
-        out
-    }
-
-    fn observe(&mut self, orbit: &Orbit, turns: usize, symmetry: Symmetry) -> (Vec<f64>, Uses) {
-        let mut uses = Uses::default();
-        if orbit.orders.is_empty() {
-            return (vec![f64::NAN; self.observed.len()], uses);
-        }
-        let (n, m) = (self.system.n(), self.system.m());
-        let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-        let mut ws = Workspace::default();
-        // sizes repeat with the part of the period that the symmetry repeats
-        let (divisor, parts) = (turns as f64, symmetry.order().max(1));
-        let samples = if symmetry == Symmetry::Circular { ROUND } else { (SAMPLES * turns).div_ceil(parts) };
-        let mut series: Vec<Vec<f64>> = Vec::with_capacity(samples);
-        let system = self.system;
-        let mut look = |tau: f64, uses: Option<&mut Uses>| -> (Vec<f64>, Vec<(usize, Observed)>) {
-            orbit.at(tau, &mut q, &mut v, &mut a, &mut z);
-            let at = At { q: &q, v: &v, a: &a, z: &z, phase: divisor * tau, speed: orbit.speed, spin_accel: 0.0, t: tau / orbit.frequency };
-            if let Some(uses) = uses {
-                uses.see(system, &at, &mut ws);
-            }
-            // displacements of bodies have columns of their own
-            let seen: Vec<_> = system.observe(&at, &mut ws).into_iter().filter(|(_, o)| o.name != Observed::DISPLACEMENT).collect();
-            (seen.iter().map(|(_, o)| o.value.abs()).collect(), seen)
-        };
-        let h = TAU / (samples * parts) as f64;
-        for j in 0..samples {
-            let (values, seen) = look(h * j as f64, (parts > 1 || j % 4 == 0).then_some(&mut uses));
-            if self.observed.is_empty() {
-                self.observed = seen.iter().map(|(slot, o)| (format!("{} {}", system.slots()[*slot].name, o.name), o.unit)).collect();
-            }
-            series.push(values);
-        }
-        let mut largest = vec![f64::NAN; self.observed.len()];
-        for (k, l) in largest.iter_mut().enumerate() {
-            let Some((top, beside)) = crest(&series, k) else { continue };
-            *l = series[top][k];
-            if *l > 0.0 {
-                let tau = h * (top as f64 + beside);
-                let mut near = |shift: f64| look(tau + shift * h, None).0.get(k).copied().unwrap_or(f64::NAN);
-                *l = larger(*l, vertex([near(-CLOSER), near(0.0), near(CLOSER)]).1);
-            }
-        }
-        (largest, uses)
-    }
-
-    pub(super) fn outcome(&self, response: &Response, request: &Request, context: &Context) -> Result<Outcome, outcome::OutcomeError> {
-        let mut out = Outcome::new(NonlinearResponse::KIND, context.name).over("speed", "rad/s").end(limited(response, request, context));
+    pub(super) fn outcome(&self, request: &Request, name: &str, end: outcome::End) -> Result<Outcome, outcome::OutcomeError> {
+        let response = self.response;
+        let mut out = Outcome::new(NonlinearResponse::KIND, name).over("speed", "rad/s").end(end);
         for f in self.findings(response, request) {
             out = out.finding(f);
         }
@@ -315,28 +99,6 @@ impl<'a> Shown<'a> {
         }
         Ok(out)
     }
-}
-
-/// Index of the largest of quantity `k` in samples of a period, and how far beside it, in samples, the vertex of the parabola through it and those beside it
-/// lies; `None` where one is not a number.
-fn crest(series: &[Vec<f64>], k: usize) -> Option<(usize, f64)> {
-    let of = |j: usize| series[j % series.len()].get(k).copied().unwrap_or(f64::NAN);
-    let mut top = 0;
-    for j in 0..series.len() {
-        if of(j).is_nan() {
-            return None;
-        }
-        if of(j) > of(top) {
-            top = j;
-        }
-    }
-    Some((top, vertex([of(top + series.len() - 1), of(top), of(top + 1)]).0))
-}
-
-/// Place, in steps from the middle one, and value of the vertex of a parabola through three equally spaced values.
-fn vertex([a, b, c]: [f64; 3]) -> (f64, f64) {
-    let bend = a - 2.0 * b + c;
-    if bend < 0.0 { ((0.5 * (a - c) / bend).clamp(-1.0, 1.0), b - (a - c) * (a - c) / (8.0 * bend)) } else { (0.0, b) }
 }
 
 /// After "states": which ones.

@@ -1,6 +1,7 @@
 //! A response in a few numbers: what a study of many machines keeps of each.
 
-use super::shown::{Shown, end, worst};
+use super::measuring::Measuring;
+use super::shown::{end, worst};
 use super::stretches::{ranges_of, unstable_runs};
 use super::sweeps::{jumps, swept};
 use crate::diagnostic::Diagnostic;
@@ -92,12 +93,12 @@ impl Summary {
     /// As [`respond`].
     pub fn of(system: &System, request: &Request, cancel: &AtomicBool) -> Result<Summary, Diagnostic> {
         let response = respond(system, request, cancel, &|_| {})?;
-        let mut shown = Shown::new(system, &response, request)?;
-        shown.measure(&response);
-        let displaced = shown.displaced();
+        let mut measuring = Measuring::new(system, &response, request)?;
+        measuring.measure(&response);
+        let displaced = measuring.measured.displaced(&measuring.probes);
         let mut rises = false;
         let mut top = |tilt: bool, counts: bool| {
-            let (largest, rising) = shown.peaks(&response, request, tilt);
+            let (largest, rising) = measuring.peaks(&response, request, tilt);
             let rising = rising.is_some() && counts;
             rises |= rising;
             let most = largest.into_iter().filter(|_| counts && !rising).max_by(|a, b| a.best().0.total_cmp(&b.best().0))?;
@@ -113,7 +114,7 @@ impl Summary {
         let growing = response.branches.iter().flat_map(points);
         let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
         let mut uses = Uses::default();
-        shown.validity.iter().flatten().for_each(|u| uses.join(u));
+        measuring.measured.validity.iter().flatten().for_each(|u| uses.join(u));
         Ok(Summary {
             folds: response.branches.iter().map(|b| b.folds.len()).sum(),
             sweeps: [true, false].map(|up| sweep(&response, up, request.speeds)),

@@ -39,8 +39,8 @@ impl Shown<'_> {
                 all.iter().map(|a| a.1 == 0).collect(),
             );
         }
-        for (k, (name, _)) in self.bodies.iter().enumerate() {
-            let column = |c: usize| all.iter().map(|a| self.amplitudes[a.0][a.1][k][c]).collect::<Vec<f64>>();
+        for (k, name) in self.bodies.iter().enumerate() {
+            let column = |c: usize| all.iter().map(|a| self.measured.amplitudes[a.0][a.1][k][c]).collect::<Vec<f64>>();
             t = t
                 .float(format!("{name} first order"), "m", "modulus of the forward first-order amplitude |Z_1|", column(0))
                 .float(
@@ -62,16 +62,16 @@ impl Shown<'_> {
         }
         // the tilts of bodies are among what parts show
         for (k, p) in self.probes.iter().enumerate().filter(|(_, p)| !p.is_reference() && !p.is_tilt()) {
-            let column = all.iter().map(|a| self.sizes[a.0][a.1][k]).collect();
+            let column = all.iter().map(|a| self.measured.sizes[a.0][a.1][k]).collect();
             t = t.float(probes::largest_column(p), p.unit(), probes::largest_doc(p), column);
         }
-        for (k, (name, unit)) in self.observed.iter().enumerate() {
-            let column = all.iter().map(|a| self.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
-            t = t.float(name, *unit, "largest value over a period", column);
+        for (k, (name, unit)) in self.measured.observed.iter().enumerate() {
+            let column = all.iter().map(|a| self.measured.observations[a.0][a.1].get(k).copied().unwrap_or(f64::NAN)).collect();
+            t = t.float(name, unit, "largest value over a period", column);
         }
         for (k, &slot) in self.force_slots.iter().enumerate() {
             let name = &self.system.slots()[slot].name;
-            let column = |c: usize| all.iter().map(|a| self.first_forces[a.0][a.1][k][c]).collect::<Vec<f64>>();
+            let column = |c: usize| all.iter().map(|a| self.measured.first_forces[a.0][a.1][k][c]).collect::<Vec<f64>>();
             t = t
                 .float(format!("{name} first-order force"), "N", "force at the spin frequency: semi-major axis of its ellipse", column(0))
                 .float(format!("{name} first-order force x"), "N", "amplitude of its x component at the spin frequency", column(1))
@@ -97,7 +97,7 @@ impl Shown<'_> {
             "validity",
             "",
             "largest use of a part's validity; above 1 is outside",
-            all.iter().map(|a| self.validity[a.0][a.1].worst(self.system).0).collect(),
+            all.iter().map(|a| self.measured.validity[a.0][a.1].worst(self.system).0).collect(),
         )
         .build()
     }
@@ -125,7 +125,7 @@ impl Shown<'_> {
                 column(&|f| f.harmonics_change),
             );
         for (k, p) in self.probes.iter().enumerate() {
-            let sizes = self.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
+            let sizes = self.measured.at_folds.iter().flatten().map(|f: &Vec<f64>| f[k]).collect();
             t = t.float(probes::largest_column(p), p.unit(), format!("{} at the fold", probes::largest_doc(p)), sizes);
         }
         t.build()

@@ -16,7 +16,7 @@ impl Shown<'_> {
             let finding = Finding::info("largest_tilt", text).of(&t.owner).value(tilt, "rad");
             finding.evidence("relative slope along the branch", slope, "").evidence("speed", speed, "rad/s")
         };
-        let known = self.tilts.iter().filter(|t| self.tilt_rising.is_none() && t.best().0 > ROUNDING);
+        let known = self.measured.tilts.iter().filter(|t| self.measured.tilt_rising.is_none() && t.best().0 > ROUNDING);
         known.map(say).collect()
     }
 }

@@ -3,6 +3,7 @@
 //! A body of mass M on a spring c whirls by itself where `W^2 = c/M`: it then follows the rotor, and the bearing between them stays undeflected. With the
 //! damping chi0 of the foundation the force that remains is about `chi0 W |z|`.
 
+use super::measuring::Measuring;
 use super::shown::Shown;
 use crate::model::capability::body::BodyParameters;
 use crate::model::system::System;
@@ -14,20 +15,27 @@ use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::stability::floquet::Stability;
 use laval_num::continuation::Zero;
 use laval_num::newton::{Options, newton};
+use serde::{Deserialize, Serialize};
 
 /// A foundation tuned to the speed of the machine.
-pub(super) struct Tuned {
-    body: String,
-    slot: usize,
-    speed: f64,
-    /// N/m: as it is, and tuned.
-    stiffness: [f64; 2],
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Tuned {
+    /// Name of the foundation.
+    pub body: String,
+    /// Index of the part on it among the parts of the machine.
+    pub slot: usize,
+    /// Speed of the machine, rad/s.
+    pub speed: f64,
+    /// Stiffness, N/m: as it is, and tuned.
+    pub stiffness: [f64; 2],
     /// Largest force of the part, N: as it is, and tuned.
-    force: [f64; 2],
+    pub force: [f64; 2],
     /// Growth rate of the tuned state, 1/s; NaN when not judged.
-    growth: f64,
-    stable: Option<bool>,
-    residual: f64,
+    pub growth: f64,
+    /// The tuned state lasts; `None` when not judged.
+    pub stable: Option<bool>,
+    /// Scaled residual of the tuned state.
+    pub residual: f64,
 }
 
 /// A state of small motion.
@@ -53,7 +61,7 @@ fn state(system: &System, d: Discretisation, request: &Request, speed: f64, slot
     Some(Small { force, growth: exponents.map(|e| (e.growth(), e.stable())), residual: done.residual })
 }
 
-impl Shown<'_> {
+impl Measuring<'_> {
     /// For every body on a spring of its own and every nonlinear part between it and another body, at the machine's speed.
     pub(super) fn tuning(&self, response: &Response, request: &Request) -> Vec<Tuned> {
         let system = self.system;
@@ -94,7 +102,9 @@ impl Shown<'_> {
         }
         out
     }
+}
 
+impl Shown<'_> {
     /// What tuning would do.
     pub(super) fn tuning_findings(&self) -> Vec<Finding> {
         let say = |t: &Tuned| {
@@ -123,6 +133,6 @@ impl Shown<'_> {
                 .evidence("growth rate when tuned", t.growth, "1/s")
                 .evidence("scaled residual when tuned", t.residual, "")
         };
-        self.tuned.iter().filter(|t| t.force[1] < t.force[0]).map(say).collect()
+        self.measured.tuned.iter().filter(|t| t.force[1] < t.force[0]).map(say).collect()
     }
 }
