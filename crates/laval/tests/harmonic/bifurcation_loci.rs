@@ -19,7 +19,8 @@ use laval::solve::harmonic::loci::follow::{Path, PathEnd, follow, passes};
 use laval::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, Request, loci};
 use laval::solve::harmonic::loci::varied::Varied;
 use laval::solve::symmetry::Symmetry;
-use laval::study::Context;
+use laval::study::bifurcation_loci::{BifurcationLoci, BifurcationLociResult};
+use laval::study::{Context, TypedStudy};
 use laval_num::continuation::{Failure, Settings, Zero};
 use laval_num::dense::{Mat, dot, norm};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -248,6 +249,115 @@ fn cusp_of_a_duffing_rotor() {
             }
         }
     }
+}
+
+/// Folds where `d/dA A ((k + k3 A)^2 + d^2) = 0`: `3 k3^2 A^2 + 4 k k3 A + k^2 + d^2 = 0`, at the speed for which `(m e W^2)^2` has its value there.
+fn closed_folds(k3: f64, c: f64, e: f64, cusp: f64) -> [f64; 2] {
+    [1.0, -1.0].map(|sign| {
+        let excess = |w: f64| {
+            let (k, d) = (K - M * w * w, c * w);
+            let a = (-2.0 * k + sign * (k * k - 3.0 * d * d).max(0.0).sqrt()) / (3.0 * k3);
+            (a * ((k + k3 * a).powi(2) + d * d)).sqrt() / (M * w * w) - e
+        };
+        let (mut below, mut above) = (cusp, 2.0 * cusp);
+        assert!(excess(below) < 0.0 && excess(above) > 0.0);
+        for _ in 0..100 {
+            let middle = 0.5 * (below + above);
+            if excess(middle) < 0.0 { below = middle } else { above = middle }
+        }
+        below
+    })
+}
+
+fn report(builder: Builder, request: Request) -> (BifurcationLociResult, Outcome) {
+    let system = builder.build().unwrap_or_else(|d| panic!("{:?}", d.0));
+    let study = BifurcationLoci::new(request);
+    let result = study.result(&system, &Context::quiet("loci")).unwrap_or_else(|d| panic!("{d:?}"));
+    let outcome = study.outcome(&system, &result, "loci").unwrap_or_else(|d| panic!("{d:?}"));
+    (result, outcome)
+}
+
+/// Above the cusp both folds are on loci of their own; what belongs together follows from the responses.
+#[test]
+fn folds_on_two_loci_belong_together() {
+    let (k3, c) = (3e10, 100.0);
+    for (isotropic, share) in [(true, 1.0), (false, 0.75)] {
+        let [w, e, _] = cusp(share * k3, c);
+        let ask = Request { harmonics: Some(1), ..ask((0.5 * w, 2.5 * w), "disc.eccentricity", (1.2 * e, 1.5 * e), 3) };
+        let (result, outcome) = report(jeffcott(isotropic, k3, c, e), ask);
+        assert_eq!(result.found.loci.len(), 2);
+        assert!(result.found.loci.iter().all(|l| l.corners.is_empty()));
+        assert_eq!(result.found.pairs.len(), 3);
+        for p in &result.found.pairs {
+            assert_ne!(p.on[0].0, p.on[1].0);
+            let mut folds = closed_folds(share * k3, c, p.value, w);
+            folds.sort_by(|a, b| b.total_cmp(a));
+            near(p.speeds[0], folds[0], 1e-9);
+            near(p.speeds[1], folds[1], 1e-9);
+        }
+        let folds = closed_folds(share * k3, c, 1.5 * e, w);
+        let f = outcome.findings.iter().find(|f| f.id == "widest_hysteresis").unwrap();
+        near(f.value.unwrap(), (folds[0] - folds[1]).abs(), 1e-8);
+        assert!(f.sentence().ends_with("there are several states."), "{}", f.sentence());
+    }
+}
+
+/// The fan of the tutorial with liquid in its wheel: small folds of the wave with a cusp of their own, and the large ones of the bearing on two loci.
+#[test]
+fn large_folds_without_a_cusp_are_not_passed_over() {
+    let machine = |study: &str| {
+        format!(
+            r#"
+[machine]
+speed = "1480 rpm"
+[[part]]
+kind = "disc"
+name = "wheel"
+mass = "18 kg"
+eccentricity = "1 um"
+[[part]]
+kind = "foundation"
+name = "casing"
+mass = "60 kg"
+stiffness = {{ x = "2.4e6 N/m", y = "1.8e6 N/m" }}
+damping = "900 N s/m"
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["wheel", "casing"]
+law = "isotropic"
+stiffness = "9e6 N/m"
+cubic_stiffness = "4e15 N/m^3"
+valid_to = "0.1 mm"
+[[part]]
+kind = "damper"
+name = "losses"
+between = ["wheel", "casing"]
+damping = "250 N s/m"
+[[part]]
+kind = "liquid"
+in = "wheel"
+cavity_radius = "150 mm"
+cavity_height = "80 mm"
+density = "1000 kg/m^3"
+fill = {{ volume_fraction = 0.1 }}
+wave_damping = "4 1/s"
+[[study]]
+speed = {{ from = "100 rpm", to = "12000 rpm" }}
+harmonics = 3
+{study}
+"#
+        )
+    };
+    let o = study(&machine(
+        "kind = \"bifurcation_loci\"\nkinds = \"folds\"\nparameter = { parameter = \"wheel.eccentricity\", from = \"1 um\", to = \"20 um\", points = 2 }",
+    ));
+    let single = study(&machine("kind = \"nonlinear_response\"\nstability = false"));
+    let folds: Vec<f64> = single.special_points.iter().filter(|p| p.kind == "fold").map(|p| p.at).collect();
+    let apart = folds.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b)) - folds.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+    assert!(apart > 100.0, "{folds:?}");
+    let f = o.findings.iter().find(|f| f.id == "widest_hysteresis").unwrap();
+    assert!(f.value.unwrap() >= apart * (1.0 - 1e-6), "{} {folds:?}", f.sentence());
 }
 
 /// The folds of the response of the machine at the value of a locus point, with the same harmonics.

@@ -173,5 +173,8 @@ harmonics = 3
         let o = run(ROTOR, study, &Cancel::after(after), u64::MAX);
         assert_eq!(o.end, End::Cancelled);
         assert!(findings(&o, "no_response").is_empty() && !text(&o).contains("raise points"), "{}", text(&o));
+        for f in ["folds_from", "widest_hysteresis"].iter().flat_map(|id| findings(&o, id)) {
+            assert!(f.sentence().contains("The study was stopped"), "{}", f.sentence());
+        }
     }
 }

@@ -57,6 +57,8 @@ pub struct Path {
     pub turns: Vec<Turn>,
     /// How it ends at the first and at the last point.
     pub ends: [PathEnd; 2],
+    /// Index of the point it was started from.
+    pub start: usize,
     /// Points computed.
     pub work: u64,
 }
@@ -132,7 +134,7 @@ pub fn follow<P: Zero>(
     let mut scale = vec![1.0; problem.dim()];
     problem.scale(&mut scale);
     let turns = specials.iter().map(|s| turn(s, &points, speed, &scale)).collect();
-    Ok(Path { points, turns, ends, work })
+    Ok(Path { points, turns, ends, start: last, work })
 }
 
 fn turn(s: &Special, points: &[Point], speed: usize, scale: &[f64]) -> Turn {
@@ -165,9 +167,14 @@ fn turn(s: &Special, points: &[Point], speed: usize, scale: &[f64]) -> Turn {
 
 /// Whether a path passes this speed at this value of the parameter, to a relative tolerance.
 pub fn passes<P: Zero>(problem: &mut P, path: &Path, value: f64, at: f64, speed: usize, tolerance: f64) -> bool {
+    passes_after(problem, path, value, at, speed, tolerance).is_some()
+}
+
+/// The same: the point of the path after which it does.
+pub fn passes_after<P: Zero>(problem: &mut P, path: &Path, value: f64, at: f64, speed: usize, tolerance: f64) -> Option<usize> {
     let options = Options { step: 1e-7, residual: 1e-7, noise: 1e-7, loose_step: 1e-5, damped: false, ..Options::default() };
     let near = |found: f64, tolerance: f64| (found - at).abs() <= tolerance * at.abs();
-    path.points.windows(2).any(|w| {
+    path.points.windows(2).position(|w| {
         let (a, b) = (&w[0], &w[1]);
         if (a.p - value) * (b.p - value) > 0.0 || a.p == b.p {
             return false;

@@ -16,14 +16,14 @@ use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States
 use crate::harmonic::loci::crossings::{CrossingLocus, angle, exponents, nearest, span};
 use crate::harmonic::loci::existence::existence;
 use crate::harmonic::loci::folds::FoldLocus;
-use crate::harmonic::loci::follow::{Path, PathEnd, Turn, follow, passes};
+use crate::harmonic::loci::follow::{Path, PathEnd, Turn, follow, passes, passes_after};
 use crate::harmonic::loci::varied::{Varied, stopped};
 use crate::harmonic::stability::floquet::{Exponents, Stability, Unjudged};
 use crate::harmonic::stability::hill;
 use crate::model::system::System;
 use crate::symmetry::Symmetry;
 use laval_num::complex::C64;
-use laval_num::continuation::{Point, Settings, Zero, fold};
+use laval_num::continuation::{End, Point, Settings, Zero, fold};
 use laval_num::newton::{Options, newton};
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
@@ -73,6 +73,17 @@ pub struct Sample {
     pub changes: usize,
 }
 
+/// Two folds of one response that belong together: between them its branch runs back.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pair {
+    /// The parameter.
+    pub value: f64,
+    /// Speeds in order along the branch, rad/s.
+    pub speeds: [f64; 2],
+    /// Of each, the index of its locus and that of the point after which it lies on it.
+    pub on: [(usize, usize); 2],
+}
+
 /// What was found.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Loci {
@@ -80,6 +91,8 @@ pub struct Loci {
     pub loci: Vec<Locus>,
     /// Of their motions.
     pub discretisation: Discretisation,
+    /// Folds of the sampled responses that belong together, where both were followed.
+    pub pairs: Vec<Pair>,
     /// Where starts were sought.
     pub samples: Vec<Sample>,
     /// Values of the parameter at which the machine exists, within the range requested.
@@ -116,6 +129,13 @@ struct Start {
     kind: LocusKind,
 }
 
+/// All of them, and which are folds that belong together, by index.
+#[derive(Default)]
+struct Starts {
+    all: Vec<Start>,
+    pairs: Vec<[usize; 2]>,
+}
+
 /// Follows the loci of a machine.
 ///
 /// # Errors
@@ -145,6 +165,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
     let mut out = Loci {
         loci: Vec::new(),
         discretisation: Discretisation { harmonics: 1, divisor: 1, samples: 32, symmetry },
+        pairs: Vec::new(),
         samples: Vec::new(),
         exists,
         refused,
@@ -158,7 +179,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         work: Vec::new(),
     };
     let mut done = 0u64;
-    let mut starts: Vec<Start> = Vec::new();
+    let mut starts = Starts::default();
     let mut failed = None;
     for (k, (value, machine)) in machines.iter().enumerate() {
         if stopped(cancel) || done >= request.work {
@@ -182,6 +203,8 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
             }
         };
         done += found.branches.iter().map(|b| b.points.len() as u64).sum::<u64>();
+        // points that the work did not admit are not those of the request
+        out.stopped |= max_points < request.max_points && found.branches.iter().any(|b| b.end == End::MaxPoints);
         let d = &mut out.discretisation;
         d.harmonics = d.harmonics.max(found.discretisation.harmonics);
         d.samples = d.samples.max(found.discretisation.samples);
@@ -211,7 +234,7 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
 }
 
 /// Bifurcations of a response from which loci may start.
-fn collect(found: &Response, request: &Request, machine: usize, value: f64, out: &mut Loci, starts: &mut Vec<Start>) {
+fn collect(found: &Response, request: &Request, machine: usize, value: f64, out: &mut Loci, starts: &mut Starts) {
     let mut sample = Sample { value, folds: 0, changes: 0 };
     if out.unjudged.is_none() {
         out.unjudged.clone_from(&found.unjudged);
@@ -220,20 +243,24 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
         let start =
             |speed: f64, x: &[f64], kind| Start { machine, value, speed, x: x.to_vec(), discretisation: branch.discretisation, kind };
         // at a corner of a law the equations have no second derivative: the fold moves, but not by these equations
+        let mut own = Vec::new();
         for f in &branch.folds {
             sample.folds += 1;
-            if f.corner {
-                out.corners += 1;
-            } else if request.folds {
-                starts.push(start(f.speed, &f.x, LocusKind::Fold));
+            out.corners += usize::from(f.corner);
+            let followed = request.folds && !f.corner;
+            own.push(followed.then_some(starts.all.len()));
+            if followed {
+                starts.all.push(start(f.speed, &f.x, LocusKind::Fold));
             }
         }
+        // the branch runs back between its first fold and its second, its third and its fourth
+        starts.pairs.extend(own.chunks_exact(2).filter_map(|p| Some([p[0]?, p[1]?])));
         for c in &branch.changes {
             let bounds = c.unstable.0 == 0 || c.unstable.1 == 0;
             let followed = c.event != Event::BranchPoint;
             sample.changes += usize::from(bounds);
             if bounds && followed && request.stability {
-                starts.push(start(c.speed, &c.point.x, LocusKind::Change(c.event)));
+                starts.all.push(start(c.speed, &c.point.x, LocusKind::Change(c.event)));
             } else {
                 out.others += 1;
             }
@@ -268,11 +295,12 @@ impl<'s> Search<'s> {
     }
 
     /// All loci with the discretisation of `out`.
-    fn all(&mut self, starts: &[Start], out: &mut Loci) -> Result<(), Diagnostic> {
+    fn all(&mut self, starts: &Starts, out: &mut Loci) -> Result<(), Diagnostic> {
         (out.loci, out.lost, out.more) = (Vec::new(), 0, false);
-        let mut folds: Vec<(FoldLocus<'s>, Path)> = Vec::new();
+        let mut folds: Vec<(FoldLocus<'s>, Path, usize)> = Vec::new();
+        let mut on: Vec<Option<(usize, usize)>> = vec![None; starts.all.len()];
         let mut changes: Vec<(CrossingLocus<'s>, Path, Event)> = Vec::new();
-        for start in starts {
+        for (start, on) in starts.all.iter().zip(&mut on) {
             if stopped(self.cancel) || self.done >= self.request.work {
                 out.stopped = true;
                 break;
@@ -283,10 +311,13 @@ impl<'s> Search<'s> {
             }
             let (speed, value) = (start.speed, start.value);
             let known = match start.kind {
-                LocusKind::Fold => folds.iter_mut().any(|(p, path)| {
-                    let at = 2 * p.size();
-                    passes(p, path, value, speed, at, 1e-6)
-                }),
+                LocusKind::Fold => {
+                    *on = folds.iter_mut().find_map(|(p, path, locus)| {
+                        let at = 2 * p.size();
+                        Some((*locus, passes_after(p, path, value, speed, at, 1e-6)?))
+                    });
+                    on.is_some()
+                }
                 LocusKind::Change(event) => changes.iter_mut().filter(|c| c.2 == event).any(|(p, path, _)| {
                     let at = p.size();
                     // a response places them where the growth rate equals its estimated error
@@ -303,7 +334,8 @@ impl<'s> Search<'s> {
             let settings = self.settings(out, start.kind);
             let found = match start.kind {
                 LocusKind::Fold => self.fold(FoldLocus { varied }, &x, start, &settings, out)?.map(|(p, path, locus)| {
-                    folds.push((p, path));
+                    *on = Some((out.loci.len(), path.start));
+                    folds.push((p, path, out.loci.len()));
                     locus
                 }),
                 LocusKind::Change(event) => {
@@ -321,6 +353,11 @@ impl<'s> Search<'s> {
                 None => out.lost += 1,
             }
         }
+        let pair = |&[a, b]: &[usize; 2]| {
+            let speeds = [a, b].map(|k| starts.all[k].speed);
+            Some(Pair { value: starts.all[a].value, speeds, on: [on[a]?, on[b]?] })
+        };
+        out.pairs = starts.pairs.iter().filter_map(pair).collect();
         Ok(())
     }
 
@@ -436,8 +473,10 @@ impl<'s> Search<'s> {
         let mut points = Vec::with_capacity(path.points.len());
         let mut judged_again = (0.0, 0);
         let every = path.points.len().div_ceil(JUDGED_AGAIN);
+        let mut ends = path.ends.clone();
         for (i, p) in path.points.iter().enumerate() {
             if stopped(self.cancel) {
+                ends[1] = PathEnd::Cancelled;
                 break;
             }
             let theta = problem.theta(&p.x);
@@ -453,7 +492,7 @@ impl<'s> Search<'s> {
         let corners =
             path.turns.iter().map(|t| Corner { speed: t.y[n], x: t.y[..n].to_vec(), turn: t.clone(), harmonics_change: [f64::NAN; 2] });
         let corners = corners.collect();
-        let locus = Locus { kind: start.kind, points, corners, ends: path.ends.clone(), judged_again, start: (start.speed, start.value) };
+        let locus = Locus { kind: start.kind, points, corners, ends, judged_again, start: (start.speed, start.value) };
         Ok(Some((problem, path, locus)))
     }
 

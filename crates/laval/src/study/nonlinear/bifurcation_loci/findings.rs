@@ -130,13 +130,19 @@ impl Shown<'_> {
             match corner {
                 Some((name, _)) => name,
                 None if same(end, edge) => "the end of the range",
+                None if self.found.stopped => "where a locus leaves the range of speeds, was left or stopped",
                 None => "where a locus leaves the range of speeds or was left",
             }
         };
         let (below, above) = (why(lo, self.found.exists.0), why(hi, self.found.exists.1));
         let speeds = span(folds().flat_map(|l| &l.points).map(|p| p.speed));
-        let text =
-            format!("Folds were found at values of {} from {{}} ({below}) to {} ({above}), {}.", self.path(), self.of(hi), spread(speeds));
+        let text = format!(
+            "Folds were found at values of {} from {{}} ({below}) to {} ({above}), {}.{}",
+            self.path(),
+            self.of(hi),
+            spread(speeds),
+            self.so_far()
+        );
         Some(
             Finding::info("folds_from", text)
                 .value(lo, self.unit)
@@ -146,20 +152,41 @@ impl Shown<'_> {
         )
     }
 
+    /// What of a study that was stopped is not known.
+    fn so_far(&self) -> &'static str {
+        if self.found.stopped { " The study was stopped: there may be others." } else { "" }
+    }
+
+    /// Arms of folds that belong together, and the sign of the difference of their speeds: beside a cusp, and between the folds of a sampled response.
+    fn arms(&self) -> Vec<([&[LocusPoint]; 2], Option<f64>)> {
+        let loci = &self.found.loci;
+        let mut out = Vec::new();
+        for locus in loci.iter().filter(|l| l.kind == LocusKind::Fold) {
+            let arms = arms(locus);
+            let cusps = locus.corners.iter().enumerate().filter(|(_, c)| c.turn.speed_turns);
+            out.extend(cusps.filter_map(|(k, _)| Some(([*arms.get(k)?, *arms.get(k + 1)?], None))));
+        }
+        for pair in &self.found.pairs {
+            let arm = |(locus, after): (usize, usize)| arm_of(loci.get(locus)?, after, pair.value);
+            if let [Some(a), Some(b)] = pair.on.map(arm) {
+                out.push(([a, b], Some((pair.speeds[0] - pair.speeds[1]).signum())));
+            }
+        }
+        out
+    }
+
     /// Where two folds that belong together lie farthest apart: the widest range of speeds in which the state depends on how it was reached.
     fn hysteresis(&self) -> Option<Finding> {
         let mut widest: Option<(f64, f64, f64)> = None;
-        for (_, locus) in self.loci().filter(|(_, l)| l.kind == LocusKind::Fold) {
-            for corner in &locus.corners {
-                // the arms on both sides of where they join, compared at the values of points of either
-                let (before, after) = locus.points.split_at((corner.turn.after + 1).min(locus.points.len()));
-                for (points, others) in [(before, after), (after, before)] {
-                    for p in points {
-                        let Some(speed) = speed_at(others, p.value) else { continue };
-                        let (lo, hi) = (p.speed.min(speed), p.speed.max(speed));
-                        if widest.is_none_or(|w| hi - lo > w.2 - w.1) {
-                            widest = Some((p.value, lo, hi));
-                        }
+        for ([a, b], sign) in self.arms() {
+            // compared at the values of points of either
+            for (points, others, turned) in [(a, b, 1.0), (b, a, -1.0)] {
+                for p in points {
+                    let Some(speed) = speed_at(others, p.value) else { continue };
+                    let (lo, hi) = (p.speed.min(speed), p.speed.max(speed));
+                    let ordered = sign.is_none_or(|s| s * turned * (p.speed - speed) > 0.0);
+                    if ordered && widest.is_none_or(|w| hi - lo > w.2 - w.1) {
+                        widest = Some((p.value, lo, hi));
                     }
                 }
             }
@@ -173,11 +200,12 @@ impl Shown<'_> {
             ""
         };
         let text = format!(
-            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, there are several states.{cut}",
+            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, there are several states.{cut}{}",
             self.path(),
             self.of(value),
             significant(lo, 6),
-            significant(hi, 6)
+            significant(hi, 6),
+            self.so_far()
         );
         Some(
             Finding::info("widest_hysteresis", text)
@@ -290,9 +318,30 @@ impl Shown<'_> {
 
     fn invalid(&self) -> Vec<Finding> {
         let mut uses = Uses::default();
-        self.seen.iter().chain(&self.corners).flatten().filter_map(|s| s.uses.as_ref()).for_each(|u| uses.join(u));
+        self.points.iter().chain(self.corners).flatten().filter_map(|s| s.uses.as_ref()).for_each(|u| uses.join(u));
         uses.of_motions(self.system, "motions on the loci")
     }
+}
+
+/// Points of a locus between the places where it turns back in the parameter.
+fn arms(locus: &Locus) -> Vec<&[LocusPoint]> {
+    let count = locus.points.len();
+    let turns = locus.corners.iter().map(|c| (c.turn.after + 1).min(count));
+    let edges: Vec<usize> = [0].into_iter().chain(turns).chain([count]).collect();
+    edges.windows(2).map(|w| locus.points.get(w[0]..w[1]).unwrap_or(&[])).collect()
+}
+
+/// The arm on which a fold at a value of the parameter lies, after a point of the locus.
+fn arm_of(locus: &Locus, after: usize, value: f64) -> Option<&[LocusPoint]> {
+    let arms = arms(locus);
+    let turned = locus.corners.iter().position(|c| c.turn.after >= after).unwrap_or(locus.corners.len());
+    // where it turns back after the same point the fold lies on the arm that reaches its value
+    let beyond = locus.corners.get(turned).is_some_and(|c| {
+        let off = |p: Option<&LocusPoint>| p.map_or(0.0, |p| (p.value - c.turn.value).abs());
+        let far = (value - c.turn.value).abs();
+        c.turn.after == after && off(locus.points.get(after)) < far && off(locus.points.get(after + 1)) >= far
+    });
+    arms.get(turned + usize::from(beyond)).copied()
 }
 
 /// Speed at a value of the parameter on an arm of a locus, between its points; its own where the value is that of a point.

@@ -15,16 +15,21 @@ use super::free_motion::TRUNCATION;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
-use crate::outcome::{Outcome, quantity};
+use crate::outcome::{End, Outcome, quantity};
 use crate::solve::harmonic::branches::response::MOST_HARMONICS;
-use crate::solve::harmonic::loci::search::{Request, loci};
+use crate::solve::harmonic::loci::follow::PathEnd;
+use crate::solve::harmonic::loci::search::{Loci, Request, loci};
 use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
 use crate::study::{Context, Study};
+use serde::{Deserialize, Serialize};
 
 mod findings;
+mod measured;
 mod report;
+
+pub use measured::Measured;
 
 /// See the [module](self).
 pub struct BifurcationLoci {
@@ -45,7 +50,7 @@ const SLOWEST: f64 = 1e-3;
 const MOST_VALUES: usize = 200;
 
 impl Study for BifurcationLoci {
-    type Result = Outcome;
+    type Result = BifurcationLociResult;
     const KIND: &'static str = "bifurcation_loci";
     const EXAMPLE: &'static str = r#"speed = { from = "100 rpm", to = "12000 rpm" }
 parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", points = 5 }
@@ -162,17 +167,36 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         Ok(())
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<BifurcationLociResult, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request.clone() };
         let found = loci(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
-        let shown = report::Shown::new(system, &request, &found)?;
-        shown.outcome(context).map_err(Diagnostic::from)
+        let [points, corners] = measured::measured(system, &request, &found)?;
+        let ends = || found.loci.iter().flat_map(|l| &l.ends);
+        let end = match () {
+            () if found.stopped => context.end(false),
+            () if ends().any(|e| *e == PathEnd::MaxPoints) => End::MaxPoints,
+            () => End::Reached,
+        };
+        Ok(BifurcationLociResult { found, points, corners, end })
     }
+
+    fn report(&self, system: &System, result: &BifurcationLociResult, name: &str) -> Result<Outcome, Diagnostic> {
+        report::Shown::new(system, &self.request, result).outcome(name, result.end).map_err(Diagnostic::from)
+    }
+}
+
+/// Loci, and how far the motions on them go.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct BifurcationLociResult {
+    /// Loci, the responses they start from, and where the machine exists.
+    pub found: Loci,
+    /// By locus and point.
+    pub points: Vec<Vec<Measured>>,
+    /// By locus and place where it turns back in the parameter.
+    pub corners: Vec<Vec<Measured>>,
+    /// How the study ended.
+    pub end: End,
 }
 
 /// Unit of a parameter.

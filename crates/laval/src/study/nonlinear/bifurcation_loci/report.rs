@@ -1,25 +1,12 @@
 //! What a reader sees of loci: displacements and validity of their motions, tables, the figure.
 
-use super::BifurcationLoci;
-use crate::diagnostic::Diagnostic;
+use super::{BifurcationLoci, BifurcationLociResult, Measured};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{self, Axis, Figure, Line, Outcome, OutcomeError, Panel, Points, SpecialPoint, Status, Table, quantity, significant};
-use crate::solve::harmonic::balance::orbit::Orbit;
-use crate::solve::harmonic::balance::problem::Balance;
-use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Corner, Loci, Locus, LocusKind, LocusPoint, Request};
+use crate::study::Study;
 use crate::study::shared::probes;
-use crate::study::shared::validity::Uses;
-use crate::study::{Context, Study};
-
-/// Displacements and validity of one motion.
-pub(super) struct Seen {
-    /// Largest value over a period, m or rad, by probe.
-    pub sizes: Vec<f64>,
-    /// Use of the parts' validity; `None` where the motion could not be had.
-    pub uses: Option<Uses>,
-}
 
 /// Everything that is shown.
 pub(super) struct Shown<'a> {
@@ -30,9 +17,9 @@ pub(super) struct Shown<'a> {
     /// Probes that are measured, the reference points of the bodies first.
     pub(super) probes: Vec<Probe>,
     /// By locus and point.
-    pub(super) seen: Vec<Vec<Seen>>,
+    pub(super) points: &'a [Vec<Measured>],
     /// By locus and corner.
-    pub(super) corners: Vec<Vec<Seen>>,
+    pub(super) corners: &'a [Vec<Measured>],
 }
 
 /// What to call a place where a locus turns back in the parameter.
@@ -45,32 +32,15 @@ pub(super) fn corner_name(locus: &Locus, corner: &Corner) -> &'static str {
 }
 
 impl<'a> Shown<'a> {
-    pub(super) fn new(system: &'a System, request: &'a Request, found: &'a Loci) -> Result<Self, Diagnostic> {
-        let probes = probes::all(system);
+    pub(super) fn new(system: &'a System, request: &'a Request, result: &'a BifurcationLociResult) -> Self {
         let unit = super::unit(system, &request.parameter);
-        let mut shown = Shown { system, request, found, unit, probes, seen: vec![], corners: vec![] };
-        let template = Balance::new(system, found.discretisation, request.speeds, None)?;
-        let see = |value: f64, speed: f64, x: &[f64]| shown.measure(system, &template, value, speed, x);
-        let seen = found.loci.iter().map(|l| l.points.iter().map(|p| see(p.value, p.speed, &p.x)).collect()).collect();
-        let corners = found.loci.iter().map(|l| l.corners.iter().map(|c| see(c.turn.value, c.speed, &c.x)).collect()).collect();
-        (shown.seen, shown.corners) = (seen, corners);
-        Ok(shown)
+        let BifurcationLociResult { found, points, corners, .. } = result;
+        Shown { system, request, found, unit, probes: probes::all(system), points, corners }
     }
 
-    /// Displacements and validity of a motion of the machine at a value of the parameter.
-    fn measure(&self, system: &System, template: &Balance, value: f64, speed: f64, x: &[f64]) -> Seen {
-        let unknown = || Seen { sizes: vec![f64::NAN; self.probes.len()], uses: None };
-        let Ok(machine) = system.with(&[(&self.request.parameter, value)]) else { return unknown() };
-        let Some(mut balance) = template.of_other(&machine) else { return unknown() };
-        let Ok(orbit) = Orbit::of(&mut balance, x, speed) else { return unknown() };
-        let turns = template.terms.divisor;
-        let sizes = probes::sizes(&machine, &probes::ordered(&machine), &orbit, turns);
-        Seen { sizes, uses: Some(Uses::over(&machine, &orbit, turns)) }
-    }
-
-    pub(super) fn outcome(&self, context: &Context) -> Result<Outcome, OutcomeError> {
+    pub(super) fn outcome(&self, name: &str, end: outcome::End) -> Result<Outcome, OutcomeError> {
         let (found, path) = (self.found, self.request.parameter.as_str());
-        let mut out = Outcome::new(BifurcationLoci::KIND, context.name).over(path, self.unit).end(self.end(context));
+        let mut out = Outcome::new(BifurcationLoci::KIND, name).over(path, self.unit).end(end);
         for f in self.findings() {
             out = out.finding(f);
         }
@@ -107,19 +77,10 @@ impl<'a> Shown<'a> {
         out.checked()
     }
 
-    fn end(&self, context: &Context) -> outcome::End {
-        let ends = || self.found.loci.iter().flat_map(|l| &l.ends);
-        match () {
-            () if self.found.stopped => context.end(false),
-            () if ends().any(|e| *e == PathEnd::MaxPoints) => outcome::End::MaxPoints,
-            () => outcome::End::Reached,
-        }
-    }
-
     /// All points, with the number of their locus and whether they begin it.
-    fn rows(&self) -> Vec<(usize, bool, &Locus, &LocusPoint, &Seen)> {
+    fn rows(&self) -> Vec<(usize, bool, &Locus, &LocusPoint, &Measured)> {
         let of = |(k, l): (usize, &'a Locus)| {
-            l.points.iter().zip(&self.seen[k]).enumerate().map(move |(i, (p, s))| (k + 1, i == 0, l, p, s)).collect::<Vec<_>>()
+            l.points.iter().zip(&self.points[k]).enumerate().map(move |(i, (p, s))| (k + 1, i == 0, l, p, s)).collect::<Vec<_>>()
         };
         self.found.loci.iter().enumerate().flat_map(of).collect()
     }
@@ -137,7 +98,7 @@ impl<'a> Shown<'a> {
             t = t.float(probes::largest_column(p), p.unit(), probes::largest_doc(p), rows.iter().map(|r| r.4.sizes[k]).collect());
         }
         if self.request.stability {
-            let bounds = |r: &(usize, bool, &Locus, &LocusPoint, &Seen)| r.3.crossing.is_none_or(|c| c.2 == 0);
+            let bounds = |r: &(usize, bool, &Locus, &LocusPoint, &Measured)| r.3.crossing.is_none_or(|c| c.2 == 0);
             t = t
                 .float("frequency", "rad/s", "frequency of the disturbance that starts or ceases to grow; NaN at folds", crossing(&|c| c.1))
                 .float("growth rate", "1/s", "growth rate left there: how well it is located; NaN at folds", crossing(&|c| c.0))
@@ -157,7 +118,7 @@ impl<'a> Shown<'a> {
 
     fn corner_table(&self) -> Result<Table, OutcomeError> {
         let loci = self.found.loci.iter().enumerate();
-        let rows: Vec<(usize, &Locus, &Corner, &Seen)> =
+        let rows: Vec<(usize, &Locus, &Corner, &Measured)> =
             loci.flat_map(|(k, l)| l.corners.iter().zip(&self.corners[k]).map(move |(c, s)| (k + 1, l, c, s))).collect();
         let float = |f: &dyn Fn(&Corner) -> f64| rows.iter().map(|r| f(r.2)).collect::<Vec<f64>>();
         let mut t = Table::new("turns", "Places where a locus turns back in the parameter")
@@ -244,7 +205,8 @@ impl<'a> Shown<'a> {
             .flat_map(|l| l.corners.iter().filter(|c| corner_name(l, c) == "cusp"))
             .map(|c| format!("{} rad/s, {}", significant(c.speed, 5), quantity(c.turn.value, self.unit)))
             .collect();
-        let cusps = if cusps.is_empty() { "no cusp".to_string() } else { format!("cusps at {}", cusps.join("; ")) };
+        let none = if self.found.stopped { "no cusp before the study stopped" } else { "no cusp" };
+        let cusps = if cusps.is_empty() { none.to_string() } else { format!("cusps at {}", cusps.join("; ")) };
         format!(
             "Loci in the plane of spin speed and {}: {folds} of folds, {} of other changes of stability; {cusps}.",
             self.request.parameter,
