@@ -6,6 +6,7 @@ pub use super::drive::Capture;
 pub use super::history::energy::EnergyAccount;
 pub use super::moved_roots::MovedRoots;
 pub use super::spectra::{Part, Window as SpectrumWindow};
+pub use super::steady_state::stored::{SettledMotion, Settling};
 
 use super::history::per_second;
 use super::start::Start;

@@ -19,7 +19,7 @@ mod result;
 mod rows;
 
 pub use masses::{Checked, Class, Differs, MassAttractor, MassKind, Rehearsal};
-pub use result::{Attractor, AttractorSet, BasinsResult, Found, MassBasins, ModesAtRest, MotionBasins};
+pub use result::{Attractor, AttractorSet, BasinMotion, BasinsResult, Found, MassBasins, MassCell, ModesAtRest, MotionBasins};
 
 use super::history::{METHOD, stopped, time_forms};
 use super::record::exact_parts;

@@ -11,10 +11,11 @@
 mod report;
 
 use super::history::{METHOD, time_forms};
-use super::record::{UsedForm, exact_parts};
+use super::record::{SettledMotion, UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::{self, RowColumn, body, cells, number, word};
 use super::steady_state::fields::{self, SLOWEST};
+use super::steady_state::stored::settled;
 use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, method, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
@@ -203,6 +204,28 @@ pub struct MotionMapResult {
     pub forms: Vec<UsedForm>,
     /// How the study ended.
     pub end: End,
+}
+
+/// A point of a map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MapPoint {
+    /// Values along both axes.
+    pub at: [f64; 2],
+    /// What the motion from its start settles on, or why there is no machine with these values.
+    pub motion: Result<SettledMotion, String>,
+}
+
+impl MotionMapResult {
+    /// The points, row by row.
+    pub fn list(&self) -> Vec<MapPoint> {
+        let axis = |k: usize| self.motions.columns.get(k).map_or_else(Vec::new, |c| self.motions.numbers(&c.0.name));
+        let (x, y, refused) = (axis(0), axis(1), self.motions.words(REFUSED));
+        let one = |(row, motion): (usize, SettledMotion)| {
+            let why = refused.get(row).filter(|w| !w.is_empty());
+            MapPoint { at: [x[row], y[row]], motion: why.map_or(Ok(motion), |why| Err(why.clone())) }
+        };
+        settled(&self.motions).into_iter().enumerate().map(one).collect()
+    }
 }
 
 /// The speeds along x.

@@ -18,11 +18,12 @@ mod report;
 mod rows;
 
 use super::history::{METHOD, time_forms};
-use super::record::{UsedForm, exact_parts};
+use super::record::{SettledMotion, UsedForm, exact_parts};
 use super::start::{self, Entry, INITIAL, Start};
 use super::steady_state::columns::cells;
 use super::steady_state::fields::{self, SLOWEST};
 use super::steady_state::measure::{HIGHEST, LINES, POINTS as KEPT_POINTS};
+use super::steady_state::stored::settled;
 use super::steady_state::{Budget, Member, Rules, SteadyState, SteadyStateSearch, method, slowest_decay};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values, Word};
@@ -57,7 +58,7 @@ const STARTS: &[Word] = &[
 const DEFAULT_POINTS: usize = 200;
 
 /// How motions begin at each speed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Way {
     /// The same state at every speed.
     Rest,
@@ -74,6 +75,10 @@ impl Way {
             Way::Up => "up",
             Way::Down => "down",
         }
+    }
+
+    fn of(word: &str) -> Way {
+        [Way::Up, Way::Down].into_iter().find(|w| w.word() == word).unwrap_or(Way::Rest)
     }
 }
 
@@ -260,6 +265,46 @@ pub struct SweepResult {
     pub forms: Vec<UsedForm>,
     /// How the study ended.
     pub end: End,
+}
+
+/// A motion of a sweep.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SweepMotion {
+    /// How it began.
+    pub start: Way,
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// What it settles on.
+    pub motion: SettledMotion,
+    /// Speeds between which it jumped on the way from the speed before, in smaller steps, rad/s.
+    pub jump: Option<(f64, f64)>,
+    /// Largest Lyapunov exponent, 1/s, where it was computed.
+    pub lyapunov: Option<f64>,
+    /// State at the end, at phase zero; NaN where the motion failed.
+    pub state: Vec<f64>,
+}
+
+impl SweepResult {
+    /// The motions, row by row.
+    pub fn list(&self) -> Vec<SweepMotion> {
+        let all = &self.motions;
+        let number = ["speed", "jump_before", "jump_after", "lyapunov"].map(|name| all.numbers(name));
+        let start = all.words("start");
+        let state = all.columns.iter().map(|c| &c.0.name).filter(|n| n.starts_with(rows::STATE)).map(|n| all.numbers(n));
+        let state: Vec<Vec<f64>> = state.collect();
+        let one = |(row, motion): (usize, SettledMotion)| {
+            let [speed, before, after, lyapunov] = number.each_ref().map(|n| n.get(row).copied().unwrap_or(f64::NAN));
+            SweepMotion {
+                start: Way::of(start.get(row).map_or("", String::as_str)),
+                speed,
+                motion,
+                jump: Some((before, after)).filter(|j| j.0.is_finite() && j.1.is_finite()),
+                lyapunov: Some(lyapunov).filter(|x| x.is_finite()),
+                state: state.iter().map(|s| s[row]).collect(),
+            }
+        };
+        settled(all).into_iter().enumerate().map(one).collect()
+    }
 }
 
 /// A sweep as it is reported.

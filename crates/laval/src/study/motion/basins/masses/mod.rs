@@ -229,12 +229,12 @@ impl Members<'_> {
 }
 
 /// Names of the columns of a row.
-const STATE: &str = "state";
-const GOAL: &str = "goal";
-const EARLY: &str = "early";
-const TURNS: &str = "turns";
+pub(super) const STATE: &str = "state";
+pub(super) const GOAL: &str = "goal";
+pub(super) const EARLY: &str = "early";
+pub(super) const TURNS: &str = "turns";
 const STEPS: &str = "steps";
-const FAILURE: &str = "failure";
+pub(super) const FAILURE: &str = "failure";
 
 /// A goal in words, with the class of the state where the motion rests; none of one that is known.
 fn name(goal: &Goal, class: Option<&'static str>) -> Option<String> {
