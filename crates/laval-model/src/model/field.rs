@@ -2,6 +2,7 @@
 //! the sweep axes follow.
 
 use crate::diagnostic::Span;
+use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Admissible interval of a number, in SI units.
@@ -203,7 +204,7 @@ impl Attach {
 pub const MOST_POINTS: usize = 100_000;
 
 /// `{ from, to, points }` in SI units; one value has two equal ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RangeValue {
     /// First value.
     pub from: f64,

@@ -7,11 +7,13 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Span};
 use crate::model::field::{Field, KindInfo, Values};
 use crate::model::system::System;
 use crate::outcome::Outcome;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 /// A kind of study: its struct is the `[[study]]` block. Programs call the methods of [`ErasedStudy`] and [`TypedStudy`], which check the request first.
 pub trait Study: Send + Sync + Sized + 'static {
     /// What it computes: plain data, which can be stored and reported again.
-    type Result: Send + Sync + 'static;
+    type Result: Serialize + DeserializeOwned + Send + Sync + 'static;
     /// The word in the file.
     const KIND: &'static str;
     /// One paragraph for the documentation.

@@ -246,3 +246,16 @@ fn methods_are_compared_by_tilts() {
         assert!(column(t, "deviation")[k] < if by_time { 1e-6 } else { 1e-9 }, "{}", column(t, "deviation")[k]);
     }
 }
+
+#[test]
+fn stationary_states_show_tilts_and_points() {
+    let o = run("kind = \"stationary\"\nspeed = { from = 500, to = 900, points = 3 }\nstarts = 10");
+    let states = o.find_table("states").unwrap();
+    let [speeds, own, tilts, points] = ["speed", "d radius", "tilt of d", &format!("{POINT} radius")].map(|name| column(states, name));
+    assert_eq!(speeds, [500.0, 700.0, 900.0]);
+    for (k, &w) in speeds.iter().enumerate() {
+        near(tilts[k], tilt(w), 1e-9);
+        near(points[k], HEIGHT * tilt(w), 1e-9);
+        assert!(own[k] < 1e-12);
+    }
+}

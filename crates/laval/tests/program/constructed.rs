@@ -18,6 +18,9 @@ fn example(kind: &str) -> (Loaded, Value) {
     (loaded, fields)
 }
 
+/// Steps after which a study of the test below ends.
+const STEPS: u64 = 40;
+
 macro_rules! studies {
     ($($study:ident)*) => {
         /// Constructs the study of this kind by its type, and says whether the machine can answer it.
@@ -25,6 +28,20 @@ macro_rules! studies {
             $(if kind == <$study as Study>::KIND {
                 let study: $study = construct(system, fields).unwrap_or_else(|d| panic!("{kind}: {d}"));
                 return ErasedStudy::admit(&study, system).is_ok();
+            })*
+            panic!("{kind} is not in the prelude")
+        }
+
+        /// Outcomes of the study of this kind: of its result, and of the same after a stay in bytes.
+        fn stored(kind: &str, system: &System, fields: &Value) -> [Outcome; 2] {
+            $(if kind == <$study as Study>::KIND {
+                let study: $study = construct(system, fields).unwrap_or_else(|d| panic!("{kind}: {d}"));
+                // a study that has no partial result is given more
+                let limited = |work_limit: u64| study.result(system, &Context { work_limit, ..Context::quiet("stored") });
+                let result = limited(STEPS).or_else(|_| limited(u64::MAX)).unwrap_or_else(|d| panic!("{kind}: {d}"));
+                let bytes = postcard::to_stdvec(&result).unwrap_or_else(|e| panic!("{kind}: {e}"));
+                let again = postcard::from_bytes(&bytes).unwrap_or_else(|e| panic!("{kind}: {e}"));
+                return [&result, &again].map(|r| study.outcome(system, r, "stored").unwrap_or_else(|d| panic!("{kind}: {d}")));
             })*
             panic!("{kind} is not in the prelude")
         }
@@ -79,4 +96,21 @@ fn mistakes_in_fields_are_said_together() {
     let both = json!({ "duration": 1.0, "points": 50, "output_step": 0.1 });
     assert!(construct::<Transient>(&system, &both).is_err());
     assert!(construct::<Transient>(&system, &json!({ "duration": 1.0, "output_step": 0.1 })).is_ok());
+}
+
+/// A result that was stored gives the tables, figures and findings of the run, whatever study it is of.
+#[test]
+fn a_stored_result_is_reported_like_a_new_one() {
+    for kind in registry() {
+        let kind = kind.info.kind;
+        let (loaded, fields) = example(kind);
+        if loaded.studies[0].study.admit(&loaded.system).is_err() {
+            continue;
+        }
+        let begun = std::time::Instant::now();
+        let [run, again] = stored(kind, &loaded.system, &fields);
+        println!("{kind}: {:.2} s, {}", begun.elapsed().as_secs_f64(), run.end.word());
+        // columns may hold NaN, which is not equal to itself
+        assert_eq!(format!("{run:?}"), format!("{again:?}"), "{kind}");
+    }
 }

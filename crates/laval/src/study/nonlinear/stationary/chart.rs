@@ -11,6 +11,7 @@ use crate::solve::stationary::{Change, Found, Request, Search, State};
 use crate::study::shared::support::larger;
 use laval_num::work::Here;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Seed speeds of a row: neighbouring rows see what one would miss.
@@ -20,7 +21,7 @@ const SEEDS: usize = 3;
 pub const WORDS: &[&str] = &["balanced only", "balanced or not", "not balanced", "none stable"];
 
 /// A speed and a value.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Cell {
     pub speed: f64,
     pub value: f64,
@@ -54,7 +55,7 @@ impl Cell {
 }
 
 /// What happens at a point of the boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// The state vanishes, or meets its mirror image.
     Exists,
@@ -76,7 +77,7 @@ impl Kind {
 }
 
 /// A located point of the boundary of the balanced state.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Edge {
     pub speed: f64,
     pub value: f64,
@@ -86,6 +87,7 @@ pub struct Edge {
 }
 
 /// The chart.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Chart {
     pub path: String,
     /// Its values are spread by ratios.

@@ -1,6 +1,7 @@
 //! What kind of state it is, by what the bodies and the parts show of it.
 
-use crate::model::part::{At, DofKind, Observed};
+use crate::model::part::{At, Observed};
+use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::coordinate_sectors;
 use crate::solve::stationary::images::wrapped;
@@ -71,12 +72,14 @@ const LOCKED: f64 = 0.3;
 const HELD: usize = 3;
 
 /// What a state shows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Seen {
     /// Displacements of the bodies in turning axes, m.
     pub bodies: Vec<[f64; 2]>,
-    /// Largest tilt of a body, rad.
-    pub tilt: f64,
+    /// Distances from the axis of the other points of bodies where something is attached or that are named, m.
+    pub points: Vec<f64>,
+    /// Tilts of the bodies that tilt, rad.
+    pub tilts: Vec<f64>,
     /// What the parts with movable masses show: part, quantity.
     pub quantities: Vec<(String, Observed)>,
     /// Angles of the exchangeable groups, wrapped, rad.
@@ -108,7 +111,7 @@ impl Scale {
         let quantity = |k: usize| largest(all.iter().filter_map(|s| s.quantities.get(k)).map(|q| q.1.value.abs()));
         Scale {
             radius: largest(all.iter().map(Seen::radius)),
-            tilt: largest(all.iter().map(|s| s.tilt)),
+            tilt: largest(all.iter().map(Seen::tilt)),
             quantities: (0..count).map(quantity).collect(),
         }
     }
@@ -143,18 +146,27 @@ impl Seen {
         let mut held = parts.iter().filter(|p| hindered.contains(&p.0)).peekable();
         let locked = held.peek().is_some() && held.all(|p| p.1.iter().all(near));
         let bodies = system.bodies().iter().map(|b| [about.q[b.x], about.q[b.x + 1]]).collect();
-        let tilts = coordinates.iter().enumerate().filter(|(_, c)| c.dof.kind == DofKind::TiltX);
-        let tilt = largest(tilts.map(|(i, _)| about.q[i].hypot(about.q[i + 1])));
+        let size = |p: &Probe| {
+            let [x, y] = p.of(&about.q);
+            x.hypot(y)
+        };
+        let (tilts, points): (Vec<&Probe>, Vec<&Probe>) = system.probes().iter().filter(|p| !p.is_reference()).partition(|p| p.is_tilt());
+        let [points, tilts] = [points, tilts].map(|all| all.into_iter().map(size).collect());
         let balancing = !system.corrections(&at, &mut ws).is_empty();
         let unbalance = balancing.then(|| unbalance(system, &at, &mut ws));
         let mut uses = Uses::default();
         uses.see(system, &at, &mut ws);
-        Seen { bodies, tilt, quantities, groups, parts: parts.into_iter().map(|p| p.1).collect(), locked, unbalance, uses }
+        Seen { bodies, points, tilts, quantities, groups, parts: parts.into_iter().map(|p| p.1).collect(), locked, unbalance, uses }
     }
 
-    /// Largest distance of a body from the axis, m.
+    /// Largest distance of a point of a body from the axis, m.
     pub fn radius(&self) -> f64 {
-        largest(self.bodies.iter().map(|b| b[0].hypot(b[1])))
+        largest(self.bodies.iter().map(|b| b[0].hypot(b[1])).chain(self.points.iter().copied()))
+    }
+
+    /// Largest tilt of a body, rad.
+    pub fn tilt(&self) -> f64 {
+        largest(self.tilts.iter().copied())
     }
 
     /// Largest force (N; of angles N m) with which movable masses push each other.
@@ -173,7 +185,7 @@ impl Seen {
         if self.parts.is_empty() {
             return Class::Single;
         }
-        if self.radius() <= NONE * scale.radius && self.tilt <= NONE * scale.tilt {
+        if self.radius() <= NONE * scale.radius && self.tilt() <= NONE * scale.tilt {
             return Class::Balanced;
         }
         let none = |(q, most): (&(String, Observed), &f64)| q.1.unit == "m" && q.1.value.abs() <= NONE * larger(*most, scale.radius);

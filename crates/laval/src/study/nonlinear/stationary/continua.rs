@@ -11,6 +11,7 @@ use crate::solve::stationary::{Change, Found, Located, Loose, Search, Stability,
 use crate::solve::unbalance::Unbalance;
 use crate::study::shared::support::larger;
 use crate::study::shared::validity::Uses;
+use serde::{Deserialize, Serialize};
 
 /// Samples of one continuum at a speed.
 const SAMPLES: usize = 24;
@@ -18,7 +19,7 @@ const SAMPLES: usize = 24;
 const HALVINGS: usize = 30;
 
 /// One kind of continuum at a speed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Sheet {
     pub speed: f64,
     pub class: Class,
@@ -41,7 +42,7 @@ pub struct Sheet {
 }
 
 /// What holds of a continuum over a range of speeds.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Span {
     pub class: Class,
     pub free: usize,
@@ -52,7 +53,7 @@ pub struct Span {
 }
 
 /// All continua.
-#[derive(Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Continua {
     pub sheets: Vec<Sheet>,
     /// Where they exist, and where some of their states are stable.

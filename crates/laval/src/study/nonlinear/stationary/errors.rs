@@ -6,12 +6,13 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::stationary::{Request, Search};
 use crate::study::shared::support::larger;
+use serde::{Deserialize, Serialize};
 
 /// Values when none are requested.
 const POINTS: usize = 9;
 
 /// The stable states at a value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Cost {
     /// Value of the parameter.
     pub value: f64,
@@ -30,6 +31,7 @@ pub struct Cost {
 }
 
 /// What one parameter costs.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Errors {
     pub requested: Varied,
     pub costs: Vec<Cost>,

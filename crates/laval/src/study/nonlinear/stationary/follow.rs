@@ -9,13 +9,14 @@ use crate::model::system::System;
 use crate::solve::stationary::along::{Along, Course, Ending};
 use crate::solve::stationary::{Request, Search, State};
 use laval_num::univariate::root;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::AtomicBool;
 
 /// Halvings of the interval in which a state ceases to be one that balances.
 const HALVINGS: usize = 40;
 
 /// Why a state that balances is followed no farther.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Why {
     /// It ends: its branch turns back, or another crosses it beyond which it does not balance.
     Exists,
@@ -26,7 +27,7 @@ pub enum Why {
 }
 
 /// Where it is followed no farther.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Limit {
     pub value: f64,
     pub why: Why,

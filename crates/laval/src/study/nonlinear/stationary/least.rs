@@ -7,6 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::solve::stationary::{Request, Search, State};
 use laval_num::univariate::root;
+use serde::{Deserialize, Serialize};
 
 /// Values computed over the range before changes are located.
 const POINTS: usize = 61;
@@ -16,6 +17,7 @@ const INSIDE: f64 = 1e-3;
 const HALVINGS: usize = 40;
 
 /// An edge of stability.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Edge {
     /// Value of the parameter.
     pub value: f64,
@@ -26,6 +28,7 @@ pub struct Edge {
 }
 
 /// What was found.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Least {
     /// Class of the state that was followed; `None` where no state that balances was found.
     pub class: Option<Class>,

@@ -27,7 +27,7 @@ mod zones;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
-use crate::outcome::Outcome;
+use crate::outcome::{End, Outcome};
 use crate::solve::stationary::images::Images;
 use crate::solve::stationary::{Found, Progress, Request, Search, Stability, State};
 use crate::solve::symmetry::probed_speeds;
@@ -35,7 +35,15 @@ use crate::solve::turning::isotropic;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::{SPEED, SPEED_RANGE, one_or_range, range};
 use crate::study::{Context, Study};
+use chart::Chart;
 use classify::{Class, Scale, Seen};
+use continua::Continua;
+use errors::Errors;
+use least::Least;
+use report::Reported;
+use serde::{Deserialize, Serialize};
+use slack::Left;
+use zones::Zone;
 
 /// See the [module](self).
 pub struct Stationary {
@@ -49,14 +57,43 @@ pub struct Stationary {
 }
 
 /// A parameter over a range.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::study) struct Varied {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Varied {
     /// Path.
     pub path: String,
     /// Values, in the unit of the parameter.
     pub range: RangeValue,
     /// Speed, rad/s.
     pub speed: f64,
+}
+
+/// Stationary states of a machine over the speed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct StationaryResult {
+    /// Branches of states with their special points.
+    pub found: Found,
+    /// States at the speeds of the table.
+    pub rows: Vec<Row>,
+    /// Continua of states.
+    pub continua: Continua,
+    /// Ranges in which dry friction holds the masses about states of the table.
+    pub zones: Vec<Zone>,
+    /// What dry friction leaves on continua.
+    pub slack: Vec<Left>,
+    /// Values of a parameter that make the balanced state stable, where they are requested.
+    pub least: Option<Least>,
+    /// What errors of parameters cost.
+    pub errors: Vec<Errors>,
+    /// Stability over the speed and a parameter.
+    pub chart: Option<Chart>,
+    /// What the points of the branches show, and where which states are stable.
+    pub shown: Reported,
+    /// Special points at one place: branch and number among its special points.
+    pub places: Vec<Vec<(usize, usize)>>,
+    /// Nothing was left out for want of time.
+    pub complete: bool,
+    /// How the study ended.
+    pub end: End,
 }
 
 /// Speeds of the table of states when none are given.
@@ -74,7 +111,7 @@ const MOST_POINTS: usize = 2000;
 const MOST_CELLS: usize = 100_000;
 
 impl Study for Stationary {
-    type Result = Outcome;
+    type Result = StationaryResult;
     const KIND: &'static str = "stationary";
     const EXAMPLE: &'static str = r#"speed = { from = "3000 rpm", to = "12000 rpm", points = 31 }
 chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points = 9 }
@@ -213,11 +250,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
         Ok(())
     }
 
-    fn report(&self, _: &System, result: &Outcome, _: &str) -> Result<Outcome, Diagnostic> {
-        Ok(result.clone())
-    }
-
-    fn compute(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
+    fn compute(&self, system: &System, context: &Context) -> Result<StationaryResult, Diagnostic> {
         Study::admit(self, system)?;
         let request = self.request(context.work_limit);
         context.announce((request.seeds.len() * request.starts) as f64, 5_000.0, "starts to follow");
@@ -277,23 +310,42 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             }
             _ => None,
         };
-        let stopped = found.stopped;
-        let outcome = report::Report {
-            system,
-            range: request.range,
-            operating: system.machine.speed.filter(|w| (self.speed.from..=self.speed.to).contains(w)).unwrap_or(self.speed.to),
-            found: &found,
+        let shown = Reported::of(system, &mut search, &found, request.range.1.abs());
+        let places = report::places(&found, &search);
+        let complete = complete && !found.stopped;
+        Ok(StationaryResult {
+            found,
             rows,
             continua,
             zones,
             slack,
-            stabilise: self.stabilise.as_ref(),
             least,
             errors,
             chart,
-            complete: complete && !stopped,
-        }
-        .outcome(&mut search, context)?;
+            shown,
+            places,
+            complete,
+            end: context.end(complete),
+        })
+    }
+
+    fn report(&self, system: &System, result: &StationaryResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let report = report::Report {
+            system,
+            range: self.request(u64::MAX).range,
+            operating: system.machine.speed.filter(|w| (self.speed.from..=self.speed.to).contains(w)).unwrap_or(self.speed.to),
+            stabilise: self.stabilise.as_ref(),
+            found: &result.found,
+            rows: &result.rows,
+            continua: &result.continua,
+            zones: &result.zones,
+            slack: &result.slack,
+            least: result.least.as_ref(),
+            errors: &result.errors,
+            chart: result.chart.as_ref(),
+            complete: result.complete,
+        };
+        let outcome = report.outcome(result, name)?;
         Ok(if self.speed.is_one() { one::at(self.speed.from, outcome) } else { outcome })
     }
 }
@@ -369,10 +421,15 @@ fn unit_of(system: &System, path: &str) -> &'static str {
 }
 
 /// A state of the table.
-pub(in crate::study) struct Row {
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Row {
+    /// Speed and unknowns.
     pub state: State,
+    /// Kind.
     pub class: Class,
+    /// What bodies and parts show of it.
     pub seen: Seen,
+    /// Eigenvalues.
     pub stability: Stability,
 }
 

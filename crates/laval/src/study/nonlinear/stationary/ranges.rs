@@ -5,6 +5,7 @@ use super::continua::Span;
 use crate::model::system::System;
 use crate::solve::stationary::{Found, Located, Sample, Search, State};
 use laval_num::univariate::root;
+use serde::{Deserialize, Serialize};
 
 /// Share of the unbalance without the masses above which they do harm; equal masses opposite each other leave it as it is.
 const HARM: f64 = 1.001;
@@ -13,6 +14,7 @@ const HARM: f64 = 1.001;
 const NOTHING: f64 = 1e-9;
 
 /// A point of a branch with what it shows.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Shown {
     pub path: usize,
     /// Which of its points.
@@ -29,7 +31,7 @@ pub struct Shown {
 }
 
 /// A range of speeds in which states of one class are stable along one branch.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Range {
     pub class: Class,
     pub path: usize,
@@ -175,6 +177,7 @@ pub fn existing(found: &Found, points: &[Shown]) -> Vec<(f64, f64)> {
 }
 
 /// A run of points of a stable range at which the masses make the unbalance larger.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Harm {
     pub from: f64,
     pub to: f64,

@@ -8,11 +8,13 @@ use super::least::Least;
 use super::ranges::{self, Harm, Range, Shown};
 use super::slack::{self, Left};
 use super::zones::{self, Zone};
-use super::{Context, Row, Study, Varied, unit_of};
+use super::{Row, StationaryResult, Study, Varied, unit_of};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
 use crate::outcome::{Outcome, OutcomeError, SpecialPoint, Status, Table, TableBuilder, quantity};
 use crate::solve::stationary::{Change, Found, Located, Path, Search};
+use crate::study::shared::support::probe_name;
+use serde::{Deserialize, Serialize};
 
 /// What is to be reported.
 pub(super) struct Report<'a> {
@@ -20,27 +22,43 @@ pub(super) struct Report<'a> {
     pub range: (f64, f64),
     /// Speed the machine is meant for, rad/s.
     pub operating: f64,
-    pub found: &'a Found,
-    pub rows: Vec<Row>,
-    pub continua: Continua,
-    pub zones: Vec<Zone>,
-    pub slack: Vec<Left>,
     pub stabilise: Option<&'a Varied>,
-    pub least: Option<Least>,
-    pub errors: Vec<Errors>,
-    pub chart: Option<Chart>,
+    pub found: &'a Found,
+    pub rows: &'a [Row],
+    pub continua: &'a Continua,
+    pub zones: &'a [Zone],
+    pub slack: &'a [Left],
+    pub least: Option<&'a Least>,
+    pub errors: &'a [Errors],
+    pub chart: Option<&'a Chart>,
     /// Nothing was left out for want of time.
     pub complete: bool,
 }
 
-/// What follows from it.
-pub(super) struct Reported {
+/// What follows from the branches.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Reported {
+    /// Points of all branches.
     pub points: Vec<Shown>,
+    /// Ranges in which states are stable.
     pub ranges: Vec<Range>,
     /// Where in which of them the masses make the unbalance larger.
     pub harm: Vec<(usize, Harm)>,
     /// What the special points show.
     pub special: Vec<Seen>,
+}
+
+impl Reported {
+    pub(super) fn of(system: &System, search: &mut Search, found: &Found, highest: f64) -> Self {
+        let points = ranges::points(system, search, found);
+        let ranges = ranges::stable(system, search, found, &points, highest);
+        let special = found.paths.iter().flat_map(|p| &p.special).map(|l| Seen::of(system, search, &l.state)).collect();
+        let mut harm = Vec::new();
+        for (k, r) in ranges.iter().enumerate() {
+            harm.extend(ranges::harmful(system, search, found, &points, r).into_iter().map(|h| (k, h)));
+        }
+        Reported { points, ranges, harm, special }
+    }
 }
 
 /// The column of an angle.
@@ -49,32 +67,24 @@ pub(super) fn column_of(system: &System, coordinate: usize) -> String {
 }
 
 impl Report<'_> {
-    pub fn outcome(&self, search: &mut Search, context: &Context) -> Result<Outcome, Diagnostic> {
-        let found = self.found;
-        let points = ranges::points(self.system, search, found);
-        let ranges = ranges::stable(self.system, search, found, &points, self.range.1.abs());
-        let special = found.paths.iter().flat_map(|p| &p.special).map(|l| Seen::of(self.system, search, &l.state)).collect();
-        let harm = ranges
-            .iter()
-            .enumerate()
-            .flat_map(|(k, r)| ranges::harmful(self.system, search, found, &points, r).into_iter().map(|h| (k, h)).collect::<Vec<_>>());
-        let harm = harm.collect();
-        let reported = Reported { points, ranges, harm, special };
-        let mut out = Outcome::new(super::Stationary::KIND, context.name)
+    pub fn outcome(&self, result: &StationaryResult, name: &str) -> Result<Outcome, Diagnostic> {
+        let (found, reported) = (self.found, &result.shown);
+        let mut out = Outcome::new(super::Stationary::KIND, name)
             .over("speed", "rad/s")
-            .end(context.end(self.complete))
+            .end(result.end)
             .work("starts", found.starts[0])
             .work("points", found.paths.iter().map(|p| p.points.len() as u64).sum());
-        for f in self.findings(&reported) {
+        for f in self.findings(reported) {
             out = out.finding(f);
         }
-        for place in places(found, search) {
+        for place in &result.places {
+            let place: Vec<(usize, &Located)> = place.iter().filter_map(|&(k, i)| Some((k, found.paths.get(k)?.special.get(i)?))).collect();
             out = out.special_point(special_point(&place));
         }
-        for t in self.tables(&reported).map_err(Diagnostic::from)? {
+        for t in self.tables(reported).map_err(Diagnostic::from)? {
             out = out.table(t);
         }
-        for f in self.figures(&reported) {
+        for f in self.figures(reported) {
             out = out.figure(f);
         }
         out.checked().map_err(Diagnostic::from)
@@ -123,6 +133,14 @@ impl Report<'_> {
                 .float(format!("{} radius", body.name), "m", "distance from the axis", of(&|b| b[0].hypot(b[1])))
                 .float(format!("{} x", body.name), "m", "displacement in turning axes, along the key mark", of(&|b| b[0]))
                 .float(format!("{} y", body.name), "m", "displacement in turning axes, a quarter turn ahead of it", of(&|b| b[1]));
+        }
+        let others =
+            |tilt: bool| self.system.probes().iter().filter(move |p| !p.is_reference() && p.is_tilt() == tilt).map(probe_name).enumerate();
+        for (k, name) in others(false) {
+            t = t.float(format!("{name} radius"), "m", "distance from the axis", seen.iter().map(|s| s.points[k]).collect());
+        }
+        for (k, name) in others(true) {
+            t = t.float(name, "rad", "angle of the tilt", seen.iter().map(|s| s.tilts[k]).collect());
         }
         let groups = &self.found.images.groups;
         let places: Vec<(usize, usize)> = groups.iter().enumerate().flat_map(|(g, list)| (0..list.len()).map(move |i| (g, i))).collect();
@@ -247,7 +265,7 @@ impl Report<'_> {
                 column(&|s| s.growth.0),
             )
             .float("growth_largest", "1/s", "of the one that grows most; NaN as above", column(&|s| s.growth.1))
-            .float("radius", "m", "largest distance of a body from the axis", column(&|s| s.radius))
+            .float("radius", "m", "largest distance of a point of a body from the axis", column(&|s| s.radius))
             .float(
                 "unbalance",
                 "kg m",
@@ -324,8 +342,13 @@ impl Report<'_> {
             .float("unbalance_largest", "kg m", "left by the worst stable state; NaN where none is stable", column(&|c| c.unbalance.1))
             .float("without", "kg m", "unbalance without the masses; NaN where no state was found", column(&|c| c.without))
             .float("grade", "m/s", "grade number of the best (ISO 21940-11); NaN where none is stable", column(&|c| c.grade))
-            .float("radius_least", "m", "least of the largest distance of a body; NaN where none is stable", column(&|c| c.radius.0))
-            .float("radius_largest", "m", "largest distance of a body; NaN where none is stable", column(&|c| c.radius.1))
+            .float(
+                "radius_least",
+                "m",
+                "least of the largest distance of a point of a body; NaN where none is stable",
+                column(&|c| c.radius.0),
+            )
+            .float("radius_largest", "m", "largest distance of a point of a body; NaN where none is stable", column(&|c| c.radius.1))
             .build()
     }
 }
@@ -334,26 +357,27 @@ impl Report<'_> {
 const ONE: f64 = 1e-4;
 
 /// The special points, those at which branches cross each other once, with the branches.
-fn places<'a>(found: &'a Found, search: &Search) -> Vec<Vec<(usize, &'a Located)>> {
-    let mut out: Vec<Vec<(usize, &Located)>> = Vec::new();
-    for (k, path) in found.paths.iter().enumerate() {
-        for l in &path.special {
-            let known = |place: &&mut Vec<(usize, &Located)>| {
-                let o = place[0].1;
-                let widest = [o, l].iter().map(|l| l.bracket.1 - l.bracket.0).fold(1e-9 * o.state.speed.abs(), f64::max);
-                o.change == Change::BranchPoint
-                    && l.change == Change::BranchPoint
-                    && (o.state.speed - l.state.speed).abs() <= widest
-                    && found.images.distance(&o.state.x, &l.state.x, search.scale()) <= ONE
-            };
-            match out.iter_mut().find(known) {
-                Some(place) => place.push((k, l)),
-                None => out.push(vec![(k, l)]),
-            }
+pub(super) fn places(found: &Found, search: &Search) -> Vec<Vec<(usize, usize)>> {
+    let at = |(k, i): (usize, usize)| &found.paths[k].special[i];
+    let mut out: Vec<Vec<(usize, usize)>> = Vec::new();
+    for place in found.paths.iter().enumerate().flat_map(|(k, p)| (0..p.special.len()).map(move |i| (k, i))) {
+        let l = at(place);
+        let known = |known: &&mut Vec<(usize, usize)>| {
+            let o = at(known[0]);
+            let widest = [o, l].iter().map(|l| l.bracket.1 - l.bracket.0).fold(1e-9 * o.state.speed.abs(), f64::max);
+            o.change == Change::BranchPoint
+                && l.change == Change::BranchPoint
+                && (o.state.speed - l.state.speed).abs() <= widest
+                && found.images.distance(&o.state.x, &l.state.x, search.scale()) <= ONE
+        };
+        match out.iter_mut().find(known) {
+            Some(known) => known.push(place),
+            None => out.push(vec![place]),
         }
     }
     // the best known first
-    out.iter_mut().for_each(|p| p.sort_by(|a, b| (a.1.bracket.1 - a.1.bracket.0).total_cmp(&(b.1.bracket.1 - b.1.bracket.0))));
+    let width = |p: &(usize, usize)| at(*p).bracket.1 - at(*p).bracket.0;
+    out.iter_mut().for_each(|all| all.sort_by(|a, b| width(a).total_cmp(&width(b))));
     out
 }
 

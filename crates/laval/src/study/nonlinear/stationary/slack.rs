@@ -10,12 +10,13 @@ use crate::model::system::System;
 use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
 use crate::study::shared::support::larger;
+use serde::{Deserialize, Serialize};
 
 /// Samples of a continuum from which ways are gone.
 const SAMPLES: usize = 6;
 
 /// A mass that is held where most is left.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Mass {
     /// Its coordinate.
     coordinate: usize,
@@ -26,6 +27,7 @@ pub struct Mass {
 }
 
 /// What was met about one continuum at one speed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Left {
     /// Of the continua, from 0.
     pub sheet: usize,

@@ -9,8 +9,10 @@ use crate::outcome::{Finding, OutcomeError, Table, quantity};
 use crate::solve::stationary::{Search, State};
 use crate::solve::unbalance::Unbalance;
 use crate::study::shared::support::larger;
+use serde::{Deserialize, Serialize};
 
 /// A coordinate that is held.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Held {
     /// Which.
     coordinate: usize,
@@ -23,6 +25,7 @@ pub struct Held {
 }
 
 /// The range about one state of the table.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Zone {
     /// State of the table, from 0.
     pub row: usize,
