@@ -11,7 +11,7 @@ use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
 use crate::harmonic::balance::terms::{Terms, admitted};
 use crate::harmonic::balance::whole_period::whole_period;
 use crate::harmonic::branches::bifurcation::{Event, frequency};
-use crate::harmonic::branches::branch::Judge;
+use crate::harmonic::branches::branch::{Judge, Origin, Traced};
 use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States, Tick, carry, respond};
 use crate::harmonic::loci::crossings::{CrossingLocus, angle, exponents, nearest, span};
 use crate::harmonic::loci::existence::existence;
@@ -60,6 +60,24 @@ pub struct Request {
     pub max_points: usize,
     /// Most points in all.
     pub work: u64,
+}
+
+impl Request {
+    /// Folds and changes of stability over a range of speeds (rad/s) and of a parameter; values at which responses are computed are to be added.
+    pub fn over(speeds: (f64, f64), parameter: &str, range: (f64, f64)) -> Self {
+        Request {
+            speeds,
+            parameter: parameter.into(),
+            range,
+            values: Vec::new(),
+            folds: true,
+            stability: true,
+            harmonics: None,
+            truncation: 1e-7,
+            max_points: 2_000,
+            work: u64::MAX,
+        }
+    }
 }
 
 /// A response that was computed to find starts.
@@ -141,6 +159,20 @@ struct Starts {
 /// # Errors
 /// A machine without a response, or that exists at no value of the parameter.
 pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick) -> Result<Loci, Diagnostic> {
+    loci_from(system, request, &[], cancel, tick)
+}
+
+/// The same where responses at some of the values are known: there none is computed. Of theirs the branches from the ends of the range of speeds count.
+///
+/// # Errors
+/// As [`loci`].
+pub fn loci_from(
+    system: &System,
+    request: &Request,
+    known: &[(f64, Response)],
+    cancel: &AtomicBool,
+    tick: Tick,
+) -> Result<Loci, Diagnostic> {
     let (exists, refused) = existence(system, request)?;
     let path = request.parameter.as_str();
     let mut machines = Vec::new();
@@ -188,6 +220,10 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         }
         let left = usize::try_from((request.work - done) / 2).unwrap_or(usize::MAX);
         let max_points = request.max_points.min(left).max(2);
+        if let Some((_, found)) = known.iter().find(|k| k.0 == *value) {
+            collect(found, request, k, *value, &mut out, &mut starts);
+            continue;
+        }
         let found = respond(machine, &response::Request { max_points, ..requested(Some(symmetry)) }, cancel, &|n| tick(done + n));
         let found = match found {
             Ok(found) => found,
@@ -205,9 +241,6 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
         done += found.branches.iter().map(|b| b.points.len() as u64).sum::<u64>();
         // points that the work did not admit are not those of the request
         out.stopped |= max_points < request.max_points && found.branches.iter().any(|b| b.end == End::MaxPoints);
-        let d = &mut out.discretisation;
-        d.harmonics = d.harmonics.max(found.discretisation.harmonics);
-        d.samples = d.samples.max(found.discretisation.samples);
         collect(&found, request, k, *value, &mut out, &mut starts);
     }
     if let (true, Some(d)) = (out.samples.is_empty(), failed) {
@@ -236,10 +269,16 @@ pub fn loci(system: &System, request: &Request, cancel: &AtomicBool, tick: Tick)
 /// Bifurcations of a response from which loci may start.
 fn collect(found: &Response, request: &Request, machine: usize, value: f64, out: &mut Loci, starts: &mut Starts) {
     let mut sample = Sample { value, folds: 0, changes: 0 };
+    let d = &mut out.discretisation;
+    d.harmonics = d.harmonics.max(found.discretisation.harmonics);
+    d.samples = d.samples.max(found.discretisation.samples);
+    let (lo, hi) = request.speeds;
+    let inside = |speed: f64| speed >= lo - EDGE * lo.abs() && speed <= hi + EDGE * hi.abs();
+    let main = |b: &&Traced| matches!(b.origin, Origin::Low | Origin::High) && b.discretisation.divisor == 1;
     if out.unjudged.is_none() {
         out.unjudged.clone_from(&found.unjudged);
     }
-    for branch in &found.branches {
+    for branch in found.branches.iter().filter(main) {
         let start =
             |speed: f64, x: &[f64], kind| Start { machine, value, speed, x: x.to_vec(), discretisation: branch.discretisation, kind };
         // at a corner of a law the equations have no second derivative: the fold moves, but not by these equations
@@ -247,7 +286,7 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
         for f in &branch.folds {
             sample.folds += 1;
             out.corners += usize::from(f.corner);
-            let followed = request.folds && !f.corner;
+            let followed = request.folds && !f.corner && inside(f.speed);
             own.push(followed.then_some(starts.all.len()));
             if followed {
                 starts.all.push(start(f.speed, &f.x, LocusKind::Fold));
@@ -259,7 +298,7 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
             let bounds = c.unstable.0 == 0 || c.unstable.1 == 0;
             let followed = c.event != Event::BranchPoint;
             sample.changes += usize::from(bounds);
-            if bounds && followed && request.stability {
+            if bounds && followed && request.stability && inside(c.speed) {
                 starts.all.push(start(c.speed, &c.point.x, LocusKind::Change(c.event)));
             } else {
                 out.others += 1;
@@ -521,6 +560,8 @@ impl<'s> Search<'s> {
     }
 }
 
+/// Relative distance from an end of the range of speeds that is rounding.
+const EDGE: f64 = 1e-9;
 /// Relative size of what is one place and no locus.
 const SPOT: f64 = 1e-6;
 

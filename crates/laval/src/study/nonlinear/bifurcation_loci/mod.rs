@@ -12,13 +12,14 @@
 //! Sources: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM 2000); Y. A. Kuznetsov, Elements of Applied Bifurcation Theory (2004).
 
 use super::free_motion::TRUNCATION;
+use super::nonlinear_response::NonlinearResponseResult;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::system::{Drive, System};
 use crate::outcome::{End, Outcome, quantity};
-use crate::solve::harmonic::branches::response::MOST_HARMONICS;
+use crate::solve::harmonic::branches::response::{MOST_HARMONICS, Response};
 use crate::solve::harmonic::loci::follow::PathEnd;
-use crate::solve::harmonic::loci::search::{Loci, Request, loci};
+use crate::solve::harmonic::loci::search::{Loci, Request, loci_from};
 use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::range;
@@ -32,14 +33,58 @@ mod report;
 pub use measured::Measured;
 
 /// See the [module](self).
+///
+/// It can start from a response that was computed, or stored, before:
+///
+/// ```
+/// use laval::prelude::*;
+/// use laval::solve::harmonic::{branches::response, loci::search};
+/// use laval::study::TypedStudy;
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let ground = || Link::Between(Attach::on("disc"), Attach::ground());
+/// let machine = Builder::new("rotor")
+///     .part("disc", Disc::planar(), DiscParams { eccentricity: 180e-6, ..DiscParams::new(2.0) })
+///     .part("bearing", BearingCubic::isotropic(ground()), BearingCubicParams::new([1e6; 2], [3e10; 2]))
+///     .part("air", Damper::fixed(ground()), DamperParams::new([100.0; 2]))
+///     .build()?;
+/// let request = response::Request { stability: false, ..response::Request::over(300.0, 2000.0) };
+/// let response = NonlinearResponse::new(request).result(&machine, &Context::quiet("response"))?;
+/// let request = search::Request {
+///     stability: false,
+///     ..search::Request::over((300.0, 2000.0), "disc.eccentricity", (100e-6, 200e-6))
+/// };
+/// let study = BifurcationLoci::new(request).with_response(&machine, &response);
+/// let loci = study.result(&machine, &Context::quiet("loci"))?.found;
+/// // the only response it has is that one; both its folds lie on one locus, with a cusp
+/// assert_eq!((loci.samples.len(), loci.samples[0].folds, loci.loci.len()), (1, 2, 1));
+/// assert!(loci.loci[0].corners[0].turn.speed_turns);
+/// # Ok(()) }
+/// ```
 pub struct BifurcationLoci {
     request: Request,
+    /// Responses at some of the values.
+    known: Vec<(f64, Response)>,
 }
 
 impl BifurcationLoci {
     /// The study that answers this request.
     pub fn new(request: Request) -> Self {
-        BifurcationLoci { request }
+        BifurcationLoci { request, known: Vec::new() }
+    }
+
+    /// Starts at the bifurcations of a response of this machine too: at the machine's own value of the parameter, which is added to the values of the
+    /// request, no response is computed. Changes of stability are there where it was judged. Without such a value nothing changes.
+    pub fn with_response(mut self, system: &System, result: &NonlinearResponseResult) -> Self {
+        let own = system.param(&self.request.parameter).and_then(|i| system.params().get(*i.first()?).copied());
+        if let Some(value) = own.filter(|x| (self.request.range.0..=self.request.range.1).contains(x)) {
+            if !self.request.values.contains(&value) {
+                self.request.values.push(value);
+                self.request.values.sort_by(f64::total_cmp);
+            }
+            self.known.push((value, result.response.clone()));
+        }
+        self
     }
 }
 
@@ -123,20 +168,18 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
             _ => None,
         };
         let kinds = values.choice("kinds").unwrap_or("all");
-        Some(BifurcationLoci {
-            request: Request {
-                speeds: speeds?,
-                parameter,
-                range: (given.from, given.to),
-                values: given.linspace(5),
-                folds: kinds != "stability",
-                stability: kinds != "folds",
-                harmonics,
-                truncation: values.number("truncation").unwrap_or(1e-7),
-                max_points: values.integer("max_points").and_then(|i| usize::try_from(i).ok()).unwrap_or(2_000),
-                work: u64::MAX,
-            },
-        })
+        Some(BifurcationLoci::new(Request {
+            speeds: speeds?,
+            parameter,
+            range: (given.from, given.to),
+            values: given.linspace(5),
+            folds: kinds != "stability",
+            stability: kinds != "folds",
+            harmonics,
+            truncation: values.number("truncation").unwrap_or(1e-7),
+            max_points: values.integer("max_points").and_then(|i| usize::try_from(i).ok()).unwrap_or(2_000),
+            work: u64::MAX,
+        }))
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
@@ -170,7 +213,7 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
     fn compute(&self, system: &System, context: &Context) -> Result<BifurcationLociResult, Diagnostic> {
         self.admit(system)?;
         let request = Request { work: context.work_limit, ..self.request.clone() };
-        let found = loci(system, &request, context.cancel, &|done| context.progress.report(done, 0))?;
+        let found = loci_from(system, &request, &self.known, context.cancel, &|done| context.progress.report(done, 0))?;
         let [points, corners] = measured::measured(system, &request, &found)?;
         let ends = || found.loci.iter().flat_map(|l| &l.ends);
         let end = match () {
