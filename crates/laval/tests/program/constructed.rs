@@ -19,7 +19,7 @@ fn example(kind: &str) -> (Loaded, Value) {
 }
 
 /// Steps after which a study of the test below ends.
-const STEPS: u64 = 40;
+const STEPS: u64 = 3000;
 
 macro_rules! studies {
     ($($study:ident)*) => {
