@@ -207,3 +207,37 @@ fn constructed_studies_beyond_a_table_are_refused_or_marked() {
         assert!(outcome.findings.iter().all(|f| f.level == Level::Invalid), "{}: {:?}", study.kind(), outcome.findings);
     }
 }
+
+/// A disc in a bearing whose table goes from 100 to 500 rad/s and whose cross coupling grows, in studies from 50 to 1000 rad/s.
+fn journal(beyond: &str, study: &str) -> Outcome {
+    run(&format!(
+        "[machine]\nspeed = \"300 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 10\neccentricity = \"20 um\"\n\
+         [[part]]\nkind = \"bearing_linear\"\nname = \"b\"\nbetween = [\"d\", \"ground\"]\nbeyond = \"{beyond}\"\n\
+         table = {{ speed = [100, 300, 500], kxx = [1e6, 2e6, 4e6], kyy = [1e6, 2e6, 4e6], kxy = [0, 2e5, 6e5], kyx = [0, -2e5, -6e5], \
+         cxx = [1000, 1000, 1000], cyy = [1000, 1000, 1000] }}\n[[study]]\nkind = \"{study}\"\nspeed = {{ from = 50, to = 1000 }}\n"
+    ))
+}
+
+/// A finding about all speeds of a study that leaves the table rests on it, and so does one that names a speed beyond it, be it the last of a range.
+#[test]
+fn findings_about_a_range_beyond_a_table_are_marked() {
+    for (beyond, study, ids) in [
+        ("hold", "critical_speeds", &["critical_speed", "margin"][..]),
+        ("hold", "nonlinear_response", &["no_jump_up", "no_jump_down", "self_centring", "largest_displacement"]),
+        ("linear", "critical_speeds", &["unstable"]),
+        ("linear", "forced_response", &["unstable"]),
+        ("linear", "nonlinear_response", &["unstable_states"]),
+    ] {
+        let o = journal(beyond, study);
+        for id in ids {
+            let found = find(&o, id);
+            assert!(!found.is_empty(), "{study}: no {id}");
+            for f in found {
+                assert!(f.level == Level::Invalid && f.text.contains("Outside the table of \"b\""), "{study}: {}", f.sentence());
+            }
+        }
+        // both sides
+        let text = o.findings[0].sentence();
+        assert!(o.findings[0].id == "beyond_table" && text.contains("down to 50 rad/s") && text.contains("up to 1000 rad/s"), "{text}");
+    }
+}

@@ -258,17 +258,25 @@ impl Shown<'_> {
         let (speed, what) = place?;
         let distance = (speed - w).abs() / w.abs();
         let so_far = if self.complete() { "" } else { " found before the study stopped" };
-        let text = format!(
-            "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{}.",
-            quantity(speed, "rad/s"),
-            quantity(w, "rad/s"),
-            if quiet { "; the unbalance of this machine excites no resonance there" } else { "" }
-        );
+        let quietly = if quiet { "; the unbalance of this machine excites no resonance there" } else { "" };
+        let text = if distance <= SAME {
+            format!("The operating speed, {}, is a {what}{so_far}{quietly}.", quantity(w, "rad/s"))
+        } else {
+            format!(
+                "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{quietly}.",
+                quantity(speed, "rad/s"),
+                quantity(w, "rad/s")
+            )
+        };
         // which is the nearest, and whether the load excites it, is known of a whole search alone
         let near = self.complete() && !quiet && distance < self.study.margin;
         let finding = if near { Finding::warning("margin", text) } else { Finding::info("margin", text) };
         let finding = finding.of("to the nearest critical speed, over the operating speed").value(distance, "");
-        Some(finding.shown_as(100.0 * distance, "%").evidence("margin requested", self.study.margin, ""))
+        Some(finding.shown_as(100.0 * distance, "%").evidence("margin requested", self.study.margin, "").evidence(
+            "its speed",
+            speed,
+            "rad/s",
+        ))
     }
 
     fn peak_table(&self) -> Result<Table, Diagnostic> {
@@ -294,6 +302,9 @@ impl Shown<'_> {
         Figure::new("critical_speeds", "Critical speeds", alt).x(Axis::new("spin speed", "rad/s").range(range.from, range.to)).panel(panel)
     }
 }
+
+/// Distance of two speeds, over one of them, that is rounding.
+const SAME: f64 = 1e-12;
 
 /// Widths of a resonance within which a peak belongs to it.
 const WIDTHS: f64 = 2.0;

@@ -44,5 +44,6 @@ pub(in crate::study) fn unstable(system: &System, strongest: &[Strongest], follo
     };
     let text = format!("The machine is unstable {place}: it {how} with a growth rate of up to {{}}{at}. {so}");
     let share = grow.len() as f64 / all.len() as f64;
-    Some(Finding::warning("unstable", text).value(most.value.re, "1/s").evidence("share of the speeds computed", share, ""))
+    let finding = Finding::warning("unstable", text).value(most.value.re, "1/s").evidence("share of the speeds computed", share, "");
+    Some(finding.evidence("first speed", first.speed, "rad/s").evidence("last speed", last.speed, "rad/s"))
 }

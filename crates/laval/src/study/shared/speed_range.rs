@@ -74,9 +74,10 @@ pub(in crate::study) fn known<T: Study>(study: &T, system: &System) -> Result<()
 /// Marks in an outcome what rests on a table beyond its speeds.
 pub(in crate::study) fn mark_beyond<T: Study>(study: &T, system: &System, outcome: &mut Outcome) {
     for (name, t) in tabulated(system) {
-        let needed = study.spin_speeds(system);
-        if let Some(needed) = needed.iter().filter(|n| n.leaves(&t)).max_by(|a, b| reach(a, &t).total_cmp(&reach(b, &t))) {
-            mark(outcome, name, &t, needed);
+        let mut needed = study.spin_speeds(system);
+        needed.retain(|n| n.leaves(&t));
+        if !needed.is_empty() {
+            mark(outcome, name, &t, &needed);
         }
     }
 }
@@ -90,20 +91,55 @@ fn reach(n: &SpinSpeeds, t: &Tabulated) -> f64 {
     (n.to - t.to).max(t.from - n.from)
 }
 
-/// Says first that the study leaves the table, and marks every finding at a speed beyond it; all of them, where no speed lies inside.
-fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &SpinSpeeds) {
+/// Evidence in rad/s that is no spin speed, by words of its name.
+const NO_SPEED: [&str; 9] = ["frequency", "width", "change", "difference", "uncertainty", "step", "rate", "slip", "bracket"];
+
+/// Findings whose value in rad/s is no spin speed.
+const NO_PLACE: [&str; 6] = ["family", "merged_modes", "fold_deviation", "hysteresis", "widest_hysteresis", "widest_window"];
+
+/// Findings without a speed that rest on no coefficient of a table: of the file, the form of the equations, or the accuracy of the method.
+const OF_THE_METHOD: [&str; 16] = [
+    "incomplete",
+    "nothing_shown",
+    "validity",
+    "linearised",
+    "open_gap",
+    "fitted_part",
+    "start",
+    "massless",
+    "threshold",
+    "criterion",
+    "threshold_raised",
+    "frequency_only",
+    "stability_fit",
+    "harmonics_short",
+    "energy_balance",
+    "spin_inertia",
+];
+
+/// The spin speeds that a finding names.
+fn speeds(f: &Finding) -> impl Iterator<Item = f64> + '_ {
+    let own = f.value.filter(|_| f.unit == "rad/s" && !NO_PLACE.contains(&f.id.as_str()));
+    let named = f.evidence.iter().filter(|e| e.unit == "rad/s" && !NO_SPEED.iter().any(|word| e.what.contains(word)));
+    own.into_iter().chain(named.map(|e| e.value))
+}
+
+/// A finding about all speeds of a study: one that names no speed, that nothing was found at any, or that the machine is stable at all.
+fn about_all(f: &Finding) -> bool {
+    let none = f.id == "stable" || f.id.starts_with("no_") && f.value.is_none();
+    none || speeds(f).next().is_none() && !OF_THE_METHOD.contains(&f.id.as_str()) && f.id != "beyond_table"
+}
+
+/// Says first that the study leaves the table, and marks every finding at a speed beyond it or about all speeds; all of them, where no speed lies inside.
+fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &[SpinSpeeds]) {
     let slack = SAME * t.to.abs().max(t.from.abs());
     let beyond = |w: f64| w < t.from - slack || w > t.to + slack;
     // the statement of the part itself says the same of one speed
     outcome.findings.retain(|f| !(f.level == Level::Invalid && f.text.contains(t.statement)));
-    let everywhere = needed.to < t.from - slack || needed.from > t.to + slack;
-    let places: Vec<f64> = outcome.special_points.iter().map(|p| p.at).filter(|at| beyond(*at)).collect();
-    let along_speed = outcome.parameter.as_ref().is_some_and(|p| p.unit == "rad/s");
-    for f in &mut outcome.findings {
-        let at = |w: f64, unit: &str| along_speed && unit == "rad/s" && places.contains(&w);
-        let here = f.value.is_some_and(|w| at(w, &f.unit))
-            || f.evidence.iter().any(|e| e.unit == "rad/s" && beyond(e.value) && (e.what == "at" || e.what.contains("speed")));
-        if everywhere || here {
+    let Some(most) = needed.iter().max_by(|a, b| reach(a, t).total_cmp(&reach(b, t))) else { return };
+    let everywhere = most.to < t.from - slack || most.from > t.to + slack;
+    for f in outcome.findings.iter_mut().filter(|f| f.id != "beyond_table") {
+        if everywhere || speeds(f).any(beyond) || about_all(f) {
             f.level = Level::Invalid;
             let end = if f.text.ends_with('.') { "" } else { "." };
             f.text += &format!("{end} Outside the table of \"{name}\".");
@@ -114,11 +150,22 @@ fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &SpinSpeeds) {
         Beyond::Hold => "held at its ends",
         Beyond::Linear => "continued along its slope at the ends",
     };
+    let (lowest, highest) = needed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| (l.min(n.from), h.max(n.to)));
+    let (below, above) = (lowest < t.from - slack, highest > t.to + slack);
+    let farthest = if most.to - t.to >= t.from - most.from { most.to } else { most.from };
+    let up = farthest == most.to;
+    let place = match (below, above) {
+        (true, true) if up => format!("Below, down to {}, and above, up to {{}},", quantity(lowest, "rad/s")),
+        (true, true) => format!("Below, down to {{}}, and above, up to {},", quantity(highest, "rad/s")),
+        (true, false) => "Beyond, down to {},".into(),
+        _ => "Beyond, up to {},".into(),
+    };
     let (from, to) = (quantity(t.from, "rad/s"), quantity(t.to, "rad/s"));
-    let text = format!("The table of \"{name}\" goes from {from} to {to}. Beyond, up to {{}}, its coefficients are {how}.");
-    let farthest = if needed.to - t.to >= t.from - needed.from { needed.to } else { needed.from };
-    let text = if farthest == needed.from { text.replace("up to", "down to") } else { text };
+    let text = format!("The table of \"{name}\" goes from {from} to {to}. {place} its coefficients are {how}.");
     let finding = Finding::invalid("beyond_table", text).of(name).value(farthest, "rad/s");
-    let finding = finding.evidence("table from", t.from, "rad/s").evidence("table to", t.to, "rad/s");
+    let mut finding = finding.evidence("table from", t.from, "rad/s").evidence("table to", t.to, "rad/s");
+    if below && above {
+        finding = finding.evidence("lowest speed", lowest, "rad/s").evidence("highest speed", highest, "rad/s");
+    }
     outcome.findings.insert(0, finding);
 }
