@@ -69,13 +69,17 @@ fn direction((f, b): (C64, C64)) -> f64 {
 /// The smaller of two circles over the orbit below which the orbit is a circle itself, to rounding.
 const CIRCLE: f64 = 1e-9;
 
-/// Response at a speed; `None` where T is singular (an undamped resonance).
+/// Response at a speed; `None` where T is singular (an undamped resonance). Zero at standstill, where no unbalance acts.
 ///
 /// # Errors
 /// As the state.
 pub fn response(system: &System, state: State, speed: f64) -> Result<Option<Response>, Diagnostic> {
     let Equations { matrix, load, sectors } = equations(system, state, speed)?;
-    Ok(solve(&matrix, load, speed).map(|mut r| {
+    // at standstill no unbalance acts, and what no stiffness holds stays where it is
+    let still =
+        speed == 0.0 && load.iter().all(|f| *f == C64::ZERO) && (0..matrix.rows()).all(|i| matrix.row(i).iter().all(|x| x.is_finite()));
+    let at_rest = Response { speed, x: vec![C64::ZERO; load.len()], residual: 0.0 };
+    Ok(solve(&matrix, load, speed).or(still.then_some(at_rest)).map(|mut r| {
         if let Some(sectors) = sectors {
             sectors.restore(&mut r.x);
         }

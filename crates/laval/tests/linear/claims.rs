@@ -340,3 +340,72 @@ fn modes_about_the_turning_state_of_free_balls_name_a_study_that_finds_it() {
     assert!(d.message.contains("state that turns with the rotor"), "{d}");
     assert!(!d.message.contains("stiffness") && d.help.as_deref().is_some_and(|h| h.contains("stationary")), "{d}");
 }
+
+/// A body on a damper alone: `|z| = e W / sqrt(W^2 + (c/m)^2)` goes to zero at standstill, where nothing acts.
+#[test]
+fn standstill_without_stiffness_is_no_resonance() {
+    let (m, c, e) = (3.0, 900.0, 5e-5);
+    let text = format!(
+        "[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m}\neccentricity = {e:e}\n\
+         [[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = {c}\n\
+         [[study]]\nkind = \"forced_response\"\nspeed = {{ from = 0, to = 1000 }}\n\
+         [[study]]\nkind = \"sweep\"\nspeed = {{ from = 100, to = 1000, points = 3 }}\nmost_periods = 20\n"
+    );
+    let all = run_all(&text);
+    assert!(findings(&all[0], "undamped_resonance").is_empty(), "{:?}", all[0].findings);
+    let (speed, amplitude) = (column(&all[0], "response", "speed"), column(&all[0], "response", "amplitude.d"));
+    assert_eq!(speed[0], 0.0);
+    for (w, a) in speed.iter().zip(&amplitude) {
+        let known = e * w / w.hypot(c / m);
+        assert!((a - known).abs() <= 1e-12 * e, "{w}: {a} {known}");
+    }
+    // up and down pass the same three speeds
+    let none = finding(&all[1], "no_decay");
+    assert!(none.value == Some(3.0) && none.text.contains("of 3 speeds"), "{}", none.sentence());
+}
+
+/// `|z| = e r^2 / |1 - r^2 + 2 i D r|` beside a stop with a gap: the response that would close it is no small motion about an open gap.
+#[test]
+fn a_response_that_closes_an_open_gap_is_a_warning() {
+    let (m, k, c, e) = (8.0f64, 1e6f64, 150.0, 1e-4);
+    let of = |gap: f64, speed: &str| {
+        let text = format!(
+            "[machine]\nspeed = 300\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m}\neccentricity = {e:e}\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nstiffness = {k:e}\ndamping = {c}\n\
+             [[part]]\nkind = \"stop\"\nname = \"st\"\nbetween = [\"d\", \"ground\"]\nstiffness = 1e7\ngap = {gap:e}\n\
+             [[study]]\nkind = \"forced_response\"\nspeed = {speed}\n"
+        );
+        run_all(&text).remove(0)
+    };
+    let size = |w: f64| e * m * w * w / (k - m * w * w).hypot(c * w);
+    let range = "{ from = 100, to = 900 }";
+    let o = of(3e-4, range);
+    let f = finding(&o, "gap_closes");
+    assert!(f.level == Level::Warning && f.text.contains("\"st\""), "{}", f.sentence());
+    // the first of the speeds computed at which the orbit is wider than the gap
+    let speed = column(&o, "response", "speed");
+    let first = speed.iter().copied().find(|w| size(*w) > 3e-4).unwrap();
+    assert!((f.value.unwrap() - first).abs() < 1e-9, "{} {first}", f.sentence());
+    assert!(findings(&of(0.1, range), "gap_closes").is_empty());
+    assert!(findings(&of(3e-4, "100"), "gap_closes").is_empty());
+    assert!(finding(&of(3e-4, "350"), "gap_closes").text.starts_with("At {}"));
+}
+
+/// At a critical speed there is no distance to it, and no rounding is given as one.
+#[test]
+fn an_operating_speed_on_a_critical_speed_is_said_to_be_one() {
+    let text = |speed: f64| {
+        format!(
+            "[machine]\nspeed = {speed:e}\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 4\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nstiffness = 4e4\ndamping = 0.4\n\
+             [[study]]\nkind = \"critical_speeds\"\nspeed = {{ from = 10, to = 400 }}\n"
+        )
+    };
+    let o = run_all(&text(90.0)).remove(0);
+    let critical = finding(&o, "critical_speed").value.unwrap();
+    assert!(finding(&o, "margin").text.contains("away from it"));
+    let o = run_all(&text(critical * (1.0 + 2e-16))).remove(0);
+    let margin = finding(&o, "margin");
+    assert!(margin.level == Level::Warning && margin.sentence().contains("is a lightly damped critical speed"), "{}", margin.sentence());
+    assert!(!margin.sentence().contains('%'), "{}", margin.sentence());
+}

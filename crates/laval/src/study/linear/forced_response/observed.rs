@@ -4,9 +4,10 @@ use crate::diagnostic::Diagnostic;
 use crate::model::blocks::Blocks;
 use crate::model::part::{At, Physics};
 use crate::model::system::{Slot, System, Workspace};
-use crate::solve::characteristic::Characteristic;
+use crate::solve::characteristic::{Characteristic, Equilibrium};
 use crate::solve::linear_response::Response;
 use crate::solve::locate::State;
+use crate::solve::rest::clearance;
 use crate::solve::sectors::circular;
 use laval_num::complex::{C64, c};
 use laval_num::text::Text;
@@ -22,6 +23,25 @@ pub struct Observations {
     pub validity: Vec<f64>,
     /// Statements of validity that do not hold throughout.
     pub outside: Vec<Outside>,
+    /// Gaps that are open at rest and that the response would close.
+    pub closed: Vec<Closed>,
+}
+
+/// A gap, open at rest, that the amplitudes of the response exceed.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Closed {
+    /// Name of the part.
+    pub part: String,
+    /// Clearance at rest, m.
+    pub gap: f64,
+    /// Deepest penetration, m; infinite at a resonance without bound.
+    pub depth: f64,
+    /// First speed at which it would close, rad/s.
+    pub from: f64,
+    /// Last such speed, rad/s.
+    pub to: f64,
+    /// Speed of the deepest penetration, rad/s.
+    pub speed: f64,
 }
 
 /// A quantity of a part.
@@ -69,6 +89,7 @@ pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Re
     let (mut validity, mut outside) = (vec![0.0f64; points.len()], Vec::<Outside>::new());
     let mut ws = Workspace::default();
     let n = system.n();
+    let mut closed = Vec::<Closed>::new();
     for (row, r) in points.iter().enumerate() {
         for (name, force) in exact_forces(system, r) {
             out.entry((name, "force", "N")).or_insert_with(|| vec![0.0; points.len()])[row] = force;
@@ -76,6 +97,8 @@ pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Re
         let rest = state(r.speed)?;
         let t = Characteristic::new(system, &rest);
         let s = c(0.0, r.speed);
+        let open = |slot: &'_ Slot| clearance(system, slot, &rest).filter(|gap| *gap > 0.0);
+        let gaps: Vec<(&Slot, f64)> = system.slots().iter().filter_map(|slot| Some((slot, open(slot)?))).collect();
         for turn in 0..24 {
             let turning = C64::cis(std::f64::consts::TAU * turn as f64 / 24.0);
             let real = |z: C64| (z * turning).re;
@@ -85,6 +108,14 @@ pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Re
             let mut z = rest.z.clone();
             for (&k, x) in t.states().iter().zip(&r.x[n..]) {
                 z[k] += real(*x);
+            }
+            for &(slot, gap) in &gaps {
+                let moved = Equilibrium { q: q.clone(), z: z.clone(), ..rest.clone() };
+                // the amplitude beside a pole is not a number
+                let depth = clearance(system, slot, &moved).filter(|left| left.is_finite()).map_or(f64::INFINITY, |left| -left);
+                if depth > 0.0 {
+                    close(&mut closed, &slot.name, (gap, depth), r.speed);
+                }
             }
             let at = At { q: &q, v: &v, a: &a, z: &z, phase: turning.arg(), speed: r.speed, spin_accel: 0.0, t: 0.0 };
             for (k, u) in system.validity(&at, &mut ws) {
@@ -131,7 +162,20 @@ pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Re
         }
     }
     let quantities = out.into_iter().map(|((part, what, unit), values)| Shows { part, what, unit, values }).collect();
-    Ok(Observations { quantities, validity, outside })
+    Ok(Observations { quantities, validity, outside, closed })
+}
+
+/// Enters that the gap of a part closes at a speed.
+fn close(closed: &mut Vec<Closed>, part: &str, (gap, depth): (f64, f64), speed: f64) {
+    match closed.iter_mut().find(|c| c.part == part) {
+        Some(c) => {
+            c.to = speed;
+            if depth > c.depth {
+                (c.depth, c.speed, c.gap) = (depth, speed, gap);
+            }
+        }
+        None => closed.push(Closed { part: part.into(), gap, depth, from: speed, to: speed, speed }),
+    }
 }
 
 /// Forces of the parts that are given in the frequency domain, by their exact reaction: what they put on their first pair of coordinates, such as a liquid on

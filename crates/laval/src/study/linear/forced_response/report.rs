@@ -139,6 +139,19 @@ impl<'a> Shown<'a> {
             );
             out.push(Finding::warning("response_unknown", text).value(*first, "rad/s"));
         }
+        for c in &self.result.observed.closed {
+            let place =
+                if self.study.speed.is_one() { "At {}".into() } else { format!("From {{}} on (last at {})", quantity(c.to, "rad/s")) };
+            let text = format!(
+                "{place} this linear response would close the gap of \"{}\", open by {} at rest, which it leaves out: its amplitudes are not those of \
+                 the machine there. nonlinear_response includes the contact.",
+                c.part,
+                quantity(c.gap, "m")
+            );
+            let finding = Finding::warning("gap_closes", text).of(&c.part).value(c.from, "rad/s").evidence("last at speed", c.to, "rad/s");
+            let deepest = if c.depth.is_finite() { c.depth } else { f64::NAN };
+            out.push(finding.evidence("deepest penetration", deepest, "m").evidence("at speed", c.speed, "rad/s"));
+        }
         for u in &self.result.observed.outside {
             let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);
             let text = if u.ratio.is_finite() { text } else { text.replace("{}, above 1", "no finite value") };
