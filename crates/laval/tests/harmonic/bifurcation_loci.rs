@@ -277,6 +277,18 @@ fn report(builder: Builder, request: Request) -> (BifurcationLociResult, Outcome
     (result, outcome)
 }
 
+/// The cusp of a hardening rotor has the lowest speed of all folds: the speeds over which they spread begin with it.
+#[test]
+fn the_extent_of_folds_includes_the_cusp() {
+    let (k3, c) = (3e10, 100.0);
+    let [w, e, _] = cusp(k3, c);
+    let ask = Request { harmonics: Some(1), ..ask((0.5 * w, 2.5 * w), "disc.eccentricity", (0.31 * e, 4.0 * e), 4) };
+    let (_, outcome) = report(jeffcott(true, k3, c, e), ask);
+    let f = outcome.findings.iter().find(|f| f.id == "folds_from").unwrap();
+    let lowest = f.evidence.iter().find(|e| e.what == "lowest speed").unwrap().value;
+    assert!(lowest <= w * (1.0 + 1e-9), "{lowest} {w}");
+}
+
 /// Above the cusp both folds are on loci of their own; what belongs together follows from the responses.
 #[test]
 fn folds_on_two_loci_belong_together() {

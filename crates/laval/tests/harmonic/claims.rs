@@ -107,3 +107,66 @@ fn a_whirl_meets_the_spin_where_their_frequencies_are_equal() {
         assert_eq!(o.special_points.iter().filter(|p| p.kind == "synchronous").count(), reported.len());
     }
 }
+
+/// `w^2 = (k + c a^2)/m` of a softening bearing vanishes at `a^2 = -k/c`: the family ends there, and is not that of the mirror image as well.
+#[test]
+fn a_softening_whirl_ends_where_its_frequency_vanishes() {
+    let (k, cubic, m) = (8e5f64, -6e12, 2.0);
+    let text = format!(
+        "[machine]\nspeed = \"500 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = {m}\n\
+         [[part]]\nkind = \"bearing_cubic\"\nbetween = [\"d\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = {k:e}\ncubic_stiffness = {cubic:e}\n\
+         [[study]]\nkind = \"backbone\"\n"
+    );
+    let o = run_all(&text).remove(0);
+    let w = column(&o, "backbone", "frequency");
+    assert!((w[0] / (k / m).sqrt() - 1.0).abs() < 1e-5 && w.iter().all(|w| *w > 0.0) && w.windows(2).all(|w| w[1] < w[0]), "{w:?}");
+    let end = finding(&o, "whirl_ends");
+    let vanishes = (k / -cubic).sqrt();
+    assert!((end.value.unwrap() / vanishes - 1.0).abs() < 1e-3 && end.value.unwrap() < vanishes, "{}", end.sentence());
+    let family = finding(&o, "family");
+    assert!(family.text.contains("softens") && !family.text.contains("keeps"), "{}", family.sentence());
+    assert_eq!(o.end, laval::outcome::End::Reached);
+}
+
+/// What the work limit ended is not laid on max_points, which was never reached.
+#[test]
+fn a_branch_that_the_work_limit_ends_is_said_to_be() {
+    let text = "[machine]\nspeed = 1000\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\neccentricity = \"40 um\"\n\
+         [[part]]\nkind = \"bearing_cubic\"\nbetween = [\"d\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 8e5\ncubic_stiffness = 6e12\n\
+         [[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = 120\n\
+         [[study]]\nkind = \"nonlinear_response\"\nspeed = { from = 50, to = 4000 }\n\
+         [[study]]\nkind = \"nonlinear_response\"\nname = \"few\"\nspeed = { from = 50, to = 4000 }\nmax_points = 10\n";
+    let l = common::files::load(text);
+    for (study, limit, why) in [(0, 1, "work limit"), (0, 20, "work limit"), (1, u64::MAX, "largest number of points")] {
+        let context = laval::study::Context { work_limit: limit, ..laval::study::Context::quiet("study") };
+        let o = l.studies[study].study.run(&l.system, &context).unwrap();
+        let unfinished = [findings(&o, "sweep_up_unfinished"), findings(&o, "branch_unfinished")].concat();
+        assert!(!unfinished.is_empty() && unfinished.iter().all(|f| f.text.contains(why)), "{limit}: {:?}", o.findings);
+    }
+}
+
+/// Two rotors that know nothing of each other: between two speeds the oil whips one of them, above them the other jumps. The jump is named with what
+/// lies before it.
+#[test]
+fn a_jump_names_the_instability_on_its_way() {
+    let speeds = "speed = [100, 400, 500, 600, 700, 2000]";
+    let (flat, cross) = ("[1e6, 1e6, 1e6, 1e6, 1e6, 1e6]", |sign: &str| format!("[0, 0, {sign}1e5, {sign}1e5, 0, 0]"));
+    let text = |kxy: &str, kyx: &str| {
+        format!(
+            "[machine]\nspeed = 1000\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\neccentricity = \"100 um\"\n\
+             [[part]]\nkind = \"bearing_cubic\"\nbetween = [\"d\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 1e6\ncubic_stiffness = 1e12\n\
+             [[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = 170\n\
+             [[part]]\nkind = \"disc\"\nname = \"other\"\nmass = 1\n\
+             [[part]]\nkind = \"bearing_linear\"\nbetween = [\"other\", \"ground\"]\n\
+             table = {{ {speeds}, kxx = {flat}, kyy = {flat}, kxy = {kxy}, kyx = {kyx}, cxx = [50, 50, 50, 50, 50, 50], cyy = [50, 50, 50, 50, 50, 50] }}\n\
+             [[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = 300, to = 1500 }}\n"
+        )
+    };
+    let none = "[0, 0, 0, 0, 0, 0]";
+    let calm = run_all(&text(none, none)).remove(0);
+    let whipped = run_all(&text(&cross(""), &cross("-"))).remove(0);
+    let (calm, whipped) = (finding(&calm, "jump_up"), finding(&whipped, "jump_up"));
+    assert!(!calm.text.contains("unstable"), "{}", calm.sentence());
+    assert!(whipped.text.contains("on the way to it are unstable from 4"), "{}", whipped.sentence());
+    assert!((whipped.value.unwrap() / calm.value.unwrap() - 1.0).abs() < 1e-6);
+}

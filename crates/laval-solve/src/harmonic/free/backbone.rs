@@ -87,6 +87,8 @@ pub struct Family {
     pub synchronous: Vec<(f64, (f64, f64))>,
     /// How it ended.
     pub end: End,
+    /// Its frequency vanishes beyond the last motion: no restoring force is left there, and no whirl.
+    pub vanishes: bool,
     /// Leading unknown of the harmonics.
     pub lead: usize,
 }
@@ -142,6 +144,9 @@ pub const MOST_HARMONICS: usize = 31;
 /// A backward and a forward mode this near to each other, relative to their value or to the largest of all, are one motion and its mirror image: so exact
 /// are eigenvalues.
 const MIRRORED: (f64, f64) = (1e-9, 1e-12);
+
+/// Share of its first frequency at which a family ends: through frequency zero the equations go on to its mirror image.
+const VANISHED: f64 = 0.01;
 
 /// Modes that decay faster than this part of their frequency do not whirl freely.
 const LIGHT: f64 = 0.3;
@@ -317,15 +322,26 @@ fn follow(
     let max_points = request.max_points.min(left);
     let settings = Settings { max_points, max_parameter_step: (to - from) / 25.0, ..Settings::new(from, to) };
     let speed = request.speed;
-    let mut tests: [Test<'_, Free>; 1] = [Box::new(move |free: &mut Free, p: &Point| free.quantities(&p.x, p.p)[1] - speed)];
+    let first = free.quantities(start, at)[1];
+    let mut tests: [Test<'_, Free>; 2] = [
+        Box::new(move |free: &mut Free, p: &Point| free.quantities(&p.x, p.p)[1] - speed),
+        Box::new(move |free: &mut Free, p: &Point| free.quantities(&p.x, p.p)[1] / first - VANISHED),
+    ];
     let branch = trace(free, start, at, direction, &settings, &mut tests)
         .map_err(|e| Diagnostic::error("backbone.settings", format!("the family cannot be followed: {e}")))?;
     out.iterations += branch.counters.work.iterations as u64;
-    out.stopped |= branch.end == End::MaxPoints && left < request.max_points;
-    let folds = branch.of(Kind::Fold).map(|s| s.fold.as_ref().map_or(s.point.p, |f| f.p)).collect();
-    let synchronous = branch.of(Kind::User(0)).map(|s| (s.point.p, (s.bracket[0].p, s.bracket[1].p))).collect();
+    let cut = branch.of(Kind::User(1)).next().is_none() && branch.end == End::MaxPoints;
+    out.stopped |= cut && left < request.max_points;
+    let last = branch.of(Kind::User(1)).min_by(|a, b| a.point.s.total_cmp(&b.point.s));
+    let within = |s: f64| last.is_none_or(|l| s <= l.point.s);
+    let folds = branch.of(Kind::Fold).filter(|s| within(s.point.s)).map(|s| s.fold.as_ref().map_or(s.point.p, |f| f.p)).collect();
+    let met = branch.of(Kind::User(0)).filter(|s| within(s.point.s));
+    let synchronous = met.map(|s| (s.point.p, (s.bracket[0].p, s.bracket[1].p))).collect();
     let (mut motions, mut end) = (Vec::with_capacity(branch.points.len()), branch.end);
-    for p in &branch.points {
+    if last.is_some() {
+        end = End::Reached;
+    }
+    for p in branch.points.iter().take_while(|p| last.is_none_or(|l| p.s < l.point.s)).chain(last.map(|l| &l.point)) {
         let (x, residual) = polish(free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
         let m = motion(free, &x, p.p, residual);
         if !(m.defect <= BALANCED) {
@@ -334,7 +350,8 @@ fn follow(
         }
         motions.push(m);
     }
-    out.families.push(Family { origin, motions, folds, synchronous, end, lead: free.lead });
+    let vanishes = last.is_some() && end == End::Reached;
+    out.families.push(Family { origin, motions, folds, synchronous, end, vanishes, lead: free.lead });
     Ok(())
 }
 

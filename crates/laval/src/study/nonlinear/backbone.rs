@@ -124,8 +124,8 @@ amplitude = { from = "1 um", to = "1 mm" }
 
     fn report(&self, system: &System, result: &BackboneResult, name: &str) -> Result<Outcome, Diagnostic> {
         let BackboneResult { found, measured, end } = result;
-        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system) };
-        shown.outcome(name, *end).map_err(Diagnostic::from)
+        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system), end: *end };
+        shown.outcome(name).map_err(Diagnostic::from)
     }
 }
 
@@ -146,14 +146,15 @@ struct Shown<'a> {
     found: &'a crate::solve::harmonic::free::backbone::Backbone,
     measured: &'a [Vec<Measured>],
     probes: Vec<Probe>,
+    end: outcome::End,
 }
 
 impl Shown<'_> {
-    fn outcome(&self, name: &str, end: outcome::End) -> Result<Outcome, OutcomeError> {
+    fn outcome(&self, name: &str) -> Result<Outcome, OutcomeError> {
         let found = self.found;
         let mut out = Outcome::new(Backbone::KIND, name)
             .over("amplitude", "m")
-            .end(end)
+            .end(self.end)
             .work("Newton iterations", found.iterations)
             .work("points", found.families.iter().map(|f| f.motions.len() as u64).sum());
         for f in self.findings() {
@@ -291,7 +292,7 @@ impl Shown<'_> {
                 .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
             );
         }
-        if last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
+        if f.vanishes || last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
             let text = format!(
                 "The whirl of {} could be followed to an amplitude of {{}}, where its frequency has fallen to {}: next to no restoring force is left.",
                 quantity(named, "rad/s"),
@@ -302,7 +303,7 @@ impl Shown<'_> {
                 last.frequency,
                 "rad/s",
             ));
-        } else if let Some(why) = unfinished(&f.end) {
+        } else if let Some(why) = unfinished(&f.end, self.end) {
             let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(named, "rad/s"));
             out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
         }

@@ -194,13 +194,14 @@ pub(in crate::study) fn invalid(system: &System, all: &[&Measured], what: &str) 
     out
 }
 
-/// Why a family could not be followed further; `None` when it was followed to its end.
-pub(in crate::study) fn unfinished(end: &End) -> Option<&'static str> {
+/// Why a family could not be followed further in a study that ended like this; `None` when it was followed to its end.
+pub(in crate::study) fn unfinished(end: &End, study: outcome::End) -> Option<&'static str> {
     match end {
         End::Reached | End::Closed => None,
         End::StepTooSmall { why: Refusal::Parameter, .. } => Some("it grows without limit there"),
         End::StepTooSmall { .. } => Some("the equations could not be solved beyond it: keep more harmonics"),
         End::NewtonFailed { .. } => Some("no motion of this size was found near the first estimate"),
+        End::MaxPoints if study == outcome::End::WorkLimit => Some("the work limit was used up"),
         End::MaxPoints => Some("the largest number of points was used up"),
         End::Cancelled => Some("stopped on request"),
     }

@@ -93,8 +93,8 @@ impl Study for LimitCycles {
 
     fn report(&self, system: &System, result: &LimitCyclesResult, name: &str) -> Result<Outcome, Diagnostic> {
         let LimitCyclesResult { found, measured, end } = result;
-        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system) };
-        shown.outcome(name, *end).map_err(Diagnostic::from)
+        let shown = Shown { system, request: &self.request, found, measured, probes: probes::all(system), end: *end };
+        shown.outcome(name).map_err(Diagnostic::from)
     }
 }
 
@@ -115,6 +115,7 @@ struct Shown<'a> {
     found: &'a Cycles,
     measured: &'a [Vec<Measured>],
     probes: Vec<Probe>,
+    end: outcome::End,
 }
 
 /// The words of an onset.
@@ -158,11 +159,11 @@ impl Shown<'_> {
         own.reduce(|a, b| if larger(a.1, b.1) == a.1 { a } else { b }).unwrap_or((0, f64::NAN))
     }
 
-    fn outcome(&self, name: &str, end: outcome::End) -> Result<Outcome, OutcomeError> {
+    fn outcome(&self, name: &str) -> Result<Outcome, OutcomeError> {
         let found = self.found;
         let mut out = Outcome::new(LimitCycles::KIND, name)
             .over("speed", "rad/s")
-            .end(end)
+            .end(self.end)
             .work("Newton iterations", found.iterations)
             .work("eigenproblems", found.rest.solved)
             .work("points", found.families.iter().map(|f| f.cycles.len() as u64).sum());
@@ -359,7 +360,7 @@ impl Shown<'_> {
                 .value(speed, "rad/s"),
             );
         }
-        if let (Some(why), Some(last)) = (unfinished(&f.end), f.cycles.last()) {
+        if let (Some(why), Some(last)) = (unfinished(&f.end, self.end), f.cycles.last()) {
             out.push(
                 Finding::warning("family_unfinished", format!("The cycles could be followed to {{}} only: {why}."))
                     .of(&name)

@@ -135,7 +135,7 @@ impl Shown<'_> {
             }
         };
         let (below, above) = (why(lo, self.found.exists.0), why(hi, self.found.exists.1));
-        let speeds = span(folds().flat_map(|l| &l.points).map(|p| p.speed));
+        let speeds = span(folds().flat_map(|l| l.points.iter().map(|p| p.speed).chain(l.corners.iter().map(|c| c.speed))));
         let text = format!(
             "Folds were found at values of {} from {{}} ({below}) to {} ({above}), {}.{}",
             self.path(),

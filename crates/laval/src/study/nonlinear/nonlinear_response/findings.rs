@@ -6,7 +6,7 @@ use super::stretches::{range_words, stretches};
 use super::{families, stability, sweeps};
 use crate::model::part::{Physics, TimeForm};
 use crate::model::system::Slot;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{self, Finding, significant};
 use crate::solve::harmonic::balance::terms::admitted;
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::peak::Peak;
@@ -21,14 +21,14 @@ use laval_num::continuation::{End, Refusal};
 use laval_num::newton::Cause;
 
 impl Shown<'_> {
-    pub(super) fn findings(&self, response: &Response, request: &Request) -> Vec<Finding> {
+    pub(super) fn findings(&self, response: &Response, request: &Request, end: outcome::End) -> Vec<Finding> {
         let mut out = Vec::new();
         for up in [true, false] {
-            out.extend(sweeps::findings(response, up, request.speeds, &|f| self.size_at(f)));
+            out.extend(sweeps::findings(response, up, (request.speeds, end), &|f| self.size_at(f)));
         }
         out.extend(sweeps::unfollowed(response));
         for branch in response.branches.iter().filter(|b| !matches!(b.end, End::Reached | End::Closed | End::Cancelled)) {
-            out.extend(unfinished(branch));
+            out.extend(unfinished(branch, end));
         }
         let mut main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
         if main.clone().count() > 1 && main.all(|b| b.end == End::Reached) {
@@ -165,17 +165,18 @@ impl Shown<'_> {
         let main = response.branches.iter().filter(|b| matches!(b.origin, Origin::Low | Origin::High));
         for stretch in main.flat_map(stretches) {
             let Some(worst) = stretch.fastest() else { continue };
+            let ranges = stretch.unstable_ranges();
             let text = format!(
                 "States {} are unstable {}; the fastest growth is {{}} at {} rad/s.",
                 stretch.words(),
-                range_words(&stretch.unstable_ranges()),
+                range_words(&ranges),
                 significant(worst.speed, 5)
             );
-            out.push(Finding::warning("unstable_states", text).value(worst.growth(), "1/s").evidence(
-                "error of the growth rate",
-                worst.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error),
-                "1/s",
-            ));
+            let (low, high) = ranges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), r| (l.min(r.0), h.max(r.1)));
+            let error = worst.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error);
+            let finding =
+                Finding::warning("unstable_states", text).value(worst.growth(), "1/s").evidence("error of the growth rate", error, "1/s");
+            out.push(finding.evidence("from", low, "rad/s").evidence("to", high, "rad/s"));
         }
         out
     }
@@ -212,14 +213,17 @@ fn determinant(response: &Response) -> Option<Finding> {
 }
 
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.
-fn unfinished(branch: &Traced) -> Option<Finding> {
+fn unfinished(branch: &Traced, end: outcome::End) -> Option<Finding> {
     let last = branch.points.last().filter(|_| !branch.folds.is_empty())?;
-    let text = format!("Beyond their folds the states {} could be followed to {{}} only ({}).", words(branch.origin), reason(&branch.end));
+    let why = reason(&branch.end, end);
+    let text = format!("Beyond their folds the states {} could be followed to {{}} only ({why}).", words(branch.origin));
     Some(Finding::warning("branch_unfinished", text).value(last.speed, "rad/s"))
 }
 
-pub(super) fn reason(end: &End) -> String {
+/// Why a branch ended, in a study that ended like this.
+pub(super) fn reason(end: &End, study: outcome::End) -> String {
     match end {
+        End::MaxPoints if study == outcome::End::WorkLimit => "the work limit was used up".into(),
         End::Reached => "the end of the range".into(),
         End::StepTooSmall { why, .. } => refusal(why).into(),
         End::NewtonFailed { residual, .. } => format!("the start did not converge, scaled residual {residual:.1e}"),

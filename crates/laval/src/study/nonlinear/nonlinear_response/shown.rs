@@ -54,7 +54,7 @@ impl<'a> Shown<'a> {
     pub(super) fn outcome(&self, request: &Request, name: &str, end: outcome::End) -> Result<Outcome, outcome::OutcomeError> {
         let response = self.response;
         let mut out = Outcome::new(NonlinearResponse::KIND, name).over("speed", "rad/s").end(end);
-        for f in self.findings(response, request) {
+        for f in self.findings(response, request, end) {
             out = out.finding(f);
         }
         let all = request.states == States::All;
@@ -64,7 +64,7 @@ impl<'a> Shown<'a> {
             }
         }
         if all {
-            out = out.table(branch_table(response)?);
+            out = out.table(branch_table(response, end)?);
         }
         // stopped before the first point: nothing to draw
         if out.find_table("response").is_some() {

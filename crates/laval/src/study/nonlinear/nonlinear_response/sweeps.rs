@@ -4,7 +4,7 @@ use super::findings::reason;
 use super::shown::words;
 use super::stretches::{range_words, ranges_of, unstable_runs};
 use crate::model::probe::Probe;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{self, Finding, significant};
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Fold, Response, Traced};
 use crate::study::shared::probes;
@@ -134,7 +134,7 @@ fn landings(response: &Response, speed: f64, up: bool) -> Option<usize> {
 }
 
 /// Where a slow sweep jumps, that it does not, or that its states are not known.
-pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size: Size) -> Vec<Finding> {
+pub(super) fn findings(response: &Response, up: bool, ((lo, hi), study): ((f64, f64), outcome::End), size: Size) -> Vec<Finding> {
     let Some(branch) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
     let way = if up { "up" } else { "down" };
     let begin = begins(up, (lo, hi));
@@ -167,7 +167,7 @@ pub(super) fn findings(response: &Response, up: bool, (lo, hi): (f64, f64), size
             ),
         )
     } else {
-        let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end));
+        let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end, study));
         let id = format!("sweep_{way}_unfinished");
         // where it begins is the end that was cut off
         let begun = branch.end != End::Cancelled || up == branch.from_low();
@@ -188,9 +188,13 @@ impl Jump<'_> {
             Some(n @ 2..) => format!(" {n} states are stable there: the branches do not decide which of them it comes to."),
             _ => String::new(),
         };
+        let lost = match &self.on_the_way[..] {
+            [] => String::new(),
+            ranges => format!(" The states on the way to it are unstable {}: a machine does not stay on them there.", range_words(ranges)),
+        };
         let f = self.fold;
-        let finding =
-            Finding::info(format!("jump_{way}"), format!("A slow sweep {way} {again} at {{}}{onto}.{which}")).value(f.speed, "rad/s");
+        let text = format!("A slow sweep {way} {again} at {{}}{onto}.{lost}{which}");
+        let finding = Finding::info(format!("jump_{way}"), text).value(f.speed, "rad/s");
         let finding = match size(f) {
             Some((p, size)) => {
                 finding.evidence(format!("largest {} of \"{}\" at the fold", probes::quality(p), probes::owner(p)), size, p.unit())

@@ -1,7 +1,7 @@
 //! The tables: states, folds, other changes of stability, branches.
 
 use super::shown::{Shown, words};
-use crate::outcome::{OutcomeError, Table};
+use crate::outcome::{self, OutcomeError, Table};
 use crate::solve::harmonic::branches::bifurcation::Change;
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Fold, Response, State, Traced};
@@ -161,7 +161,7 @@ pub(super) fn change_table(response: &Response) -> Result<Table, OutcomeError> {
 }
 
 /// What branches there are.
-pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
+pub(super) fn branch_table(response: &Response, end: outcome::End) -> Result<Table, OutcomeError> {
     let all = &response.branches;
     let speeds = |b: &Traced| b.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p.speed), h.max(p.speed)));
     let held = |b: &Traced| {
@@ -196,12 +196,13 @@ pub(super) fn branch_table(response: &Response) -> Result<Table, OutcomeError> {
             "dropped over kept force harmonics, worst point",
             float(&|b| largest(b.points.iter().map(|p| p.truncation))),
         )
-        .text("end", "how it ends", all.iter().map(|b| ending(b.end).to_string()).collect())
+        .text("end", "how it ends", all.iter().map(|b| ending(b.end, end).to_string()).collect())
         .build()
 }
 
-fn ending(end: End) -> &'static str {
+fn ending(end: End, study: outcome::End) -> &'static str {
     match end {
+        End::MaxPoints if study == outcome::End::WorkLimit => "at the work limit",
         End::Reached => "at the ends of the range",
         End::Closed => "closed on itself",
         End::StepTooSmall { .. } | End::NewtonFailed { .. } => "left within the range",
