@@ -472,3 +472,37 @@ damping = 234.348
         }
     }
 }
+
+/// A horizontal rotor that hangs in the clearance of its bearing: the jumps of nonlinear_response at 833.6 and 841.4 rad/s, of which the sag hides a part.
+#[test]
+fn jumps_about_a_sag_are_found() {
+    let machine = r#"
+[machine]
+axis = "horizontal"
+[[part]]
+kind = "disc"
+name = "d"
+mass = 6
+eccentricity = 5e-6
+[[part]]
+kind = "bearing_hertz"
+name = "b"
+between = ["d", "ground"]
+law = "radial"
+coefficient = 3e9
+clearance = 1e-5
+[[part]]
+kind = "damper"
+name = "c"
+between = ["d", "ground"]
+damping = 300
+"#;
+    let o = run(machine, "speed = { from = 826, to = 846, points = 11 }\ninitial = { \"d.x\" = 0 }");
+    for (id, fold) in [("jump_up", 841.38), ("jump_down", 833.62)] {
+        let found: Vec<f64> = o.findings.iter().filter(|f| f.id == id).map(|f| f.value.unwrap()).collect();
+        assert!(found.len() == 1 && (found[0] - fold).abs() < 0.3, "{id}: {found:?} {:#?}", o.findings);
+    }
+    let hysteresis: Vec<_> = o.findings.iter().filter(|f| f.id == "hysteresis").collect();
+    assert_eq!(hysteresis.len(), 1, "{hysteresis:?}");
+    assert!((hysteresis[0].value.unwrap() - (841.38 - 833.62)).abs() < 0.5, "{}", hysteresis[0].sentence());
+}

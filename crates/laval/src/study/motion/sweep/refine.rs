@@ -2,16 +2,23 @@
 
 use super::lyapunov::Exponent;
 use super::{Members, Way};
+use crate::model::probe::Probe;
 use crate::store::Rows;
 use crate::study::motion::steady_state::SteadyState;
+use crate::study::motion::steady_state::measure::BodyMeasure;
 use crate::study::motion::steady_state::period::Verdict;
 
-/// Share of the larger amplitude that a jump changes, at least.
+/// Share of the larger amplitude about its mean that a jump changes, at least: a sag makes no motion large.
 pub(super) const JUMP: f64 = 0.25;
 /// Parts of a step, at most: so closely a jump is placed.
 const PARTS: f64 = 64.0;
 /// Batches of motions that one step may cost: beside a fold the steps that stay on a branch become short as the fold comes near.
 const MOST: usize = 48;
+
+/// Amplitude about the mean of a motion that goes as far as `peak` from the origin.
+pub(super) fn about_mean(peak: f64, mean: f64) -> f64 {
+    if mean.is_finite() { (peak - mean).max(0.0) } else { peak }
+}
 
 /// What a followed motion brings along to the next speed.
 #[derive(Clone)]
@@ -20,6 +27,8 @@ pub(super) struct Followed {
     pub y: Vec<f64>,
     /// Largest value of every probe over its typical size.
     pub amplitude: Vec<f64>,
+    /// The same without the mean displacement, where that is known.
+    pub about_mean: Vec<f64>,
     /// It is known not to repeat. One that still changes slowly, as beside a fold, has an amplitude all the same.
     pub wanders: bool,
     /// It repeats. What falls off a branch does not, and may change little from one short step to the next.
@@ -30,8 +39,12 @@ impl Followed {
     /// The motions are too different for neighbours of a branch, in what is more than this share of the loudest. What does not repeat has no amplitude to compare.
     fn jumps_to(&self, other: &Followed, share: f64) -> bool {
         let loudest = self.amplitude.iter().chain(&other.amplitude).copied().fold(0.0, f64::max);
-        let apart = |(a, b): (&f64, &f64)| (a - b).abs() > JUMP * a.max(*b) && a.max(*b) > share * loudest;
-        !self.wanders && !other.wanders && self.amplitude.iter().zip(&other.amplitude).any(apart)
+        let apart = |k: usize| {
+            let (a, b) = (self.amplitude[k], other.amplitude[k]);
+            let size = self.about_mean[k].max(other.about_mean[k]);
+            (a - b).abs() > JUMP * size && a.max(b) > share * loudest
+        };
+        !self.wanders && !other.wanders && (0..self.amplitude.len().min(other.amplitude.len())).any(apart)
     }
 
     /// The other is no neighbour of it on a branch.
@@ -51,9 +64,12 @@ impl Members<'_> {
     pub(super) fn followed(&self, steady_state: &SteadyState) -> Option<Followed> {
         let m = steady_state.measure.as_ref()?;
         let wanders = steady_state.verdict == Verdict::NotPeriodic;
-        let amplitude = m.bodies.iter().zip(&self.probes).map(|(b, p)| b.peak / p.typical()).collect();
+        let all = || m.bodies.iter().zip(&self.probes);
+        let amplitude = all().map(|(b, p)| b.peak / p.typical()).collect();
+        let mean = |b: &BodyMeasure, p: &Probe| if p.is_reference() { b.orders[0] } else { 0.0 };
+        let about_mean = all().map(|(b, p)| about_mean(b.peak, mean(b, p)) / p.typical()).collect();
         let repeats = matches!(steady_state.verdict, Verdict::Period(_));
-        Some(Followed { y: steady_state.y.clone(), amplitude, wanders, repeats })
+        Some(Followed { y: steady_state.y.clone(), amplitude, about_mean, wanders, repeats })
     }
 
     /// A step of a followed motion from the speed `from` to `to`, where taken at once it leads to `found`; `None` when stopped.

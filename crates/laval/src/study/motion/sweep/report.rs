@@ -4,10 +4,11 @@ use super::super::start;
 use super::super::steady_state::measure::{HIGHEST, LINES, POINTS};
 use super::super::steady_state::period::LONGEST;
 use super::super::steady_state::stored::{self, limits};
-use super::refine::JUMP;
-use super::rows::{STATE, point, spectrum};
+use super::refine::{JUMP, about_mean};
+use super::rows::{STATE, mean, point, spectrum};
 use super::{Shown, Sweep, SweepResult, Way, figures};
 use crate::diagnostic::Diagnostic;
+use crate::model::probe::Probe;
 use crate::outcome::{Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
@@ -30,6 +31,8 @@ pub(super) struct Path {
     pub bounded: Vec<bool>,
     /// By probe.
     pub amplitude: Vec<Vec<f64>>,
+    /// The same without the mean displacement, where that is known.
+    pub about_mean: Vec<Vec<f64>>,
     /// By probe the size below which it is not resolved beside the rest of the motions of this way.
     pub unresolved: Vec<f64>,
     /// By probe: jumps are recognised by a reference point first, then by another point, then by a tilt.
@@ -56,6 +59,11 @@ fn paths(shown: &Shown, results: &Collected) -> Vec<Path> {
     let own = |column: &str, w: usize| results.numbers(column).into_iter().skip(w).step_by(ways.len()).collect::<Vec<f64>>();
     let one = |(w, way): (usize, &Way)| {
         let amplitude = shown.probes.iter().map(|p| own(&probes::column(p), w)).collect::<Vec<_>>();
+        let about_mean = |(p, a): (&Probe, &Vec<f64>)| {
+            let means = if p.is_reference() { own(&mean(p), w) } else { vec![0.0; a.len()] };
+            a.iter().zip(means).map(|(a, m)| about_mean(*a, m)).collect()
+        };
+        let about_mean = shown.probes.iter().zip(&amplitude).map(about_mean).collect();
         let largest = |a: &Vec<f64>| a.iter().copied().fold(0.0, f64::max);
         let loudest = probes::loudest(shown.probes.iter().zip(amplitude.iter().map(largest)));
         Path {
@@ -66,6 +74,7 @@ fn paths(shown: &Shown, results: &Collected) -> Vec<Path> {
             bounded: own("bounded", w).iter().map(|b| *b == 1.0).collect(),
             placed: own("jump_before", w).into_iter().zip(own("jump_after", w)).collect(),
             amplitude,
+            about_mean,
             rank: shown.probes.iter().map(|p| if p.is_tilt() { 2 } else { u8::from(!p.is_reference()) }).collect(),
             unresolved: shown.probes.iter().map(|p| shown.unresolved() * loudest * p.typical()).collect(),
         }
@@ -78,19 +87,19 @@ fn jumps(path: &Path) -> Vec<Jump> {
     let change = |a: &[f64], i: usize| if i + 1 < a.len() { (a[i + 1] - a[i]).abs() } else { f64::NAN };
     let mut out = Vec::new();
     for i in 0..path.speed.len().saturating_sub(1) {
-        let share = |a: &Vec<f64>| change(a, i) / a[i].max(a[i + 1]);
+        let share = |k: usize, a: &[f64]| change(a, i) / path.about_mean[k][i].max(path.about_mean[k][i + 1]);
         let resolved = |k: usize, a: &[f64]| a[i].max(a[i + 1]) > path.unresolved[k];
-        let clear = |a: &Vec<f64>| {
+        let clear = |k: usize, a: &[f64]| {
             let sides = [if i > 0 { change(a, i - 1) } else { f64::NAN }, change(a, i + 1)];
             let known: Vec<f64> = sides.into_iter().filter(|x| x.is_finite()).collect();
-            share(a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
+            share(k, a) > JUMP && !known.is_empty() && known.iter().all(|x| change(a, i) > BEYOND * x)
         };
         let placed = Some(path.placed[i + 1]).filter(|p| p.0.is_finite() && p.1.is_finite());
         // in smaller steps the motion went on from one to the other
         if path.way != Way::Rest && placed.is_none() && [i, i + 1].iter().all(|&k| path.motion[k] == "periodic") {
             continue;
         }
-        let all = path.amplitude.iter().enumerate().filter(|(k, a)| clear(a) && resolved(*k, a));
+        let all = path.amplitude.iter().enumerate().filter(|(k, a)| clear(*k, a) && resolved(*k, a));
         let found = all.max_by(|a, b| path.rank[b.0].cmp(&path.rank[a.0]).then(change(a.1, i).total_cmp(&change(b.1, i))));
         if let Some((probe, a)) = found {
             let (before, after) = (path.speed[i], path.speed[i + 1]);
@@ -136,7 +145,8 @@ fn begun(way: Way) -> &'static str {
 
 pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
     let results = &result.motions;
-    let amplitudes = shown.probes.iter().map(probes::column);
+    let means = shown.probes.iter().filter(|p| p.is_reference()).map(mean);
+    let amplitudes = shown.probes.iter().map(probes::column).chain(means);
     let own = ["start", "speed", "decay", "jump_before", "jump_after", "motion", "period", "bounded", "validity", "steps", "failure"];
     stored::check(results, own.map(String::from).into_iter().chain(amplitudes))?;
     let paths = paths(shown, results);
@@ -148,7 +158,7 @@ pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<
     outcome = undamped(results, outcome);
     outcome = largest(shown, &paths, outcome);
     outcome = reported_jumps(shown, &paths, &jumps, outcome);
-    outcome = hysteresis(&paths, outcome);
+    outcome = hysteresis(&paths, &jumps, outcome);
     outcome = motions(&paths, outcome);
     outcome = failures(results, outcome);
     let speeds = results.numbers("speed");
@@ -162,8 +172,11 @@ pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<
 
 /// That settling has no end where a mode at rest does not decay.
 fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
-    let decay = results.numbers("decay");
-    let none = decay.iter().filter(|x| !x.is_finite()).count();
+    // every way passes the same speeds
+    let mut decay: Vec<(f64, f64)> = results.numbers("speed").into_iter().zip(results.numbers("decay")).collect();
+    decay.sort_by(|a, b| a.0.total_cmp(&b.0));
+    decay.dedup_by(|a, b| a.0 == b.0);
+    let none = decay.iter().filter(|x| !x.1.is_finite()).count();
     if none == 0 {
         return outcome;
     }
@@ -256,27 +269,44 @@ fn differing(paths: &[Path]) -> Option<(&Path, Vec<RangeInclusive<usize>>)> {
     let find = |way: Way| paths.iter().find(|p| p.way == way);
     let (up, down) = (find(Way::Up)?, find(Way::Down)?);
     let n = up.speed.len();
+    let other = |i: usize| down.speed.iter().position(|w| *w == up.speed[i]);
+    // what never repeats has no one amplitude
+    let repeat = |i: usize, j: usize| [&up.motion[i], &down.motion[j]].iter().all(|m| m.as_str() == "periodic");
     let differ = |i: usize| {
-        let Some(j) = down.speed.iter().position(|w| *w == up.speed[i]) else { return false };
-        // what never repeats has no one amplitude
-        let repeat = [&up.motion[i], &down.motion[j]].iter().all(|m| m.as_str() == "periodic");
+        let Some(j) = other(i) else { return false };
         let apart = |b: usize| {
             let (u, d) = (up.amplitude[b][i], down.amplitude[b][j]);
             (u - d).abs() > APART * u.max(d) && u.max(d) > up.unresolved[b].max(down.unresolved[b])
         };
-        repeat && (0..up.amplitude.len()).any(apart)
+        repeat(i, j) && (0..up.amplitude.len()).any(apart)
     };
-    Some((up, stretches(n, differ)))
+    // between two of them speeds at which nothing is known belong to one stretch
+    let unknown = |i: usize| other(i).is_some_and(|j| !repeat(i, j));
+    let mut out: Vec<RangeInclusive<usize>> = Vec::new();
+    for r in stretches(n, differ) {
+        match out.last_mut() {
+            Some(last) if (*last.end() + 1..*r.start()).all(unknown) => *last = *last.start()..=*r.end(),
+            _ => out.push(r),
+        }
+    }
+    Some((up, out))
 }
 
-/// Speeds at which the way up and the way down end in different motions.
-fn hysteresis(paths: &[Path], mut outcome: Outcome) -> Outcome {
+/// Speeds at which the way up and the way down end in different motions: on to where one of them jumps, which is known more closely than the speeds computed.
+fn hysteresis(paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     let Some((up, differing)) = differing(paths) else { return outcome };
     for r in differing {
-        let (a, b) = (up.speed[*r.start()], up.speed[*r.end()]);
-        let text = format!("Hysteresis {}: the motion depends on the direction of the sweep, over {{}}.", place(&up.speed, &r));
-        outcome = outcome
-            .finding(Finding::info("hysteresis", text).value(b - a, "rad/s").evidence("from", a, "rad/s").evidence("to", b, "rad/s"));
+        let (first, last) = (up.speed[*r.start()], up.speed[*r.end()]);
+        let left = |way: Way, at: f64| jumps.iter().find(|j| j.way == way && j.before == at).map_or(at, |j| j.placed.0);
+        let (a, b) = (left(Way::Down, first), left(Way::Up, last));
+        let depends = "the motion depends on the direction of the sweep";
+        let finding = if a == b {
+            Finding::info("hysteresis", format!("Hysteresis at {}, of the speeds computed: {depends}.", quantity(a, "rad/s")))
+        } else {
+            let place = place(&[a, b], &(0..=1));
+            Finding::info("hysteresis", format!("Hysteresis {place}: {depends}, over {{}}.")).value(b - a, "rad/s")
+        };
+        outcome = outcome.finding(finding.evidence("from", a, "rad/s").evidence("to", b, "rad/s"));
     }
     outcome
 }
@@ -466,6 +496,7 @@ mod tests {
             period: vec![1.0; n],
             bounded: vec![false; n],
             amplitude: vec![amplitude.to_vec()],
+            about_mean: vec![amplitude.to_vec()],
             unresolved: vec![1e-5],
             rank: vec![0],
             placed: vec![(f64::NAN, f64::NAN); n],
@@ -484,6 +515,45 @@ mod tests {
         assert_eq!(joined(&paths, Way::Down), Some((1.0, 0.0)));
         assert_eq!(joined(&paths, Way::Rest), None);
         assert_eq!(joined(&paths[..1], Way::Up), None);
+    }
+
+    /// A rotor that has sagged by 20 and moves by 5 about its mean: the jump is a quarter of nothing but the motion.
+    #[test]
+    fn a_sag_does_not_hide_a_jump() {
+        let mut sagged = path(&[25.0, 25.1, 25.2, 23.0, 22.9]);
+        sagged.placed[3] = (2.25, 2.5);
+        assert_eq!(jumps(&sagged), []);
+        sagged.about_mean[0].iter_mut().for_each(|a| *a -= 20.0);
+        assert_eq!(jumps(&sagged).len(), 1);
+    }
+
+    #[test]
+    fn a_hysteresis_ends_where_a_way_jumps() {
+        let up = path(&[1.0, 1.2, 1.4, 1.6, 9.0, 9.1]);
+        let mut down = path(&[9.1, 9.0, 8.9, 8.8, 1.2, 1.0]);
+        down.way = Way::Down;
+        down.speed.reverse();
+        let jump =
+            |way: Way, before: f64, after: f64, placed: (f64, f64)| Jump { way, before, after, placed, probe: 0, amplitudes: (1.0, 9.0) };
+        let both = [jump(Way::Up, 3.0, 4.0, (3.5, 3.6)), jump(Way::Down, 2.0, 1.0, (1.7, 1.6))];
+        let found = |paths: &[Path], jumps: &[Jump]| {
+            let o = hysteresis(paths, jumps, Outcome::new("sweep", "s"));
+            o.findings.iter().map(|f| (f.sentence(), f.value)).collect::<Vec<_>>()
+        };
+        let mut paths = [up, down];
+        let one = found(&paths, &both);
+        assert!(one.len() == 1 && one[0].0.starts_with("Hysteresis from 1.7 rad/s to 3.5 rad/s") && one[0].1 == Some(3.5 - 1.7), "{one:?}");
+        // speeds between at which a motion has not settled are no end
+        paths[0].amplitude[0] = vec![1.0, 1.0, 2.0, 2.0, 2.0, 9.1];
+        paths[1].amplitude[0] = vec![9.1, 9.0, 8.9, 8.8, 1.0, 1.0];
+        paths[0].motion[3] = "not settled".into();
+        assert_eq!(found(&paths, &[]).len(), 1);
+        // at one speed alone it has no width
+        paths[0].amplitude[0] = vec![1.0, 1.0, 2.0, 8.8, 9.0, 9.1];
+        paths[1].amplitude[0] = vec![9.1, 9.0, 8.8, 8.9, 1.0, 1.0];
+        paths[0].motion[3] = "periodic".into();
+        let one = found(&paths, &[]);
+        assert!(one.len() == 1 && one[0].1.is_none() && one[0].0.starts_with("Hysteresis at 2 rad/s"), "{one:?}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::super::steady_state::columns::{self, RowColumn, body, number, word};
 use super::super::steady_state::measure::{HIGHEST, LINES, ORDERS, POINTS};
 use super::super::steady_state::period::Verdict;
 use super::lyapunov::Exponent;
-use super::refine::Followed;
+use super::refine::{Followed, about_mean};
 use super::{Carried, Members, Sweep, Way};
 use crate::model::probe::Probe;
 use crate::store::{Cells, Kind};
@@ -84,6 +84,11 @@ pub(super) fn columns(study: &Sweep, members: &Members) -> Vec<RowColumn<Row>> {
     out
 }
 
+/// Name of the column of the mean displacement of a body.
+pub(super) fn mean(p: &Probe) -> String {
+    format!("order_0.{}", p.name)
+}
+
 /// Name of the column of a Poincare point.
 pub(super) fn point(p: usize) -> String {
     format!("point_{p}")
@@ -100,17 +105,23 @@ pub(super) fn states(columns: &[RowColumn<Row>], cells: &[Cells], (ways, probes)
         let fits = |c: &RowColumn<Row>| c.column.kind == Kind::Float && c.column.name.starts_with(what);
         columns.iter().zip(cells).filter(|(c, _)| fits(c)).map(|x| x.1).collect()
     };
-    let named = |p: &Probe| columns.iter().zip(cells).find(|c| c.0.column.name == probes::column(p)).map(|c| (p.typical(), c.1));
+    let column = |name: &str| columns.iter().zip(cells).find(|c| c.0.column.name == name).map(|c| c.1);
+    let named = |p: &Probe| {
+        let mean = if p.is_reference() { column(&mean(p)) } else { None };
+        column(&probes::column(p)).map(|c| (p.typical(), c, mean))
+    };
     let (state, amplitude) = (own(STATE), probes.iter().filter_map(named).collect::<Vec<_>>());
     let motion = columns.iter().zip(cells).find(|(c, _)| c.column.name == "motion").map(|x| x.1);
     let rows = cells.first().map_or(0, Cells::len);
     let last = |w: usize| {
         let row = rows.saturating_sub(ways) + w;
         let y: Vec<f64> = state.iter().map(|c| c.number(row)).collect();
-        let amplitude = amplitude.iter().map(|(typical, c)| c.number(row) / typical).collect();
+        let about_mean = amplitude.iter().map(|(typical, c, m)| about_mean(c.number(row), m.map_or(0.0, |m| m.number(row))) / typical);
+        let about_mean = about_mean.collect();
+        let amplitude = amplitude.iter().map(|(typical, c, _)| c.number(row) / typical).collect();
         let is = |verdict: Verdict| motion.and_then(|m| m.word(row)) == Some(verdict.word());
         let (wanders, repeats) = (is(Verdict::NotPeriodic), is(Verdict::Period(1)));
-        y.iter().all(|x| x.is_finite()).then_some(Followed { y, amplitude, wanders, repeats })
+        y.iter().all(|x| x.is_finite()).then_some(Followed { y, amplitude, about_mean, wanders, repeats })
     };
     (0..ways).map(last).collect()
 }
