@@ -36,7 +36,7 @@ fn sample(speed: f64, found: &Roots) -> Option<Sample> {
     })
 }
 
-/// As [`row`](super::stability::row); growth is judged against `threshold` or, where the domain of the parts ends above it, against that end, which is returned.
+/// As [`row`](super::stability::row); growth is assessed against `threshold` or, where the domain of the parts ends above it, against that end, which is returned.
 ///
 /// # Errors
 /// As [`roots`].

@@ -303,7 +303,7 @@ impl<'a, P: Zero + ?Sized> Tracer<'a, P> {
     }
 
     /// Whether the step from `a` to `b`, predicted at `predicted`, may stand; if so, by how much its measures would let it grow.
-    pub fn judge(&mut self, a: &Node, b: &Node, predicted: &[f64], ds: f64) -> Result<f64, Refusal> {
+    pub fn assess(&mut self, a: &Node, b: &Node, predicted: &[f64], ds: f64) -> Result<f64, Refusal> {
         let set = self.settings;
         let h = distance(&a.y, &b.y);
         let turn = dot(&a.t, &b.t);

@@ -187,7 +187,7 @@ struct Advance {
     end: Option<End>,
 }
 
-/// One step: correct, judge, cut at the edge of the range, look for special points, keep.
+/// One step: correct, assess, cut at the edge of the range, look for special points, keep.
 #[allow(clippy::too_many_arguments)]
 fn attempt<P: Zero + ?Sized>(
     tracer: &mut Tracer<'_, P>,
@@ -205,7 +205,7 @@ fn attempt<P: Zero + ?Sized>(
     tracer.correct(b, &a.t, &o).map_err(Refusal::Corrector)?;
     b.s = a.s + distance(&a.y, &b.y);
     tracer.monitor(b).map_err(|f| Refusal::Corrector(f.into()))?;
-    let grow = tracer.judge(a, b, predicted, ds)?;
+    let grow = tracer.assess(a, b, predicted, ds)?;
     let after = branch.points.len() - 1;
     let outside = |p: f64| p < set.range.0 || p > set.range.1;
     let nearest = |p: f64| if p > set.range.1 { set.range.1 } else { set.range.0 };

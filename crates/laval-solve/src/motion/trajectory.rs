@@ -508,7 +508,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    fn judge(&mut self, t: f64, y: &[f64]) {
+    fn assess(&mut self, t: f64, y: &[f64]) {
         let n = self.system.n();
         let mut spin = spin_of(self.system, &self.law, t, y);
         if self.law == SpinLaw::Free {
@@ -600,7 +600,7 @@ impl Observer for Watch<'_> {
             }
         }
         step.eval_derivative(step.t1, &mut self.dy);
-        self.judge(step.t1, &y);
+        self.assess(step.t1, &y);
         if self.left.get().is_none() {
             let away = |t: &Track| t.last[0].hypot(t.last[1]);
             // a displacement that is no number is past every bound, but has no place: the step size control ends there

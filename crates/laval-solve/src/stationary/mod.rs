@@ -50,7 +50,7 @@ pub struct Search<'a> {
     scale: Vec<f64>,
     images: Images,
     request: &'a Request,
-    /// Points that may still be judged.
+    /// Points that may still be assessed.
     left: u64,
 }
 
@@ -251,19 +251,19 @@ impl<'a> Search<'a> {
         let all = (branches.len() - first) as u64;
         for (k, branch) in branches.into_iter().enumerate().skip(first) {
             let before = found.work;
-            let mut goes_on = |judged: u64| {
+            let mut goes_on = |assessed: u64| {
                 let done = total + (total * (k - first) as u64) / all.max(1);
-                each(Progress { work: before + judged, done, total: 2 * total }) && before + judged < self.request.work
+                each(Progress { work: before + assessed, done, total: 2 * total }) && before + assessed < self.request.work
             };
             if !goes_on(0) {
                 found.stopped = true;
                 break;
             }
             self.left = self.request.work.saturating_sub(before);
-            let (path, judged) = self.judge(k, branch, &mut goes_on)?;
+            let (path, assessed) = self.assess(k, branch, &mut goes_on)?;
             found.work += path.points.len() as u64;
             found.paths.push(path);
-            if !judged {
+            if !assessed {
                 found.stopped = true;
                 break;
             }
@@ -336,7 +336,7 @@ impl<'a> Search<'a> {
     }
 
     /// Stability along a branch and where it changes, as far as `each` lets it go on.
-    fn judge(&mut self, k: usize, branch: Branch, each: &mut dyn FnMut(u64) -> bool) -> Result<(Path, bool), Diagnostic> {
+    fn assess(&mut self, k: usize, branch: Branch, each: &mut dyn FnMut(u64) -> bool) -> Result<(Path, bool), Diagnostic> {
         let mut complete = true;
         let mut points: Vec<Sample> = Vec::new();
         let mut special: Vec<Located> = Vec::new();

@@ -43,7 +43,7 @@ pub fn gravity_felt(separator: &Separator, speed: f64, gravity: f64) -> Option<f
     (separator.flow_volume().is_some() && !(field >= FIELD)).then_some(field)
 }
 
-/// What is known of a separation when its validity is judged.
+/// What is known of a separation when its validity is assessed.
 pub struct Case<'a> {
     /// The separator.
     pub separator: &'a Separator,

@@ -122,10 +122,10 @@ fn compare(e: &Expectation, outcomes: &[Outcome]) -> Result<Compared, String> {
     })?;
     let found = e.what.find(outcome, &e.choices)?;
     let measured = found.value / factor(&e.unit, &found.unit)?;
-    Ok(judge(e, measured))
+    Ok(assess(e, measured))
 }
 
-fn judge(e: &Expectation, measured: f64) -> Compared {
+fn assess(e: &Expectation, measured: f64) -> Compared {
     let (error, ratio) = match e.expected {
         Expected::Value(x) => {
             let error = (measured - x).abs();
@@ -225,7 +225,7 @@ mod tests {
         let case = Case::parse("t/c", &page("agrees", RIGHT, "")).unwrap();
         for expected in [Expected::Value(1.0), Expected::Below(1.0), Expected::Above(1.0)] {
             let e = Expectation { expected, scatter: case.expected[0].tolerance, ..case.expected[0].clone() };
-            let c = judge(&e, f64::NAN);
+            let c = assess(&e, f64::NAN);
             assert_eq!(c.row, Row::Differs);
             assert!(c.ratio.is_nan());
         }

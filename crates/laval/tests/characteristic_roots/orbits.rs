@@ -25,18 +25,18 @@ fn a_viscous_liquid_on_a_linear_bearing() {
         let found = respond(&system, &Request { stability: false, ..Request::over(speed - 0.1, speed) }, &never, &|_| {}).unwrap();
         let (branch, state) =
             found.branches.iter().flat_map(|b| b.points.iter().map(move |p| (b, p))).find(|(_, p)| (p.speed - speed).abs() < 1e-9).unwrap();
-        let judged = exponents(&system, branch.discretisation, &state.x, state.speed, &[], &mut Effort::endless()).unwrap();
+        let assessed = exponents(&system, branch.discretisation, &state.x, state.speed, &[], &mut Effort::endless()).unwrap();
         let roots = at(&linear, speed, &roots::Request { margin: 1e-6, growing: true, ..roots::Request::default() });
         // the forward root and its image
         assert_eq!(
-            judged.values.iter().filter(|z| z.re > 1e-4).count(),
+            assessed.values.iter().filter(|z| z.re > 1e-4).count(),
             2 * roots.growing().unwrap(),
-            "{judged:?} {:?}",
+            "{assessed:?} {:?}",
             roots.spectrum.modes
         );
         if roots.growing() == Some(1) {
             let root = roots.spectrum.least_stable().unwrap().value;
-            assert!((judged.growth() - root.re).abs() < 1e-7 * root.abs(), "{} {root:?}", judged.growth());
+            assert!((assessed.growth() - root.re).abs() < 1e-7 * root.abs(), "{} {root:?}", assessed.growth());
         }
     }
 }
@@ -47,11 +47,11 @@ fn on_a_cubic_bearing(zeta: f64, nu: f64, bearing: &str, eccentricity: f64) -> S
     changed(&text, &[("polar_inertia = 1", &format!("polar_inertia = 1\neccentricity = {eccentricity:e}"))])
 }
 
-fn judged(system: &System, request: Request) -> Vec<Change> {
+fn assessed(system: &System, request: Request) -> Vec<Change> {
     let never = AtomicBool::new(false);
     let found = respond(system, &request, &never, &|_| {}).unwrap();
     let open: Vec<f64> = found.branches.iter().flat_map(|b| &b.points).filter(|p| p.exponents.is_none()).map(|p| p.speed).collect();
-    assert!(open.is_empty() && found.unjudged.is_none(), "{open:?} {:?}", found.unjudged);
+    assert!(open.is_empty() && found.unassessed.is_none(), "{open:?} {:?}", found.unassessed);
     let determined = found.branches.iter().flat_map(|b| &b.points).filter_map(|p| p.exponents.as_ref());
     assert!(determined.clone().count() > 10 && determined.into_iter().all(|e| (e.method == Method::Determinant) == request.determinant));
     let mut changes: Vec<Change> = found.branches.into_iter().flat_map(|b| b.changes).collect();
@@ -68,8 +68,8 @@ fn wave(law: &str) -> String {
 /// A machine that has a time form changes its stability at the same places, in the same way, by the map over the period and by Hill's determinant; `event` is among the changes.
 fn located_alike(text: &str, request: Request, event: Event) {
     let system = build(text);
-    let mapped = judged(&system, request);
-    let determined = judged(&system, Request { determinant: true, ..request });
+    let mapped = assessed(&system, request);
+    let determined = assessed(&system, Request { determinant: true, ..request });
     let say = || {
         let line = |c: &Change| format!("{:?} {:.9} {:?} {:?} {}", c.event, c.speed, c.unstable, c.exponent, c.frequency);
         let lines = |all: &[Change]| all.iter().map(line).collect::<Vec<_>>().join("\n");
@@ -100,26 +100,26 @@ fn motions_with_the_symmetry_of_a_quarter_turn_change_their_stability_alike() {
     located_alike(&wave("per_axis"), Request { harmonics: Some(5), ..Request::over(80.0, 240.0) }, Event::SymmetryBreaking);
 }
 
-/// What was stopped is not blamed on the work of counting, and of states that were not judged none is kept.
+/// What was stopped is not blamed on the work of counting, and of states that were not assessed none is kept.
 #[test]
-fn a_cancelled_judgement_blames_no_work() {
+fn a_cancelled_assessment_blames_no_work() {
     let system = build(&on_a_cubic_bearing(0.05, 1e-3, "law = \"isotropic\"\ncubic_stiffness = 2e11", 1e-6));
     let request = Request { determinant: true, ..Request::over(90.0, 220.0) };
     let cancel = AtomicBool::new(false);
     let ticks = std::cell::Cell::new(0);
     let tick = |_: u64| {
         ticks.set(ticks.get() + 1);
-        // the first is that of the branch, then one for each motion judged
+        // the first is that of the branch, then one for each motion assessed
         cancel.store(ticks.get() >= 5, std::sync::atomic::Ordering::Relaxed);
     };
     let found = respond(&system, &request, &cancel, &tick).unwrap();
     let points: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
-    assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
+    assert!(found.unassessed.is_none(), "{:?}", found.unassessed);
     assert!(!points.is_empty() && points.len() <= 5 && points.iter().all(|p| p.exponents.is_some()), "{}", points.len());
     assert!(found.branches.iter().all(|b| b.end == End::Cancelled));
     // a limit of work is still called so
     let short = respond(&system, &Request { work: 5, ..request }, &AtomicBool::new(false), &|_| {}).unwrap();
-    assert!(short.unjudged.is_some_and(|why| why.to_string().contains("more work")));
+    assert!(short.unassessed.is_some_and(|why| why.to_string().contains("more work")));
 }
 
 /// Small circular motions of a viscous machine lose their stability where its roots about the state at rest do; with larger ones on a bearing that stiffens that place
@@ -136,7 +136,7 @@ fn a_viscous_liquid_on_a_cubic_bearing() {
     assert_eq!(edges.len(), 2, "{edges:?}");
     let moved = |eccentricity: f64| {
         let system = build(&on_a_cubic_bearing(zeta, nu, "law = \"isotropic\"\ncubic_stiffness = 2e11", eccentricity));
-        let found = judged(&system, Request { determinant: true, ..Request::over(90.0, 220.0) });
+        let found = assessed(&system, Request { determinant: true, ..Request::over(90.0, 220.0) });
         assert!(found.iter().all(|c| c.event == Event::NeimarkSacker && c.located && c.growth.abs() < 1e-6 * c.speed), "{found:#?}");
         let places: Vec<f64> = found.iter().map(|c| c.speed).collect();
         assert_eq!(places.len(), 2, "{places:?}");

@@ -110,19 +110,19 @@ fn a_planar_liquid_by_two_paths() {
         }
         let margin = 1e-3 * speed;
         for system in [&timed, &spectral] {
-            let judged = exponents(system, branch.discretisation, &state.x, speed, &map.values, &mut Effort::endless()).unwrap();
-            for z in &judged.values {
+            let assessed = exponents(system, branch.discretisation, &state.x, speed, &map.values, &mut Effort::endless()).unwrap();
+            for z in &assessed.values {
                 let near = map.values.iter().map(|&m| apart(*z, m, speed)).fold(f64::INFINITY, f64::min);
                 assert!(near < 1e-8 * speed.max(z.abs()), "{speed}: {z:?} is {near:e} from {:?}", map.values);
             }
             let strong = |values: &[C64]| values.iter().filter(|z| z.re > 1.5 * margin).count();
-            assert_eq!(strong(&judged.values), strong(&map.values), "{speed}: {:?} {:?}", judged.values, map.values);
+            assert_eq!(strong(&assessed.values), strong(&map.values), "{speed}: {:?} {:?}", assessed.values, map.values);
             // from the exponents of the map every exponent is met that is no wave at rest: states and mirror images, but for those on the axis
             let off = map.values.iter().filter(|z| z.re.abs() > 1.5 * margin && z.re > -0.2 * speed).count();
-            let met = |z: &C64| judged.values.iter().any(|&j| apart(j, *z, speed) < 1e-8 * speed.max(z.abs()));
+            let met = |z: &C64| assessed.values.iter().any(|&j| apart(j, *z, speed) < 1e-8 * speed.max(z.abs()));
             let all = map.values.iter().filter(|z| z.re.abs() > 1.5 * margin && z.re > -0.2 * speed).filter(|z| met(z)).count();
-            assert!(all == off, "{speed}: {all} of {off}: {:?} {:?}", judged.values, map.values);
-            growing += strong(&judged.values);
+            assert!(all == off, "{speed}: {all} of {off}: {:?} {:?}", assessed.values, map.values);
+            growing += strong(&assessed.values);
         }
         assert!(into_strip(c(0.0, 1.5 * speed), speed).im < 0.7 * speed);
     }
@@ -141,7 +141,7 @@ fn with_bearing(text: &str, eccentricity: &str) -> String {
 #[test]
 fn spatial_and_viscous_liquids_at_small_amplitude() {
     let small = |text: &str| changed(&with_bearing(text, "5 nm"), &[("skew = 2e-4", "skew = 2e-8")]);
-    for (name, text, speed, judge) in [
+    for (name, text, speed, assess) in [
         ("spatial", truncated(FILE, 3).replace("\naxial_harmonics = 3", ""), 330.0, false),
         ("spatial, three harmonics", truncated(FILE, 3), 330.0, true),
         ("strip, viscous", viscous(FILE, "1e-4"), 420.0, true),
@@ -160,19 +160,19 @@ fn spatial_and_viscous_liquids_at_small_amplitude() {
             let off = (f - lf).abs() + (b.conj() - lb).abs().min((b - lb).abs());
             assert!(off < 1e-8 * (lf.abs() + lb.abs()), "{name} {i}: {f:?} {lf:?} {b:?} {lb:?}");
         }
-        if !judge {
+        if !assess {
             continue;
         }
-        let judged = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless()).unwrap();
+        let assessed = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless()).unwrap();
         let margin = 1e-3 * speed;
         let found = at(&system, speed, &roots::Request { margin, growing: true, ..roots::Request::default() });
         let growing: Vec<C64> = found.spectrum.modes.iter().map(|m| m.value).filter(|z| z.re > margin).collect();
         assert!(!growing.is_empty() && found.growing() == Some(growing.len()), "{name}: {:?}", found.areas);
-        let strong = judged.values.iter().filter(|z| z.re > margin).count();
-        assert_eq!(strong, 2 * growing.len(), "{name}: {:?} {growing:?}", judged.values);
+        let strong = assessed.values.iter().filter(|z| z.re > margin).count();
+        assert_eq!(strong, 2 * growing.len(), "{name}: {:?} {growing:?}", assessed.values);
         for z in growing {
-            let near = judged.values.iter().map(|&j| apart(j, z, speed)).fold(f64::INFINITY, f64::min);
-            assert!(near < 1e-7 * z.abs(), "{name}: {z:?} {:?}", judged.values);
+            let near = assessed.values.iter().map(|&j| apart(j, z, speed)).fold(f64::INFINITY, f64::min);
+            assert!(near < 1e-7 * z.abs(), "{name}: {z:?} {:?}", assessed.values);
         }
     }
 }
@@ -194,19 +194,19 @@ fn exponents_are_counted_at_every_speed() {
             let found = branch_of(&system, speed, false);
             let near = |p: &&State| (p.speed - speed).abs() < 1e-9;
             let Some((branch, state)) = found.branches.iter().find_map(|b| Some((b, b.points.iter().find(near)?))) else { continue };
-            let judged = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless())
+            let assessed = exponents(&system, branch.discretisation, &state.x, speed, &[], &mut Effort::endless())
                 .unwrap_or_else(|e| panic!("{name}, {speed}: {e}"));
             let margin = 1e-3 * speed;
             let roots = at(&system, speed, &roots::Request { margin, growing: true, ..roots::Request::default() });
             let growing: Vec<C64> = roots.spectrum.modes.iter().map(|m| m.value).filter(|z| z.re > margin).collect();
-            if growing.iter().any(|z| z.re < 1.5 * margin) || judged.values.iter().any(|z| (z.re - margin).abs() < 0.5 * margin) {
+            if growing.iter().any(|z| z.re < 1.5 * margin) || assessed.values.iter().any(|z| (z.re - margin).abs() < 0.5 * margin) {
                 continue;
             }
-            let strong = judged.values.iter().filter(|z| z.re > margin).count();
-            assert_eq!(strong, 2 * growing.len(), "{name}, {speed}: {:?} {growing:?}", judged.values);
+            let strong = assessed.values.iter().filter(|z| z.re > margin).count();
+            assert_eq!(strong, 2 * growing.len(), "{name}, {speed}: {:?} {growing:?}", assessed.values);
             for z in &growing {
-                let near = judged.values.iter().map(|&j| apart(j, *z, speed)).fold(f64::INFINITY, f64::min);
-                assert!(near < 1e-2 * z.re, "{name}, {speed}: {z:?} {:?}", judged.values);
+                let near = assessed.values.iter().map(|&j| apart(j, *z, speed)).fold(f64::INFINITY, f64::min);
+                assert!(near < 1e-2 * z.re, "{name}, {speed}: {z:?} {:?}", assessed.values);
             }
             met[growing.len().min(3)] += 1;
         }

@@ -123,7 +123,7 @@ pub fn moduli(orbit: &Orbit) -> ([f64; 2], f64, f64) {
 /// All states of the response at a speed.
 pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed: f64, stability: bool) -> Vec<Found> {
     let mut balance = Balance::new(system, response.discretisation, range, None).unwrap();
-    let mut judge = Stability::new(system).unwrap();
+    let mut assess = Stability::new(system).unwrap();
     let mut out: Vec<Found> = Vec::new();
     let n = balance.dim();
     let (mut r, mut jac) = (vec![0.0; n], Mat::zeros(n, n));
@@ -137,7 +137,7 @@ pub fn states_at(system: &System, response: &Response, range: (f64, f64), speed:
         let options = Options { to_rounding: true, ..Options::default() };
         newton(&mut balance, &mut x, speed, &options).unwrap();
         balance.eval(&x, speed, &mut r, Some(&mut jac), None).unwrap();
-        let growth = if stability { judge.exponents(&mut balance, &x, speed).unwrap().growth() } else { f64::NAN };
+        let growth = if stability { assess.exponents(&mut balance, &x, speed).unwrap().growth() } else { f64::NAN };
         let orbit = Orbit::of(&mut balance, &x, speed).unwrap();
         let alone = || (orbit.whirl(0, 1).0.abs(), orbit.whirl(0, 3).1.abs());
         let (z, deflection, minus3) = if system.n() > 2 { moduli(&orbit) } else { ([alone().0, 0.0], alone().0, alone().1) };

@@ -13,7 +13,7 @@ use laval::model::part::{At, Dof, DofKind, Layout, Link, Params, Part, Physics, 
 use laval::params;
 use laval::parts::{bearing_cubic::*, damper::*};
 use laval::solve::harmonic::balance::problem::Balance;
-use laval::solve::harmonic::stability::floquet::Unjudged;
+use laval::solve::harmonic::stability::floquet::Unassessed;
 use laval::solve::pencil::modes_about;
 use laval::solve::rest::rest;
 use laval::solve::symmetry::Symmetry;
@@ -170,7 +170,7 @@ fn modes_have_their_closed_form() {
 fn linear_response_is_the_modal_sum() {
     let (system, range) = (builder(UNBALANCE).build().unwrap(), (50.0, 2500.0));
     let found = response(&system, range);
-    assert!(matches!(found.unjudged, Some(Unjudged::TooManyStates(240))));
+    assert!(matches!(found.unassessed, Some(Unassessed::TooManyStates(240))));
     let all = orbits(&system, &found, range);
     for o in &all {
         let force = UNBALANCE * o.speed * o.speed;

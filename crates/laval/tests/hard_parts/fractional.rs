@@ -12,7 +12,7 @@ use laval::model::part::{Domain, Layout, Link, Params, Part, Physics, TimeForm};
 use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
-use laval::solve::harmonic::stability::floquet::Unjudged;
+use laval::solve::harmonic::stability::floquet::Unassessed;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;
@@ -127,7 +127,7 @@ fn linear_response_is_exact() {
         for horizontal in [false, true] {
             let (system, range) = (machine(TimeForm::None(WHY), strength, 0.0, horizontal), (50.0, 2000.0));
             let found = response(&system, range);
-            let Some(Unjudged::NoTimeForm(part, why)) = &found.unjudged else { panic!("{:?}", found.unjudged) };
+            let Some(Unassessed::NoTimeForm(part, why)) = &found.unassessed else { panic!("{:?}", found.unassessed) };
             assert_eq!((part.as_str(), *why), ("polymer", WHY));
             for orbit in orbits(&system, &found, range) {
                 let w = orbit.speed;
@@ -151,18 +151,18 @@ fn linear_response_is_exact() {
     }
 }
 
-/// With the word of the part that it is analytic right of the imaginary axis its motions are judged on Hill's determinant with the exact impedance, and its roots are counted.
+/// With the word of the part that it is analytic right of the imaginary axis its motions are assessed on Hill's determinant with the exact impedance, and its roots are counted.
 #[test]
-fn where_it_is_analytic_lets_it_be_judged() {
+fn where_it_is_analytic_lets_it_be_assessed() {
     for strength in [[STRENGTH; 2], [STRENGTH, 0.3 * STRENGTH]] {
         let system = declaring(true, TimeForm::None(WHY), strength, 0.0, false);
         let found = response(&system, (50.0, 2000.0));
-        assert!(found.unjudged.is_none(), "{:?}", found.unjudged);
+        assert!(found.unassessed.is_none(), "{:?}", found.unassessed);
         let states: Vec<_> = found.branches.iter().flat_map(|b| &b.points).collect();
         assert!(states.len() > 2, "{}", states.len());
         for state in states {
-            let judged = state.exponents.as_ref().unwrap();
-            assert!(judged.stable(), "{} rad/s: {judged:?}", state.speed);
+            let assessed = state.exponents.as_ref().unwrap();
+            assert!(assessed.stable(), "{} rad/s: {assessed:?}", state.speed);
         }
         // m s^2 + k + c s^a = 0 of each axis, by Newton's method from the spring alone
         let spectrum = modes_about(&system, &rest(&system, 300.0).unwrap(), false).unwrap();
@@ -231,7 +231,7 @@ fn the_error_of_a_fit_is_evidence() {
     let said = outcome.findings.iter().find(|f| f.text.contains("\"polymer\"")).unwrap_or_else(|| panic!("{:?}", outcome.findings));
     assert!(said.evidence.iter().any(|e| e.value == error), "{said:?}");
     let (a, b) = (response(&system, (100.0, 900.0)), response(&machine(TimeForm::None(WHY), [STRENGTH; 2], 4e12, false), (100.0, 900.0)));
-    assert!(a.unjudged.is_none() && b.unjudged.is_some());
+    assert!(a.unassessed.is_none() && b.unassessed.is_some());
     for (p, q) in a.branches.iter().flat_map(|b| &b.points).zip(b.branches.iter().flat_map(|b| &b.points)) {
         assert_eq!((p.speed, &p.x), (q.speed, &q.x));
     }

@@ -10,7 +10,7 @@ use laval::model::system::System;
 use laval::params;
 use laval::parts::{bearing_cubic::*, disc::*};
 use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, LegEnd, Method, Next, Settings, Start};
-use laval::solve::harmonic::stability::floquet::Unjudged;
+use laval::solve::harmonic::stability::floquet::Unassessed;
 use laval::solve::motion::{Motion, SpinLaw};
 use laval::solve::pencil::modes_about;
 use laval::solve::programme::Programme;
@@ -122,7 +122,7 @@ fn response_has_its_closed_form() {
         for spring in [None, Some([1e6, 1e6]), Some([1e6, 3e6])] {
             let (system, range) = (machine(rotor, spring), (100.0, 3000.0));
             let found = response(&system, range);
-            assert!(matches!(found.unjudged, Some(Unjudged::TooManyStates(204))), "{:?}", found.unjudged);
+            assert!(matches!(found.unassessed, Some(Unassessed::TooManyStates(204))), "{:?}", found.unassessed);
             let all = orbits(&system, &found, range);
             assert!(all.len() > 50);
             for orbit in all {

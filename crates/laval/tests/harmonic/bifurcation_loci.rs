@@ -559,7 +559,7 @@ fn neimark_sacker_agrees_with_single_responses() {
         assert!(!ns.is_empty(), "{isotropic}");
         for locus in &ns {
             assert!(locus.points.iter().all(|p| p.crossing.is_some_and(|c| c.0.abs() < 1e-9 && c.1 > 100.0)), "{isotropic}");
-            assert!(locus.judged_again.1 >= 2 && locus.judged_again.0 < 1e-9, "{:?}", locus.judged_again);
+            assert!(locus.assessed_again.1 >= 2 && locus.assessed_again.0 < 1e-9, "{:?}", locus.assessed_again);
         }
         // no locus twice: of two that cover a value, the speeds differ
         for (i, a) in ns.iter().enumerate() {

@@ -37,7 +37,7 @@ struct At {
 
 fn states<'a>(system: &'a System, branch: &Traced, speed: f64) -> (Balance<'a>, Vec<At>) {
     let mut balance = Balance::new(system, branch.discretisation, (speed, speed), None).unwrap();
-    let mut judge = Stability::new(system).unwrap();
+    let mut assess = Stability::new(system).unwrap();
     let mut out: Vec<At> = Vec::new();
     for w in branch.points.windows(2) {
         let (a, b) = (w[0].speed, w[1].speed);
@@ -48,7 +48,7 @@ fn states<'a>(system: &'a System, branch: &Traced, speed: f64) -> (Balance<'a>, 
         let mut x: Vec<f64> = w[0].x.iter().zip(&w[1].x).map(|(p, q)| p + t * (q - p)).collect();
         newton(&mut balance, &mut x, speed, &Options { to_rounding: true, ..Options::default() }).unwrap();
         balance.sample(&x, speed);
-        let e = judge.exponents(&mut balance, &x, speed).unwrap();
+        let e = assess.exponents(&mut balance, &x, speed).unwrap();
         let orbit = Orbit::of(&mut balance, &x, speed).unwrap();
         out.push(At { exponents: e.descending(), stable: e.stable(), orbit, x });
     }
@@ -61,7 +61,7 @@ fn states<'a>(system: &'a System, branch: &Traced, speed: f64) -> (Balance<'a>, 
 fn nine_states_of_two_planes() {
     let speed = 2850.0;
     let (system, r) = all(Base::default(), (2500.0, 3500.0));
-    assert!(!r.more_families && r.unjudged.is_none());
+    assert!(!r.more_families && r.unassessed.is_none());
     let (mut number, mut held, mut plane) = (0, 0, Vec::new());
     let amplitude = |o: &Orbit, i: usize| o.coordinates[o.orders.iter().position(|&k| k == 1).unwrap()][i].abs();
     for branch in r.branches.iter().filter(|b| b.discretisation.symmetry == Symmetry::Quarter) {
@@ -81,7 +81,7 @@ fn nine_states_of_two_planes() {
                 let a = amplitude(&s.orbit, i);
                 assert!(plane.iter().any(|p| (a - p).abs() < 1e-7 * p), "{a} {plane:?}");
             }
-            // the image, judged by itself
+            // the image, assessed by itself
             let turned = Motion { terms: &balance.terms, x: &s.x }.image(Symmetry::Quarter);
             let mut x = turned.clone();
             newton(&mut balance, &mut x, speed, &Options::default()).unwrap();
@@ -244,7 +244,7 @@ fn liquid_waves_are_neimark_sacker() {
     }
 }
 
-/// Three ways to judge: the map over a quarter of the period, over the whole, and Hill's.
+/// Three ways to assess: the map over a quarter of the period, over the whole, and Hill's.
 #[test]
 fn stability_by_other_methods() {
     for base in [
@@ -258,7 +258,7 @@ fn stability_by_other_methods() {
             let r = run(base.builder(), Request { truncation: 1e-8, check_stability: true, ..request(lo, hi) });
             let a = r.agreement.unwrap();
             assert!(a.contradictions == 0 && a.failed.is_none(), "{base:?} {a:?}");
-            assert!(a.states >= 3 && a.judged == [a.states, a.states], "{a:?}");
+            assert!(a.states >= 3 && a.assessed == [a.states, a.states], "{a:?}");
             assert!(a.difference[0] < 1e-5 && a.difference[1] < 1e-5, "{base:?} {a:?}");
         }
     }

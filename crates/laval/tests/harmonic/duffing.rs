@@ -120,7 +120,7 @@ fn states(system: &System, branch: &Traced, speed: f64) -> Vec<(Orbit, bool)> {
     out
 }
 
-/// Where the motion of a branch is judged most stable: speed, orbit with four times as many orders.
+/// Where the motion of a branch is assessed most stable: speed, orbit with four times as many orders.
 fn most_stable(system: &System, branch: &Traced) -> Option<Orbit> {
     let point = branch.points.iter().filter(|p| p.stable()).min_by(|a, b| a.growth().total_cmp(&b.growth()))?;
     let (orbit, stable) = finer(system, branch.discretisation, &point.x, point.speed);
@@ -158,7 +158,7 @@ fn orbit_of(system: &System, branch: &Traced, c: &Change) -> Orbit {
 }
 
 /// With falling speed the symmetric motion loses its symmetry, the pair that branches off doubles its period: both are found where the multiplier of the
-/// equation itself says so, and motions in time settle on the less symmetric branch where it is judged stable, and leave it where it is not.
+/// equation itself says so, and motions in time settle on the less symmetric branch where it is assessed stable, and leave it where it is not.
 #[test]
 fn symmetry_breaking_and_period_doubling() {
     let machine = CASCADE;

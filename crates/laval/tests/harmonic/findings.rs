@@ -66,13 +66,13 @@ fn no_sweep_jumps_from_unstable_states() {
     assert!(wild.len() >= 2 && wild.iter().all(|l| l == "fold"), "{wild:?}");
 }
 
-/// A study that was cancelled tells no jump from states it did not judge.
+/// A study that was cancelled tells no jump from states it did not assess.
 #[test]
 fn a_cancelled_study_tells_no_jump() {
     struct Stops(Cancel, AtomicU64);
     impl laval::study::Progress for Stops {
         fn report(&self, _: u64, _: u64) {
-            // each attempt tells its branch, and again while it is judged
+            // each attempt tells its branch, and again while it is assessed
             self.0.store(self.1.fetch_add(1, Ordering::Relaxed) > 0, Ordering::Relaxed);
         }
     }
@@ -170,9 +170,9 @@ fn wide_ranges_meet_their_resonances() {
     near(wide.0, narrow.0, 0.005);
 }
 
-/// A stop with damping: its force jumps at the touch. States that touch during part of a turn are not judged, and it is said why; the others are.
+/// A stop with damping: its force jumps at the touch. States that touch during part of a turn are not assessed, and it is said why; the others are.
 #[test]
-fn stability_is_not_judged_where_a_force_jumps() {
+fn stability_is_not_assessed_where_a_force_jumps() {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let with = |damping: f64| {
         machine(0.0, 100.0)
@@ -190,7 +190,7 @@ fn stability_is_not_judged_where_a_force_jumps() {
     let (growth, largest) = (column(&o, "growth rate"), column(&o, "disc largest displacement"));
     assert!(growth.iter().zip(&largest).all(|(g, r)| !g.is_nan() || *r > 2.9e-4));
     assert!(growth.iter().any(|g| g.is_nan()) && growth.iter().any(|g| g.is_finite()));
-    // without damping the force has a kink only: every state is judged
+    // without damping the force has a kink only: every state is assessed
     let o = study(with(0.0), request).unwrap();
     assert!(o.findings.iter().all(|f| f.id != "stability_unknown"), "{:?}", o.findings);
     // used up points are said, whether a sweep jumps before or not

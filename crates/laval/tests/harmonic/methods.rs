@@ -102,7 +102,7 @@ fn deviations_fall_with_the_orders() {
 
 /// One lightly damped body: the slow motion is the only one near the speed, and its growth is that of the exact exponents up to their ratio to the frequency.
 #[test]
-fn averaging_judges_one_mode() {
+fn averaging_assesses_one_mode() {
     let link = || Link::Between(Attach::on("disc"), Attach::ground());
     let builder = |cubic: f64| {
         Builder::new("one body")

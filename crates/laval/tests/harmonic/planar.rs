@@ -35,7 +35,7 @@ fn folds_carry_their_evidence() {
     ] {
         let r = response(base);
         assert_eq!((r.branches.len(), fold_speeds(&r).len()), (branches, folds), "{base:?}");
-        assert!(r.unjudged.is_none() && r.sampling < 1e-12, "{}", r.sampling);
+        assert!(r.unassessed.is_none() && r.sampling < 1e-12, "{}", r.sampling);
         for b in &r.branches {
             assert_eq!(b.end, End::Reached);
             assert!(b.changes.is_empty() && b.branch_points.is_empty(), "{:?} {:?}", b.changes, b.branch_points);

@@ -236,7 +236,7 @@ fn each_pair_of_mistakes() {
     }
 }
 
-/// The keys of a block of unknown kind cannot be judged, nor the values of a parameter that does not exist.
+/// The keys of a block of unknown kind cannot be assessed, nor the values of a parameter that does not exist.
 fn compatible(a: &Mistake, b: &Mistake) -> bool {
     let hides = |a: &Mistake, b: &Mistake| {
         (a.right == "kind = \"foundation\"" && b.wrong.starts_with("stifness"))

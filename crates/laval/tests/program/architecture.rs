@@ -144,7 +144,9 @@ fn modules_use_only_what_they_may() {
 /// Words that only this program used, for which the field has terms of its own.
 #[test]
 fn private_words_are_gone() {
-    const PRIVATE: [&str; 9] = ["told", "asked", "voyage", "flight", "fleet", "riders", "atlas", "crew", "sail"];
+    const PRIVATE: [&str; 14] = [
+        "told", "asked", "judge", "judged", "judges", "judging", "unjudged", "voyage", "flight", "fleet", "riders", "atlas", "crew", "sail",
+    ];
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let (mut found, mut folders, mut files) = (Vec::new(), vec![root.join("docs"), root.join("crates")], vec![root.join("README.md")]);
     while let Some(folder) = folders.pop() {

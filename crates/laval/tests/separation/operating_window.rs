@@ -471,7 +471,7 @@ fn robust_windows_and_maps() {
     assert!(kept.iter().any(|x| x.1 == 0.5e-3) && kept.iter().all(|x| x.1 < 1.2e-3 && x.0 > 91.0));
 }
 
-/// A bowl is judged full of suspension and full of clear liquid: the larger growth rate of both machines.
+/// A bowl is assessed full of suspension and full of clear liquid: the larger growth rate of both machines.
 #[test]
 fn stability_before_and_after_the_separation() {
     let text = |particle: f64, density: f64, fraction: f64| {

@@ -1,4 +1,4 @@
-//! Stability judged again: some states of every branch by Hill's method and by the map over the whole period at another tolerance.
+//! Stability assessed again: some states of every branch by Hill's method and by the map over the whole period at another tolerance.
 //!
 //! Neither uses the symmetry of the motion: both see the whole period.
 
@@ -18,10 +18,10 @@ pub const TOLERANCE: f64 = 1e-12;
 /// What came of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Agreement {
-    /// States judged again.
+    /// States assessed again.
     pub states: usize,
     /// Of these, found by the map; and by Hill's method.
-    pub judged: [usize; 2],
+    pub assessed: [usize; 2],
     /// Largest difference of the largest growth rate, 1/s: of the map, of Hill's method.
     pub difference: [f64; 2],
     /// States called stable by one and unstable by another, beyond the errors of both.
@@ -30,7 +30,7 @@ pub struct Agreement {
     pub failed: Option<String>,
 }
 
-/// Judges again the ends and the middle of every branch, its largest motion, its largest and its smallest growth rate.
+/// Assesses again the ends and the middle of every branch, its largest motion, its largest and its smallest growth rate.
 pub fn check(system: &System, response: &Response, cancel: &AtomicBool) -> Agreement {
     let mut out = Agreement::default();
     for branch in &response.branches {
@@ -55,7 +55,7 @@ pub fn check(system: &System, response: &Response, cancel: &AtomicBool) -> Agree
             for (which, found) in [mapped, hill].into_iter().enumerate() {
                 match found {
                     Ok(e) => {
-                        out.judged[which] += 1;
+                        out.assessed[which] += 1;
                         let difference = (e.growth() - first.growth()).abs();
                         if !(difference <= out.difference[which]) {
                             out.difference[which] = difference;
@@ -73,7 +73,7 @@ pub fn check(system: &System, response: &Response, cancel: &AtomicBool) -> Agree
     out
 }
 
-/// Points of a branch that are judged again.
+/// Points of a branch that are assessed again.
 fn chosen(branch: &Traced) -> Vec<usize> {
     let all = || 0..branch.points.len();
     let by = |f: &dyn Fn(usize) -> f64| all().max_by(|&a, &b| f(a).total_cmp(&f(b)));

@@ -11,12 +11,12 @@
 //! | -1, motion without symmetry | -1 | period doubling: a motion of twice the period branches off |
 //! | a complex pair | a complex pair | Neimark-Sacker: a second frequency appears beside the spin |
 //!
-//! Branches judged on Hill's determinant, whose decaying exponents are not all known: `crate::harmonic::branches::on_determinant`.
+//! Branches assessed on Hill's determinant, whose decaying exponents are not all known: `crate::harmonic::branches::on_determinant`.
 //!
 //! Theory: `docs/theory/harmonic-balance.md#bifurcations`.
 
 use crate::harmonic::balance::problem::Balance;
-use crate::harmonic::branches::branch::Judge;
+use crate::harmonic::branches::branch::Assessor;
 use crate::harmonic::stability::floquet::{Exponents, Method};
 use laval_num::complex::C64;
 use laval_num::continuation::{Point, Settings, Special, Status, zero_between};
@@ -107,12 +107,18 @@ fn event(exponent: C64, exponents: &Exponents, balance: &Balance, speed: f64) ->
 }
 
 /// Frequency of a disturbance of this exponent, rad/s.
-pub(in crate::harmonic) fn frequency(judge: &mut Judge, balance: &mut Balance, exponent: C64, exponents: &Exponents, speed: f64) -> f64 {
+pub(in crate::harmonic) fn frequency(
+    assessor: &mut Assessor,
+    balance: &mut Balance,
+    exponent: C64,
+    exponents: &Exponents,
+    speed: f64,
+) -> f64 {
     let own = exponent.im;
     match exponents.method {
         Method::Mean | Method::Determinant => own.abs(),
         // seen from the rotating frame
-        Method::Rotating => nearest(judge, balance, speed, &[own + speed, speed - own]),
+        Method::Rotating => nearest(assessor, balance, speed, &[own + speed, speed - own]),
         Method::Map => {
             let turn = match parts(exponents, balance, speed) {
                 4 if balance.terms.divisor % 4 == 3 => -FRAC_PI_2,
@@ -123,14 +129,14 @@ pub(in crate::harmonic) fn frequency(judge: &mut Judge, balance: &mut Balance, e
             let spacing = TAU / exponents.span;
             let alias = |k: i32, sign: f64| sign * own + turn / exponents.span + f64::from(k) * spacing;
             let all: Vec<f64> = (-40..=40).flat_map(|k| [alias(k, 1.0), alias(k, -1.0)]).collect();
-            nearest(judge, balance, speed, &all)
+            nearest(assessor, balance, speed, &all)
         }
     }
 }
 
 /// The candidate nearest to a frequency of the machine linearised about the mean motion, as a size.
-fn nearest(judge: &mut Judge, balance: &mut Balance, speed: f64, candidates: &[f64]) -> f64 {
-    let Some(own) = judge.stability.as_mut().and_then(|s| s.mean_frequencies(balance, speed)) else { return f64::NAN };
+fn nearest(assessor: &mut Assessor, balance: &mut Balance, speed: f64, candidates: &[f64]) -> f64 {
+    let Some(own) = assessor.stability.as_mut().and_then(|s| s.mean_frequencies(balance, speed)) else { return f64::NAN };
     let distance = |w: f64| own.iter().map(|o| (o.abs() - w.abs()).abs()).fold(f64::INFINITY, f64::min);
     candidates.iter().map(|w| w.abs()).min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(f64::NAN)
 }
@@ -157,7 +163,7 @@ fn count(values: &[C64]) -> usize {
 /// Changes between neighbouring points `a` and `b` of a branch, the first of which is number `after`; with a `fold` between them at these unknowns, the
 /// fold's own crossing is left out, and so are others at the very same point (planes that fold together).
 pub(in crate::harmonic) fn changes_between(
-    judge: &mut Judge,
+    assessor: &mut Assessor,
     balance: &mut Balance,
     [a, b]: [(&Point, &Exponents); 2],
     after: usize,
@@ -186,12 +192,12 @@ pub(in crate::harmonic) fn changes_between(
         }
         let ends = [before[k].re, then[k].re];
         let special = zero_between(balance, [a.0, b.0], ends, settings, &mut |balance, point| {
-            let state = judge.state(balance, &point.x, point.p);
+            let state = assessor.state(balance, &point.x, point.p);
             state.exponents.and_then(|e| growths(&e, fold.is_some(), point.p).get(k).copied()).map_or(f64::NAN, |z| z.re)
         });
         let Ok(special) = special else { continue };
         // motions and their exponents agree to what the orders kept leave out
-        let slack = judge.state(balance, &special.point.x, special.point.p).truncation;
+        let slack = assessor.state(balance, &special.point.x, special.point.p).truncation;
         let at_fold = fold.is_some_and(|f| near(&f.point, &special.point, balance, slack));
         let twin = found.last().is_some_and(|c| near(&c.point, &special.point, balance, 0.0));
         if at_fold || twin {
@@ -201,14 +207,14 @@ pub(in crate::harmonic) fn changes_between(
             continue;
         }
         let unstable = if ascending { (k, k + 1) } else { (k + 1, k) };
-        found.extend(described(judge, balance, &special, k, fold.is_some(), unstable, after));
+        found.extend(described(assessor, balance, &special, k, fold.is_some(), unstable, after));
     }
     found.sort_by(|a, b| a.point.s.total_cmp(&b.point.s));
     out.extend(found);
 }
 
 fn described(
-    judge: &mut Judge,
+    assessor: &mut Assessor,
     balance: &mut Balance,
     special: &Special,
     k: usize,
@@ -217,14 +223,14 @@ fn described(
     after: usize,
 ) -> Option<Change> {
     let point = special.point.clone();
-    let exponents = judge.state(balance, &point.x, point.p).exponents?;
+    let exponents = assessor.state(balance, &point.x, point.p).exponents?;
     let exponent = growths(&exponents, fold, point.p).get(k).copied()?;
     Some(Change {
         event: event(exponent, &exponents, balance, point.p),
         speed: point.p,
         bracket: (special.bracket[0].p.min(special.bracket[1].p), special.bracket[0].p.max(special.bracket[1].p)),
         exponent,
-        frequency: frequency(judge, balance, exponent, &exponents, point.p),
+        frequency: frequency(assessor, balance, exponent, &exponents, point.p),
         growth: exponent.re,
         parts: parts(&exponents, balance, point.p),
         unstable,

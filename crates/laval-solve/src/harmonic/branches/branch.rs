@@ -1,10 +1,10 @@
-//! A branch of the response with its points judged: states, folds, other changes of stability, where it comes from.
+//! A branch of the response with its points assessed: states, folds, other changes of stability, where it comes from.
 
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::branches::bifurcation::{Change, changes_between};
 use crate::harmonic::branches::on_determinant;
 use crate::harmonic::stability::determinant::{self, Effort, Shape};
-use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unjudged};
+use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed};
 use crate::model::system::System;
 use laval_num::complex::C64;
 use laval_num::continuation::{Branch, End, Kind, Point, Settings, Special, Status, Zero};
@@ -30,15 +30,15 @@ pub struct State {
 }
 
 impl State {
-    /// Judged stable; unknown counts as not.
+    /// Assessed stable; unknown counts as not.
     pub fn stable(&self) -> bool {
         self.exponents.as_ref().is_some_and(Exponents::stable)
     }
-    /// Judged unstable; unknown counts as not.
+    /// Assessed unstable; unknown counts as not.
     pub fn unstable(&self) -> bool {
         self.exponents.as_ref().is_some_and(|e| !e.stable())
     }
-    /// Largest growth rate, 1/s; NaN when not judged, or where no exponent is known and none grows.
+    /// Largest growth rate, 1/s; NaN when not assessed, or where no exponent is known and none grows.
     pub fn growth(&self) -> f64 {
         self.exponents.as_ref().filter(|e| !e.values.is_empty()).map_or(f64::NAN, Exponents::growth)
     }
@@ -90,7 +90,7 @@ pub enum Origin {
     Start,
 }
 
-/// A branch with its points judged.
+/// A branch with its points assessed.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Traced {
     /// Points in order along the branch.
@@ -126,17 +126,17 @@ impl Traced {
     }
 }
 
-/// Judges states of one machine.
-pub struct Judge {
+/// Assesses states of one machine.
+pub struct Assessor {
     /// `None` where stability was not requested or cannot be had.
     pub(in crate::harmonic) stability: Option<Stability>,
-    /// Of a machine with parts that have no time form: exponents of the motion judged last.
+    /// Of a machine with parts that have no time form: exponents of the motion assessed last.
     pub(super) exponents: Option<Vec<C64>>,
     /// Terms of Hill's determinants that may still be added up.
     terms: u64,
     given: u64,
-    /// Why stability was not judged.
-    pub unjudged: Option<Unjudged>,
+    /// Why stability was not assessed.
+    pub unassessed: Option<Unassessed>,
 }
 
 /// Exponents that decay and are followed from motion to motion.
@@ -146,17 +146,17 @@ const MOST_TERMS: u64 = 400_000_000;
 /// Terms of Hill's determinants that are as much work as a point of a branch.
 pub const POINT: u64 = 50_000;
 
-impl Judge {
+impl Assessor {
     /// With `wanted`, of stability too; `work` in points. Everything on Hill's determinant where `determinant` says so.
-    pub fn new(system: &System, (wanted, determinant): (bool, bool), work: u64) -> Judge {
+    pub fn new(system: &System, (wanted, determinant): (bool, bool), work: u64) -> Assessor {
         let given = work.saturating_mul(POINT).min(MOST_TERMS);
-        let judge = Judge { stability: None, exponents: None, terms: given, given, unjudged: None };
+        let assessor = Assessor { stability: None, exponents: None, terms: given, given, unassessed: None };
         match wanted.then(|| Stability::new(system)) {
-            None => judge,
-            _ if determinant && system.undeclared().is_none() => Judge { exponents: Some(Vec::new()), ..judge },
-            Some(Ok(s)) => Judge { stability: Some(s), ..judge },
-            Some(Err(Unjudged::NoTimeForm(..))) if system.undeclared().is_none() => Judge { exponents: Some(Vec::new()), ..judge },
-            Some(Err(why)) => Judge { unjudged: Some(why), ..judge },
+            None => assessor,
+            _ if determinant && system.undeclared().is_none() => Assessor { exponents: Some(Vec::new()), ..assessor },
+            Some(Ok(s)) => Assessor { stability: Some(s), ..assessor },
+            Some(Err(Unassessed::NoTimeForm(..))) if system.undeclared().is_none() => Assessor { exponents: Some(Vec::new()), ..assessor },
+            Some(Err(why)) => Assessor { unassessed: Some(why), ..assessor },
         }
     }
 
@@ -190,7 +190,7 @@ impl Judge {
         if let Some(s) = &mut self.stability {
             match s.exponents(balance, x, speed) {
                 Ok(e) => state.exponents = Some(e),
-                Err(why) => self.unjudged = Some(why),
+                Err(why) => self.unassessed = Some(why),
             }
         }
         if let Some(before) = &mut self.exponents {
@@ -205,7 +205,7 @@ impl Judge {
                 }
                 // a count that was stopped says nothing of its work
                 Err(_) if balance.cancelled() => {}
-                Err(why) => self.unjudged = Some(why),
+                Err(why) => self.unassessed = Some(why),
             }
         }
         state
@@ -230,8 +230,8 @@ impl Judge {
         }
         let folds = branch.of(Kind::Fold).map(|s| fold_of(s, &branch)).collect::<Vec<_>>();
         let mut changes = Vec::new();
-        let judged: Vec<usize> = (0..points.len()).filter(|&i| points[i].exponents.is_some()).collect();
-        for pair in judged.windows(2) {
+        let assessed: Vec<usize> = (0..points.len()).filter(|&i| points[i].exponents.is_some()).collect();
+        for pair in assessed.windows(2) {
             let (i, j) = (pair[0], pair[1]);
             let (Some(a), Some(b)) = (&points[i].exponents, &points[j].exponents) else { continue };
             // at a fold on a corner the point between belongs to either side

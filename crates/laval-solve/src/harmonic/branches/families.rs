@@ -6,7 +6,7 @@
 //! - **Starts anywhere**: a deterministic set of motions of many sizes and phases.
 //! - **Motions in time**, on request: what an ensemble of starts settles on, of any period up to some turns (see [`crate::harmonic::branches::time_starts`]).
 //!
-//! Whatever converges to a state that no known branch passes through at that speed, nor an image of it, is followed both ways and judged; its own
+//! Whatever converges to a state that no known branch passes through at that speed, nor an image of it, is followed both ways and assessed; its own
 //! bifurcations are switched at in turn. Newton's method finds unstable states as well as stable ones. What is not found is not excluded.
 
 use crate::diagnostic::Diagnostic;
@@ -14,7 +14,7 @@ use crate::harmonic::balance::motion::Motion;
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::terms::Terms;
 use crate::harmonic::branches::bifurcation::Event;
-use crate::harmonic::branches::branch::{Judge, Origin};
+use crate::harmonic::branches::branch::{Assessor, Origin};
 use crate::harmonic::branches::response::{Cut, MOST_HARMONICS, Request, Response, Tick, carry, finish, settings, symmetry};
 use crate::harmonic::branches::seeds::{Random, anywhere, planes, with_subharmonic};
 use crate::harmonic::branches::time_starts::{LONGEST, loops};
@@ -205,7 +205,7 @@ impl<'a> Search<'a, '_> {
         Ok(number / own.max(1))
     }
 
-    /// Solves from a start; a state that is not known is reduced to the most symmetric terms it fits, followed, judged, and made known.
+    /// Solves from a start; a state that is not known is reduced to the most symmetric terms it fits, followed, assessed, and made known.
     fn try_start(
         &mut self,
         d: Discretisation,
@@ -302,7 +302,7 @@ impl<'a> Search<'a, '_> {
         Ok(true)
     }
 
-    /// Follows a branch from a state with as many orders as its truncation requires, judges it and adds it.
+    /// Follows a branch from a state with as many orders as its truncation requires, assesses it and adds it.
     fn follow(
         &mut self,
         at: usize,
@@ -322,10 +322,10 @@ impl<'a> Search<'a, '_> {
             if branch.points.len() < 2 {
                 break;
             }
-            let mut judge = Judge::new(self.system, (false, false), 0);
+            let mut assessor = Assessor::new(self.system, (false, false), 0);
             let balance = &mut self.balances[at];
             let step = (branch.points.len() / 40).max(1);
-            let dropped = branch.points.iter().step_by(step).map(|p| judge.state(balance, &p.x, p.p).truncation);
+            let dropped = branch.points.iter().step_by(step).map(|p| assessor.state(balance, &p.x, p.p).truncation);
             // NaN stays
             let worst = dropped.fold(0.0, |m: f64, t| if t <= m { m } else { t });
             best = Some((at, branch));
@@ -342,12 +342,12 @@ impl<'a> Search<'a, '_> {
         if self.is_known_throughout(at, &branch)? {
             return Ok(());
         }
-        let mut judge = Judge::new(self.system, (self.request.stability, self.request.determinant), self.request.work);
-        let mut traced = judge.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
+        let mut assessor = Assessor::new(self.system, (self.request.stability, self.request.determinant), self.request.work);
+        let mut traced = assessor.branch(&mut self.balances[at], branch, origin, &self.settings, self.tick);
         finish(self.system, self.request, &mut traced);
-        self.response.judging += judge.spent();
-        if self.response.unjudged.is_none() {
-            self.response.unjudged = judge.unjudged;
+        self.response.assessing += assessor.spent();
+        if self.response.unassessed.is_none() {
+            self.response.unassessed = assessor.unassessed;
         }
         self.found += 1;
         if let Some(w) = self.response.work.iter_mut().find(|w| w.0 == "points") {

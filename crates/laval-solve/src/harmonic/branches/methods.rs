@@ -128,7 +128,7 @@ pub fn compare(
     for (h, r) in lower {
         few.push((*h, r, Balance::new(system, r.discretisation, range, None)?));
     }
-    let mut judge = Stability::new(system).ok();
+    let mut assessor = Stability::new(system).ok();
     for (i, &speed) in speeds.iter().enumerate() {
         if cancel.load(std::sync::atomic::Ordering::Relaxed) {
             out.complete = false;
@@ -149,7 +149,7 @@ pub fn compare(
                 let Ok(orbit) = Orbit::of(&mut full, x, speed) else { continue };
                 let exact = peaks(system, &orbit);
                 full.sample(x, speed);
-                let exponents = judge.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok());
+                let exponents = assessor.as_mut().and_then(|s| s.exponents(&mut full, x, speed).ok());
                 let (growth, growth_error) = exponents.map_or((f64::NAN, 0.0), |e: Exponents| (e.growth(), e.error));
                 let mut push = |method: Method, own: Vec<f64>, growth: f64, parameter: f64| {
                     let deviation = if own.is_empty() { f64::NAN } else { deviation(system.probes(), &own, &exact) };

@@ -1,4 +1,4 @@
-//! Changes of stability of a branch that is judged by Hill's determinant ([`crate::harmonic::stability::determinant`]).
+//! Changes of stability of a branch that is assessed by Hill's determinant ([`crate::harmonic::stability::determinant`]).
 //!
 //! Only the exponents that grow are counted there. One of those that one of two neighbouring points has and the other has not is followed, by Newton's method on the
 //! determinant, to the point without it, and further along the branch where it grows there still, slower than what can be counted. Where it decays the imaginary axis lies
@@ -9,7 +9,7 @@
 
 use crate::harmonic::balance::problem::Balance;
 use crate::harmonic::branches::bifurcation::{Change, Event, MOST_CHANGES, near};
-use crate::harmonic::branches::branch::{Judge, State};
+use crate::harmonic::branches::branch::{Assessor, State};
 use crate::harmonic::stability::determinant::{Shape, margin};
 use crate::harmonic::stability::floquet::Exponents;
 use crate::symmetry::Symmetry;
@@ -64,9 +64,9 @@ struct Place {
     after: usize,
 }
 
-/// One branch and what judges it.
+/// One branch and what assesses it.
 struct Search<'a, 'b, 'c> {
-    judge: &'a mut Judge,
+    assessor: &'a mut Assessor,
     balance: &'a mut Balance<'b>,
     points: &'c [Point],
     settings: &'c Settings,
@@ -75,19 +75,19 @@ struct Search<'a, 'b, 'c> {
 impl Search<'_, '_, '_> {
     fn followed(&mut self, at: &Point, start: C64) -> Option<C64> {
         let within = FOLLOWED * base(self.balance, at.p);
-        self.judge.followed(self.balance, &at.x, at.p, (start, within))
+        self.assessor.followed(self.balance, &at.x, at.p, (start, within))
     }
 
     /// The zero of the growth between points `i` and `i + 1`, of the exponent that is `ends` there.
     fn between(&mut self, i: usize, ends: [C64; 2]) -> Option<Place> {
         let (a, b) = (&self.points[i], &self.points[i + 1]);
         let mut known = vec![(a.s, ends[0]), (b.s, ends[1])];
-        let (judge, settings) = (&mut *self.judge, self.settings);
+        let (assessor, settings) = (&mut *self.assessor, self.settings);
         let special = zero_between(self.balance, [a, b], ends.map(|z| z.re), settings, &mut |balance, point| {
             let nearest = known.iter().min_by(|a, b| (a.0 - point.s).abs().total_cmp(&(b.0 - point.s).abs()));
             let Some(&(_, start)) = nearest else { return f64::NAN };
             let within = FOLLOWED * base(balance, point.p);
-            let Some(z) = judge.followed(balance, &point.x, point.p, (start, within)) else { return f64::NAN };
+            let Some(z) = assessor.followed(balance, &point.x, point.p, (start, within)) else { return f64::NAN };
             known.push((point.s, z));
             z.re
         });
@@ -100,20 +100,20 @@ impl Search<'_, '_, '_> {
     /// The same by the count alone: where the `k`-th exponent ceases to grow.
     fn counted(&mut self, i: usize, k: usize, ends: [f64; 2]) -> Option<Place> {
         let (a, b) = (&self.points[i], &self.points[i + 1]);
-        let (judge, settings) = (&mut *self.judge, self.settings);
+        let (assessor, settings) = (&mut *self.assessor, self.settings);
         let size = ends[0].abs().max(ends[1].abs());
         let mut last = None;
-        // on the axis nothing can be counted: no reason to call the branch unjudged
-        let unjudged = judge.unjudged.clone();
+        // on the axis nothing can be counted: no reason to call the branch unassessed
+        let unassessed = assessor.unassessed.clone();
         let special = zero_between(self.balance, [a, b], ends, settings, &mut |balance, point| {
-            let Some(e) = judge.state(balance, &point.x, point.p).exponents else { return f64::NAN };
+            let Some(e) = assessor.state(balance, &point.x, point.p).exponents else { return f64::NAN };
             // where it decays only that is known
             growing(&e).get(k).map_or(-1e-3 * size, |&z| {
                 last = Some(z);
                 z.re
             })
         });
-        self.judge.unjudged = unjudged;
+        self.assessor.unassessed = unassessed;
         let special = special.ok()?;
         let exponent = last.and_then(|z| self.followed(&special.point, z)).or(last)?;
         Some(Place { special: Special { status: Status::Bracketed, ..special }, exponent, after: i })
@@ -202,9 +202,9 @@ fn frequency(balance: &Balance, shape: Option<&Shape>, z: C64, speed: f64) -> f6
     most.map_or(f64::NAN, |(order, _)| (z.im + *order as f64 * signed).abs())
 }
 
-/// Changes between points `i` and `j` of a branch, neighbours among those that could be judged.
+/// Changes between points `i` and `j` of a branch, neighbours among those that could be assessed.
 pub(in crate::harmonic) fn changes_between(
-    judge: &mut Judge,
+    assessor: &mut Assessor,
     balance: &mut Balance,
     (branch, states): (&Branch, &[State]),
     (i, j): (usize, usize),
@@ -218,7 +218,7 @@ pub(in crate::harmonic) fn changes_between(
     let [before, then] = if fold.is_some() { without_folds(sides, width) } else { sides };
     let ascending = before.len() < then.len();
     let (few, many) = if ascending { (&before, &then) } else { (&then, &before) };
-    let mut search = Search { judge, balance, points: &branch.points[..states.len()], settings };
+    let mut search = Search { assessor, balance, points: &branch.points[..states.len()], settings };
     let mut found: Vec<Change> = Vec::new();
     for k in few.len()..many.len() {
         if out.len() + found.len() >= MOST_CHANGES || search.balance.cancelled() {
@@ -242,7 +242,7 @@ pub(in crate::harmonic) fn changes_between(
         if fold.is_some_and(|f| near(&f.point, &point, search.balance, slack)) || found.iter().chain(&*out).any(|c| met(c, 0.0)) {
             continue;
         }
-        let shape = search.judge.shape(search.balance, &point.x, point.p, place.exponent);
+        let shape = search.assessor.shape(search.balance, &point.x, point.p, place.exponent);
         let (event, parts) = event(search.balance, shape.as_ref(), place.exponent, point.p);
         let bracket = place.special.bracket.map(|s| s.p);
         found.push(Change {

@@ -5,11 +5,11 @@ use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
 use crate::harmonic::balance::terms::{Terms, admitted};
 use crate::harmonic::branches::agreement::{self, Agreement};
-use crate::harmonic::branches::branch::{Judge, Origin};
+use crate::harmonic::branches::branch::{Assessor, Origin};
 use crate::harmonic::branches::families;
 use crate::harmonic::branches::starts::Starts;
 use crate::harmonic::branches::unclosed::{Unclosed, unclosed};
-use crate::harmonic::stability::floquet::Unjudged;
+use crate::harmonic::stability::floquet::Unassessed;
 use crate::model::system::System;
 use crate::symmetry::{Broken, Symmetry, probe, probed_speeds};
 use laval_num::continuation::{Branch, Direction, End, Settings, Zero, fold, trace};
@@ -42,9 +42,9 @@ pub struct Request {
     pub divisor: usize,
     /// Dropped force harmonics over kept ones that the automatic choice of orders accepts.
     pub truncation: f64,
-    /// Judge stability.
+    /// Assessor stability.
     pub stability: bool,
-    /// Judge it on Hill's determinant also where all parts have a time form.
+    /// Assessor it on Hill's determinant also where all parts have a time form.
     pub determinant: bool,
     /// Most points of a branch; after as many in all, orders and samples are raised no more.
     pub max_points: usize,
@@ -56,7 +56,7 @@ pub struct Request {
     pub starts: usize,
     /// Starts integrated in time at every speed searched when all states are looked for.
     pub time_starts: usize,
-    /// Judge some states of every branch again by two other methods.
+    /// Assessor some states of every branch again by two other methods.
     pub check_stability: bool,
 }
 
@@ -70,7 +70,7 @@ pub enum States {
 }
 
 impl Request {
-    /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability judged.
+    /// The usual request over a range of speeds (rad/s): orders and symmetry chosen, stability assessed.
     pub fn over(lo: f64, hi: f64) -> Self {
         Request {
             speeds: (lo, hi),
@@ -111,10 +111,10 @@ pub struct Response {
     pub agreement: Option<Agreement>,
     /// Parts that break larger symmetries.
     pub broken: Vec<Broken>,
-    /// Why stability was not judged.
-    pub unjudged: Option<Unjudged>,
+    /// Why stability was not assessed.
+    pub unassessed: Option<Unassessed>,
     /// Terms of Hill's determinants that were added up.
-    pub judging: u64,
+    pub assessing: u64,
     /// Largest change of the residual when the samples of a period are doubled, relative to the largest force.
     pub sampling: f64,
     /// Work: name and count.
@@ -178,7 +178,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
             samples: oversampling * Terms::samples(harmonics, request.divisor),
             symmetry,
         };
-        // stability is judged once the orders are chosen
+        // stability is assessed once the orders are chosen
         let trial = Request { stability: request.stability && (!automatic || settled), ..*request };
         let response = attempt(system, &trial, d, &mut starts, cancel, tick)?;
         let worst = worst_truncation(&response);
@@ -219,7 +219,7 @@ pub fn respond<'a>(system: &'a System, request: &Request, cancel: &'a AtomicBool
                 families::extend(system, request, &mut response, complete, cancel, tick)?;
             }
             response.unclosed = unclosed(system, &response, request, cancel);
-            if request.check_stability && request.stability && response.unjudged.is_none() {
+            if request.check_stability && request.stability && response.unassessed.is_none() {
                 response.agreement = Some(agreement::check(system, &response, cancel));
             }
             return Ok(response);
@@ -273,7 +273,7 @@ fn attempt<'a>(
         return Err(Diagnostic::error("response.start", format!("no periodic motion was found at {lo} rad/s nor at {hi} rad/s"))
             .help("integrate the machine in time (transient, sweep): its motion may not repeat after one turn, or not at all"));
     }
-    let mut judge = Judge::new(system, (request.stability, request.determinant), request.work);
+    let mut assessor = Assessor::new(system, (request.stability, request.determinant), request.work);
     let sampling = sampling_error(system, &mut balance, d, &branches)?;
     let mut work = [("points", 0), ("Newton iterations", 0), ("factorisations", 0), ("maps over the period", 0)];
     let mut traced = Vec::new();
@@ -283,7 +283,7 @@ fn attempt<'a>(
         work[2].1 += branch.counters.work.factorisations as u64;
         // low and high, up and down speak of how fast the rotor turns, whichever way round
         let origin = if up != (hi < 0.0) { Origin::Low } else { Origin::High };
-        traced.push(judge.branch(&mut balance, branch, origin, &settings, tick));
+        traced.push(assessor.branch(&mut balance, branch, origin, &settings, tick));
     }
     for t in &mut traced {
         finish(system, request, t);
@@ -299,8 +299,8 @@ fn attempt<'a>(
         unclosed: None,
         agreement: None,
         broken: Vec::new(),
-        judging: judge.spent(),
-        unjudged: judge.unjudged,
+        assessing: assessor.spent(),
+        unassessed: assessor.unassessed,
         sampling,
         work: work.to_vec(),
     })
@@ -312,7 +312,7 @@ pub(super) fn settings(request: &Request) -> Settings {
     Settings { max_points: request.max_points, max_parameter_step: (hi - lo) / 100.0, ..Settings::new(lo, hi) }
 }
 
-/// Folds of a judged branch by how fast the rotor turns, with the evidence of more orders.
+/// Folds of an assessed branch by how fast the rotor turns, with the evidence of more orders.
 pub(super) fn finish(system: &System, request: &Request, branch: &mut Traced) {
     if request.speeds.1 < 0.0 {
         branch.folds.iter_mut().for_each(|f| f.upper = !f.upper);

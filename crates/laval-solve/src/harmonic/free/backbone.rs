@@ -14,7 +14,7 @@ use crate::harmonic::balance::pace::Pace;
 use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
 use crate::harmonic::balance::terms::Terms;
 use crate::harmonic::free::whirl::{Free, autonomous, natural_amplitude};
-use crate::harmonic::stability::floquet::Unjudged;
+use crate::harmonic::stability::floquet::Unassessed;
 use crate::model::part::At;
 use crate::model::system::{Slot, System};
 use crate::model::tangent::{Tangent, TangentScratch};
@@ -424,7 +424,7 @@ fn asymptotes(system: &System, d: Discretisation, speed: f64, fastest: f64) -> R
     for m in [&mut t.rate_q, &mut t.rate_v, &mut t.rate_a] {
         *m = m.matmul(&free);
     }
-    let mut a = first_order(&t).ok_or_else(|| lost(Unjudged::Massless.to_string()))?;
+    let mut a = first_order(&t).ok_or_else(|| lost(Unassessed::Massless.to_string()))?;
     let directed = matches!(d.symmetry, Symmetry::Circular | Symmetry::Quarter);
     let mut turn = 0.0;
     if directed {

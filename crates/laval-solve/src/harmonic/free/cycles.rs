@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::free::backbone::{backward, discretisation, linear_modes, next_order, polish, static_harmonics};
 use crate::harmonic::free::whirl::{Free, Quantity, autonomous, natural_amplitude};
-use crate::harmonic::stability::floquet::{Exponents, Stability, Unjudged};
+use crate::harmonic::stability::floquet::{Exponents, Stability, Unassessed};
 use crate::model::system::{Slot, System};
 use crate::pencil::{MachineMode, Whirl};
 use crate::rest::rest;
@@ -29,7 +29,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Request {
     /// Range of the spin speed, rad/s.
     pub speeds: (f64, f64),
-    /// Speeds at which rest is judged.
+    /// Speeds at which rest is assessed.
     pub points: usize,
     /// Largest order; `None` chooses.
     pub harmonics: Option<usize>,
@@ -65,11 +65,11 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Judged stable.
+    /// Assessed stable.
     pub fn stable(&self) -> bool {
         self.exponents.as_ref().is_some_and(Exponents::stable)
     }
-    /// Largest growth rate of a disturbance, 1/s; NaN when not judged.
+    /// Largest growth rate of a disturbance, 1/s; NaN when not assessed.
     pub fn growth(&self) -> f64 {
         self.exponents.as_ref().map_or(f64::NAN, Exponents::growth)
     }
@@ -155,8 +155,8 @@ pub struct Cycles {
     pub discretisation: Discretisation,
     /// Amplitude at which the nonlinear parts show, m.
     pub natural: f64,
-    /// Why stability was not judged.
-    pub unjudged: Option<Unjudged>,
+    /// Why stability was not assessed.
+    pub unassessed: Option<Unassessed>,
     /// Newton iterations.
     pub iterations: u64,
     /// Families were left out: stopped on request, or the work allowed was used up.
@@ -224,7 +224,7 @@ pub fn limit_cycles<'a>(system: &'a System, request: &Request, cancel: &'a Atomi
     loop {
         let d = discretisation(system, 0.5 * (lo + hi), harmonics);
         settled |= d.symmetry == Symmetry::Circular;
-        // stability is judged once the orders are chosen
+        // stability is assessed once the orders are chosen
         let mut found = attempt(system, &Request { work: left, ..*request }, at_rest.clone(), (d, settled), cancel, tick)?;
         found.stopped |= found.rest.stopped || cancel.load(Ordering::Relaxed);
         if settled || found.stopped {
@@ -257,17 +257,17 @@ fn attempt<'a>(
         families: Vec::new(),
         discretisation: d,
         natural,
-        unjudged: None,
+        unassessed: None,
         iterations: 0,
         stopped: false,
     };
     if out.rest.stopped {
         return Ok(out);
     }
-    let mut judge = match Stability::new(system) {
+    let mut assessor = match Stability::new(system) {
         Ok(s) => stability.then_some(s),
         Err(why) => {
-            out.unjudged = Some(why);
+            out.unassessed = Some(why);
             None
         }
     };
@@ -314,11 +314,11 @@ fn attempt<'a>(
         let mut cycles = Vec::with_capacity(kept);
         let mut stopped = false;
         for p in &branch.points[..kept] {
-            let judged = piece(|| {
+            let assessed = piece(|| {
                 let (x, residual) = polish(&mut free, &p.x, p.p).unwrap_or_else(|| (p.x.clone(), p.residual));
-                cycle(&mut free, &mut judge, &mut out.unjudged, &x, p.p, residual)
+                cycle(&mut free, &mut assessor, &mut out.unassessed, &x, p.p, residual)
             });
-            cycles.extend(judged);
+            cycles.extend(assessed);
             tick(out.points() + cycles.len() as u64);
             stopped = free.cancelled();
             if stopped {
@@ -334,9 +334,9 @@ fn attempt<'a>(
         let mut changes = Vec::new();
         for i in 1..cycles.len() {
             let (a, b): (&Cycle, &Cycle) = (&cycles[i - 1], &cycles[i]);
-            let judged = a.exponents.is_some() && b.exponents.is_some();
-            if judged && a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i) {
-                changes.extend(locate_change(&mut free, &mut judge, &mut out.unjudged, a, b));
+            let assessed = a.exponents.is_some() && b.exponents.is_some();
+            if assessed && a.stable() != b.stable() && !folds.iter().any(|f| f.after + 1 == i) {
+                changes.extend(locate_change(&mut free, &mut assessor, &mut out.unassessed, a, b));
             }
         }
         let end = match branch.end {
@@ -404,22 +404,29 @@ fn small_cycle(system: &System, free: &mut Free, onset: &mut Onset, natural: f64
     Ok(Some((x, speed)))
 }
 
-fn cycle(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, x: &[f64], speed: f64, residual: f64) -> Cycle {
+fn cycle(
+    free: &mut Free,
+    assessor: &mut Option<Stability>,
+    unassessed: &mut Option<Unassessed>,
+    x: &[f64],
+    speed: f64,
+    residual: f64,
+) -> Cycle {
     let n = free.harmonics();
     let [_, frequency, _] = free.quantities(x, speed);
     free.place(x, speed, None);
     free.balance.sample(&x[..n], speed);
     let truncation = free.balance.truncation();
     let (mut exponents, mut trivial) = (None, f64::NAN);
-    if let Some(judge) = judge {
-        match judge.exponents(&mut free.balance, &x[..n], speed) {
+    if let Some(assessor) = assessor {
+        match assessor.exponents(&mut free.balance, &x[..n], speed) {
             Ok(mut e) => {
                 if let Some(at) = (0..e.values.len()).min_by(|&a, &b| e.values[a].abs().total_cmp(&e.values[b].abs())) {
                     trivial = e.values.swap_remove(at).abs();
                 }
                 exponents = Some(e);
             }
-            Err(why) => *unjudged = Some(why),
+            Err(why) => *unassessed = Some(why),
         }
     }
     let modes = linear_modes(free.balance.system, speed).unwrap_or_default();
@@ -440,7 +447,13 @@ fn fold_of(s: &laval_num::continuation::Special) -> Fold {
 }
 
 /// The speed between two cycles at which the largest growth rate passes zero.
-fn locate_change(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut Option<Unjudged>, a: &Cycle, b: &Cycle) -> Option<Change> {
+fn locate_change(
+    free: &mut Free,
+    assessor: &mut Option<Stability>,
+    unassessed: &mut Option<Unassessed>,
+    a: &Cycle,
+    b: &Cycle,
+) -> Option<Change> {
     let (mut a, mut b) = (a.clone(), b.clone());
     let mut best = None;
     for _ in 0..60 {
@@ -453,7 +466,7 @@ fn locate_change(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut 
         let mut x: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| a + t * (b - a)).collect();
         x.push(a.frequency + t * (b.frequency - a.frequency));
         let Ok(done) = newton(free, &mut x, speed, &Options::default()) else { break };
-        let mid = cycle(free, judge, unjudged, &x, speed, done.residual);
+        let mid = cycle(free, assessor, unassessed, &x, speed, done.residual);
         let exponent = mid.exponents.as_ref()?.values.iter().copied().max_by(|x, y| x.re.total_cmp(&y.re))?;
         best = Some((speed, exponent));
         if mid.stable() == a.stable() { a = mid } else { b = mid }
@@ -464,7 +477,7 @@ fn locate_change(free: &mut Free, judge: &mut Option<Stability>, unjudged: &mut 
 /// A cycle at a given speed, from a family: one for every piece that passes it.
 pub fn at_speed(system: &System, found: &Cycles, family: &Family, speed: f64) -> Result<Vec<Cycle>, Diagnostic> {
     let mut out = Vec::new();
-    let (mut judge, mut unjudged) = (Stability::new(system).ok(), None);
+    let (mut assessor, mut unassessed) = (Stability::new(system).ok(), None);
     for w in family.cycles.windows(2) {
         let (a, b) = (&w[0], &w[1]);
         if (a.speed - speed) * (b.speed - speed) > 0.0
@@ -479,7 +492,7 @@ pub fn at_speed(system: &System, found: &Cycles, family: &Family, speed: f64) ->
         let mut x: Vec<f64> = a.x.iter().zip(&b.x).map(|(a, b)| a + t * (b - a)).collect();
         x.push(a.frequency + t * (b.frequency - a.frequency));
         if let Ok(done) = newton(&mut free, &mut x, speed, &Options { to_rounding: true, ..Options::default() }) {
-            out.push(cycle(&mut free, &mut judge, &mut unjudged, &x, speed, done.residual));
+            out.push(cycle(&mut free, &mut assessor, &mut unassessed, &x, speed, done.residual));
         }
     }
     Ok(out)

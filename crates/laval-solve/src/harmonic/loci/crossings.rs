@@ -36,11 +36,11 @@ pub struct CrossingLocus<'a> {
 
 /// Exponents of a motion by the method that fits all of a locus.
 pub(super) fn exponents(balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Failure> {
-    const UNJUDGED: Failure = Failure::Undefined("the stability of the motion cannot be judged there");
-    let mut judge = Stability::new(balance.system).map_err(|_| UNJUDGED)?.with_tolerance(TOLERANCE);
+    const UNASSESSED: Failure = Failure::Undefined("the stability of the motion cannot be assessed there");
+    let mut assessor = Stability::new(balance.system).map_err(|_| UNASSESSED)?.with_tolerance(TOLERANCE);
     balance.sample(x, speed);
     let circular = balance.terms.symmetry == Symmetry::Circular;
-    if circular { judge.exponents(balance, x, speed) } else { judge.mapped(balance, x, speed) }.map_err(|_| UNJUDGED)
+    if circular { assessor.exponents(balance, x, speed) } else { assessor.mapped(balance, x, speed) }.map_err(|_| UNASSESSED)
 }
 
 /// Time over which an exponent's multiplier is taken, s.

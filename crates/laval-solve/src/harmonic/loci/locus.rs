@@ -64,8 +64,8 @@ pub struct Locus {
     pub corners: Vec<Corner>,
     /// How it ends.
     pub ends: [PathEnd; 2],
-    /// Largest difference of the growth rate at points judged again by Hill's method, 1/s, and their number.
-    pub judged_again: (f64, usize),
+    /// Largest difference of the growth rate at points assessed again by Hill's method, 1/s, and their number.
+    pub assessed_again: (f64, usize),
     /// Speed, rad/s, and value of the bifurcation it was started from.
     pub start: (f64, f64),
 }

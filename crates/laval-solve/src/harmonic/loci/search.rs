@@ -11,14 +11,14 @@ use crate::harmonic::balance::problem::{Balance, Discretisation, Nonlinear};
 use crate::harmonic::balance::terms::{Terms, admitted};
 use crate::harmonic::balance::whole_period::whole_period;
 use crate::harmonic::branches::bifurcation::{Event, frequency};
-use crate::harmonic::branches::branch::{Judge, Origin, Traced};
+use crate::harmonic::branches::branch::{Assessor, Origin, Traced};
 use crate::harmonic::branches::response::{self, MOST_HARMONICS, Response, States, Tick, carry, respond};
 use crate::harmonic::loci::crossings::{CrossingLocus, angle, exponents, nearest, span};
 use crate::harmonic::loci::existence::existence;
 use crate::harmonic::loci::folds::FoldLocus;
 use crate::harmonic::loci::follow::{Path, PathEnd, Turn, follow, passes, passes_after};
 use crate::harmonic::loci::varied::{Varied, stopped};
-use crate::harmonic::stability::floquet::{Exponents, Stability, Unjudged};
+use crate::harmonic::stability::floquet::{Exponents, Stability, Unassessed};
 use crate::harmonic::stability::hill;
 use crate::model::system::System;
 use crate::symmetry::Symmetry;
@@ -34,8 +34,8 @@ pub const MOST_LOCI: usize = 24;
 const RAISES: usize = 3;
 /// Most unknowns to which orders are raised.
 const MOST_UNKNOWNS: usize = 96;
-/// Points of a locus of stability that are judged again.
-const JUDGED_AGAIN: usize = 3;
+/// Points of a locus of stability that are assessed again.
+const ASSESSED_AGAIN: usize = 3;
 
 /// The request.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -127,8 +127,8 @@ pub struct Loci {
     pub more: bool,
     /// Changes of the stability of states that do not bound stability were found and not followed.
     pub others: usize,
-    /// Why stability was not judged.
-    pub unjudged: Option<Unjudged>,
+    /// Why stability was not assessed.
+    pub unassessed: Option<Unassessed>,
     /// Stopped before everything was followed.
     pub stopped: bool,
     /// Work: name and count.
@@ -206,7 +206,7 @@ pub fn loci_from(
         lost: 0,
         more: false,
         others: 0,
-        unjudged: None,
+        unassessed: None,
         stopped: false,
         work: Vec::new(),
     };
@@ -275,8 +275,8 @@ fn collect(found: &Response, request: &Request, machine: usize, value: f64, out:
     let (lo, hi) = request.speeds;
     let inside = |speed: f64| speed >= lo - EDGE * lo.abs() && speed <= hi + EDGE * hi.abs();
     let main = |b: &&Traced| matches!(b.origin, Origin::Low | Origin::High) && b.discretisation.divisor == 1;
-    if out.unjudged.is_none() {
-        out.unjudged.clone_from(&found.unjudged);
+    if out.unassessed.is_none() {
+        out.unassessed.clone_from(&found.unassessed);
     }
     for branch in found.branches.iter().filter(main) {
         let start =
@@ -454,8 +454,14 @@ impl<'s> Search<'s> {
             let harmonics_change = self.finer(turn, &problem, start, out)?;
             corners.push(Corner { speed: turn.y[2 * n], x: turn.y[..n].to_vec(), turn: turn.clone(), harmonics_change });
         }
-        let locus =
-            Locus { kind: start.kind, points, corners, ends: path.ends.clone(), judged_again: (0.0, 0), start: (start.speed, start.value) };
+        let locus = Locus {
+            kind: start.kind,
+            points,
+            corners,
+            ends: path.ends.clone(),
+            assessed_again: (0.0, 0),
+            start: (start.speed, start.value),
+        };
         Ok(Some((problem, path, locus)))
     }
 
@@ -508,10 +514,10 @@ impl<'s> Search<'s> {
             y.push(angle(*own, &seen, start.speed));
         }
         let Some(path) = self.follow(&mut problem, &y, start.value, n, settings)? else { return Ok(None) };
-        let mut judge = Judge::new(&self.machines[start.machine].1, (true, false), self.request.work);
+        let mut assessor = Assessor::new(&self.machines[start.machine].1, (true, false), self.request.work);
         let mut points = Vec::with_capacity(path.points.len());
-        let mut judged_again = (0.0, 0);
-        let every = path.points.len().div_ceil(JUDGED_AGAIN);
+        let mut assessed_again = (0.0, 0);
+        let every = path.points.len().div_ceil(ASSESSED_AGAIN);
         let mut ends = path.ends.clone();
         for (i, p) in path.points.iter().enumerate() {
             if stopped(self.cancel) {
@@ -519,32 +525,38 @@ impl<'s> Search<'s> {
                 break;
             }
             let theta = problem.theta(&p.x);
-            let Some((point, all, own)) = self.judged(&mut problem, &mut judge, p, theta) else { continue };
+            let Some((point, all, own)) = self.assessed(&mut problem, &mut assessor, p, theta) else { continue };
             if i % every == every / 2
                 && let Some(difference) = by_hill(&mut problem, p, &all, own)
             {
-                let worst: f64 = judged_again.0;
-                judged_again = (if difference <= worst { worst } else { difference }, judged_again.1 + 1);
+                let worst: f64 = assessed_again.0;
+                assessed_again = (if difference <= worst { worst } else { difference }, assessed_again.1 + 1);
             }
             points.push(point);
         }
         let corners =
             path.turns.iter().map(|t| Corner { speed: t.y[n], x: t.y[..n].to_vec(), turn: t.clone(), harmonics_change: [f64::NAN; 2] });
         let corners = corners.collect();
-        let locus = Locus { kind: start.kind, points, corners, ends, judged_again, start: (start.speed, start.value) };
+        let locus = Locus { kind: start.kind, points, corners, ends, assessed_again, start: (start.speed, start.value) };
         Ok(Some((problem, path, locus)))
     }
 
-    fn judged(&self, problem: &mut CrossingLocus<'s>, judge: &mut Judge, p: &Point, theta: f64) -> Option<(LocusPoint, Exponents, C64)> {
+    fn assessed(
+        &self,
+        problem: &mut CrossingLocus<'s>,
+        assessor: &mut Assessor,
+        p: &Point,
+        theta: f64,
+    ) -> Option<(LocusPoint, Exponents, C64)> {
         let n = problem.size();
         let (x, speed) = (&p.x[..n], p.x[n]);
         let found = problem.varied.at(p.p, |b| {
             let all = exponents(b, x, speed)?;
             let truncation = b.truncation();
-            // judged by the machine of this value
-            judge.stability = Stability::new(b.system).ok();
+            // assessed by the machine of this value
+            assessor.stability = Stability::new(b.system).ok();
             let own = nearest(&all, speed, theta).map(|i| all.values[i]);
-            let frequency = own.map_or(f64::NAN, |z| frequency(judge, b, z, &all, speed));
+            let frequency = own.map_or(f64::NAN, |z| frequency(assessor, b, z, &all, speed));
             Ok((all, truncation, own, frequency))
         });
         let (all, truncation, own, frequency) = found.ok()?;
@@ -590,8 +602,8 @@ fn by_hill(problem: &mut CrossingLocus, p: &Point, all: &Exponents, own: C64) ->
     };
     let (mut balance, x) = whole_period(&machine, d, x, speed).ok()?;
     balance.sample(&x, speed);
-    let mut judge = Stability::new(&machine).ok()?;
-    let found = hill::exponents(&mut judge, &mut balance, &x, speed).ok()?;
+    let mut assessor = Stability::new(&machine).ok()?;
+    let found = hill::exponents(&mut assessor, &mut balance, &x, speed).ok()?;
     let period = TAU / speed.abs();
     let parts = (period / span(all, speed)).round();
     let turned = C64::cis(own.im * span(all, speed) * parts).scale((own.re * period).exp());

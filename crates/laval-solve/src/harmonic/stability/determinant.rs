@@ -20,7 +20,7 @@ mod strip;
 use crate::characteristic::{Equilibrium, Frame};
 use crate::harmonic::balance::problem::{Balance, Discretisation};
 use crate::harmonic::balance::whole_period::sampled_period;
-use crate::harmonic::stability::floquet::{Exponents, Method, Unjudged};
+use crate::harmonic::stability::floquet::{Exponents, Method, Unassessed};
 use crate::model::blocks::Grid;
 use crate::model::erased::D1;
 use crate::model::linear::{Form, LinearModel, LinearScratch};
@@ -321,8 +321,8 @@ fn hill<'a, 'b>(
     x: &[f64],
     speed: f64,
     effort: &'a mut Effort<'b>,
-) -> Result<Hill<'a, 'b>, Unjudged> {
-    let failed = |why: &str| Unjudged::Failed(why.into());
+) -> Result<Hill<'a, 'b>, Unassessed> {
+    let failed = |why: &str| Unassessed::Failed(why.into());
     if system.slots().iter().filter(|s| !s.is_linear()).any(|s| s.uses.acceleration || !s.states.is_empty()) {
         return Err(failed("Hill's determinant is for machines whose nonlinear parts have neither mass nor states"));
     }
@@ -399,7 +399,7 @@ fn at_rest(hill: &mut Hill, margin: f64) -> Option<(Vec<C64>, bool)> {
 /// which on growth can be counted.
 ///
 /// # Errors
-/// Why the motion cannot be judged.
+/// Why the motion cannot be assessed.
 pub fn exponents(
     system: &System,
     d: Discretisation,
@@ -407,8 +407,8 @@ pub fn exponents(
     speed: f64,
     starts: &[C64],
     effort: &mut Effort,
-) -> Result<Exponents, Unjudged> {
-    let failed = |why: &str| Unjudged::Failed(why.into());
+) -> Result<Exponents, Unassessed> {
+    let failed = |why: &str| Unassessed::Failed(why.into());
     let mut hill = hill(system, d, x, speed, effort)?;
     let (domains, own, fastest, strip) = (hill.domains.clone(), hill.own.clone(), hill.fastest, hill.base.abs());
     let margin = margin(&domains, speed);
@@ -488,7 +488,7 @@ pub fn exponents(
         }
         starts.extend(&values[..growing]);
     }
-    Err(Unjudged::Failed(format!("Hill's determinant did not settle with {MOST_ORDERS} orders")))
+    Err(Unassessed::Failed(format!("Hill's determinant did not settle with {MOST_ORDERS} orders")))
 }
 
 /// The exponent that a start leads to, without a count: by Newton's method, again with a third more orders. `None` where none is so near as `within`, where it does not

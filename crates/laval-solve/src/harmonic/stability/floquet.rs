@@ -71,9 +71,9 @@ impl Exponents {
     }
 }
 
-/// Why a machine's motions cannot be judged here.
+/// Why a machine's motions cannot be assessed here.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Unjudged {
+pub enum Unassessed {
     /// A part without a time-domain form, by name, and why it has none.
     NoTimeForm(String, #[serde(deserialize_with = "laval_num::text::one")] laval_num::text::Text),
     /// More states than a map can carry.
@@ -86,16 +86,16 @@ pub enum Unjudged {
     Failed(String),
 }
 
-impl std::fmt::Display for Unjudged {
+impl std::fmt::Display for Unassessed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Unjudged::NoTimeForm(part, why) => write!(f, "\"{part}\" has no time-domain form: {why}"),
-            Unjudged::TooManyStates(n) => write!(f, "the machine has {n} first-order states, more than the map of a period can carry"),
-            Unjudged::Jumps(part) => {
+            Unassessed::NoTimeForm(part, why) => write!(f, "\"{part}\" has no time-domain form: {why}"),
+            Unassessed::TooManyStates(n) => write!(f, "the machine has {n} first-order states, more than the map of a period can carry"),
+            Unassessed::Jumps(part) => {
                 write!(f, "the force of \"{part}\" jumps when it touches, and what such a jump does to a disturbance is not computed")
             }
-            Unjudged::Massless => f.write_str("a coordinate has no mass"),
-            Unjudged::Failed(why) => f.write_str(why),
+            Unassessed::Massless => f.write_str("a coordinate has no mass"),
+            Unassessed::Failed(why) => f.write_str(why),
         }
     }
 }
@@ -121,7 +121,7 @@ pub(super) struct Block {
     pub(super) entries: Vec<Entry>,
 }
 
-/// Judges motions of one machine; keeps its scratch.
+/// Assesses motions of one machine; keeps its scratch.
 pub struct Stability {
     pub(super) n: usize,
     pub(super) m: usize,
@@ -148,16 +148,16 @@ const MOST_STEPS: u64 = 200_000;
 
 impl Stability {
     /// For one machine, or why not.
-    pub fn new(system: &System) -> Result<Stability, Unjudged> {
+    pub fn new(system: &System) -> Result<Stability, Unassessed> {
         use crate::model::part::{Physics, TimeForm};
         for slot in system.slots() {
             if let Physics::Frequency(TimeForm::None(why)) = slot.physics {
-                return Err(Unjudged::NoTimeForm(slot.name.clone(), why));
+                return Err(Unassessed::NoTimeForm(slot.name.clone(), why));
             }
         }
         let (n, m) = (system.n(), system.m());
         if 2 * n + m > MOST_STATES {
-            return Err(Unjudged::TooManyStates(2 * n + m));
+            return Err(Unassessed::TooManyStates(2 * n + m));
         }
         let leads = |kinds: Vec<DofKind>| kinds.into_iter().map(DofKind::leads_pair).collect::<Vec<bool>>();
         let q = leads(system.coordinates().iter().map(|c| c.dof.kind).collect());
@@ -188,10 +188,10 @@ impl Stability {
     }
 
     /// Exponents by the map over the period, however small the motion. The balance must have been sampled there last, and not be circular.
-    pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+    pub fn mapped(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
         let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
         match jumps {
-            Some(part) => Err(Unjudged::Jumps(part)),
+            Some(part) => Err(Unassessed::Jumps(part)),
             None if !self.constant_mass => self.general(balance, x, speed),
             None => {
                 self.set_speed(balance, speed)?;
@@ -201,10 +201,10 @@ impl Stability {
     }
 
     /// Exponents of the motion `x` of a balance at a speed. The balance must have been sampled there last ([`Balance::sample`]).
-    pub fn exponents(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+    pub fn exponents(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
         let (places, jumps) = balance.switches(x, speed, (0.0, TAU / balance.terms.symmetry.order().max(1) as f64));
         if let Some(part) = jumps {
-            return Err(Unjudged::Jumps(part));
+            return Err(Unassessed::Jumps(part));
         }
         if !self.constant_mass {
             return self.general(balance, x, speed);
@@ -261,12 +261,12 @@ impl Stability {
         Some(self.eigenvalues(&a).ok()?.iter().map(|z| z.im).collect())
     }
 
-    pub(super) fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unjudged> {
-        self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unjudged::Failed(format!("eigenvalues: {e}")))
+    pub(super) fn eigenvalues(&mut self, a: &Mat) -> Result<Vec<C64>, Unassessed> {
+        self.spectrum.of(a).map(<[C64]>::to_vec).map_err(|e| Unassessed::Failed(format!("eigenvalues: {e}")))
     }
 
     /// Constant part of A and the input of nonlinear forces, scaled.
-    pub(super) fn set_speed(&mut self, balance: &Balance, speed: f64) -> Result<(), Unjudged> {
+    pub(super) fn set_speed(&mut self, balance: &Balance, speed: f64) -> Result<(), Unassessed> {
         if self.speed == speed {
             return Ok(());
         }
@@ -275,7 +275,7 @@ impl Stability {
         let (q, z) = (vec![0.0; n], vec![0.0; m]);
         let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
         system.tangent(&at, false, &mut self.tangent, &mut self.scratch, Slot::is_linear);
-        self.constant = first_order(&self.tangent).ok_or(Unjudged::Massless)?;
+        self.constant = first_order(&self.tangent).ok_or(Unassessed::Massless)?;
         let rows = &balance.nonlinear.basis.rows;
         let mut g = Mat::zeros(n, rows.len());
         for (j, row) in rows.iter().enumerate() {
@@ -283,7 +283,7 @@ impl Stability {
                 g[(i, j)] -= x;
             }
         }
-        Lu::new(&self.tangent.a).map_err(|_| Unjudged::Massless)?.solve_mat(&mut g);
+        Lu::new(&self.tangent.a).map_err(|_| Unassessed::Massless)?.solve_mat(&mut g);
         let memory = self.tangent.rate_a.matmul(&g);
         self.input = Mat::from_fn(2 * n + m, rows.len(), |i, j| match i {
             i if i < n => 0.0,

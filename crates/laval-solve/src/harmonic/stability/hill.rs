@@ -15,7 +15,7 @@
 //! Source: F. Bayer, R. I. Leine, Sorting-free Hill-based stability analysis of periodic solutions through Koopman analysis, Nonlinear Dynamics 111 (2023).
 
 use crate::harmonic::balance::problem::Balance;
-use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unjudged};
+use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed};
 use crate::symmetry::Symmetry;
 use laval_num::complex::{C64, c};
 use laval_num::dense::Mat;
@@ -37,12 +37,12 @@ const SETTLED: f64 = 1e-9;
 type Entries = Vec<(usize, usize, C64)>;
 
 /// Exponents of the motion last sampled; its balance must hold the whole period ([`Symmetry::None`]).
-pub fn exponents(stability: &mut Stability, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+pub fn exponents(stability: &mut Stability, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
     if !stability.constant_mass {
-        return Err(Unjudged::Failed("Hill's method is for machines whose nonlinear parts have neither mass nor states".into()));
+        return Err(Unassessed::Failed("Hill's method is for machines whose nonlinear parts have neither mass nor states".into()));
     }
     if balance.terms.symmetry != Symmetry::None || !balance.switches(x, speed, (0.0, TAU)).0.is_empty() {
-        return Err(Unjudged::Failed("Hill's method is for motions along which no law switches".into()));
+        return Err(Unassessed::Failed("Hill's method is for motions along which no law switches".into()));
     }
     stability.set_speed(balance, speed)?;
     let coefficients = coefficients(stability, balance);
@@ -66,7 +66,9 @@ pub fn exponents(stability: &mut Stability, balance: &mut Balance, x: &[f64], sp
         before = Some(values);
         orders += orders / 2;
     }
-    Err(Unjudged::Failed(format!("Hill's method did not settle with {MOST_ORDERS} orders: growth rates still change by {change:.1e} 1/s")))
+    Err(Unassessed::Failed(format!(
+        "Hill's method did not settle with {MOST_ORDERS} orders: growth rates still change by {change:.1e} 1/s"
+    )))
 }
 
 /// Fourier coefficients of A for orders from 0 up: all of the constant part, and what the nonlinear coordinates add.
@@ -121,7 +123,7 @@ impl Lifted {
     }
 
     /// `C exp(H T) W` with orders up to `orders` times the spacing.
-    fn map(&self, orders: usize, period: f64) -> Result<Mat, Unjudged> {
+    fn map(&self, orders: usize, period: f64) -> Result<Mat, Unassessed> {
         let (d, g) = (self.d, self.spacing());
         let size = d * d;
         let row_sum = |e: &Entries| {
@@ -135,7 +137,7 @@ impl Lifted {
         let entries: usize = self.coefficients.iter().map(Vec::len).sum();
         let work = parts * ((orders + 1) * entries * d) as f64;
         if !(work <= MOST_WORK) {
-            return Err(Unjudged::Failed(format!(
+            return Err(Unassessed::Failed(format!(
                 "Hill's method would need {parts:.0} steps per period with {orders} orders: the machine is too stiff for it"
             )));
         }

@@ -7,7 +7,7 @@ use crate::harmonic::balance::first_order::first_order;
 use crate::harmonic::balance::fourier::{motion_at, turns};
 use crate::harmonic::balance::orbit::Orbit;
 use crate::harmonic::balance::problem::Balance;
-use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unjudged, balance_scale, rounding};
+use crate::harmonic::stability::floquet::{Exponents, Method, Stability, Unassessed, balance_scale, rounding};
 use crate::model::part::At;
 use laval_num::dense::Mat;
 use laval_num::ode::{Control, Dop853, End, Ode, Tolerance, integrate, ode};
@@ -41,7 +41,14 @@ impl<'a> Window<'a> {
     }
 
     /// From 0 through all `breaks`; the number of steps, taken from those `left`.
-    fn integrate<P: Ode>(&self, dop: &mut Dop853, problem: &mut P, y: &mut [f64], breaks: &[f64], left: &mut u64) -> Result<u64, Unjudged> {
+    fn integrate<P: Ode>(
+        &self,
+        dop: &mut Dop853,
+        problem: &mut P,
+        y: &mut [f64],
+        breaks: &[f64],
+        left: &mut u64,
+    ) -> Result<u64, Unassessed> {
         let (mut from, mut steps) = (0.0, 0);
         let margin = INSIDE * breaks.last().copied().unwrap_or(0.0);
         for &to in breaks {
@@ -56,15 +63,15 @@ impl<'a> Window<'a> {
             match run.end {
                 End::Reached => from = to,
                 End::WorkLimit { .. } => {
-                    return Err(Unjudged::Failed("the maps over the period took more steps than a response is given".into()));
+                    return Err(Unassessed::Failed("the maps over the period took more steps than a response is given".into()));
                 }
                 End::StepTooSmall { .. } => {
-                    return Err(Unjudged::Failed("a force changes too abruptly for the map over the period to be integrated".into()));
+                    return Err(Unassessed::Failed("a force changes too abruptly for the map over the period to be integrated".into()));
                 }
                 End::Failed { what, .. } => {
-                    return Err(Unjudged::Failed(format!("the map over the period could not be integrated: {what}")));
+                    return Err(Unassessed::Failed(format!("the map over the period could not be integrated: {what}")));
                 }
-                _ => return Err(Unjudged::Failed("the map over the period ended early".into())),
+                _ => return Err(Unassessed::Failed("the map over the period ended early".into())),
             }
         }
         Ok(steps)
@@ -72,14 +79,14 @@ impl<'a> Window<'a> {
 }
 
 /// Ends of the parts of `0..period` between switches, ascending.
-fn breaks(balance: &mut Balance, x: &[f64], speed: f64, parts: usize, period: f64) -> Result<Vec<f64>, Unjudged> {
+fn breaks(balance: &mut Balance, x: &[f64], speed: f64, parts: usize, period: f64) -> Result<Vec<f64>, Unassessed> {
     if parts == 0 {
         return Ok(vec![period]);
     }
     let (length, forward) = (TAU / parts as f64, balance.pace(speed).frequency > 0.0);
     let (places, jumps) = balance.switches(x, speed, (if forward { 0.0 } else { -length }, length));
     if let Some(part) = jumps {
-        return Err(Unjudged::Jumps(part));
+        return Err(Unassessed::Jumps(part));
     }
     let mut at: Vec<f64> = places.into_iter().map(|tau| tau.abs() / length * period).chain([period]).collect();
     at.sort_by(f64::total_cmp);
@@ -95,7 +102,7 @@ fn breaks(balance: &mut Balance, x: &[f64], speed: f64, parts: usize, period: f6
 
 impl Stability {
     /// The map over the repeated part of the period, block by block; of all states together where a law `switches`.
-    pub(super) fn map(&mut self, balance: &mut Balance, x: &[f64], speed: f64, switches: bool) -> Result<Exponents, Unjudged> {
+    pub(super) fn map(&mut self, balance: &mut Balance, x: &[f64], speed: f64, switches: bool) -> Result<Exponents, Unassessed> {
         let terms = &balance.terms;
         let blocks = self.blocks(balance, switches);
         // a turn by a quarter mixes x and y: with blocks apart the half turn keeps them apart
@@ -188,13 +195,13 @@ impl Stability {
     }
 
     /// Configuration-dependent mass, or states in nonlinear parts: everything differentiated along the motion.
-    pub(super) fn general(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unjudged> {
+    pub(super) fn general(&mut self, balance: &mut Balance, x: &[f64], speed: f64) -> Result<Exponents, Unassessed> {
         let parts = balance.terms.symmetry.order();
         let pace = balance.pace(speed);
         let period = TAU / pace.frequency.abs() / parts.max(1) as f64;
         let breaks = breaks(balance, x, speed, parts, period)?;
         let window = Window::new(self.tolerance, balance.cancel);
-        let orbit = Orbit::of(balance, x, speed).map_err(|e| Unjudged::Failed(e.to_string()))?;
+        let orbit = Orbit::of(balance, x, speed).map_err(|e| Unassessed::Failed(e.to_string()))?;
         let system = balance.system;
         let (n, m) = (self.n, self.m);
         let states = 2 * n + m;
@@ -204,12 +211,12 @@ impl Stability {
         let mut tangent = std::mem::take(&mut self.tangent);
         let mut scratch = std::mem::take(&mut self.scratch);
         let base = orbit.frequency.abs();
-        let mut matrix = |t: f64| -> Result<Mat, Unjudged> {
+        let mut matrix = |t: f64| -> Result<Mat, Unassessed> {
             let tau = base * t * direction;
             orbit.at(tau, &mut q, &mut v, &mut acc, &mut z);
             let at = At { q: &q, v: &v, a: &acc, z: &z, phase: terms.divisor as f64 * tau, speed, spin_accel: 0.0, t };
             system.tangent(&at, false, &mut tangent, &mut scratch, |_| true);
-            first_order(&tangent).ok_or(Unjudged::Massless)
+            first_order(&tangent).ok_or(Unassessed::Massless)
         };
         let mut a0 = matrix(0.0)?;
         if self.scale.is_empty() {

@@ -50,7 +50,7 @@ impl Study for LimitCycles {
         cycles that begin there, with amplitude, frequency and stability; whether the onset is soft (a small whirl grows with the speed) or hard (rest is \
         stable, but a disturbance beyond an unstable cycle leads to a large whirl); folds of cycles.";
     const FIELDS: &'static [Field] = &[
-        Field::required("speed", SPEED_RANGE, "spin speeds; rest is judged at 200 unless points are given"),
+        Field::required("speed", SPEED_RANGE, "spin speeds; rest is assessed at 200 unless points are given"),
         HARMONICS,
         TRUNCATION,
         MAX_POINTS,
@@ -244,8 +244,8 @@ impl Shown<'_> {
         for (k, f) in found.families.iter().enumerate() {
             out.extend(self.family(k, f));
         }
-        if let Some(why) = &found.unjudged {
-            out.push(Finding::warning("stability_unknown", format!("Stability of the cycles was not judged: {why}.")));
+        if let Some(why) = &found.unassessed {
+            out.push(Finding::warning("stability_unknown", format!("Stability of the cycles was not assessed: {why}.")));
         }
         let truncations = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.truncation);
         out.extend(short(self.request.harmonics, self.request.truncation, truncations, found.discretisation.harmonics));
@@ -396,7 +396,7 @@ impl Shown<'_> {
             .float(
                 "growth rate",
                 "1/s",
-                "largest growth rate of a disturbance that is no shift in time; NaN when not judged",
+                "largest growth rate of a disturbance that is no shift in time; NaN when not assessed",
                 column(&Cycle::growth),
             )
             .float(
@@ -454,8 +454,8 @@ impl Shown<'_> {
         let most = self.measured.iter().flatten().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
         // one family needs no number in the legend
         let grouped = |line: Line| if found.families.len() > 1 { line.group("family") } else { line.name("whirl") };
-        let judged = found.unjudged.is_none();
-        let marked = |line: Line| if judged { line.solid_where("stable") } else { line };
+        let assessed = found.unassessed.is_none();
+        let marked = |line: Line| if assessed { line.solid_where("stable") } else { line };
         // families of very different size are seen together on a logarithmic axis
         let largest = |m: &Vec<Measured>| m.iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
         let least = self.measured.iter().map(largest).fold(f64::INFINITY, f64::min);

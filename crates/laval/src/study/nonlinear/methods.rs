@@ -189,7 +189,7 @@ impl Methods {
             .float(
                 "growth converged",
                 "1/s",
-                "largest growth rate of any disturbance of the converged state; NaN when not judged",
+                "largest growth rate of any disturbance of the converged state; NaN when not assessed",
                 column(&|v| converged_of(v).map_or(f64::NAN, |c| c.growth)),
             )
             .float("parameter", "", "k^2 of elliptic balance; NaN for other methods", column(&|v| v.parameter))
@@ -268,12 +268,12 @@ fn findings(result: &MethodsResult) -> Vec<Finding> {
             out.push(Finding::warning("no_states", format!("By {method}, none of the states was found.")).of(method.to_string()));
         }
     }
-    let judged = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
+    let assessed = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
     let (mut wrong, mut count) = (0, 0);
-    for a in judged(Method::Averaging) {
+    for a in assessed(Method::Averaging) {
         // what neither grows nor decays beyond its error has no sign to compare
         let reported = |c: &&Value| c.speed == a.speed && c.state == a.state && c.growth.abs() > c.growth_error;
-        if let Some(c) = judged(Method::Converged).find(reported) {
+        if let Some(c) = assessed(Method::Converged).find(reported) {
             count += 1;
             wrong += usize::from((a.growth > 0.0) != (c.growth > 0.0));
         }

@@ -1,4 +1,4 @@
-//! What a separation changes in the machine that is judged for stability: the same contents before and after it.
+//! What a separation changes in the machine that is assessed for stability: the same contents before and after it.
 //!
 //! Equations: a liquid of density rho_f with the volume fraction phi of particles of density rho_p fills the volume V of a cup evenly at first; after the separation the
 //! particles lie at its bottom (light ones at its surface), y_p from the hinge instead of y_m:

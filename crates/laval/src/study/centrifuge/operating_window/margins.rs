@@ -175,7 +175,7 @@ impl Evaluator<'_> {
             return Ok(Some(eigen));
         }
         let states = self.states(system, speed, eigen)?;
-        let met = self.judged(system, states.iter().filter(|s| s.stable).collect(), speed);
+        let met = self.assessed(system, states.iter().filter(|s| s.stable).collect(), speed);
         Ok(Some(worst_growth(&met, &states)))
     }
 
@@ -187,9 +187,9 @@ impl Evaluator<'_> {
         let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
         let states = self.states(system, speed, eigen)?;
         let nonlinear = self.branches.is_some();
-        // a linear state that grows is judged by its growth; of a nonlinear machine only states that last are met
+        // a linear state that grows is assessed by its growth; of a nonlinear machine only states that last are met
         let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
-        let met = self.judged(system, met, speed);
+        let met = self.assessed(system, met, speed);
         let before = if nonlinear { worst_growth(&met, &states) } else { eigen };
         // stable before and after the separation; NaN stays
         let (growth, when) = match self.growth_after(speed)? {
@@ -247,8 +247,8 @@ impl Evaluator<'_> {
         Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth, leans })
     }
 
-    /// Of the stable states that exist at a speed those that are judged.
-    fn judged<'s>(&self, system: &System, met: Vec<&'s State>, speed: f64) -> Vec<&'s State> {
+    /// Of the stable states that exist at a speed those that are assessed.
+    fn assessed<'s>(&self, system: &System, met: Vec<&'s State>, speed: f64) -> Vec<&'s State> {
         if met.len() < 2 {
             return met;
         }
@@ -326,8 +326,8 @@ impl Evaluator<'_> {
 }
 
 /// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.
-fn worst_growth(judged: &[&State], states: &[State]) -> f64 {
-    match judged.iter().map(|s| s.growth).reduce(f64::max) {
+fn worst_growth(assessed: &[&State], states: &[State]) -> f64 {
+    match assessed.iter().map(|s| s.growth).reduce(f64::max) {
         Some(g) => g,
         None => states.iter().filter(|s| !s.stable).map(|s| s.growth).reduce(f64::min).unwrap_or(f64::NAN),
     }

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! All are shares of a limit that are left: of a time, an amplitude or a torque, or (`strength`, `stable`, `clear`) of the speed, as its distance from the speed that is not
-//! allowed. `stable` is judged with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin, the next larger ones deciding with a thousandth of the weight each (or serves another
+//! allowed. `stable` is assessed with the contents as they are before and after the separation. The window is where all are kept. Its ends are located by bracketing; the recommended speed has the largest least margin, the next larger ones deciding with a thousandth of the weight each (or serves another
 //! objective). At every speed the machine carries its cups at the tilt of that speed.
 //!
 //! Symbols: w spin speed; w_s nearest speed at which the largest growth rate passes -sig0 (`borders`); p natural whirl frequency; h excitation order; t_q time in which the share q is caught.
@@ -65,7 +65,7 @@ pub enum Objective {
     Amplitude,
 }
 
-/// Which of several stable steady states of a nonlinear machine is judged.
+/// Which of several stable steady states of a nonlinear machine is assessed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::study) enum Policy {
     /// All of them.
@@ -103,7 +103,7 @@ ramp = "60 s"
 "#;
     const DOC: &'static str = "At which speeds the machine may run: stable, its limits kept, the way up survived, and the suspension separated in the time at \
         hand; what binds at each end, the recommended speed, the shortest time, and what to relax when nothing fits. Uses the blocks \
-        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is judged with the contents as they are before and after the \
+        [limits], [[cup]] and [suspension]; a requirement that is not given is not checked. Stability is assessed with the contents as they are before and after the \
         separation: particles spread over the cups and all at their bottoms, bowls full of suspension and of clear liquid.";
     const FIELDS: &'static [Field] = &[
         Field::required("speed", SPEED_RANGE, "spin speeds looked at; points (120 unless given) are added where something happens"),
@@ -152,7 +152,7 @@ ramp = "60 s"
                 ("highest", "the one with the largest vibration against its limits"),
             ]),
             "all",
-            "which of several steady states of a nonlinear machine is judged",
+            "which of several steady states of a nonlinear machine is assessed",
         ),
         Field::optional(
             "speed_tolerance",

@@ -115,14 +115,14 @@ impl Shown<'_> {
             ));
         }
         if let Some(h) = m.harmonics {
-            let judged = match self.policy {
+            let assessed = match self.policy {
                 Policy::All => "a speed where any stable one breaks a limit is outside",
                 Policy::Reached => {
-                    "of several stable ones that is judged which the run-up of this file leads to; the window holds for this run-up only"
+                    "of several stable ones that is assessed which the run-up of this file leads to; the window holds for this run-up only"
                 }
-                Policy::Highest => "of several stable ones that with the largest vibration is judged",
+                Policy::Highest => "of several stable ones that with the largest vibration is assessed",
             };
-            let text = format!("Steady states of the nonlinear machine are those of all its branches; {judged}.");
+            let text = format!("Steady states of the nonlinear machine are those of all its branches; {assessed}.");
             out = out.finding(Finding::info("nonlinear", text).evidence("orders kept", h as f64, ""));
         }
         for w in &m.folds {

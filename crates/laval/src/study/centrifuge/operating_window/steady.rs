@@ -170,12 +170,12 @@ impl Branches {
         self.response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed)
     }
 
-    /// All steady states of a machine at a speed, on this branch structure; `Err` when stability cannot be judged.
+    /// All steady states of a machine at a speed, on this branch structure; `Err` when stability cannot be assessed.
     pub fn at(&self, system: &System, speed: f64) -> Result<Vec<State>, Diagnostic> {
         let d: Discretisation = self.response.discretisation;
         let mut balance = Balance::new(system, d, self.range, None)?;
         let mut stability = Stability::new(system).map_err(|why| {
-            Diagnostic::error("operating_window.stability", format!("the stability of a steady state cannot be judged: {why}"))
+            Diagnostic::error("operating_window.stability", format!("the stability of a steady state cannot be assessed: {why}"))
         })?;
         let mut found: Vec<Vec<f64>> = Vec::new();
         for mut x in self.starts(speed) {

@@ -30,17 +30,17 @@ impl Shown<'_> {
             out = out.finding(self.one_speed());
         }
         out = self.describe(out);
-        let judged = self.judged();
-        out = judged.iter().filter(|f| f.raised()).map(raised).fold(out, Outcome::finding);
+        let assessed = self.assessed();
+        out = assessed.iter().filter(|f| f.raised()).map(raised).fold(out, Outcome::finding);
         if !system.bodies().is_empty() {
             out = uncarried(system, Some(&s.vessel.name)).into_iter().fold(out, Outcome::finding);
         }
         out = self.followed().into_iter().fold(out, Outcome::finding);
-        out = self.tables(out, &judged).map_err(Diagnostic::from)?;
+        out = self.tables(out, &assessed).map_err(Diagnostic::from)?;
         self.figures(out).checked().map_err(Diagnostic::from)
     }
 
-    fn tables(&self, out: Outcome, judged: &[Flag]) -> Built<Outcome> {
+    fn tables(&self, out: Outcome, assessed: &[Flag]) -> Built<Outcome> {
         let mut out = out.table(self.efficiency_table()?);
         out = out.table(self.measures_table()?);
         if self.stokes() {
@@ -50,13 +50,13 @@ impl Shown<'_> {
         if let Some(demand) = &self.found.demand {
             out = out.table(self.demand_table(demand)?).table(sensitivity_table(demand)?);
         }
-        out = out.table(validity_table(judged)?);
+        out = out.table(validity_table(assessed)?);
         let more = [self.pellet_table()?, self.paths_table()?, self.released_table()?];
         Ok(more.into_iter().flatten().fold(out, Outcome::table))
     }
 
     /// The numbers that bound the model.
-    fn judged(&self) -> Vec<Flag> {
+    fn assessed(&self) -> Vec<Flag> {
         let (s, exits) = (&self.study.task, &self.found.exits);
         let wall = exits.iter().filter(|e| e.is_some_and(|e| e.surface == Surface::Wall)).count() as f64 / exits.len() as f64;
         flags(&Case {

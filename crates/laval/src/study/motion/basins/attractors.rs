@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Distance that counts as agreement, over the settling tolerance.
 pub(super) const AGREE: f64 = 10.0;
-/// Size of a motion over typical sizes below which its changes are judged as if it were that large.
+/// Size of a motion over typical sizes below which its changes are assessed as if it were that large.
 const SMALLEST: f64 = 1e-3;
 
 /// A settled motion.

@@ -1,6 +1,6 @@
 //! Basins of attraction: at one speed, the settled motion for every pair of two initial values on a grid, and which of these motions are the same.
 //!
-//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: as in [`sweep`](super::sweep). Two motions are one
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its assessment: as in [`sweep`](super::sweep). Two motions are one
 //! attractor when their Poincare sets `{y(0), y(T), .. y((k - 1) T)}` agree: see `attractors`.
 //!
 //! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats; y state (q, v, z) at phase zero; p share of the cells.

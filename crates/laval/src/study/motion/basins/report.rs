@@ -25,7 +25,7 @@ struct Map<'a> {
     /// What is recorded of every motion.
     probes: Vec<Probe>,
     place: Vec<[f64; 2]>,
-    /// Word of the judgement.
+    /// Word of the assessment.
     motion: Vec<String>,
     /// Why there is none.
     failure: Vec<String>,

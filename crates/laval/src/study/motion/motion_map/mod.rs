@@ -1,6 +1,6 @@
 //! Maps of settled motion: the same start at every point of a grid of two parameters, or of the spin speed and one parameter, integrated in time.
 //!
-//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: as in [`sweep`](super::sweep).
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its assessment: as in [`sweep`](super::sweep).
 //!
 //! Symbols: W spin speed; T = 2 pi/W forcing period; k periods after which a motion repeats.
 //!

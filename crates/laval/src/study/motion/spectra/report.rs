@@ -124,18 +124,18 @@ fn figure(spectra: &Spectra, name: &str, y: &str, along_speed: bool, amplitudes:
 
 fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
     let name = &spectra.body.name;
-    let judged: Vec<usize> = (0..windows.len()).filter(|&k| !windows[k].orders.is_empty()).collect();
-    if judged.is_empty() {
+    let assessed: Vec<usize> = (0..windows.len()).filter(|&k| !windows[k].orders.is_empty()).collect();
+    if assessed.is_empty() {
         let text = "The windows of the waterfall hold fewer than four turns of the rotor: there are no orders. Request fewer spectra.";
         return vec![Finding::info("no_orders", text)];
     }
-    let top = judged.iter().flat_map(|&k| &windows[k].orders).map(|l| l.1).fold(0.0, f64::max);
+    let top = assessed.iter().flat_map(|&k| &windows[k].orders).map(|l| l.1).fold(0.0, f64::max);
     let threshold = spectra.threshold.unwrap_or(SHARE * top);
     if !(top > 0.0) {
         return vec![Finding::info("no_components", format!("\"{name}\" does not move: its spectra are zero.")).of(name)];
     }
     let mut classes: BTreeMap<Class, Seen> = BTreeMap::new();
-    for &k in &judged {
+    for &k in &assessed {
         for &p in windows[k].parts.iter().filter(|p| p.amplitude >= threshold) {
             let seen = classes.entry(class(p, windows[k].turns)).or_insert(Seen { first: k, last: k, count: 0, largest: p, at: k });
             seen.count += usize::from(seen.count == 0 || seen.last != k);
@@ -148,7 +148,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
     // seen once, a free vibration that dies out may pass for any fraction
     let mut once: Option<Seen> = None;
     classes.retain(|class, seen| {
-        let fleeting = judged.len() > 2 && seen.count == 1 && !matches!(class, Class::Fraction(_, 1));
+        let fleeting = assessed.len() > 2 && seen.count == 1 && !matches!(class, Class::Fraction(_, 1));
         if fleeting && once.as_ref().is_none_or(|o| seen.largest.amplitude > o.largest.amplitude) {
             once = Some(Seen { ..*seen });
         }
@@ -164,7 +164,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         Finding::info("fleeting_components", text).of(name).value(o.largest.amplitude, "m").evidence("order", o.largest.order, "")
     });
     if classes.is_empty() {
-        let short = windows.len() - judged.len();
+        let short = windows.len() - assessed.len();
         let except = if short > 0 { format!(", {short} windows of fewer than four turns left out") } else { String::new() };
         let text = format!("Beside its synchronous part no part of the motion of \"{name}\" exceeds {limit}{except}.");
         let none = Finding::info("no_components", if fleeting.is_some() { text.replace("no part", "no lasting part") } else { text });
@@ -178,7 +178,7 @@ fn findings(spectra: &Spectra, windows: &[Window]) -> Vec<Finding> {
         // the part exceeds the threshold somewhere between the window before and this one
         let before = seen.first.checked_sub(1).map_or(f64::NAN, |k| (speed(seen.first) - speed(k)).abs());
         let what = words(*class);
-        let between = judged.iter().filter(|k| (seen.first..=seen.last).contains(k)).count();
+        let between = assessed.iter().filter(|k| (seen.first..=seen.last).contains(k)).count();
         // not throughout: a part that comes and goes
         let share = if seen.count < between { format!("in {} of {between} windows ", seen.count) } else { String::new() };
         let times = format!("{} to {}", quantity(windows[seen.first].t, "s"), quantity(windows[seen.last].t, "s"));

@@ -55,7 +55,7 @@ pub fn others<R: Row>(system: &System) -> Vec<RowColumn<R>> {
     probes::all(system).into_iter().enumerate().filter(|p| !p.1.is_reference()).map(of).collect()
 }
 
-/// How the motion was judged, what that took, and where it leaves the model of a part.
+/// How the motion was assessed, what that took, and where it leaves the model of a part.
 pub fn verdict_columns<R: Row>(rules: &Rules) -> Vec<RowColumn<R>> {
     let whole = |x: u64| i64::try_from(x).ok();
     let mut out: Vec<RowColumn<R>> = vec![

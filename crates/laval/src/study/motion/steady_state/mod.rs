@@ -1,7 +1,7 @@
-//! Motions followed until they repeat: in lanes, each for as long as it needs, then judged by its Poincare points.
+//! Motions followed until they repeat: in lanes, each for as long as it needs, then assessed by its Poincare points.
 //!
 //! A leg is a whole number of forcing periods `T = 2 pi / W`, so that every leg starts at phase zero. A member is integrated for as many e-folds of the
-//! slowest mode as the tolerance requires, then recorded over some periods and judged ([`period`]); while it does not repeat it goes on, up to
+//! slowest mode as the tolerance requires, then recorded over some periods and assessed ([`period`]); while it does not repeat it goes on, up to
 //! four times the time that the slowest mode requires. With shooting a few e-folds suffice: Newton's method on `P^k(y) = y` finds the orbit
 //! ([`shooting`]).
 //!
@@ -88,7 +88,7 @@ pub(in crate::study) struct Member {
 /// What became of it.
 #[derive(Clone, Debug)]
 pub(in crate::study) struct SteadyState {
-    /// Judgement.
+    /// Assessment.
     pub verdict: Verdict,
     /// Estimated distance from the limit over the size of the motion.
     pub remaining: f64,
@@ -288,7 +288,7 @@ impl SteadyStateSearch<'_> {
         SteadyState { periods: log.done, bounded: log.bounded, steps: log.steps, ..SteadyState::none(why) }
     }
 
-    /// A record is complete: judged, shot at, followed further, or measured.
+    /// A record is complete: assessed, shot at, followed further, or measured.
     fn recorded(&self, index: usize, log: &mut Log, ended: &Ended, y: &mut [f64]) -> Next<SteadyState> {
         let member = &self.members[index];
         let assessment = log.sections.assess(self.rules, member.rate, log.shot.is_some(), log.period, log.bounded);

@@ -1,4 +1,4 @@
-//! Whether a motion repeats, judged by its Poincare points: the states at every whole forcing period.
+//! Whether a motion repeats, assessed by its Poincare points: the states at every whole forcing period.
 //!
 //! With lags of about a third of the record, `d1` and `d2` are the largest differences between points of the first and second, and of the second
 //! and third part. What is still to come is `d2 f`, where f is the larger of `1/(1 - exp(-a L T))`, for the slowest decay rate a that is known, and
@@ -18,7 +18,7 @@ const CLEAR: f64 = 1e-2;
 /// called one that does not repeat: smaller differences are settling that is not over.
 const SUBHARMONIC: f64 = 10.0;
 const CHANGING: f64 = 100.0;
-/// Size of a motion over typical sizes below which its changes are judged as if it were that large.
+/// Size of a motion over typical sizes below which its changes are assessed as if it were that large.
 const SMALLEST: f64 = 1e-3;
 
 /// What a motion is.
@@ -46,7 +46,7 @@ impl Verdict {
     }
 }
 
-/// A judgement and the estimated distance from the limit over the size of the motion.
+/// An assessment and the estimated distance from the limit over the size of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assessment {
     pub verdict: Verdict,
@@ -102,7 +102,7 @@ impl Sections {
         if let Verdict::Period(k) = verdict { *k } else { self.points.len().saturating_sub(1) }
     }
 
-    /// Judges the record. `known` says that the orbit was found by shooting: then the points need only repeat. `rate` is the slowest decay rate,
+    /// Assesses the record. `known` says that the orbit was found by shooting: then the points need only repeat. `rate` is the slowest decay rate,
     /// `bounded` that the settling was cut short.
     pub fn assess(&self, rules: &Rules, rate: Option<f64>, known: bool, period: f64, bounded: bool) -> Assessment {
         let size = self.amplitude();

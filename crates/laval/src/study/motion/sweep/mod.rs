@@ -1,6 +1,6 @@
 //! Settled motion at many speeds, by integration in time: from the same start at every speed, or followed from one speed to the next.
 //!
-//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its judgement: the rotor is followed for
+//! Equations: those of [`crate::solve::motion`] at constant speed W. Settling and its assessment: the rotor is followed for
 //! `ln(1/tolerance)/a` seconds, a the slowest decay rate of the machine linearised at rest, and as long again up to four times while the states at whole
 //! periods do not repeat; or Newton's method finds `y = P^k(y)` on the Poincare map P.
 //!

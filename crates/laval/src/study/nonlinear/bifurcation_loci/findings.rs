@@ -60,10 +60,10 @@ impl Shown<'_> {
             let text = format!("There are more than {MOST_LOCI} loci; the others were not followed. Narrow the range of speeds.");
             out.push(Finding::warning("more_loci", text));
         }
-        if let Some(why) = &self.found.unjudged {
+        if let Some(why) = &self.found.unassessed {
             out.push(Finding::warning(
                 "stability_unknown",
-                format!("Stability of some or all states was not judged, and loci of changes of stability may be missing: {why}."),
+                format!("Stability of some or all states was not assessed, and loci of changes of stability may be missing: {why}."),
             ));
         }
         let dropped =
@@ -253,11 +253,11 @@ impl Shown<'_> {
                 };
                 let text = format!("{}: {} {ends}{frequency}.{other}", capital(name), event.name());
                 let f = common(Finding::info("stability_locus", text)).evidence("largest growth rate left", growth, "1/s");
-                let (difference, judged) = locus.judged_again;
-                if judged == 0 {
+                let (difference, assessed) = locus.assessed_again;
+                if assessed == 0 {
                     f
                 } else {
-                    f.evidence("points judged again by Hill's method", judged as f64, "").evidence(
+                    f.evidence("points assessed again by Hill's method", assessed as f64, "").evidence(
                         "its largest difference of the growth rate",
                         difference,
                         "1/s",

@@ -74,7 +74,7 @@ impl BifurcationLoci {
     }
 
     /// Starts at the bifurcations of a response of this machine too: at the machine's own value of the parameter, which is added to the values of the
-    /// request, no response is computed. Changes of stability are there where it was judged. Without such a value nothing changes.
+    /// request, no response is computed. Changes of stability are there where it was assessed. Without such a value nothing changes.
     pub fn with_response(mut self, system: &System, result: &NonlinearResponseResult) -> Self {
         let own = system.param(&self.request.parameter).and_then(|i| system.params().get(*i.first()?).copied());
         if let Some(value) = own.filter(|x| (self.request.range.0..=self.request.range.1).contains(x)) {
@@ -204,7 +204,7 @@ parameter = { parameter = "drum.eccentricity", from = "1 um", to = "100 um", poi
         if !self.request.folds
             && let Err(why) = Stability::new(system)
         {
-            return Err(Diagnostic::error("loci.stability", format!("the stability of this machine's motions cannot be judged: {why}"))
+            return Err(Diagnostic::error("loci.stability", format!("the stability of this machine's motions cannot be assessed: {why}"))
                 .help("kinds = \"folds\" needs no stability"));
         }
         Ok(())

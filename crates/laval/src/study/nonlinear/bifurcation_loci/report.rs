@@ -103,7 +103,7 @@ impl<'a> Shown<'a> {
                 .float("frequency", "rad/s", "frequency of the disturbance that starts or ceases to grow; NaN at folds", crossing(&|c| c.1))
                 .float("growth rate", "1/s", "growth rate left there: how well it is located; NaN at folds", crossing(&|c| c.0))
                 .float("growing beside", "", "other exponents that grow there; NaN at folds", crossing(&|c| c.2 as f64))
-                .flag("bounds stability", "stable states end here; of folds not judged", rows.iter().map(bounds).collect());
+                .flag("bounds stability", "stable states end here; of folds not assessed", rows.iter().map(bounds).collect());
         }
         t.float("truncation", "", "dropped over kept force harmonics", rows.iter().map(|r| r.3.truncation).collect())
             .float("residual", "", "scaled residual of the extended equations", rows.iter().map(|r| r.3.residual).collect())

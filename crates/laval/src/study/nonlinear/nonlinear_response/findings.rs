@@ -107,9 +107,9 @@ impl Shown<'_> {
         }
         let states = || response.branches.iter().flat_map(|b| &b.points);
         let (all, known) = (states().count(), states().filter(|p| p.exponents.is_some()).count());
-        if let Some(why) = &response.unjudged {
+        if let Some(why) = &response.unassessed {
             let of = if known == 0 { String::new() } else { format!(" of {} of {all} states", all - known) };
-            out.push(Finding::warning("stability_unknown", format!("Stability{of} was not judged: {why}.")));
+            out.push(Finding::warning("stability_unknown", format!("Stability{of} was not assessed: {why}.")));
         }
         if known > 0 {
             out.extend(self.unstable(response));
@@ -146,11 +146,12 @@ impl Shown<'_> {
         Finding::warning(id, text).value(rising.size, probe.unit()).evidence("speed", rising.speed, "rad/s")
     }
 
-    /// Parts whose fitted time form stood for them in the judgement of stability.
+    /// Parts whose fitted time form stood for them in the assessment of stability.
     fn fitted(&self) -> Vec<Finding> {
         let fit = |slot: &Slot| match slot.physics {
             Physics::Frequency(TimeForm::Fit(error)) => {
-                let text = format!("Stability was judged with the fitted time form of \"{}\"; the states themselves are exact.", slot.name);
+                let text =
+                    format!("Stability was assessed with the fitted time form of \"{}\"; the states themselves are exact.", slot.name);
                 Some(Finding::info("stability_fit", text).evidence("relative error of the fit", error, ""))
             }
             _ => None,
@@ -200,16 +201,16 @@ impl Shown<'_> {
     }
 }
 
-/// That stability was judged on Hill's determinant, and what that leaves open.
+/// That stability was assessed on Hill's determinant, and what that leaves open.
 fn determinant(response: &Response) -> Option<Finding> {
     let exponents = || response.branches.iter().flat_map(|b| &b.points).filter_map(|p| p.exponents.as_ref());
-    let judged = exponents().filter(|e| e.method == Method::Determinant).count();
+    let assessed = exponents().filter(|e| e.method == Method::Determinant).count();
     let error = exponents().filter(|e| e.method == Method::Determinant).map(|e| e.error).fold(0.0, f64::max);
     let text = format!(
-        "Stability of {judged} states was judged on Hill's determinant with the exact impedances: exponents that grow faster than {{}} were counted by the argument principle, of those \
+        "Stability of {assessed} states was assessed on Hill's determinant with the exact impedances: exponents that grow faster than {{}} were counted by the argument principle, of those \
          that decay some are known."
     );
-    (judged > 0).then(|| Finding::info("stability_by_determinant", text).value(error, "1/s"))
+    (assessed > 0).then(|| Finding::info("stability_by_determinant", text).value(error, "1/s"))
 }
 
 /// That a branch ends within the range beyond a fold, where the sweeps do not say so.

@@ -125,7 +125,7 @@ pub(in crate::study) const SYMMETRY: Field = Field::optional(
     "auto",
     "symmetry imposed on the motion; less symmetry admits more states",
 );
-pub(in crate::study) const STABILITY: Field = Field::optional("stability", FieldKind::Flag, "true", "judge the stability of every point");
+pub(in crate::study) const STABILITY: Field = Field::optional("stability", FieldKind::Flag, "true", "assess the stability of every point");
 pub(in crate::study) const MAX_POINTS: Field =
     Field::optional("max_points", FieldKind::Integer { min: 10, max: 1_000_000 }, "2000", "most points of a branch");
 
@@ -149,7 +149,7 @@ harmonics = "auto"
             "check_stability",
             FieldKind::Flag,
             "false",
-            "judge some states again by Hill's method and by a second map over the period",
+            "assess some states again by Hill's method and by a second map over the period",
         ),
         Field::optional(
             "states",

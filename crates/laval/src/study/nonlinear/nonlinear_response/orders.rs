@@ -330,7 +330,7 @@ impl Shown<'_> {
                 .float("speed", "rad/s", "spin speed", rows.iter().map(|r| traced(r).points[r.point].speed).collect())
                 .text("order", "frequency over the spin frequency", rows.iter().map(|r| number(r.order, traced(r).turns())).collect())
                 .flag("begins", "first point of a branch", rows.iter().map(|r| r.point == 0).collect())
-                .flag("not unstable", "stable, or not judged", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
+                .flag("not unstable", "stable, or not assessed", rows.iter().map(|r| !traced(r).points[r.point].unstable()).collect());
         for (k, name) in self.bodies.iter().enumerate() {
             let column = |f: &dyn Fn(Whirl) -> f64| rows.iter().map(|r| f(all[r.branch].values[r.point][r.index][k])).collect::<Vec<f64>>();
             let none = "NaN where the motion could not be had";

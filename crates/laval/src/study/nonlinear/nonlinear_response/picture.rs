@@ -1,6 +1,6 @@
 //! The figure.
 
-use super::shown::{Shown, judged};
+use super::shown::{Shown, assessed};
 use super::stretches::unstable_throughout;
 use super::sweeps::reached;
 use crate::model::probe::Probe;
@@ -24,7 +24,7 @@ impl Shown<'_> {
             let axis = if most > 100.0 * least && !all { Axis::log(label, "m") } else { Axis::new(label, "m") };
             Panel::new(axis.metres(most))
         };
-        let judged = judged(response);
+        let assessed = assessed(response);
         let whole = response.branches.iter().flat_map(|b| &b.points).all(|p| p.exponents.is_some());
         // one family of states needs no number in the legend
         let grouped = |line: Line| match (all, response.branches.len()) {
@@ -37,7 +37,7 @@ impl Shown<'_> {
         let column = |column: String, shown: &str| {
             let line = grouped(Line::new("response", "speed", column).name(shown));
             let line = line.solid_where("not unstable");
-            if whole { line } else { line.meaning("stable or not judged", "unstable") }
+            if whole { line } else { line.meaning("stable or not assessed", "unstable") }
         };
         let line = |name: &str, shown: &str| column(format!("{name} {measure} displacement"), shown);
         let displaced = self.displaced();
@@ -72,7 +72,7 @@ impl Shown<'_> {
         let alt = self.alt(response);
         let mut figure = Figure::new("response", "Steady response to unbalance", alt).x(Axis::new("speed", "rad/s"));
         figure = panels.into_iter().fold(figure, Figure::panel);
-        if judged {
+        if assessed {
             let mut growth = Panel::new(Axis::new("growth rate", "1/s"));
             let shown = |b: &&Traced| !all || matches!(b.origin, Origin::Low | Origin::High);
             for (from, to) in unstable_throughout(&response.branches.iter().filter(shown).collect::<Vec<_>>()) {

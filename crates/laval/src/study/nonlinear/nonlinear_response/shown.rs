@@ -117,7 +117,7 @@ pub(super) fn words(origin: Origin) -> String {
 }
 
 /// Stability of some states is known.
-pub(super) fn judged(response: &Response) -> bool {
+pub(super) fn assessed(response: &Response) -> bool {
     response.branches.iter().flat_map(|b| &b.points).any(|p| p.exponents.is_some())
 }
 

@@ -1,4 +1,4 @@
-//! What is said of changes of stability, and of judging it again by other methods.
+//! What is said of changes of stability, and of assessing it again by other methods.
 
 use super::stretches::stretch_of;
 use crate::outcome::{Finding, significant};
@@ -58,17 +58,17 @@ fn change(branch: &Traced, c: &Change) -> Option<Finding> {
 
 /// What the other methods say.
 pub(super) fn checked(a: &Agreement) -> Finding {
-    let text = match (a.contradictions, a.judged) {
+    let text = match (a.contradictions, a.assessed) {
         (_, [0, 0]) => {
-            let why = a.failed.clone().unwrap_or_else(|| "no state was judged".into());
-            return Finding::warning("stability_not_checked", format!("Stability could not be judged a second time: {why}."));
+            let why = a.failed.clone().unwrap_or_else(|| "no state was assessed".into());
+            return Finding::warning("stability_not_checked", format!("Stability could not be assessed a second time: {why}."));
         }
         (0, _) => format!(
-            "Stability of {} states was judged again by two methods that use no symmetry; growth rates differ by {{}} at most.",
+            "Stability of {} states was assessed again by two methods that use no symmetry; growth rates differ by {{}} at most.",
             a.states
         ),
         (n, _) => format!(
-            "Stability of {} states was judged again by two methods that use no symmetry; {n} of them are called stable by one and unstable by another, \
+            "Stability of {} states was assessed again by two methods that use no symmetry; {n} of them are called stable by one and unstable by another, \
              and growth rates differ by {{}}.",
             a.states
         ),
@@ -76,11 +76,11 @@ pub(super) fn checked(a: &Agreement) -> Finding {
     let worst = larger(a.difference[0], a.difference[1]);
     let finding =
         if a.contradictions == 0 { Finding::info("stability_checked", text) } else { Finding::warning("stability_contradicted", text) };
-    let difference = |k: usize| if a.judged[k] > 0 { a.difference[k] } else { f64::NAN };
+    let difference = |k: usize| if a.assessed[k] > 0 { a.difference[k] } else { f64::NAN };
     finding
         .value(worst, "1/s")
-        .evidence(format!("map over the whole period, tolerance {TOLERANCE:.0e}: states"), a.judged[0] as f64, "")
+        .evidence(format!("map over the whole period, tolerance {TOLERANCE:.0e}: states"), a.assessed[0] as f64, "")
         .evidence("its largest difference of a growth rate", difference(0), "1/s")
-        .evidence("Hill's method without sorting: states", a.judged[1] as f64, "")
+        .evidence("Hill's method without sorting: states", a.assessed[1] as f64, "")
         .evidence("its largest difference of a growth rate", difference(1), "1/s")
 }

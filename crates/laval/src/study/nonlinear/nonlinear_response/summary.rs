@@ -78,10 +78,10 @@ pub struct Summary {
     pub orders: usize,
     /// Points computed.
     pub points: u64,
-    /// Work in points, the judging of machines with parts that have no time form included.
+    /// Work in points, the assessing of machines with parts that have no time form included.
     pub work: u64,
-    /// Why stability of some states was not judged.
-    pub unjudged: Option<String>,
+    /// Why stability of some states was not assessed.
+    pub unassessed: Option<String>,
     /// How it ended.
     pub end: outcome::End,
 }
@@ -109,10 +109,10 @@ impl Summary {
         let (hysteresis, open) = several(&response, request.speeds);
         let mut unstable: Vec<(f64, f64)> = response.branches.iter().flat_map(|b| ranges_of(b, unstable_runs(b))).collect();
         unstable.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let judged = request.stability && response.unjudged.is_none();
+        let assessed = request.stability && response.unassessed.is_none();
         let points = |b: &'_ Traced| unstable_runs(b).into_iter().flatten().map(|i| b.points[i].growth()).collect::<Vec<_>>();
         let growing = response.branches.iter().flat_map(points);
-        let growth = if judged { growing.fold(0.0, f64::max) } else { f64::NAN };
+        let growth = if assessed { growing.fold(0.0, f64::max) } else { f64::NAN };
         let mut uses = Uses::default();
         measuring.measured.validity.iter().flatten().for_each(|u| uses.join(u));
         Ok(Summary {
@@ -130,8 +130,8 @@ impl Summary {
             truncation: worst(&response, |p| p.truncation),
             orders: response.discretisation.harmonics,
             points: response.branches.iter().map(|b| b.points.len() as u64).sum(),
-            work: response.branches.iter().map(|b| b.points.len() as u64).sum::<u64>() + response.judging / POINT,
-            unjudged: response.unjudged.as_ref().map(ToString::to_string),
+            work: response.branches.iter().map(|b| b.points.len() as u64).sum::<u64>() + response.assessing / POINT,
+            unassessed: response.unassessed.as_ref().map(ToString::to_string),
             end: end(&response),
         })
     }

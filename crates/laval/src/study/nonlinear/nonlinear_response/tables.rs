@@ -80,17 +80,17 @@ impl Shown<'_> {
         t.float(
             "growth rate",
             "1/s",
-            "largest real part of the Floquet exponents; positive grows, NaN when not judged",
+            "largest real part of the Floquet exponents; positive grows, NaN when not assessed",
             all.iter().map(|a| a.2.growth()).collect(),
         )
         .float(
             "growth rate error",
             "1/s",
-            "its estimated error; NaN when not judged",
+            "its estimated error; NaN when not assessed",
             all.iter().map(|a| a.2.exponents.as_ref().map_or(f64::NAN, |e| e.error)).collect(),
         )
         .flag("stable", "no growth beyond the error", all.iter().map(|a| a.2.stable()).collect())
-        .flag("not unstable", "stable, or not judged", all.iter().map(|a| !a.2.unstable()).collect())
+        .flag("not unstable", "stable, or not assessed", all.iter().map(|a| !a.2.unstable()).collect())
         .float("truncation", "", "dropped over kept force harmonics", all.iter().map(|a| a.2.truncation).collect())
         .float("residual", "", "scaled residual of the balance", all.iter().map(|a| a.2.residual).collect())
         .float(

@@ -30,9 +30,9 @@ pub struct Tuned {
     pub stiffness: [f64; 2],
     /// Largest force of the part, N: as it is, and tuned.
     pub force: [f64; 2],
-    /// Growth rate of the tuned state, 1/s; NaN when not judged.
+    /// Growth rate of the tuned state, 1/s; NaN when not assessed.
     pub growth: f64,
-    /// The tuned state lasts; `None` when not judged.
+    /// The tuned state lasts; `None` when not assessed.
     pub stable: Option<bool>,
     /// Scaled residual of the tuned state.
     pub residual: f64,
@@ -42,7 +42,7 @@ pub struct Tuned {
 struct Small {
     /// Largest force of the part, N.
     force: f64,
-    /// Growth rate, 1/s, and whether it lasts; `None` when not judged.
+    /// Growth rate, 1/s, and whether it lasts; `None` when not assessed.
     growth: Option<(f64, bool)>,
     /// Scaled residual.
     residual: f64,
@@ -112,7 +112,7 @@ impl Shown<'_> {
             let lasts = match t.stable {
                 Some(true) => "; that state is stable".to_string(),
                 Some(false) => format!("; but that state grows at {} 1/s and does not last", significant(t.growth, 4)),
-                None => "; its stability was not judged".to_string(),
+                None => "; its stability was not assessed".to_string(),
             };
             let text = format!(
                 "At the machine's {} rad/s the force of \"{name}\" on the branch of small motions would fall from {} N to {} N with a stiffness of \"{}\" of {{}} \

@@ -133,7 +133,7 @@ pub(super) fn columns(axes: &[ParameterAxis; 2], tilts: bool) -> Vec<CellColumn>
         (!each.is_empty()).then(|| each.join("; "))
     });
     word("limit", "the statement of validity that is used most", |s| Some(s.validity.1.clone()));
-    word("unjudged", "why stability is not known", |s| s.unjudged.clone());
+    word("unassessed", "why stability is not known", |s| s.unassessed.clone());
     word("end", "how a branch was left", |s| (s.end != End::Reached).then(|| s.end.word().to_string()));
     out.push(CellColumn { column: Column::text("failure", "why there is no response"), get: Get::Failure });
     out

@@ -164,9 +164,9 @@ fn instability(map: &Map, results: &Collected) -> Vec<Finding> {
     if !map.study.request.stability {
         out.push(Finding::warning("stability_unknown", "Stability was not requested: states shown may be unstable."));
     }
-    let unknown: Vec<String> = results.words("unjudged").into_iter().filter(|w| !w.is_empty()).collect();
+    let unknown: Vec<String> = results.words("unassessed").into_iter().filter(|w| !w.is_empty()).collect();
     if let Some(why) = unknown.first() {
-        let text = format!("Stability was not judged for some states of {{}} of {} machines: {why}.", map.len());
+        let text = format!("Stability was not assessed for some states of {{}} of {} machines: {why}.", map.len());
         out.push(Finding::warning("stability_unknown", text).value(unknown.len() as f64, ""));
     }
     let unstable = map.column("unstable_from").iter().filter(|x| x.is_finite()).count();

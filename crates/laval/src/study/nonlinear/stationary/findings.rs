@@ -105,12 +105,12 @@ impl Report<'_> {
                 (true, false) => "stable_states",
             };
             let here = self.continua.sheets.iter().filter(|x| (x.class, x.free) == (s.class, s.free) && (s.from..=s.to).contains(&x.speed));
-            let (judged, stable) = here.fold((0, 0), |n, x| (n.0 + x.samples, n.1 + x.stable));
+            let (assessed, stable) = here.fold((0, 0), |n, x| (n.0 + x.samples, n.1 + x.stable));
             Finding::info(id, text)
                 .of(format!("continuum from {}", significant(s.from, 6)))
                 .value(s.to, "rad/s")
                 .evidence("from", s.from, "rad/s")
-                .evidence("samples judged", judged as f64, "")
+                .evidence("samples assessed", assessed as f64, "")
                 .evidence("stable samples", stable as f64, "")
         })
         .collect()

@@ -1,7 +1,7 @@
 //! A state that balances, followed over a parameter: from where to where it is one, and why it ends there.
 
 use super::classify::{Scale, Seen};
-use super::least::{Judged, judge};
+use super::least::{Assessed, assess};
 use super::{Varied, alone, changed, wide};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
@@ -80,10 +80,10 @@ impl<'a> Follower<'a> {
     }
 
     /// The state near `x` at a value of the parameter.
-    fn judged(&self, x: &[f64], value: f64) -> Option<Judged> {
+    fn assessed(&self, x: &[f64], value: f64) -> Option<Assessed> {
         let machine = changed(self.system, self.path, value).ok()?;
         let mut search = Search::new(&machine, &self.own, self.cancel);
-        judge(&machine, &mut search, x, self.speed)
+        assess(&machine, &mut search, x, self.speed)
     }
 
     fn balances(&self, x: &[f64], value: f64) -> Option<bool> {
@@ -132,9 +132,9 @@ impl<'a> Follower<'a> {
     }
 
     /// The state at a value on the way; `None` where it does not reach.
-    pub fn at(&mut self, reach: &Reach, value: f64) -> Option<Judged> {
+    pub fn at(&mut self, reach: &Reach, value: f64) -> Option<Assessed> {
         let x = self.along.at(&reach.course, value)?;
-        self.judged(&x, value)
+        self.assessed(&x, value)
     }
 
     /// Where its stability changes between two values at which it differs, and the frequency of the root that crosses.

@@ -47,7 +47,7 @@ pub struct Least {
 }
 
 /// A state at a value of the parameter.
-pub(super) struct Judged {
+pub(super) struct Assessed {
     pub growth: f64,
     pub stable: bool,
     pub frequency: f64,
@@ -57,14 +57,14 @@ pub(super) struct Judged {
 }
 
 /// The state near `x`, isolated or not, and how it grows.
-pub(super) fn judge(system: &System, search: &mut Search, x: &[f64], speed: f64) -> Option<Judged> {
+pub(super) fn assess(system: &System, search: &mut Search, x: &[f64], speed: f64) -> Option<Assessed> {
     let mut x = x.to_vec();
     let free = search.reach(&mut x, speed).ok()?;
     let stability = search.stability(&x, speed).ok()?.without(free);
     let scale = Scale::at(system, search, speed);
     let class = Seen::of(system, search, &State { branch: 0, speed, x: x.clone(), error: 0.0 }).class(&scale);
     let frequency = stability.values.first()?.0.im;
-    Some(Judged { growth: stability.growth(), stable: stability.growing == 0, frequency, class, free, x })
+    Some(Assessed { growth: stability.growth(), stable: stability.growing == 0, frequency, class, free, x })
 }
 
 /// The state that balances best at a speed: no displacement at all, else the own centre on the axis; of several the one that grows least.
@@ -74,14 +74,14 @@ fn best(
     speed: f64,
     context: &Context,
     goes_on: &mut dyn FnMut(u64) -> bool,
-) -> Result<Option<Judged>, Diagnostic> {
+) -> Result<Option<Assessed>, Diagnostic> {
     let mut search = Search::new(system, own, context.cancel);
     let found = search.run(|p| !context.cancelled() && p.work < own.work)?;
     goes_on(found.work);
     let rows = listed(system, &mut search, &found, speed)?;
-    let mut all: Vec<Judged> = Vec::new();
+    let mut all: Vec<Assessed> = Vec::new();
     for x in rows.into_iter().map(|r| r.state.x).chain(found.loose.into_iter().map(|l| l.x)) {
-        all.extend(judge(system, &mut search, &x, speed).filter(|j| j.class.balances()));
+        all.extend(assess(system, &mut search, &x, speed).filter(|j| j.class.balances()));
     }
     Ok(all.into_iter().min_by(|a, b| a.class.cmp(&b.class).then(a.growth.total_cmp(&b.growth))))
 }
@@ -117,7 +117,7 @@ pub fn least(
         sought: 0,
     };
     // the state is sought in the middle of the range, at its ends and between, and followed both ways
-    let mut start: Option<(usize, Judged)> = None;
+    let mut start: Option<(usize, Assessed)> = None;
     for k in [n / 2, n - 1, 0, 3 * n / 4, n / 4] {
         if !goes_on(0) {
             return Ok(out);
@@ -138,10 +138,10 @@ pub fn least(
         out.limits = [reaches[0].limit, reaches[1].limit];
         Followed::Alone(Box::new(follower), reaches, values[first])
     };
-    let loosely = |value: f64, x: &[f64]| -> Option<Judged> {
+    let loosely = |value: f64, x: &[f64]| -> Option<Assessed> {
         let system = changed(system, &requested.path, value).ok()?;
         let mut search = Search::new(&system, &own, context.cancel);
-        judge(&system, &mut search, x, requested.speed).filter(|j| j.class.balances() && j.free > 0)
+        assess(&system, &mut search, x, requested.speed).filter(|j| j.class.balances() && j.free > 0)
     };
     // values of the table, and others just inside the limits
     let mut places: Vec<(f64, Option<usize>)> = values.iter().copied().enumerate().map(|(k, v)| (v, Some(k))).collect();
@@ -154,7 +154,7 @@ pub fn least(
         places.extend(limit.iter().filter_map(|l| inside(l, k == 1)));
     }
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut states: Vec<Option<Judged>> = (0..places.len()).map(|_| None).collect();
+    let mut states: Vec<Option<Assessed>> = (0..places.len()).map(|_| None).collect();
     match &mut followed {
         Followed::Alone(follower, [down, up], from) => {
             let (low, high) = (down.limit.map_or(f64::NEG_INFINITY, |l| l.value), up.limit.map_or(f64::INFINITY, |l| l.value));
@@ -220,7 +220,7 @@ pub fn least(
 }
 
 /// Values at which the state is stable: from a limit, an edge or the first value to the next.
-fn stretches(places: &[(f64, Option<usize>)], states: &[Option<Judged>], found: &Least) -> Vec<(f64, f64)> {
+fn stretches(places: &[(f64, Option<usize>)], states: &[Option<Assessed>], found: &Least) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = Vec::new();
     let edge = |a: f64, b: f64| found.edges.iter().map(|e| e.value).find(|v| (a..=b).contains(v));
     let mut from: Option<f64> = None;

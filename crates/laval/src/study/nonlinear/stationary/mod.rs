@@ -6,7 +6,7 @@
 //! Symbols: W spin speed; s = growth + i frequency in turning axes, 1/s and rad/s.
 //!
 //! Validity: constant speed; a machine that is the same in all directions, without weight across its axis. No number of starts proves that the list of
-//! states is complete. States that are not isolated (three and more equal balls that balance in a continuum of ways) are judged by samples of the continuum.
+//! states is complete. States that are not isolated (three and more equal balls that balance in a continuum of ways) are assessed by samples of the continuum.
 //!
 //! Sources: `docs/theory/equilibria.md#states-in-rotating-axes`, `docs/theory/ball-balancers.md#stationary-states`; K. Green, A. R. Champneys, N. J. Lieven, J. Sound Vib. 291 (2006) 861.
 
@@ -151,7 +151,7 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
             "stabilise_at",
             SPEED,
             "",
-            "speed at which it is to be stable and at which errors are judged; the machine's when left out",
+            "speed at which it is to be stable and at which errors are assessed; the machine's when left out",
         ),
         Field::optional(
             "chart",
@@ -220,8 +220,8 @@ chart = { parameter = "drum.eccentricity", from = "5 um", to = "100 um", points 
     }
 
     fn spin_speeds(&self, _: &System) -> Vec<SpinSpeeds> {
-        let judged = self.stabilise.iter().chain(&self.errors).map(|v| SpinSpeeds::one(v.speed));
-        std::iter::once(SpinSpeeds::between(self.speed.from, self.speed.to)).chain(judged).collect()
+        let assessed = self.stabilise.iter().chain(&self.errors).map(|v| SpinSpeeds::one(v.speed));
+        std::iter::once(SpinSpeeds::between(self.speed.from, self.speed.to)).chain(assessed).collect()
     }
 
     fn admit(&self, system: &System) -> Result<(), Diagnostic> {

@@ -256,7 +256,7 @@ impl Report<'_> {
             .float("speed", "rad/s", "spin speed", column(&|s| s.speed))
             .text("kind", "what kind of states they are", all.iter().map(|s| s.class.word().into()).collect())
             .int("free", "", "directions in which they are free", all.iter().map(|s| s.free as i64).collect())
-            .int("samples", "", "samples judged", all.iter().map(|s| s.samples as i64).collect())
+            .int("samples", "", "samples assessed", all.iter().map(|s| s.samples as i64).collect())
             .int("stable", "", "of these stable but for the free directions", all.iter().map(|s| s.stable as i64).collect())
             .float(
                 "growth_least",

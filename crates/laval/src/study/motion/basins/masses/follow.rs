@@ -165,7 +165,7 @@ impl Follow<'_> {
     }
 
     /// The same at the end of a window.
-    fn judge(&self, log: &Log) -> Option<Goal> {
+    fn assess(&self, log: &Log) -> Option<Goal> {
         let last = log.windows.last()?;
         let recent = &log.windows[log.windows.len().saturating_sub(WINDOWS)..];
         if recent.len() < WINDOWS || log.windows.len() == WINDOWS {
@@ -265,7 +265,7 @@ impl EnsembleTask for Follow<'_> {
             let stir = log.seen.iter().map(|s| self.space.stir(s)).fold(0.0, larger);
             log.windows.push((self.space.sorted(&slip), size, stir));
             log.begin = now;
-            if let Some(goal) = self.judge(log) {
+            if let Some(goal) = self.assess(log) {
                 return Self::course(log, goal, y);
             }
         }
