@@ -98,11 +98,14 @@ impl Shown<'_> {
         };
         if let Some(until) = start {
             let text = format!("Growth exceeds {limit} from the start of the range, {{}}, to {until}.");
-            out.push(Finding::warning("unstable_range", text).value(first, "rad/s"));
+            let to = edges.first().map_or(last, |e| e.1.speed);
+            out.push(Finding::warning("unstable_range", text).value(first, "rad/s").evidence("to", to, "rad/s"));
         }
         for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
             let until = edges.get(w + 1).map_or_else(|| format!(" to {range_end}"), |n| format!(" to {}", quantity(n.1.speed, "rad/s")));
-            out.push(onset(e.1, &until, &limit).evidence("uncertainty of the onset", e.1.step, "rad/s"));
+            let to = edges.get(w + 1).map_or(last, |n| n.1.speed);
+            let finding = onset(e.1, &until, &limit).evidence("uncertainty of the onset", e.1.step, "rad/s");
+            out.push(finding.evidence("to", to, "rad/s"));
         }
         out
     }
