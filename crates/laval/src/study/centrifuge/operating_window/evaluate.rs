@@ -5,7 +5,7 @@ use super::margins::{Evaluator, Point, Requirements, radial_guess};
 use super::passage::Passage;
 use super::request::fitting;
 use super::steady::Branches;
-use super::window::{Interval, dips, intervals, scan};
+use super::window::{Interval, dips, intervals, scan, stepped_over};
 use super::{Objective, OperatingWindow, Policy, SPEEDS};
 use crate::diagnostic::Diagnostic;
 use crate::model::field::RangeValue;
@@ -143,10 +143,18 @@ impl OperatingWindow {
             points.extend(scan(&evaluator, &more, |_| !context.cancelled())?.unwrap_or_default());
             points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
-        let found = if only { vec![] } else { intervals(&evaluator, &mut points, Point::feasible)? };
+        if !only {
+            stepped_over(&evaluator, &mut points)?;
+        }
+        let mut found = if only { vec![] } else { intervals(&evaluator, &mut points, Point::feasible)? };
         let mechanical =
             if careful && required.task.is_some() { intervals(&evaluator, &mut points, |p| p.feasible_without(0))? } else { vec![] };
         let borders = if careful { Borders::located(&intervals(&evaluator, &mut points, stable)?) } else { Borders::between(&points) };
+        // an end of another interval may lie in a window that no speed of the grid has met
+        let inside = |p: &Point, all: &[Interval]| all.iter().any(|i| i.low.speed <= p.speed && p.speed <= i.high.speed);
+        if !only && points.iter().any(|p| p.feasible() && !inside(p, &found)) {
+            found = intervals(&evaluator, &mut points, Point::feasible)?;
+        }
         points.iter_mut().for_each(|p| borders.measure(p));
         let best = if careful { self.best(&evaluator, &borders, &points)? } else { None };
         let harmonics = branches.as_ref().map(Branches::harmonics);

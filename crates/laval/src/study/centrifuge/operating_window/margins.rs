@@ -74,6 +74,10 @@ impl Point {
     pub fn feasible(&self) -> bool {
         self.margins.iter().all(|m| m.value >= 0.0)
     }
+    /// Requirements that are not kept.
+    pub(super) fn broken(&self) -> Vec<usize> {
+        self.margins.iter().filter(|m| !(m.value >= 0.0)).map(|m| m.name).collect()
+    }
     /// All but one.
     pub fn feasible_without(&self, name: usize) -> bool {
         self.margins.iter().all(|m| m.name == name || m.value >= 0.0)

@@ -3,6 +3,7 @@
 use super::margins::{Evaluator, NAMES, Point};
 use crate::diagnostic::Diagnostic;
 use laval_num::text::Text;
+use laval_num::univariate::maximum;
 use laval_num::work::Here;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -38,6 +39,8 @@ pub struct Interval {
 
 /// Relative width at which an end is located.
 const LOCATED: f64 = 1e-11;
+/// Width at which the largest least margin is located, as a share of two steps of the grid.
+const HUMP: f64 = 1e-4;
 
 /// Evaluates speeds on all cores; results in their order. `None` when cancelled.
 pub(super) fn scan(evaluator: &Evaluator, speeds: &[f64], go_on: impl Fn(u64) -> bool + Sync) -> Result<Option<Vec<Point>>, Diagnostic> {
@@ -67,6 +70,76 @@ pub(super) fn dips(points: &[Point]) -> Vec<f64> {
         }
     }
     out
+}
+
+/// A speed that keeps all requirements between neighbours that do not, where the grid steps over a window: between two speeds that break different requirements, and
+/// around one whose least margin is larger than those of both neighbours. All points looked at are added.
+pub(super) fn stepped_over(evaluator: &Evaluator, points: &mut Vec<Point>) -> Result<(), Diagnostic> {
+    let mut made = Vec::new();
+    for pair in points.windows(2) {
+        made.extend(between(&pair[0], &pair[1], |w| evaluator.at(w))?);
+    }
+    for three in points.windows(3).filter(|t| t.iter().all(|p| !p.feasible())) {
+        let (a, b, c) = (three[0].least(), three[1].least(), three[2].least());
+        if b.is_finite()
+            && b > a
+            && b > c
+            && !made.iter().any(|p: &Point| p.feasible() && three[0].speed < p.speed && p.speed < three[2].speed)
+        {
+            around(three, &mut made, |w| evaluator.at(w))?;
+        }
+    }
+    points.extend(made);
+    points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    points.dedup_by(|a, b| a.speed == b.speed);
+    Ok(())
+}
+
+/// Halves the range between two speeds that break different requirements, until one keeps all or breaks some of both.
+fn between(a: &Point, b: &Point, at: impl Fn(f64) -> Result<Point, Diagnostic>) -> Result<Vec<Point>, Diagnostic> {
+    let mut made = Vec::new();
+    let (left, right) = (a.broken(), b.broken());
+    if left.is_empty() || right.is_empty() || left.iter().any(|n| right.contains(n)) {
+        return Ok(made);
+    }
+    let (mut low, mut high) = (a.speed, b.speed);
+    while (high - low).abs() > LOCATED * low.abs() {
+        let middle = 0.5 * (low + high);
+        if middle == low || middle == high {
+            break;
+        }
+        let p = at(middle)?;
+        let broken = p.broken();
+        made.push(p);
+        if broken.is_empty() {
+            break;
+        } else if broken.iter().all(|n| left.contains(n)) {
+            low = middle;
+        } else if broken.iter().all(|n| right.contains(n)) {
+            high = middle;
+        } else {
+            break;
+        }
+    }
+    Ok(made)
+}
+
+/// Where the least margin is largest around the middle of three speeds; the first that keeps all is added.
+fn around(three: &[Point], made: &mut Vec<Point>, at: impl Fn(f64) -> Result<Point, Diagnostic>) -> Result<(), Diagnostic> {
+    let mut found: Result<Option<Point>, Diagnostic> = Ok(None);
+    let (from, to) = (three[0].speed, three[2].speed);
+    let least = |w: f64| {
+        let p = at(w).map_err(|d| found = Err(d)).ok()?;
+        let value = p.least();
+        if p.feasible() {
+            found = Ok(Some(p));
+            return None;
+        }
+        Some(value.max(-1e300))
+    };
+    maximum(least, from, to, HUMP * (to - from).abs());
+    made.extend(found?);
+    Ok(())
 }
 
 /// Narrows the border between a feasible and an infeasible speed.
@@ -186,16 +259,65 @@ pub(super) fn excluding(points: &[Point]) -> Vec<(usize, usize)> {
     out
 }
 
-/// The smallest relaxation of a single requirement that opens a window: its best margin where all others are kept, and the speed.
+/// The smallest relaxation of a single requirement that opens a window: its best margin where all others are kept, and the speed. A requirement that is kept needs none.
 pub(super) fn relaxations(points: &[Point]) -> Vec<(usize, f64, f64)> {
     let mut out = Vec::new();
     for name in 0..NAMES.len() {
         let best = points
             .iter()
             .filter(|p| p.feasible_without(name))
-            .filter_map(|p| p.margin(name).filter(|m| m.is_finite()).map(|m| (m, p.speed)))
+            .filter_map(|p| p.margin(name).filter(|m| m.is_finite() && *m < 0.0).map(|m| (m, p.speed)))
             .max_by(|a, b| a.0.total_cmp(&b.0));
         out.extend(best.map(|(m, w)| (name, m, w)));
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::centrifuge::operating_window::margins::Margin;
+
+    fn point(speed: f64, values: &[f64]) -> Point {
+        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: String::new() }).collect();
+        Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
+    }
+
+    /// One requirement is kept from 5.001 on, another up to 5.002: no speed of a grid of whole numbers keeps both.
+    #[test]
+    fn a_window_between_two_speeds_of_the_grid() {
+        let at = |w: f64| Ok(point(w, &[w - 5.001, 5.002 - w]));
+        let (a, b) = (at(5.0).unwrap(), at(6.0).unwrap());
+        let made = between(&a, &b, at).unwrap();
+        assert!(made.last().is_some_and(Point::feasible), "{made:?}");
+        // the other way round nothing keeps both
+        let never = |w: f64| Ok(point(w, &[w - 5.4, 5.3 - w]));
+        let made = between(&never(5.0).unwrap(), &never(6.0).unwrap(), never).unwrap();
+        assert!(!made.is_empty() && made.len() < 10 && !made.iter().any(Point::feasible));
+        // the same requirement is broken at both
+        assert!(between(&point(5.0, &[-1.0, 1.0]), &point(6.0, &[-1.0, -1.0]), at).unwrap().is_empty());
+    }
+
+    /// A requirement that is kept near 5.3 alone.
+    #[test]
+    fn a_window_around_a_largest_margin() {
+        let at = |w: f64| Ok(point(w, &[0.01 - (w - 5.3).powi(2)]));
+        let three = [4.0, 5.0, 6.0].map(|w| at(w).unwrap());
+        let mut made = Vec::new();
+        around(&three, &mut made, at).unwrap();
+        assert!(made.len() == 1 && made[0].feasible(), "{made:?}");
+        let never = |w: f64| Ok(point(w, &[-0.01 - (w - 5.3).powi(2)]));
+        let three = [4.0, 5.0, 6.0].map(|w| never(w).unwrap());
+        made.clear();
+        around(&three, &mut made, never).unwrap();
+        assert!(made.is_empty());
+    }
+
+    /// What is kept needs no relaxation.
+    #[test]
+    fn relaxations_relax() {
+        assert!(relaxations(&[point(1.0, &[0.04, 0.2])]).is_empty());
+        let found = relaxations(&[point(1.0, &[-0.5, 0.2]), point(2.0, &[-0.1, 0.2]), point(3.0, &[0.3, 0.2])]);
+        assert_eq!(found, [(0, -0.1, 2.0)]);
+    }
 }
