@@ -1,11 +1,39 @@
 //! The windows, what ends them, and why there is none.
 
 use super::borders::stable;
-use super::margins::NAMES;
+use super::margins::{NAMES, Point};
 use super::report::{Shown, rpm, words};
 use super::window::{End, Interval, excluding, relaxations};
 use crate::outcome::{Finding, Outcome, quantity, significant};
 use crate::study::shared::support::RPM;
+
+/// Least factor of a relaxation, and largest share in percent of a throughput, that the four digits shown distinguish from no change.
+const LEAST: f64 = 1.001;
+const MOST: f64 = 99.9;
+
+/// Growth over the spin speed that is rounding: pairs of modes of an undamped machine that meet lose half the digits.
+const ROUNDING: f64 = 1e-7;
+
+/// A factor to show, large enough to be seen.
+fn enough(factor: f64) -> f64 {
+    factor.max(LEAST)
+}
+
+/// Why no speed keeps the requirement on stability: the machine grows, or decays less than required.
+fn grows(points: &[Point], required: f64) -> Finding {
+    let least = points.iter().map(|p| p.growth).fold(f64::INFINITY, f64::min);
+    if points.iter().all(|p| p.growth > ROUNDING * p.speed.abs()) {
+        let text = "The machine is unstable at every speed computed: its growth rate is {} or more. Remove the instability before any other limit counts.";
+        return Finding::warning("unstable", text).value(least, "1/s");
+    }
+    let neutral = points.iter().all(|p| p.growth >= -ROUNDING * p.speed.abs());
+    let why = if neutral { " Nothing dissipates in at least one motion at every speed computed." } else { "" };
+    let text = format!(
+        "No speed computed keeps the growth_margin of {}: the least growth rate is {{}}.{why} Add damping, or lower growth_margin.",
+        quantity(required, "1/s")
+    );
+    Finding::warning("growth_margin", text).value(least, "1/s").evidence("growth rate that is rounding, over the speed", ROUNDING, "")
+}
 
 impl Shown<'_> {
     pub fn windows(&self, mut out: Outcome) -> Outcome {
@@ -120,9 +148,7 @@ impl Shown<'_> {
     pub fn conflict(&self, mut out: Outcome) -> Outcome {
         let points = &self.found.main.points;
         if !points.is_empty() && points.iter().all(|p| !stable(p) && p.growth.is_finite()) {
-            let least = points.iter().map(|p| p.growth).fold(f64::INFINITY, f64::min);
-            let text = "The machine is unstable at every speed computed: its growth rate is {} or more. Remove the instability before any other limit counts.";
-            out = out.finding(Finding::warning("unstable", text).value(least, "1/s"));
+            out = out.finding(grows(points, self.limits.growth));
         }
         out = out.finding(Finding::warning("no_window", "No speed computed in the range keeps all requirements."));
         for (a, b) in excluding(points) {
@@ -137,7 +163,7 @@ impl Shown<'_> {
                     out = out.finding(
                         Finding::info("relaxation", text)
                             .value(1.0 - margin, "")
-                            .shown_as(100.0 * share, "%")
+                            .shown_as((100.0 * share).min(MOST), "%")
                             .evidence("speed", speed, "rad/s"),
                     );
                     continue;
@@ -150,7 +176,8 @@ impl Shown<'_> {
                 _ => continue,
             };
             let text = format!("Relaxing {what} to {{}} times its value would open a window at {}.", rpm(speed));
-            out = out.finding(Finding::info("relaxation", text).value(1.0 - margin, "").evidence("speed", speed, "rad/s"));
+            let f = Finding::info("relaxation", text).value(1.0 - margin, "").shown_as(enough(1.0 - margin), "");
+            out = out.finding(f.evidence("speed", speed, "rad/s"));
         }
         if relaxations(points).is_empty() {
             out = out.finding(Finding::info(
@@ -159,5 +186,46 @@ impl Shown<'_> {
             ));
         }
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(growth: &[f64]) -> Vec<Point> {
+        let one = |growth: f64| Point {
+            speed: 100.0,
+            margins: vec![],
+            needed: 0.0,
+            tilt: 0.0,
+            unbalance: 0.0,
+            states: 1,
+            energy: 0.0,
+            growth,
+            leans: vec![],
+        };
+        growth.iter().map(|g| one(*g)).collect()
+    }
+
+    /// An undamped machine is neutral; growth beyond rounding is an instability; slow decay lacks a margin.
+    #[test]
+    fn neutral_is_not_unstable() {
+        for (growth, id, says) in [
+            ([0.0, 1e-9], "growth_margin", "Nothing dissipates"),
+            ([-0.3, -0.2], "growth_margin", "the least growth rate"),
+            ([-0.3, 0.2], "growth_margin", "the least growth rate"),
+            ([0.1, 0.2], "unstable", "unstable at every speed"),
+        ] {
+            let f = grows(&points(&growth), 1.0);
+            assert!(f.id == id && f.text.contains(says), "{f:?}");
+        }
+        assert!(!grows(&points(&[-0.3]), 1.0).text.contains("dissipates"));
+    }
+
+    #[test]
+    fn factors_shown_relax() {
+        assert_eq!(enough(1.0 + 1e-9), LEAST);
+        assert_eq!(enough(1.2), 1.2);
     }
 }

@@ -98,6 +98,12 @@ impl Point {
         all.sort_by(f64::total_cmp);
         all.iter().rev().fold(0.0, |rest, m| m + NEXT * rest)
     }
+    /// Index of the requirement with the next margin beside the least.
+    pub(super) fn next(&self) -> Option<usize> {
+        let mut all: Vec<&Margin> = self.margins.iter().filter(|m| m.counts()).collect();
+        all.sort_by(|a, b| a.value.total_cmp(&b.value));
+        all.get(1).map(|m| m.name)
+    }
     /// The margin of a requirement.
     pub fn margin(&self, name: usize) -> Option<f64> {
         self.margins.iter().find(|m| m.name == name).map(|m| m.value)

@@ -1,6 +1,6 @@
 //! The recommended speed, the shortest time, and what a reader should know of both.
 
-use super::margins::{NAMES, VALID};
+use super::margins::{NAMES, Point, VALID};
 use super::report::{Shown, rpm, words};
 use super::{Counted, Objective, Policy};
 use crate::outcome::{Finding, Outcome, SpecialPoint, Status, quantity, significant};
@@ -15,11 +15,20 @@ impl Shown<'_> {
         let (s, m) = (self.study, &self.found.main);
         let Some(best) = &m.best else { return out };
         let why = match s.objective {
-            Objective::Margin => "the least margin is largest",
-            Objective::Time if self.flow().is_some() => "the throughput could be largest",
-            Objective::Time => "the separation is shortest",
-            Objective::Energy => "the energy is least",
-            Objective::Amplitude => "the vibration is smallest",
+            Objective::Margin => match (same(&m.points, best), best.binding(), best.next()) {
+                (Some((low, high)), Some(least), Some(next)) => format!(
+                    "the next margin ({}) decides, because the least one ({}) is the same from {} to {}",
+                    NAMES[next],
+                    NAMES[least.name],
+                    rpm(low),
+                    rpm(high)
+                ),
+                _ => "the least margin is largest".into(),
+            },
+            Objective::Time if self.flow().is_some() => "the throughput could be largest".into(),
+            Objective::Time => "the separation is shortest".into(),
+            Objective::Energy => "the energy is least".into(),
+            Objective::Amplitude => "the vibration is smallest".into(),
         };
         let mut text = format!("Recommended: {{}}, where {why}");
         if best.needed.is_finite() {
@@ -34,6 +43,7 @@ impl Shown<'_> {
         }
         f = f.evidence("largest growth rate", best.growth, "1/s");
         out = out.finding(f.evidence("tilt", best.tilt, "rad").evidence("unbalance of the cups", best.unbalance, "kg m"));
+        out = self.outside(out, best);
         if let Some(b) = best.binding() {
             let text = format!("There the requirement \"{}\" is nearest to its limit ({}): margin {{}}.", NAMES[b.name], b.detail);
             out = out.finding(Finding::info("binding", text).value(b.value, "").shown_as(100.0 * b.value, "%"));
@@ -52,6 +62,17 @@ impl Shown<'_> {
             out = out.finding(Finding::info("rcf", text).value(rcf(best.speed, r2, g), ""));
         }
         out
+    }
+
+    /// A recommended speed that the robust window does not contain.
+    fn outside(&self, out: Outcome, best: &Point) -> Outcome {
+        let Some(r) = self.found.robust.as_ref().filter(|r| !r.intervals.is_empty()) else { return out };
+        if within(&r.intervals, best.speed) {
+            return out;
+        }
+        let all: Vec<String> = r.intervals.iter().map(|(a, b)| format!("{} to {}", rpm(*a), rpm(*b))).collect();
+        let text = format!("The recommended speed, {{}}, lies outside the robust window, {}.", all.join(" and "));
+        out.finding(Finding::warning("outside_robust", text).value(best.speed, "rad/s").shown_as(best.speed * RPM, "rpm"))
     }
 
     /// Time needed at a speed of the scan with the run-up, where everything but the separation is kept.
@@ -132,7 +153,13 @@ impl Shown<'_> {
             let top = self.study.speed.to;
             for peak in p.peaks(top) {
                 let way = if peak.up { "up" } else { "down" };
-                let text = format!("On the way {way} \"{}\" moves by up to {{}}, at {}.", peak.body, rpm(peak.speed));
+                let range = if peak.up { "to" } else { "from" };
+                let text = format!(
+                    "On the way {way} {range} {}, the highest speed of the range, \"{}\" moves by up to {{}}, at {}.",
+                    rpm(top),
+                    peak.body,
+                    rpm(peak.speed)
+                );
                 let f = Finding::info("passage_peak", text).value(peak.displacement, "m").evidence("speed", peak.speed, "rad/s");
                 out = out.finding(f.of(peak.body));
             }
@@ -177,6 +204,26 @@ impl Shown<'_> {
     }
 }
 
+/// Relative difference of least margins that are the same.
+const SAME: f64 = 1e-9;
+
+/// The lowest and the highest speed around the recommended one that have its least margin; `None` where it has a largest one.
+fn same(points: &[Point], best: &Point) -> Option<(f64, f64)> {
+    let binding = best.binding()?;
+    let alike = |p: &&Point| {
+        p.feasible() && p.binding().is_some_and(|m| m.name == binding.name) && (p.least() - best.least()).abs() <= SAME * best.least().abs()
+    };
+    let below = points.iter().rev().filter(|p| p.speed < best.speed).take_while(alike).last();
+    let above = points.iter().filter(|p| p.speed > best.speed).take_while(alike).last();
+    let (low, high) = (below.map_or(best.speed, |p| p.speed), above.map_or(best.speed, |p| p.speed));
+    // what the search for the best adds beside it is no range
+    (high - low > 1e-5 * best.speed.abs()).then_some((low, high))
+}
+
+fn within(intervals: &[(f64, f64)], speed: f64) -> bool {
+    intervals.iter().any(|(a, b)| *a <= speed && speed <= *b)
+}
+
 /// A throughput for people.
 fn litres(q: f64) -> String {
     format!("{} l/h", significant(q * 3.6e6, 4))
@@ -185,4 +232,31 @@ fn litres(q: f64) -> String {
 /// A time for people: minutes beyond ten of them.
 fn in_words(t: f64) -> String {
     if t >= 600.0 { format!("{} min", significant(t / 60.0, 4)) } else { quantity(t, "s") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::centrifuge::operating_window::margins::Margin;
+
+    fn point(speed: f64, values: &[f64]) -> Point {
+        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: String::new() }).collect();
+        Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
+    }
+
+    /// The least margin is the same from 2 to 4: there the next one decides.
+    #[test]
+    fn a_least_margin_that_is_the_same_over_a_range() {
+        let points =
+            [(1.0, 0.1, 0.5), (2.0, 0.4, 0.2), (3.0, 0.6, 0.2), (4.0, 0.5, 0.2), (5.0, 0.1, 0.2)].map(|(w, a, b)| point(w, &[a, b]));
+        assert_eq!(same(&points, &points[2]), Some((2.0, 4.0)));
+        assert_eq!((points[2].binding().map(|m| m.name), points[2].next()), (Some(1), Some(0)));
+        let peak = [0.1, 0.3, 0.2].map(|a| point(10.0 * a, &[a, 0.9]));
+        assert_eq!(same(&peak, &peak[1]), None);
+    }
+
+    #[test]
+    fn speeds_within_a_robust_window() {
+        assert!(within(&[(1.0, 2.0), (3.0, 4.0)], 3.5) && !within(&[(1.0, 2.0), (3.0, 4.0)], 2.5));
+    }
 }
