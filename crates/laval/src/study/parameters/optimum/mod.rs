@@ -25,7 +25,7 @@ mod result;
 mod search;
 
 use super::uncertainty::build_inner;
-use super::uncertainty::collect::quantities;
+use super::uncertainty::collect::with_sizes;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::System;
@@ -77,7 +77,7 @@ maximise = "least_damped_mode damping ratio"
             "minimise",
             FieldKind::Text,
             "largest_displacement",
-            "name of the number to make small, as results.json and uncertainty call it: the finding and what it speaks of; the largest where there are several",
+            "name of the number to make small, as results.json and uncertainty call it: the finding and what it speaks of; the largest where there are several; of a finding whose number is a speed, what it has there, as largest_resonance.amplitude",
         ),
         Field::optional("maximise", FieldKind::Text, "", "the number to make large instead; the least where there are several"),
         Field::optional("at_most", FieldKind::StateMap, "", "upper limits on numbers: { \"largest_force bearing\" = \"5 kN\" }"),
@@ -133,7 +133,7 @@ maximise = "least_damped_mode damping ratio"
         if context.cancelled() || nominal.end == End::Cancelled {
             return Ok(OptimumResult { found: None, end: End::Cancelled });
         }
-        let now = quantities(&nominal);
+        let now = with_sizes(&nominal);
         self.known(&now)?;
         context.announce((self.starts * self.runs) as f64, 1000.0, &format!("runs of the study {} at most", self.study.kind()));
         let found = search::search(self, system, &now, &inner, context);

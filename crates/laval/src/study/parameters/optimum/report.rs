@@ -65,7 +65,9 @@ fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
     let now =
         if found.now.is_finite() { format!(" The machine as it is has {}{away}.", with(found.now, &found.unit)) } else { String::new() };
     let so_far = if found.complete { "" } else { " before the study stopped" };
-    let text = format!("The {way} {} found within the bounds{so_far} is {{}}.{now}", study.aim.name);
+    // a resonance is no amplitude: what is made small or large is said
+    let what = if found.unit == "rad/s" { "speed or frequency of " } else { "" };
+    let text = format!("The {way} {what}{} found within the bounds{so_far} is {{}}.{now}", study.aim.name);
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
     let worst = found.slopes.iter().map(|s| s.slope).reduce(f64::min).unwrap_or(f64::NAN);

@@ -86,7 +86,11 @@ impl Optimum {
         let limits = self.limits.iter().map(|l| (&l.name, l.unit.as_ref(), &l.span));
         for (name, unit, span) in std::iter::once((&self.aim.name, None, &self.aim.span)).chain(limits) {
             let Some(q) = now.iter().find(|q| q.label == *name) else {
-                let all = names().filter(|n| !n.contains(" #")).collect::<Vec<_>>().join(", ");
+                let own = now.iter().filter(|q| !q.label.contains(" #"));
+                let mut all: Vec<String> =
+                    own.map(|q| if q.unit.is_empty() { q.label.clone() } else { format!("{} ({})", q.label, q.unit) }).collect();
+                all.dedup();
+                let all = all.join(", ");
                 let help = match nearest(name, names()) {
                     Some(near) => format!("did you mean \"{near}\"? It finds: {all}"),
                     None => format!("it finds: {all}"),

@@ -5,7 +5,7 @@ use super::request::number;
 use super::result::{Along, Found, Run, Slope, Stray, Trail};
 use super::{Context, Limit, Optimum};
 use crate::model::system::System;
-use crate::study::parameters::uncertainty::collect::{Quantity, Sample, sample};
+use crate::study::parameters::uncertainty::collect::{Quantity, Sample, sample, with_sizes};
 use laval_num::optimise::{Ended, Settings, minimise};
 use laval_num::sampling::Points;
 use laval_num::sampling::distribution::normal_quantile;
@@ -76,7 +76,7 @@ impl Bench<'_> {
         self.runs.fetch_add(1, Ordering::Relaxed);
         let s = self.study;
         let none = |invalid| Run { place: place.to_vec(), value: f64::NAN, limited: vec![f64::NAN; s.limits.len()], invalid };
-        match sample(&*s.study, at(&s.vary, self.system, place), self.inner) {
+        match sample(&*s.study, at(&s.vary, self.system, place), self.inner, with_sizes) {
             Sample::Stopped => None,
             Sample::Failed(_) => {
                 self.failed.fetch_add(1, Ordering::Relaxed);

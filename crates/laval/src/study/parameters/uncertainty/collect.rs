@@ -56,8 +56,27 @@ pub fn quantities(outcome: &Outcome) -> Vec<Quantity> {
     out
 }
 
-/// Runs the study on one machine.
-pub fn sample(study: &dyn ErasedStudy, machine: Result<crate::model::system::System, Diagnostic>, context: &Context) -> Sample {
+/// Units of numbers that a place, such as a speed, is the place of.
+const SIZES: [&str; 6] = ["m", "m/s", "rad", "N", "N m", "W"];
+
+/// The numbers of an outcome, and of findings whose value is a speed or frequency what they have there, such as `largest_resonance.amplitude`.
+pub fn with_sizes(outcome: &Outcome) -> Vec<Quantity> {
+    let mut all = quantities(outcome);
+    for f in outcome.findings.iter().filter(|f| f.value.is_some() && f.unit == "rad/s") {
+        for e in f.evidence.iter().filter(|e| SIZES.contains(&e.unit.as_str())) {
+            all.push(Quantity { label: format!("{}.{}", label(&f.id, &f.subject), e.what), value: e.value, unit: e.unit.clone() });
+        }
+    }
+    all
+}
+
+/// Runs the study on one machine; `numbers` are those of its outcome that are wanted.
+pub fn sample(
+    study: &dyn ErasedStudy,
+    machine: Result<crate::model::system::System, Diagnostic>,
+    context: &Context,
+    numbers: fn(&Outcome) -> Vec<Quantity>,
+) -> Sample {
     let said = |d: Diagnostic| Sample::Failed(format!("{}: {}", d.code, d.message));
     let machine = match machine {
         Ok(machine) => machine,
@@ -68,7 +87,7 @@ pub fn sample(study: &dyn ErasedStudy, machine: Result<crate::model::system::Sys
         Ok(o) if o.end == End::Cancelled => Sample::Stopped,
         // what it has found is not what it would have found
         Ok(o) if !o.end.is_complete() => Sample::Failed(format!("{}: {}", o.end.word(), o.end_in_words())),
-        Ok(o) => Sample::Found(quantities(&o), o.findings.iter().any(|f| f.level == Level::Invalid)),
+        Ok(o) => Sample::Found(numbers(&o), o.findings.iter().any(|f| f.level == Level::Invalid)),
     }
 }
 
@@ -136,6 +155,18 @@ mod tests {
         let peaks = [SpecialPoint::new("maximum", 3.0, (3.0, 3.0)).of("base"), SpecialPoint::new("maximum", 1.0, (1.0, 1.0)).of("drum")];
         let o = peaks.into_iter().fold(Outcome::new("k", "n").over("speed", "rad/s"), Outcome::special_point);
         assert_eq!(quantities(&o).iter().map(|q| q.label.as_str()).collect::<Vec<_>>(), ["maximum base", "maximum drum"]);
+    }
+
+    /// A speed is named as one, and its amplitude can be.
+    #[test]
+    fn the_amplitude_of_a_speed() {
+        let peak =
+            Finding::info("largest_resonance", "").value(400.0, "rad/s").evidence("amplitude", 2e-4, "m").evidence("residual", 1e-12, "");
+        let mut o = Outcome::new("k", "n").over("speed", "rad/s");
+        o.findings = vec![peak, Finding::info("force", "").value(3.0, "N").evidence("error", 1e-3, "N")];
+        let names: Vec<(String, f64)> = with_sizes(&o).into_iter().map(|q| (q.label, q.value)).collect();
+        let want = [("largest_resonance", 400.0), ("force", 3.0), ("largest_resonance.amplitude", 2e-4)];
+        assert_eq!(names, want.map(|(n, v)| (n.to_string(), v)));
     }
 
     #[test]

@@ -167,7 +167,7 @@ samples = 256
                     return (Vec::new(), Sample::Stopped);
                 }
                 let values = self.values(row);
-                let found = sample(&*self.study, self.machine(system, &values), &inner);
+                let found = sample(&*self.study, self.machine(system, &values), &inner, quantities);
                 // a run that was stopped may end with an error of its own
                 let found = if counter.cancelled() { Sample::Stopped } else { found };
                 counter.add(1);
