@@ -370,6 +370,8 @@ fn mistakes_are_reported() {
     one(&base.replace("kind = \"tubular_bowl\"", "kind = \"tubular\""), "kind.unknown");
     one(&base.replace("from = \"20 rad/s\"", "from = \"0 rad/s\""), "operating_window.speed");
     one(&base.replace("start = \"slowest\"", "uncertain = { suspension.viscosty = 0.1 }"), "parameter.unknown");
+    let unknown = load(&base.replace("start = \"slowest\"", "uncertain = { suspension.viscosty = 0.1 }")).err().unwrap();
+    assert!(unknown.0.iter().any(|d| d.help.as_deref().is_some_and(|h| h.contains("suspension.viscosity"))), "{unknown:?}");
     one(&CUPS.replace("on = \"rotor\"", "on = \"rotr\""), "body.missing");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"3 g\", 0]"), "cup.count");
     one(&CUPS.replace("[\"3 g\", 0, 0, 0]", "[\"-3 kg\", 0, 0, 0]"), "cup.negative");

@@ -1,7 +1,7 @@
 //! What is requested: the fields of the study on this machine, with all that is wrong.
 
 use super::margins::Requirements;
-use super::vary::{current, varied};
+use super::vary::{current, unknown, varied};
 use super::{MAP_PLACES, Objective, OperatingWindow, Policy, contents};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::Values;
@@ -44,7 +44,7 @@ pub(super) fn read(values: &Values, system: &System, out: &mut Diagnostics) -> O
     let map = values.parameter_range("map").map(|(path, required)| {
         let sound = range("map", required, 2, values, &mut own);
         let trial = sound.map(|r| r.from).or_else(|| current(system, path));
-        if let Err(d) = trial.map_or_else(|| Err(system.unknown_param(path)), |x| varied(system, path, x).map(drop)) {
+        if let Err(d) = trial.map_or_else(|| Err(unknown(system, path)), |x| varied(system, path, x).map(drop)) {
             own.push(d.at(values.span_of("map")));
         }
         (path.to_string(), required)
@@ -70,7 +70,7 @@ fn uncertain(values: &Values, system: &System, out: &mut Diagnostics) -> Vec<(St
             wrong(out, values, "uncertain", "operating_window.uncertain", "which parameters are uncertain is missing", help);
             continue;
         };
-        let trial = current(system, path).ok_or_else(|| system.unknown_param(path)).and_then(|x| varied(system, path, x));
+        let trial = current(system, path).ok_or_else(|| unknown(system, path)).and_then(|x| varied(system, path, x));
         if let Err(d) = trial {
             out.push(d.at(values.span_of("uncertain")));
         }

@@ -62,7 +62,7 @@ impl OperatingWindow {
             for (k, (path, share)) in self.uncertain.iter().enumerate() {
                 let sign = if corner >> k & 1 == 1 { 1.0 } else { -1.0 };
                 let now = changed.as_ref().unwrap_or(system);
-                let x = current(now, path).ok_or_else(|| now.unknown_param(path))?;
+                let x = current(now, path).ok_or_else(|| unknown(now, path))?;
                 changed = Some(varied(now, path, x * (1.0 + sign * share))?);
             }
             let known = main.passage.as_ref().filter(|_| self.uncertain.iter().all(|u| only_liquid(system, &u.0)));
@@ -161,6 +161,23 @@ pub(super) fn current(system: &System, path: &str) -> Option<f64> {
     system.machine.extras.iter().find(|e| e.name == name)?.values.number(field)
 }
 
+/// That there is no such parameter, with those that its part, or its block beside the parts, has.
+pub(super) fn unknown(system: &System, path: &str) -> Diagnostic {
+    let plain = system.unknown_param(path);
+    let name = path.split('.').next().unwrap_or_default();
+    let Some(extra) = system.machine.extras.iter().find(|e| e.name == name) else { return plain };
+    let known = blocks();
+    let fields = known.iter().filter(|b| b.info.word == extra.word).flat_map(|b| &b.info.kinds).flat_map(|k| &k.fields);
+    let mut own: Vec<String> = Vec::new();
+    for f in fields.filter(|f| matches!(f.kind, FieldKind::Quantity { .. }) && extra.values.number(f.name).is_some()) {
+        let path = format!("{name}.{}", f.name);
+        if !own.contains(&path) {
+            own.push(path);
+        }
+    }
+    if own.is_empty() { plain } else { plain.help(format!("numbers of \"{name}\": {}", own.join(", "))) }
+}
+
 /// The machine with a parameter changed.
 pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diagnostic> {
     let bounds = || Diagnostic::error("parameter.bounds", format!("{path} cannot be {}", quantity(x, unit_of(system, path))));
@@ -168,9 +185,9 @@ pub(super) fn varied(system: &System, path: &str, x: f64) -> Result<System, Diag
     if system.param(path).is_some() {
         return system.with(&[(path, x)]).map_err(first);
     }
-    let (name, field) = path.split_once('.').ok_or_else(|| system.unknown_param(path))?;
+    let (name, field) = path.split_once('.').ok_or_else(|| unknown(system, path))?;
     let mut extras: Vec<Extra> = system.machine.extras.clone();
-    let extra = extras.iter_mut().find(|e| e.name == name).ok_or_else(|| system.unknown_param(path))?;
+    let extra = extras.iter_mut().find(|e| e.name == name).ok_or_else(|| unknown(system, path))?;
     if extra.values.number(field).is_none() {
         return Err(Diagnostic::error("parameter.unknown", format!("\"{name}\" has no number {field} to vary"))
             .help("give it a value in its block first"));
