@@ -109,7 +109,7 @@ pub trait TypedStudy: Study {
     fn result(&self, system: &System, context: &Context) -> Result<Self::Result, Diagnostic> {
         speed_range::known(self, system)?;
         watch::run(self, system, context, || self.compute(system, context))?
-            .map_err(|_| Diagnostic::error("study.stopped", "the study was stopped within a computation that has no partial result"))
+            .map_err(|_| Diagnostic::error(watch::STOPPED, "the study was stopped within a computation that has no partial result"))
     }
     /// Tables, figures and findings of a result.
     ///

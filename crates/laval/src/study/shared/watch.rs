@@ -12,6 +12,9 @@ const CHECK: u64 = 50_000_000;
 /// Units of work beyond those of a work limit after which a study is ended from within, some seconds.
 const BEYOND: u64 = 4_000_000_000;
 
+/// Code of the diagnostic of a study that was stopped before it had any result.
+pub(in crate::study) const STOPPED: &str = "study.stopped";
+
 /// Whether the machine can answer it. What takes longer is left to the run: not known, no refusal.
 pub(in crate::study) fn admit<T: Study>(study: &T, system: &System) -> Result<(), Diagnostic> {
     fits(study, system)?;
@@ -38,6 +41,7 @@ pub(in crate::study) fn run<T: Study, R>(
     fits(study, system)?;
     let limit = context.work_limit.saturating_mul(STEP).saturating_add(BEYOND);
     match watched(Some(context.cancel), limit, piece) {
+        Ok(Err(d)) if context.cancelled() && d.code == STOPPED => Ok(Err(End::Cancelled)),
         // what cannot be computed in time is no reason to refuse
         Ok(Err(_)) if context.cancelled() && admit(study, system).is_ok() => Ok(Err(End::Cancelled)),
         Ok(result) => result.map(Ok),

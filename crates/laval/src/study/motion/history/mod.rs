@@ -16,6 +16,7 @@ use crate::solve::motion::Motion;
 use crate::solve::motion::trajectory::{Choice, Plan, Trajectory, simulate};
 use crate::study::Context;
 use crate::study::shared::size::{KEPT, LISTED, Size};
+use crate::study::shared::watch;
 use std::f64::consts::TAU;
 
 /// `method`.
@@ -97,7 +98,7 @@ pub(in crate::study) fn size(system: &System, outputs: usize, velocities: bool, 
 
 /// That a study was stopped while the time form of its machine was made.
 pub(in crate::study) fn stopped() -> Diagnostic {
-    Diagnostic::error("study.stopped", "the study was stopped before its machine in time was there")
+    Diagnostic::error(watch::STOPPED, "the study was stopped before its machine in time was there")
 }
 
 /// The motion of this machine can be integrated in the way requested.
