@@ -145,20 +145,7 @@ fn modules_use_only_what_they_may() {
 #[test]
 fn private_words_are_gone() {
     const PRIVATE: [&str; 14] = [
-        "told",
-        "asked",
-        "assess",
-        "assessed",
-        "assesses",
-        "assessing",
-        "unassessed",
-        "voyage",
-        "flight",
-        "fleet",
-        "riders",
-        "atlas",
-        "crew",
-        "sail",
+        "told", "asked", "judge", "judged", "judges", "judging", "unjudged", "voyage", "flight", "fleet", "riders", "atlas", "crew", "sail",
     ];
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let (mut found, mut folders, mut files) = (Vec::new(), vec![root.join("docs"), root.join("crates")], vec![root.join("README.md")]);
