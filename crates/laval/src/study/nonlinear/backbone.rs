@@ -335,7 +335,7 @@ impl Shown<'_> {
     }
 
     fn table(&self) -> Result<Table, OutcomeError> {
-        let all = in_order(self.found.families.iter().map(|f| &f.motions[..]), &self.measured);
+        let all = in_order(self.found.families.iter().map(|f| &f.motions[..]), self.measured);
         let column = |f: &dyn Fn(&Motion) -> f64| all.iter().map(|a| f(a.1)).collect::<Vec<f64>>();
         let measured: Vec<&Measured> = all.iter().map(|a| a.2).collect();
         let t = Table::new("backbone", "Free whirls, family by family in order along each")

@@ -48,8 +48,8 @@ impl Report<'_> {
         out.extend(self.operating());
         out.extend(reported.ranges.iter().map(|r| self.stable(r)));
         out.extend(self.continuum());
-        out.extend(super::zones::finding(&self.rows, &self.zones, self.operating));
-        out.extend(super::slack::finding(&self.continua.sheets, &self.slack, self.operating));
+        out.extend(super::zones::finding(self.rows, self.zones, self.operating));
+        out.extend(super::slack::finding(&self.continua.sheets, self.slack, self.operating));
         out.extend(self.unstable(reported));
         if movable {
             out.extend(self.unbalanced(reported));

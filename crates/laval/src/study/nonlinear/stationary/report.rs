@@ -105,10 +105,10 @@ impl Report<'_> {
             all.push(self.continua()?);
         }
         if !self.zones.is_empty() {
-            all.push(zones::table(self.system, &self.rows, &self.zones)?);
+            all.push(zones::table(self.system, self.rows, self.zones)?);
         }
         if !self.slack.is_empty() {
-            all.push(slack::table(self.system, &self.continua.sheets, &self.slack)?);
+            all.push(slack::table(self.system, &self.continua.sheets, self.slack)?);
         }
         if let (Some(least), Some(requested)) = (&self.least, self.stabilise) {
             all.push(self.parameter(least, requested)?);
