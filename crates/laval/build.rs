@@ -6,7 +6,8 @@ use std::process::Command;
 use std::{env, fs};
 
 /// Sources that settle numbers. A package from a registry has no siblings: its version stands for theirs.
-const SOURCES: [&str; 5] = ["src", "../laval-model/src", "../laval-num/src", "../laval-solve/src", "../../Cargo.lock"];
+const SOURCES: [&str; 6] =
+    ["src", "../laval-model/src", "../laval-num/src", "../laval-separation/src", "../laval-solve/src", "../../Cargo.lock"];
 
 fn main() {
     // the compiler is part of the identity, so that its hash function may change with it

@@ -116,6 +116,8 @@ pub use laval_model::{cavity, diagnostic, model, parts, units};
 pub use laval_model::{conformance, params};
 #[doc(hidden)]
 pub use laval_num;
+#[doc(hidden)]
+pub use laval_separation as separation;
 pub use laval_solve as solve;
 
 #[doc(hidden)]
@@ -132,8 +134,6 @@ pub mod output_folder;
 pub mod plain;
 pub mod prelude;
 pub mod report;
-#[doc(hidden)]
-pub mod separation;
 #[doc(hidden)]
 pub mod store;
 pub mod study;

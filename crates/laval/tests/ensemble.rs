@@ -429,17 +429,3 @@ fn a_member_does_not_depend_on_how_it_travels() {
         assert_eq!(backwards[20 - k], expected[k]);
     }
 }
-
-/// A function that is called instead of inlined lacks the instructions of the level, and so does every operation in it: each becomes a call. None
-/// of the arithmetic may stand as a function of its own in this program.
-#[test]
-#[cfg(target_arch = "x86_64")]
-fn arithmetic_in_lanes_is_inlined() {
-    let program = std::fs::read(std::env::current_exe().unwrap()).unwrap();
-    let holds = |name: &str| program.windows(name.len()).any(|w| w == name.as_bytes());
-    // written so that this test does not hold the names itself
-    for (width, operation) in ["_mm256_", "_mm512_"].into_iter().flat_map(|w| ["mul", "add", "sub", "div"].map(|o| (w, o))) {
-        let name = [width, operation, "_pd"].concat();
-        assert!(!holds(&name), "{name} is called somewhere: a part or a helper lacks #[inline(always)], or a closure stays a call");
-    }
-}

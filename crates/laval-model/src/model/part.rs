@@ -6,6 +6,7 @@ use super::field::{Field, ParamValues, Values};
 use super::params::Family;
 use crate::diagnostic::Diagnostics;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 pub use super::capability::frequency::{Domain, Words};
 pub use super::capability::movable::{Correction, Outline};
@@ -13,6 +14,9 @@ pub use super::capability::scope::{Beyond, Tabulated};
 pub use super::capability::time_form::Fitted;
 pub use super::context::{At, Dof, DofKind, Energy, Layout, Link, Observed, Physics, Port, PortKind, Rows, TimeForm, Uses, Validity};
 pub use super::params::{Parametric, Params};
+
+/// A part with its type forgotten.
+pub type ErasedPart = Arc<dyn erased::Erased>;
 
 /// The physics of one kind of piece.
 ///
@@ -71,6 +75,12 @@ pub trait Part: Send + Sync + Sized + 'static {
     /// Why the part does not serve its purpose although its model is right: sentences that begin with a small letter and end without a stop.
     fn warnings(&self, _p: &Params<Self, f64>) -> Vec<String> {
         Vec::new()
+    }
+
+    /// The part with its type forgotten. The parts of a library repeat these lines with `#[inline(never)]`, so that their arithmetic in lanes is
+    /// compiled in the library and not once more in every crate that builds a machine of them.
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
 
     /// Other parts attach to it: [`BodyPart`](super::capability::BodyPart).

@@ -17,10 +17,11 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses, Validity};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses, Validity};
 use crate::params;
 use crate::units;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`BearingCubic`].
@@ -115,6 +116,10 @@ valid_to = "2 mm"
         }
         warn_of_reversal(values, params, diagnostics);
         Some(BearingCubic { link: Link::Between(a, b), isotropic })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::point(self.link.clone())

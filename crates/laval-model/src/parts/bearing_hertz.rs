@@ -24,9 +24,10 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::capability::Contacts;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`BearingHertz`].
@@ -101,6 +102,10 @@ clearance = "10 um"
             return None;
         }
         Some(BearingHertz { link: Link::Between(a, b), radial })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::point(self.link.clone())

@@ -28,11 +28,12 @@ use crate::model::capability::Scope;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::params::Family;
-use crate::model::part::{At, Beyond, Energy, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
+use crate::model::part::{At, Beyond, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Tabulated, Validity};
 use crate::params;
 use crate::units::format_si;
 use laval_num::interpolate::{Interpolant, TableError};
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`BearingLinear`]; unused when it has a table.
@@ -270,6 +271,10 @@ cyy = "3e4 N s/m"
                 None
             }
         }
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::point(self.link.clone())

@@ -14,10 +14,11 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Damper`].
@@ -91,6 +92,10 @@ axes = "fixed"                      # "rotating" is damping inside the rotor
         }
         let tilts = params.get("tilt_damping").is_some_and(|x| x != 0.0);
         Some(Damper { link: Link::Between(a, b), rotating, tilts })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         if self.tilts { Layout::point_and_tilt(self.link.clone()) } else { Layout::point(self.link.clone()) }

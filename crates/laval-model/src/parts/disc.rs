@@ -31,10 +31,11 @@ use crate::model::blocks::{Blocks, rotating};
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics, Validity};
+use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Disc`].
@@ -88,18 +89,22 @@ impl Disc {
     /// `U` at a spin angle.
     #[inline(always)]
     fn turning<S: Scalar>(&self, p: &DiscParams<S>, phase: S) -> Complex<S> {
-        let own = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
-        self.unbalances.iter().fold(own, |sum, u| sum + Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size)))
+        let mut sum = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
+        for u in &self.unbalances {
+            sum += Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size));
+        }
+        sum
     }
     /// `Im(conj(u) z')` of all unbalances, each with the motion (rate or acceleration) of its own height.
     #[inline(always)]
     fn carried<S: Scalar>(&self, p: &DiscParams<S>, phase: S, motion: &[S]) -> S {
         let own = Complex::cis(phase + p.eccentricity_phase).scale(p.mass * p.eccentricity + p.unbalance);
-        let own = (own.conj() * self.centre(p.centre_of_mass, motion)).im;
-        self.unbalances.iter().fold(own, |sum, u| {
+        let mut sum = (own.conj() * self.centre(p.centre_of_mass, motion)).im;
+        for u in &self.unbalances {
             let turning = Complex::cis(phase + S::cst(u.phase)).scale(S::cst(u.size));
-            sum + (turning.conj() * self.centre(S::cst(u.at), motion)).im
-        })
+            sum += (turning.conj() * self.centre(S::cst(u.at), motion)).im;
+        }
+        sum
     }
 }
 
@@ -162,6 +167,10 @@ skew = "0.1 mrad"                   # dynamic unbalance
         Some((0..sizes.len()).fold(disc, |disc, k| disc.unbalanced(sizes[k], entry("phase", k), entry("at", k))))
     }
 
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
     fn layout(&self) -> Layout {
         let mut own = Dof::lateral();
         if self.tilts {
@@ -302,9 +311,10 @@ impl Disc {
             let u = p.mass * p.eccentricity + p.unbalance;
             return p.polar_inertia + u * u / p.mass + skew;
         }
-        let moment = self.unbalances.iter().fold(Complex::zero(), |sum: Complex<S>, u| {
-            sum + Complex::cis(S::cst(u.phase)).scale((S::cst(u.at) - p.centre_of_mass).scale(u.size))
-        });
+        let mut moment = Complex::zero();
+        for u in &self.unbalances {
+            moment += Complex::cis(S::cst(u.phase)).scale((S::cst(u.at) - p.centre_of_mass).scale(u.size));
+        }
         let pair = if self.tilts { moment.norm_sqr() / p.diametral_inertia } else { S::zero() };
         p.polar_inertia + self.turning(p, S::zero()).norm_sqr() / p.mass + pair + skew
     }

@@ -15,9 +15,10 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::body::{BodyParameters, BodyPart};
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
-use crate::model::part::{At, Dof, Energy, Layout, Observed, Params, Part, Physics};
+use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Foundation`].
@@ -44,6 +45,10 @@ damping = "900 N s/m"
 
     fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
         Some(Foundation)
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::body(Dof::lateral())

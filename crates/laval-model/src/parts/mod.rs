@@ -91,5 +91,5 @@ fn build<P: Part>(values: &Values, diagnostics: &mut Diagnostics) -> Option<Buil
             diagnostics.push(Diagnostic::error("part.check", message).at(values.span_of(field)));
         }
     }
-    Some((Arc::new(part), vector))
+    Some((part.erased(), vector))
 }

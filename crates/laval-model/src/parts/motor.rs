@@ -29,10 +29,11 @@ use crate::model::blocks::Blocks;
 use crate::model::capability::SpinDrive;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics, Validity};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
 use laval_num::interpolate::Interpolant;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Motor`].
@@ -169,6 +170,10 @@ inertia = "0.02 kg m^2"
         (diagnostics.0.len() == before).then_some(Motor { curve })
     }
 
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
     fn layout(&self) -> Layout {
         Layout::default()
     }

@@ -35,11 +35,12 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
 use crate::units::format_si;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`ShaftLumped`].
@@ -101,8 +102,7 @@ impl Round {
     /// k, kc and kt.
     #[inline(always)]
     fn stiffness<S: Scalar>(self, p: &ShaftLumpedParams<S>) -> [S; 3] {
-        let fourth = |d: S| d.square().square();
-        let bending = p.modulus * (fourth(p.diameter) - fourth(p.inner_diameter)).scale(PI / 64.0);
+        let bending = p.modulus * (p.diameter.square().square() - p.inner_diameter.square().square()).scale(PI / 64.0);
         let mut sum = [S::zero(); 3];
         for (held, length, side) in [(self.lower, p.below, -1.0), (self.upper, p.above, 1.0)] {
             let Some(held) = held else { continue };
@@ -262,6 +262,10 @@ material_damping = "2e-5 s"         # loss of the material, turning with the sha
             );
         }
         Some(ShaftLumped { link: Link::Between(a, b), tilts, damped, round: None })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         if self.tilts { Layout::point_and_tilt(self.link.clone()) } else { Layout::point(self.link.clone()) }

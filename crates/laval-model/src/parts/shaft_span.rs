@@ -20,10 +20,11 @@
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::params;
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`ShaftSpan`].
@@ -100,6 +101,10 @@ modulus = "206 GPa"
     fn build(values: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
         let (a, b) = values.between("between")?;
         Some(ShaftSpan { link: Link::Between(a, b) })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::point_and_tilt(self.link.clone())

@@ -21,9 +21,10 @@
 use crate::diagnostic::Diagnostics;
 use crate::model::blocks::Blocks;
 use crate::model::field::{Bounds, Field, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Observed, Params, Part, Physics};
 use crate::params;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`SpinLoad`].
@@ -56,6 +57,10 @@ drag = "2e-3 N m s"
 
     fn build(_: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
         Some(SpinLoad)
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::default()

@@ -20,9 +20,10 @@ use crate::diagnostic::Diagnostics;
 use crate::model::capability::Contacts;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, Rows, Uses};
 use crate::params;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`Stop`].
@@ -80,6 +81,10 @@ damping = "200 N s/m"
     fn build(values: &Values, _: &mut ParamValues, _: &mut Diagnostics) -> Option<Self> {
         let (a, b) = values.between("between")?;
         Some(Stop::new(Link::Between(a, b)))
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         Layout::point(self.link.clone())

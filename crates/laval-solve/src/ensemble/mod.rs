@@ -168,7 +168,7 @@ pub fn run<V: EnsembleTask>(task: &V, base: &System, form: Form, range: Range<us
     let (take, keep) = (&take as &(dyn Fn() -> Option<usize> + Sync), &keep as &(dyn Fn(usize, V::Row) + Sync));
     let on_thread = || {
         let mut running = RunningMembers { task, logs: std::array::from_fn(|_| None), take, keep };
-        dispatch(settings.level, RunMembers { hands: &mut running, base, form, method: settings.method })
+        run_members(settings, &mut running, base, form)
     };
     let here = Here::now();
     let counted = |_| {
@@ -179,6 +179,12 @@ pub fn run<V: EnsembleTask>(task: &V, base: &System, form: Form, range: Range<us
     let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|r: &(usize, V::Row)| r.0);
     (whole && rows.len() == count).then(|| rows.into_iter().map(|r| r.1).collect())
+}
+
+/// One thread: the lanes, compiled here for every task there will be.
+#[inline(never)]
+fn run_members(settings: Settings, hands: &mut dyn MemberSource, base: &System, form: Form) -> bool {
+    dispatch(settings.level, RunMembers { hands, base, form, method: settings.method })
 }
 
 /// The lanes of one thread.

@@ -39,7 +39,8 @@ fn sources() -> Vec<Source> {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut found = Vec::new();
     let mut folders = Vec::new();
-    for (name, module) in [("laval-model", None), ("laval-solve", Some("solve")), ("laval", None)] {
+    for (name, module) in [("laval-model", None), ("laval-solve", Some("solve")), ("laval-separation", Some("separation")), ("laval", None)]
+    {
         let root = crates.join(name).join("src");
         folders.push((root.clone(), root, module));
     }

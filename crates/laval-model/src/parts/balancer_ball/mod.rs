@@ -46,7 +46,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::capability::{Contacts, MovableMasses, Scope, VaryingInertia};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Values};
-use crate::model::part::{At, Correction, Dof, Energy, Layout, Link, Observed, Outline, Params, Part, Physics, Rows, Validity};
+use crate::model::part::{At, Correction, Dof, Energy, ErasedPart, Layout, Link, Observed, Outline, Params, Part, Physics, Rows, Validity};
 use crate::model::system::Axis;
 use crate::params;
 use crate::units::format_si;
@@ -54,6 +54,7 @@ use inertia::Masses;
 use laval_num::complex::Complex;
 use laval_num::scalar::Scalar;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::OnceLock;
 
 params! {
@@ -352,6 +353,10 @@ body_tilt = false                   # the drum moves in its plane
         (diagnostics.0.len() == before).then_some(part)
     }
 
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
     fn layout(&self) -> Layout {
         let link = Link::On(self.attach.clone());
         let mut layout = if self.body_tilt { Layout::point_and_tilt(link) } else { Layout::point(link) };

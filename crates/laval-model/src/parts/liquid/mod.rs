@@ -45,7 +45,9 @@ use crate::model::capability::added_inertia::{AddedInertia, Removed};
 use crate::model::capability::{Filling, FrequencyDomain, ReplacedInTime};
 use crate::model::erased;
 use crate::model::field::{Attach, Bounds, Field, FieldKind, ParamValues, Value, Values};
-use crate::model::part::{At, Dof, DofKind, Domain, Energy, Fitted, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity};
+use crate::model::part::{
+    At, Dof, DofKind, Domain, Energy, ErasedPart, Fitted, Layout, Link, Observed, Params, Part, Physics, TimeForm, Validity,
+};
 use crate::model::timed::{Speeds, Untimed};
 use crate::params;
 use crate::units::{format_number, format_si};
@@ -352,6 +354,10 @@ wave_damping = "4 1/s"
         Some(Liquid { model, viscous, harmonics, accuracy, ..Liquid::new(attach, fill) })
     }
 
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
     fn layout(&self) -> Layout {
         let link = Link::On(self.attach.clone());
         let tilts = self.model != Model::Planar;

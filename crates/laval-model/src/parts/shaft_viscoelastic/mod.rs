@@ -44,13 +44,14 @@ use crate::model::blocks::{Axes, Blocks, Memory};
 use crate::model::capability::FrequencyDomain;
 use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values, Word};
-use crate::model::part::{At, Dof, DofKind, Domain, Energy, Layout, Link, Observed, Params, Part, Physics, TimeForm};
+use crate::model::part::{At, Dof, DofKind, Domain, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics, TimeForm};
 use crate::params;
 use crate::units::{format_number, format_si};
 use kernel::{Exponential, Ladder, Term};
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 params! {
     /// Parameters of a [`ShaftViscoelastic`]; those of the stiffness or of the kernel that are not used stay zero.
@@ -429,6 +430,10 @@ decay = "0.05 1/s"                  # b
         let law = law(values, params, diagnostics)?;
         let frame = if values.choice("memory") == Some("fixed") { Frame::Fixed } else { Frame::Rotor };
         Some(ShaftViscoelastic { link: link?, frame, supports, law })
+    }
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
     }
     fn layout(&self) -> Layout {
         let mut layout = Layout::point(self.link.clone());

@@ -4,11 +4,11 @@ use super::vessel;
 use crate::diagnostic::Diagnostics;
 use crate::model::field::{Attach, Extra};
 use crate::model::params::{Family, NoParams};
+use crate::model::part::Part;
 use crate::model::system::{PartInput, System};
 use crate::outcome::Finding;
 use crate::separation::carried::Cups;
 use crate::separation::load::Ring;
-use std::sync::Arc;
 
 /// Cups that a body carries.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ pub fn part(extra: &Extra, system: &System) -> Option<PartInput> {
 }
 
 fn input(c: &Carried) -> PartInput {
-    let part = Arc::new(Cups::new(c.on.clone(), c.ring.clone()));
+    let part = Cups::new(c.on.clone(), c.ring.clone()).erased();
     PartInput { name: c.name.clone(), part, params: NoParams::to_vec(&()), span: None }
 }
 

@@ -4,6 +4,10 @@
 //! with the field, [`exit`] finds when and where a particle leaves the liquid of a [`vessel`]. [`cup`] says how a cup hangs. [`ensemble`] follows a suspension ([`law`], [`halton`]) through a [`machine`]; a [`batch`] with its run-up and the [`recovery`] it reaches are what
 //! studies require, with the [`slowest`] particle of all;
 //! [`load`] is what cups do to the rotor, [`carried`] the part of the machine that does it; [`measures`] are what engineers compare centrifuges by, [`validity`] tells where the model ends.
+#![warn(missing_docs)]
+#![forbid(unsafe_code)]
+
+use laval_model::{diagnostic, model};
 
 pub mod batch;
 pub mod carried;

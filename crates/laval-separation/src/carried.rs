@@ -29,11 +29,12 @@ use crate::model::capability::Scope;
 use crate::model::erased;
 use crate::model::field::{Attach, Field, ParamValues, Values};
 use crate::model::params::NoParams;
-use crate::model::part::{At, Energy, Layout, Link, Observed, Params, Part, Physics};
+use crate::model::part::{At, Energy, ErasedPart, Layout, Link, Observed, Params, Part, Physics};
 use crate::model::system::Axis;
 use laval_num::complex::{Complex, c};
 use laval_num::dual::Dual;
 use laval_num::scalar::Scalar;
+use std::sync::Arc;
 
 /// See the [module](self).
 pub struct Cups {
@@ -115,6 +116,10 @@ impl Part for Cups {
         None
     }
 
+    #[inline(never)]
+    fn erased(self) -> ErasedPart {
+        Arc::new(self)
+    }
     fn layout(&self) -> Layout {
         Layout::point_and_tilt(Link::On(self.on.clone()))
     }

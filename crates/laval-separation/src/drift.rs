@@ -428,9 +428,9 @@ impl Climb {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::separation::cup::Hanging;
-    use crate::separation::exit::Cylinder;
-    use crate::separation::machine::{Bowl, Cup, Separator};
+    use crate::cup::Hanging;
+    use crate::exit::Cylinder;
+    use crate::machine::{Bowl, Cup, Separator};
 
     #[test]
     fn the_reynolds_number_is_inverted() {
@@ -461,7 +461,7 @@ mod tests {
             let (steady, inside) = (turning.steady().unwrap(), turning.inside().unwrap());
             for density in [2650.0, 900.0] {
                 let p = Particle { radius: 5e-6, density };
-                for point in (1..20).map(crate::separation::halton::point) {
+                for point in (1..20).map(crate::halton::point) {
                     let Some(start) = turning.start(&point) else { continue };
                     let a = settle(&medium, &p, &steady, inside, start).unwrap();
                     let b = turning.drift(medium.rates(&p).sedimentation, start).unwrap();
