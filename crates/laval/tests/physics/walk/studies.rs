@@ -80,7 +80,7 @@ pub const MAIN: &[&str] = &[
 /// Pairs that are left out because the study takes seconds: case, studies.
 pub const LONG: &[(&str, &[&str])] = &[
     ("polymer", &["sweep", "motion_map", "basins", "stationary", "operating_window"]),
-    ("polymer_support", &["motion_map", "basins"]),
+    ("polymer_support", &["sweep", "motion_map", "basins"]),
     ("oil", &["critical_speeds", "nonlinear_response", "sensitivity", "limit_cycles", "optimum", "basins"]),
     ("rough_balls", &["basins"]),
     ("free_ring", &["basins"]),
