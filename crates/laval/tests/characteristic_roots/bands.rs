@@ -152,10 +152,9 @@ fn growth_beside_accumulating_waves_is_counted() {
 /// Many waves on the axis: which of them is which cannot always be determined, what grows beside them can, in a spectrum and by itself.
 #[test]
 fn growth_beside_many_waves_is_proven() {
-    let wrong: Vec<String> = [(9, 0.66), (9, 0.13), (19, 0.66), (19, 0.99)]
-        .par_iter()
-        .flat_map(|case| [90.0, -470.0].into_par_iter().map(move |speed| (*case, speed)))
-        .filter_map(|((last, fill), speed)| {
+    let wrong: Vec<String> = [(9, 0.66, 90.0), (9, 0.13, -470.0), (19, 0.66, -470.0), (19, 0.99, 90.0)]
+        .into_par_iter()
+        .filter_map(|(last, fill, speed)| {
             let system = build(&truncated(&filled(FILE, fill), last));
             let counts = [true, false].map(|growing| {
                 let found = at(&system, speed, &Request { margin: LEAST * speed.abs(), growing, ..Request::default() });
