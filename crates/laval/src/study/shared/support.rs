@@ -184,7 +184,7 @@ pub fn range(field: &str, given: RangeValue, least: usize, values: &Values, diag
 }
 
 /// Least width of a range, relative to its larger end: steps inside a narrower one are lost in the rounding of its values.
-const NARROWEST: f64 = 1e-9;
+pub(in crate::study) const NARROWEST: f64 = 1e-9;
 
 /// The same; what is said besides where it is one value: which study answers then.
 pub fn range_or(
