@@ -119,7 +119,7 @@ impl Shown<'_> {
             out.extend(self.fitted());
             out.extend(determinant(response));
         }
-        let d = response.discretisation;
+        let d = response.discretisation.whole();
         let (orders, _) = admitted(d.symmetry, d.harmonics, d.divisor);
         let orders: Vec<f64> = orders.into_iter().map(|n| f64::from(n) / d.divisor as f64).collect();
         out.extend(dense_orders(self.system, request.speeds.1, &orders));
