@@ -42,8 +42,15 @@ pub struct Args {
     quiet: bool,
 }
 
-fn steps(text: &str) -> Result<u64, &'static str> {
-    text.parse().ok().filter(|n| *n > 0).ok_or("give a whole number from 1 on")
+fn steps(text: &str) -> Result<u64, String> {
+    // 2^64 as a plain number: one below it is the largest value
+    let beyond = || text.parse::<f64>().is_ok_and(|x| x >= u64::MAX as f64);
+    match text.parse() {
+        Ok(0) => Err("give a whole number from 1 on".into()),
+        Ok(n) => Ok(n),
+        Err(_) if beyond() => Err(format!("the largest value is {}; without the option there is no limit", u64::MAX)),
+        Err(_) => Err("give a whole number from 1 on, in digits alone".into()),
+    }
 }
 
 static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);

@@ -305,6 +305,11 @@ fn a_work_limit_ends_a_study_early_and_says_so() {
     for n in ["0", "-1"] {
         dir.laval(["run", "pump.toml", "--work-limit", n]).refused(&["--work-limit", n, "whole number from 1 on"]);
     }
+    dir.laval(["run", "pump.toml", "--work-limit", "1e3"]).refused(&["1e3", "in digits alone"]);
+    for n in ["18446744073709551616", "1e20", "99999999999999999999999", "inf"] {
+        dir.laval(["run", "pump.toml", "--work-limit", n]).refused(&["--work-limit", n, "the largest value is 18446744073709551615"]);
+    }
+    assert!(dir.laval(["run", "pump.toml", "--work-limit", "18446744073709551615"]).done().contains("report.html"));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! the sweep axes follow.
 
 use crate::diagnostic::Span;
+use crate::units;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,6 +37,29 @@ impl Bounds {
     /// `x` is finite and inside.
     pub fn contains(&self, x: f64) -> bool {
         x.is_finite() && x <= self.max && if self.min_open { x > self.min } else { x >= self.min }
+    }
+    /// In words, for numbers of an SI unit: "above 0 and at most 1e15 N/m".
+    pub fn text(&self, unit: &str) -> String {
+        let n = |x: f64| match unit {
+            "rad/s" | "rad" | "K" => units::format_si(x, unit),
+            _ => units::write_si(x, unit),
+        };
+        let low = match (self.min, self.min_open) {
+            (m, _) if m == f64::NEG_INFINITY => None,
+            (0.0, true) => Some("above 0".to_string()),
+            (m, true) => Some(format!("above {}", n(m))),
+            (0.0, false) => Some("0 or more".to_string()),
+            (m, false) => Some(format!("at least {}", n(m))),
+        };
+        let high = (self.max != f64::INFINITY).then(|| n(self.max));
+        match (low, high) {
+            (None, None) => "finite".into(),
+            (Some(l), None) => l,
+            (None, Some(h)) => format!("at most {h}"),
+            (Some(_), Some(h)) if !self.min_open && self.min != 0.0 => format!("between {} and {h}", n(self.min)),
+            (Some(_), Some(h)) if !self.min_open => format!("between 0 and {h}"),
+            (Some(l), Some(h)) => format!("{l} and at most {h}"),
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Parameters of a part, declared once.
 
 use super::field::{Bounds, Field, FieldKind};
+use crate::units::format_si;
 use laval_num::scalar::Scalar;
 
 /// One scalar parameter after lateral pairs have been split.
@@ -14,6 +15,25 @@ pub struct ParamSlot {
     pub bounds: Bounds,
     /// Value where none is given; required parameters have none.
     pub default: Option<f64>,
+}
+
+/// What is wrong with values of parameters, in the names and units of a machine file: a lateral pair by its one name where both halves are alike.
+pub fn inadmissible(slots: &[ParamSlot], values: &[f64]) -> Vec<String> {
+    let wrong = |slot: &ParamSlot, x: f64| match slot.bounds.contains(x) {
+        true => None,
+        false if x.is_nan() => Some("is missing".to_string()),
+        false => Some(format!("is {}; it must be {}", format_si(x, slot.unit), slot.bounds.text(slot.unit))),
+    };
+    let mut out: Vec<(&str, String)> = Vec::new();
+    for (slot, &x) in slots.iter().zip(values) {
+        let Some(text) = wrong(slot, x) else { continue };
+        let pair = slot.name.strip_suffix(".y");
+        match (pair, out.last_mut()) {
+            (Some(pair), Some(last)) if last.0.strip_suffix(".x") == Some(pair) && last.1 == text => last.0 = pair,
+            _ => out.push((slot.name.as_str(), text)),
+        }
+    }
+    out.into_iter().map(|(name, text)| format!("{name} {text}")).collect()
 }
 
 /// A set of parameters with a struct for every scalar and a lift between them. Written by [`params!`](crate::params).
@@ -163,4 +183,26 @@ macro_rules! params {
     (@write lateral, $v:ident, $x:expr) => { $v.extend($x) };
     (@default scalar, $d:literal) => { $d };
     (@default lateral, $d:literal) => { [$d; 2] };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names and units of a machine file, digits for people.
+    #[test]
+    fn inadmissible_values_are_named_as_in_a_machine_file() {
+        let slot = |name: &str, unit: &'static str, bounds: Bounds| ParamSlot { name: name.into(), unit, bounds, default: None };
+        let k = Bounds::positive(1e15);
+        let slots = [slot("stiffness.x", "N/m", k), slot("stiffness.y", "N/m", k), slot("mass", "kg", Bounds::closed(1.0, 2.0))];
+        let of = |values: [f64; 3]| inadmissible(&slots, &values);
+        assert!(of([1.0, 2.0, 1.5]).is_empty());
+        assert_eq!(of([-2e6, -2e6, 1.5]), ["stiffness is -2 MN/m; it must be above 0 and at most 1e15 N/m"]);
+        assert_eq!(of([1.0, -2e6, 1.5]), ["stiffness.y is -2 MN/m; it must be above 0 and at most 1e15 N/m"]);
+        let apart = of([-1.0, -2e6, 0.300_000_000_000_000_04]);
+        assert_eq!(apart.len(), 3, "{apart:?}");
+        assert!(apart[0].starts_with("stiffness.x is -1 N/m;") && apart[1].starts_with("stiffness.y is -2 MN/m;"), "{apart:?}");
+        assert_eq!(apart[2], "mass is 300 g; it must be between 1 kg and 2 kg");
+        assert_eq!(of([f64::NAN, f64::NAN, 1.0]), ["stiffness is missing"]);
+    }
 }

@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::erased::{Erased, Evaluate, MovableMasses};
 use super::field::{Attach, Extra, Field};
-use super::params::ParamSlot;
+use super::params::{ParamSlot, inadmissible};
 use super::part::{At, Correction, Dof, DofKind, Energy, Layout, Link, Observed, Outline, Physics, PortKind, Rows, Uses, Validity};
 use super::probe::{self, Probe};
 use crate::diagnostic::{Diagnostic, Diagnostics, Span};
@@ -220,13 +220,8 @@ impl System {
             diagnostics.push(Diagnostic::error("part.parameters", format!("part \"{}\" takes {} parameters", input.name, slots.len())));
             return;
         }
-        for (slot, &value) in slots.iter().zip(&input.params) {
-            if !slot.bounds.contains(value) {
-                let text = if value.is_nan() { "is missing".to_string() } else { format!("= {value} {} is not admissible", slot.unit) };
-                diagnostics.push(
-                    Diagnostic::error("parameter.bounds", format!("\"{}\": {} {text}", input.name, slot.name)).at(input.span.clone()),
-                );
-            }
+        for wrong in inadmissible(&slots, &input.params) {
+            diagnostics.push(Diagnostic::error("parameter.bounds", format!("\"{}\": {wrong}", input.name)).at(input.span.clone()));
         }
         if !diagnostics.has_errors() {
             for (_, message) in part.check(&input.params) {

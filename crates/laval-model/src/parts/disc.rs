@@ -33,6 +33,7 @@ use crate::model::erased;
 use crate::model::field::{Bounds, Field, FieldKind, ParamValues, Values};
 use crate::model::part::{At, Dof, Energy, ErasedPart, Layout, Observed, Params, Part, Physics, Validity};
 use crate::params;
+use crate::units::format_si;
 use laval_num::complex::{Complex, c};
 use laval_num::scalar::Scalar;
 use std::sync::Arc;
@@ -267,8 +268,9 @@ skew = "0.1 mrad"                   # dynamic unbalance
             wrong.push((
                 "polar_inertia",
                 format!(
-                    "no body has a polar inertia ({} kg m^2) above twice its diametral inertia ({} kg m^2); a thin disc has just twice",
-                    p.polar_inertia, p.diametral_inertia
+                    "no body has a polar inertia ({}) above twice its diametral inertia ({}); a thin disc has just twice",
+                    format_si(p.polar_inertia, "kg m^2"),
+                    format_si(p.diametral_inertia, "kg m^2")
                 ),
             ));
         }

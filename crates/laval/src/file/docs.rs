@@ -1,6 +1,5 @@
 //! Documentation of one kind of part or study, from its declaration.
 
-use super::numbers::bounds_text;
 use super::writer::quoted;
 use crate::model::field::{Bounds, DISTRIBUTIONS, Field, FieldKind, KindInfo, MOST_POINTS};
 use crate::units::{describe, examples, write_number, write_si};
@@ -127,7 +126,7 @@ pub fn every_key(what: &str, kind: &KindInfo) -> String {
 /// What a field takes, in words.
 pub fn takes(f: &Field) -> String {
     let number = |unit: &str, b: &Bounds| {
-        let interval = bounds_text(b, unit);
+        let interval = b.text(unit);
         let units = if unit.is_empty() { String::new() } else { format!(" ({})", examples(unit)) };
         format!("{}{units}, {interval}", describe(unit))
     };

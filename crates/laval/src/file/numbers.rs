@@ -9,30 +9,6 @@ use std::collections::BTreeMap;
 type Alternative = (&'static str, &'static str, Bounds, &'static str);
 type Column = (&'static str, &'static str, bool, &'static str);
 
-/// An interval in words, with a capital unit where both ends share one.
-pub(super) fn bounds_text(b: &Bounds, unit: &str) -> String {
-    let n = |x: f64| match unit {
-        "rad/s" | "rad" | "K" => units::format_si(x, unit),
-        _ => units::write_si(x, unit),
-    };
-    let low = match (b.min, b.min_open) {
-        (m, _) if m == f64::NEG_INFINITY => None,
-        (0.0, true) => Some("above 0".to_string()),
-        (m, true) => Some(format!("above {}", n(m))),
-        (0.0, false) => Some("0 or more".to_string()),
-        (m, false) => Some(format!("at least {}", n(m))),
-    };
-    let high = (b.max != f64::INFINITY).then(|| n(b.max));
-    match (low, high) {
-        (None, None) => "finite".into(),
-        (Some(l), None) => l,
-        (None, Some(h)) => format!("at most {h}"),
-        (Some(_), Some(h)) if !b.min_open && b.min != 0.0 => format!("between {} and {h}", n(b.min)),
-        (Some(_), Some(h)) if !b.min_open => format!("between 0 and {h}"),
-        (Some(l), Some(h)) => format!("{l} and at most {h}"),
-    }
-}
-
 impl Context<'_> {
     /// A number with a unit, in SI and inside its bounds.
     pub(super) fn quantity(&mut self, field: &str, node: &Node, unit: &str, bounds: &Bounds) -> Option<f64> {
@@ -64,7 +40,7 @@ impl Context<'_> {
         }
         if !bounds.contains(x) {
             let value = units::format_si(x, unit);
-            let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds_text(bounds, unit));
+            let message = format!("{} is {value}; it must be {}", subject(self.who, field), bounds.text(unit));
             let share = unit.is_empty() && bounds.max == 1.0 && (2.0..=100.0).contains(&x);
             let help = share.then(|| format!("write \"{} %\" if you mean percent", units::write_number(x)));
             let help = help.or_else(|| {

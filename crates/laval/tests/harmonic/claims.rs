@@ -170,3 +170,39 @@ fn a_jump_names_the_instability_on_its_way() {
     assert!(whipped.text.contains("on the way to it are unstable from 4"), "{}", whipped.sentence());
     assert!((whipped.value.unwrap() / calm.value.unwrap() - 1.0).abs() < 1e-6);
 }
+
+/// A machine that nothing forces has no resonance: this is stated, and no speed is named. An eccentricity is one, and so is a tilt of a disc.
+#[test]
+fn nothing_is_called_a_resonance_where_nothing_forces_the_machine() {
+    let machine = |disc: &str, axis: &str| {
+        format!(
+            "[machine]\nspeed = 500\naxis = \"{axis}\"\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 2\n{disc}\n\
+             [[part]]\nkind = \"bearing_cubic\"\nname = \"bearing\"\nbetween = [\"drum\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 2e6\n\
+             cubic_stiffness = 1e12\n[[part]]\nkind = \"damper\"\nbetween = [\"drum\", \"ground\"]\ndamping = 400\n"
+        )
+    };
+    let grid = "x = { parameter = \"drum.mass\", from = 2, to = 3, points = 2 }\ny = { parameter = \"bearing.stiffness\", from = 2e6, to = 3e6, points = 2 }";
+    let range = "speed = { from = 500, to = 1500, points = 3 }";
+    let studies = [
+        ("largest_displacement", "kind = \"nonlinear_response\"\nspeed = { from = 500, to = 1500 }".to_string()),
+        ("largest_peak", format!("kind = \"response_map\"\nspeed = {{ from = 500, to = 1500 }}\n{grid}")),
+        ("largest_displacement", format!("kind = \"sweep\"\n{range}")),
+        ("largest_displacement", format!("kind = \"motion_map\"\nspeed = 500\n{grid}")),
+    ];
+    let outcome = |disc: &str, axis: &str, study: &str| run_all(&format!("{}[[study]]\n{study}\n", machine(disc, axis))).remove(0);
+    for (id, study) in &studies {
+        for axis in ["vertical", "horizontal"] {
+            let o = outcome("", axis, study);
+            let [f] = findings(&o, id)[..] else { panic!("{study} {axis}: {:?}", o.findings) };
+            assert!(f.text.contains("Nothing forces the machine") && f.text.contains("no resonance"), "{study} {axis}: {f:?}");
+            assert_eq!(f.value, Some(0.0));
+            assert!(findings(&o, "smallest_peak").is_empty() && findings(&o, "largest_displacement_of").is_empty());
+        }
+        let o = outcome("eccentricity = 1e-9", "vertical", study);
+        let f = finding(&o, id);
+        assert!(!f.text.contains("Nothing forces") && f.value > Some(0.0), "{study}: {f:?}");
+    }
+    let one = "kind = \"nonlinear_response\"\nspeed = 500";
+    let steady = |disc: &str| finding(&outcome(disc, "vertical", one), "steady_motion").text.clone();
+    assert!(steady("").contains("Nothing forces the machine") && !steady("eccentricity = 1e-6").contains("Nothing forces"));
+}

@@ -6,6 +6,8 @@ use common::planar_file::planar_file;
 use laval::file::load;
 use laval::outcome::{Data, Evidence, Finding, Outcome};
 use laval::report::draw;
+use laval::solve::harmonic::balance::terms::admitted;
+use laval::solve::symmetry::Symmetry;
 use laval::study::Context;
 
 fn machine(law: &str, eccentricity: &str, study: &str) -> Outcome {
@@ -114,4 +116,47 @@ fn a_range_spans_its_branch() {
         count += 1;
     }
     assert!(count > 1, "{:?}", o.findings);
+}
+
+/// A symmetry and a number of turns that exclude each other are refused at the field; an odd number of turns keeps orders below 1 with every symmetry.
+#[test]
+fn turns_and_symmetry_that_exclude_each_other_are_refused() {
+    let text = |law: &str, more: &str| {
+        let rotor = planar_file(law, "1 mm", ["42", "6.59"]);
+        format!("{rotor}\n[[study]]\nkind = \"nonlinear_response\"\nspeed = {{ from = 700, to = 710 }}\nharmonics = 4\n{more}\n")
+    };
+    for (symmetry, turns) in [("quarter", 2), ("half", 2), ("quarter", 4), ("half", 4)] {
+        let text = text("per_axis", &format!("symmetry = \"{symmetry}\"\nsubharmonic = {turns}"));
+        let found = load(&text).err().unwrap_or_else(|| panic!("{symmetry} {turns}")).0;
+        let [d] = found.as_slice() else { panic!("{found:?}") };
+        assert!(d.code == "response.symmetry" && d.message.contains(&format!("{turns} turns")), "{d:?}");
+        assert!(text[d.span.clone().unwrap()].contains(symmetry), "{d:?}");
+        assert!(d.help.as_deref().is_some_and(|h| h.contains("none")), "{d:?}");
+    }
+    for (symmetry, turns) in [("none", 2), ("auto", 2), ("half", 3), ("quarter", 3), ("quarter", 1)] {
+        assert!(load(&text("per_axis", &format!("symmetry = \"{symmetry}\"\nsubharmonic = {turns}"))).is_ok(), "{symmetry} {turns}");
+    }
+    // no symmetry is imposed on two turns, and none is reported
+    let o = machine(
+        "per_axis",
+        "1 mm",
+        "speed = { from = 700, to = 710 }\nharmonics = 4\nsubharmonic = 2\nstability = false\nstates = \"all\"\nstarts = 0",
+    );
+    let Data::Text(symmetry) = &o.find_table("branches").unwrap().column("symmetry").unwrap().data else { panic!("no text") };
+    assert!(!symmetry.is_empty() && symmetry.iter().all(|s| s == "none"), "{symmetry:?}");
+    // circular motion has one order: none of three turns
+    for (more, refused) in [("subharmonic = 3", true), ("subharmonic = 3\nsymmetry = \"half\"", false), ("subharmonic = 1", false)] {
+        let loaded = load(&text("isotropic", more)).unwrap();
+        let codes: Vec<_> = loaded.refusals().iter().map(|r| r.diagnostic.code).collect();
+        assert_eq!(codes, if refused { vec!["response.subharmonic"] } else { vec![] }, "{more}");
+    }
+    for (symmetry, turns, slow) in [
+        (Symmetry::Quarter, 3, vec![-1]),
+        (Symmetry::Quarter, 5, vec![1, -3]),
+        (Symmetry::Half, 3, vec![1, -1]),
+        (Symmetry::Half, 2, vec![]),
+    ] {
+        let below: Vec<i32> = admitted(symmetry, 7, turns).0.into_iter().filter(|n| n.unsigned_abs() < turns as u32 && *n != 0).collect();
+        assert_eq!(below, slow, "{symmetry:?} {turns}");
+    }
 }

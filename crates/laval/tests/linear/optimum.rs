@@ -174,8 +174,17 @@ fn bounds_and_limits_bind() {
     near(said(&o, "optimum", "largest_displacement").value.unwrap(), 1e-4 / (2.0 * d * (1.0 - d * d).sqrt()), 1e-8);
     let r = said(&o, "recommended", "air.damping");
     assert!(r.value == Some(500.0) && r.text.contains("its upper bound"), "{r:?}");
+    // what changes per what, with units: the slope of the closed form at the bound
+    let change = r.text.split("largest_displacement falls by ").nth(1).and_then(|t| t.split(" per N s/m of air.damping").next());
+    let slope = laval::units::read_quantity(change.unwrap_or_else(|| panic!("{r:?}")), "m").unwrap();
+    let peak = |c: f64| {
+        let d = c / (2.0 * 2e6f64.sqrt());
+        1e-4 / (2.0 * d * (1.0 - d * d).sqrt())
+    };
+    near(slope, (peak(499.9) - peak(500.1)) / 0.2, 2e-3);
     // slope from inside: nothing better within the bounds
-    assert!(said(&o, "optimality", "").value.unwrap() > 0.0);
+    let test = said(&o, "optimality", "");
+    assert!(test.value.unwrap() > 0.0 && test.sentence().contains("% of the present largest_displacement per whole range"), "{test:?}");
     // the largest force of the damper grows with it at the top of the range; where it is 120 N
     let force = |c: f64| {
         let o = inner().run(&rotor(c, 1e6), &Context::quiet("r")).unwrap();
@@ -191,7 +200,9 @@ fn bounds_and_limits_bind() {
         &study(vec![Limit { name: "largest_force air".into(), value: 120.0, unit: Some("N".into()), upper: true, span: None }]),
         &system,
     );
-    near(said(&o, "recommended", "air.damping").value.unwrap(), a, 1e-5);
+    let r = said(&o, "recommended", "air.damping");
+    near(r.value.unwrap(), a, 1e-5);
+    assert!(!r.text.contains("falls by") && !r.text.contains("rises by"), "{r:?}");
     let l = said(&o, "limit_reached", "largest_force air");
     assert!(l.value.unwrap() <= 120.0 * (1.0 + 1e-9), "{l:?}");
     // a limit that no machine keeps

@@ -405,6 +405,34 @@ fn wrong_inputs_are_reported() {
     assert!(ramp(&[("programme", table(&[1.0, 2.0]))]).contains("begin at 0"));
 }
 
+/// A run-up that ends where it begins is refused where the file says so, whichever way its speeds are given; one that returns is not.
+#[test]
+fn a_run_up_at_one_speed_is_refused() {
+    let machine = "[machine]\nspeed = 80\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 10\n[[part]]\nkind = \"shaft_lumped\"\n\
+                   between = [\"d\", \"ground\"]\nstiffness = 1e6\n[[study]]\nkind = \"run_up\"\n";
+    for (study, marked) in [
+        ("duration = 1\nfrom = \"100 rad/s\"\nto = \"100 rad/s\"\n", "to = \"100 rad/s\""),
+        ("duration = 1\nfrom = 0.30000000000000004\nto = 0.3\n", "to = 0.3"),
+        ("duration = 1\nto = 0\n", "to = 0"),
+        ("duration = 1\nfrom = 80\n", "from = 80"),
+        ("duration = 1\nfrom = -5\nto = -5\nshape = \"smooth\"\n", "to = -5"),
+        ("duration = 1\npolynomial = [90]\n", "polynomial = [90]"),
+        ("duration = 1\npolynomial = [90, 0]\n", "polynomial = [90, 0]"),
+        ("programme = { time = [0, 1, 2], speed = [60, 60, 60] }\n", "programme = {"),
+    ] {
+        let text = format!("{machine}{study}");
+        let found = laval::file::load(&text).err().unwrap_or_else(|| panic!("{study}")).0;
+        let [d] = found.as_slice() else { panic!("{found:?}") };
+        assert!(d.code == "run_up.speed" && d.message.contains("two different speeds"), "{d:?}");
+        assert!(d.help.as_deref().is_some_and(|h| h.contains("transient")), "{d:?}");
+        // the place of the value, in the line of its field
+        let line = text[..d.span.clone().unwrap().start].rfind('\n').unwrap() + 1;
+        assert!(text[line..].starts_with(marked), "{study}: {}", &text[line..]);
+    }
+    let returns = "programme = { time = [0, 1, 2], speed = [60, 90, 60] }\n";
+    assert!(laval::file::load(&format!("{machine}{returns}")).is_ok());
+}
+
 #[test]
 fn limits_and_cancellation_leave_partial_results() {
     let system = linear(1e-3, None, 42.0, 6.59);

@@ -148,3 +148,14 @@ fn mistakes_of_a_velocity_are_reported() {
             .contains("no velocity of its own")
     );
 }
+
+/// A run-up from standstill to standstill is refused at the field; without it gravity alone separates.
+#[test]
+fn a_run_up_to_standstill_is_refused() {
+    let text = file(SWINGING, "speed = 0\nramp = \"20 s\"\n");
+    let found = load(&text).err().unwrap().0;
+    let [d] = found.as_slice() else { panic!("{found:?}") };
+    assert!(d.code == "separation.ramp" && d.message.contains("two different speeds"), "{d:?}");
+    assert!(text[d.span.clone().unwrap()].contains("20 s"), "{d:?}");
+    assert!(load(&file(SWINGING, "speed = 0\n")).is_ok() && load(&file(SWINGING, "speed = 10\nramp = 20\n")).is_ok());
+}

@@ -178,3 +178,33 @@ fn a_limit_on_the_velocity_is_reached_between_instants() {
         assert!(ends.len() == 1 && (ends[0].value.unwrap() / low - 1.0).abs() < 1e-8, "{:?} {low}", o.findings);
     }
 }
+
+/// What nothing damps neither grows nor decays: it keeps a margin of 0, the whole range through, and no other. What grows keeps none.
+#[test]
+fn a_neutral_mode_is_not_unstable() {
+    let linear = "kind = \"shaft_lumped\"\nstiffness = 2e6\ntilt_stiffness = 2e3\ncoupling = 1e4\n";
+    let cubic = "kind = \"bearing_cubic\"\nlaw = \"isotropic\"\nstiffness = 2e6\ncubic_stiffness = 1e12\n";
+    let driven = "kind = \"bearing_linear\"\nkxx = 2e6\nkyy = 2e6\nkxy = 1e3\nkyx = -1e3\n";
+    let inertia = "diametral_inertia = 0.01\npolar_inertia = 0.015\n";
+    let machine = |disc: &str, held: &str, limits: &str| {
+        let text = format!(
+            "[machine]\nspeed = 200\n[[part]]\nkind = \"disc\"\nname = \"drum\"\nmass = 2\neccentricity = 1e-6\n{disc}\
+             [[part]]\n{held}between = [\"drum\", \"ground\"]\n[limits]\ndisplacement = 1e-3\n{limits}\
+             [[study]]\nkind = \"operating_window\"\nspeed = {{ from = 100, to = 400, points = 20 }}\n"
+        );
+        let loaded = load(&text).unwrap_or_else(|d| panic!("{:?}", d.0));
+        loaded.studies[0].study.run(&loaded.system, &Context::quiet("window")).unwrap()
+    };
+    let ids = |o: &Outcome| o.findings.iter().map(|f| f.id.clone()).collect::<Vec<_>>();
+    for (disc, held) in [(inertia, linear), ("", linear), ("", cubic)] {
+        for limits in ["", "growth_margin = 0\n"] {
+            let o = machine(disc, held, limits);
+            let widest = o.findings.iter().find(|f| f.id == "widest_window").unwrap_or_else(|| panic!("{held}: {:?}", ids(&o)));
+            assert!((widest.value.unwrap() - 300.0).abs() < 1e-9, "{held}: {:?}", o.findings);
+        }
+        let o = machine(disc, held, "growth_margin = 0.1\n");
+        assert!(ids(&o).contains(&"no_window".to_string()) && ids(&o).contains(&"growth_margin".to_string()), "{:?}", ids(&o));
+    }
+    let o = machine("", driven, "growth_margin = 0\n");
+    assert!(ids(&o).contains(&"no_window".to_string()) && ids(&o).contains(&"unstable".to_string()), "{:?}", ids(&o));
+}

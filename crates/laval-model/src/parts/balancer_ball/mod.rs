@@ -471,8 +471,9 @@ body_tilt = false                   # the drum moves in its plane
             wrong.push((
                 "polar_inertia",
                 format!(
-                    "no ring has a polar inertia ({} kg m^2) above twice its diametral inertia ({} kg m^2); a thin ring has just twice",
-                    p.polar_inertia, p.diametral_inertia
+                    "no ring has a polar inertia ({}) above twice its diametral inertia ({}); a thin ring has just twice",
+                    format_si(p.polar_inertia, "kg m^2"),
+                    format_si(p.diametral_inertia, "kg m^2")
                 ),
             ));
         }

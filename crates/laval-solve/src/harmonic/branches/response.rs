@@ -140,12 +140,21 @@ pub type Tick<'a> = &'a dyn Fn(u64);
 /// The symmetry that the request imposes on the motion, and what changes when the machine is turned.
 ///
 /// # Errors
-/// A symmetry the machine does not have, naming a part that breaks it.
+/// A symmetry the machine does not have, naming a part that breaks it; motions of several turns where only circular ones are computed.
 pub fn symmetry(system: &System, request: &Request) -> Result<(Symmetry, Vec<Broken>), Diagnostic> {
     let (found, broken) = probe(system, &probed_speeds(request.speeds));
     // a machine whose nonlinear coordinates do not come in pairs is expanded coordinate by coordinate, which no turn maps onto itself
     let found = if Nonlinear::of(system).paired { found } else { Symmetry::None };
     match request.symmetry {
+        None if found == Symmetry::Circular && request.divisor > 1 => {
+            let message = format!(
+                "the machine is symmetric by any turn: its motion is computed as circular, of order 1 alone, and none of {} turns is among these",
+                request.divisor
+            );
+            let weaker = if request.divisor.is_multiple_of(2) { "symmetry = \"none\"" } else { "symmetry = \"half\" or \"none\"" };
+            Err(Diagnostic::error("response.subharmonic", message)
+                .help(format!("leave subharmonic out, or write {weaker} to keep more orders")))
+        }
         None => Ok((found, broken)),
         Some(s) if s <= found => Ok((s, broken)),
         Some(s) => {

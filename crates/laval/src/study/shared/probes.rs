@@ -1,12 +1,15 @@
 //! What is reported of the motion of bodies: the displacement of their reference points, of every other point that something names, and their tilts. One order, one
 //! set of names and one measure of size for all studies.
 
+use super::speed_range::SpinSpeeds;
 use super::support::probe_name;
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::Axis;
+use crate::solve::characteristic::Characteristic;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::branches::measure::Measure;
+use crate::solve::rest::rest;
 
 /// Indices of the probes: reference points of the bodies in their order, then further points, then tilts.
 pub fn ordered(system: &System) -> Vec<usize> {
@@ -102,4 +105,20 @@ pub fn most(probes: &[Probe], sizes: &[f64], tilt: bool) -> Option<(usize, f64)>
 /// A size that is none beside the loudest of a motion, where what is smaller than this `share` of it is not resolved.
 pub fn still(probe: &Probe, size: f64, loudest: f64, share: f64) -> bool {
     size.abs() <= share * loudest * probe.typical()
+}
+
+/// In place of the largest of sizes that are [`unforced`].
+pub const UNFORCED: &str = "Nothing forces the machine: the largest displacement is {}, and no resonance is reported. Give a disc an eccentricity, an unbalance \
+                            or a skew.";
+
+/// No force turns with the rotor at these speeds, and of a motion there is rounding at most: the sizes tell of no resonance.
+pub fn unforced<'p>(system: &System, speeds: &[SpinSpeeds], sizes: impl IntoIterator<Item = (&'p Probe, f64)>) -> bool {
+    let known: Vec<_> = sizes.into_iter().filter(|s| !s.1.is_nan()).collect();
+    if known.is_empty() || !(loudest(known) <= ROUNDING) {
+        return false;
+    }
+    // unbalance does not act at standstill; what has no rest is not known to be without force
+    let still = |w: f64| rest(system, w).is_ok_and(|about| Characteristic::new(system, &about).loads().1.iter().all(|f| f.abs() == 0.0));
+    let mut ends = speeds.iter().flat_map(|s| [s.from, s.to]).filter(|w| *w != 0.0).peekable();
+    ends.peek().is_some() && ends.all(still)
 }

@@ -7,7 +7,7 @@ use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Slot, System, Workspace};
 use crate::outcome::{Finding, Level, OutcomeError, quantity};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
-use crate::solve::pencil::time_forms;
+use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
 use crate::solve::{rest, turning};
 use serde::{Deserialize, Serialize};
@@ -58,6 +58,16 @@ pub fn runs(flags: impl IntoIterator<Item = bool>) -> Vec<(usize, usize)> {
         }
     }
     out
+}
+
+/// Growth that is rounding beside the largest eigenvalue, 1/s.
+pub fn growth_rounding(spectrum: &Spectrum) -> f64 {
+    ROUNDING * spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max)
+}
+
+/// What the growth rate of a mode may be off by, 1/s: its own error, or that `rounding`. A mode grows by more, or it is neutral.
+pub fn growth_error(m: &MachineMode, rounding: f64) -> f64 {
+    rounding.max(if m.error.is_nan() { 0.0 } else { m.error })
 }
 
 /// `x`, or zero where it does not stand out from rounding beside a number of that `size`.
@@ -184,7 +194,7 @@ pub fn range(field: &str, given: RangeValue, least: usize, values: &Values, diag
 }
 
 /// Least width of a range, relative to its larger end: steps inside a narrower one are lost in the rounding of its values.
-const NARROWEST: f64 = 1e-9;
+pub(in crate::study) const NARROWEST: f64 = 1e-9;
 
 /// The same; what is said besides where it is one value: which study answers then.
 pub fn range_or(

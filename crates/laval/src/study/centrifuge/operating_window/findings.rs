@@ -22,7 +22,8 @@ fn enough(factor: f64) -> f64 {
 /// Why no speed keeps the requirement on stability: the machine grows, or decays less than required.
 fn grows(points: &[Point], required: f64) -> Finding {
     let least = points.iter().map(|p| p.growth).fold(f64::INFINITY, f64::min);
-    if points.iter().all(|p| p.growth > ROUNDING * p.speed.abs()) {
+    // what does not keep a margin of 0 grows by more than its error
+    if !(required > 0.0) || points.iter().all(|p| p.growth > ROUNDING * p.speed.abs()) {
         let text = "The machine is unstable at every speed computed: its growth rate is {} or more. Remove the instability before any other limit counts.";
         return Finding::warning("unstable", text).value(least, "1/s");
     }
@@ -221,6 +222,8 @@ mod tests {
             assert!(f.id == id && f.text.contains(says), "{f:?}");
         }
         assert!(!grows(&points(&[-0.3]), 1.0).text.contains("dissipates"));
+        // of a margin of 0 that is not kept: the growth is more than its error, however slow
+        assert_eq!(grows(&points(&[1e-9, 0.2]), 0.0).id, "unstable");
     }
 
     #[test]

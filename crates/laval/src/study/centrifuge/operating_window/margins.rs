@@ -2,7 +2,7 @@
 
 use super::Policy;
 use super::passage::Passage;
-use super::steady::{Branches, State, linear, spectrum};
+use super::steady::{Branches, Growth, State, linear, spectrum};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::{Body, Slot, System};
 use crate::separation::load::Load;
@@ -170,17 +170,17 @@ impl Evaluator<'_> {
     }
 
     /// Steady states of a machine with its load at a speed, and the growth rate about rest.
-    fn states(&self, system: &System, speed: f64, eigen: f64) -> Result<Vec<State>, Diagnostic> {
+    fn states(&self, system: &System, speed: f64, eigen: Growth) -> Result<Vec<State>, Diagnostic> {
         match self.branches {
             None => Ok(linear(system, speed, eigen)?.into_iter().collect()),
             Some(branches) => branches.at(system, speed),
         }
     }
 
-    /// Largest growth rate of the machine whose contents have separated; `None` where they weigh as before.
-    fn growth_after(&self, speed: f64) -> Result<Option<f64>, Diagnostic> {
+    /// Growth of the machine whose contents have separated; `None` where they weigh as before.
+    fn growth_after(&self, speed: f64) -> Result<Option<Growth>, Diagnostic> {
         let Some(system) = self.required.after.as_deref() else { return Ok(None) };
-        let eigen = spectrum(system, speed)?.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        let eigen = Growth::of(&spectrum(system, speed)?);
         if self.branches.is_none() {
             return Ok(Some(eigen));
         }
@@ -194,27 +194,27 @@ impl Evaluator<'_> {
         let required = self.required;
         let (system, loads) = (self.system, required.cups.iter().map(|c| c.ring.at(speed)).collect::<Vec<Load>>());
         let spectrum = spectrum(system, speed)?;
-        let eigen = spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth());
+        let eigen = Growth::of(&spectrum);
         let states = self.states(system, speed, eigen)?;
         let nonlinear = self.branches.is_some();
         // a linear state that grows is assessed by its growth; of a nonlinear machine only states that last are met
         let met: Vec<&State> = states.iter().filter(|s| s.stable || !nonlinear).collect();
         let met = self.assessed(system, met, speed);
         let before = if nonlinear { worst_growth(&met, &states) } else { eigen };
+        let limit = required.limits.growth;
         // stable before and after the separation; NaN stays
         let (growth, when) = match self.growth_after(speed)? {
             None => (before, ""),
-            Some(after) if !(after <= before) => (after, AFTER),
+            Some(after) if !(after.excess(limit) <= before.excess(limit)) => (after, AFTER),
             Some(_) => (before, BEFORE),
         };
         let mut margins = Vec::new();
         margins.extend(self.vibration(system, &met));
         margins.extend(self.self_centred(system, speed, &met));
-        let limit = required.limits.growth;
         // by the growth rate while borders are sought, then a distance in speed
         margins.push(margin(
             STABLE,
-            if growth == f64::NEG_INFINITY { 1.0 } else { (-growth - limit) / speed.abs() },
+            if growth.rate == f64::NEG_INFINITY { 1.0 } else { -growth.excess(limit) / speed.abs() },
             format!("growth rate{when}"),
         ));
         if let Some(clearance) = required.limits.clearance {
@@ -254,7 +254,7 @@ impl Evaluator<'_> {
         let energy = spin_energy(system, speed) + torque * speed.abs() * duration;
         let unbalance = loads.iter().fold(C64::zero(), |u, l| u + l.unbalance).abs();
         let tilt = required.task.as_ref().and_then(|d| d.vessel.separator.at(speed).tilt()).unwrap_or(f64::NAN);
-        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth, leans })
+        Ok(Point { speed, margins, needed: f64::NAN, tilt, unbalance, states: met.len(), energy, growth: growth.rate, leans })
     }
 
     /// Of the stable states that exist at a speed those that are assessed.
@@ -336,11 +336,12 @@ impl Evaluator<'_> {
 }
 
 /// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.
-fn worst_growth(assessed: &[&State], states: &[State]) -> f64 {
-    match assessed.iter().map(|s| s.growth).reduce(f64::max) {
-        Some(g) => g,
-        None => states.iter().filter(|s| !s.stable).map(|s| s.growth).reduce(f64::min).unwrap_or(f64::NAN),
-    }
+fn worst_growth(assessed: &[&State], states: &[State]) -> Growth {
+    let most = |a: Growth, b: Growth| if b.rate > a.rate { b } else { a };
+    let least = |a: Growth, b: Growth| if b.rate < a.rate || a.rate.is_nan() { b } else { a };
+    let unstable = states.iter().filter(|s| !s.stable).map(|s| s.growth);
+    let found = assessed.iter().map(|s| s.growth).reduce(most).or_else(|| unstable.reduce(least));
+    found.unwrap_or(Growth { rate: f64::NAN, beyond: f64::NAN })
 }
 
 /// Where the centre of mass of a body with what it carries lies in rotor axes, and its height, m: from the force with which they turn and their inertia.

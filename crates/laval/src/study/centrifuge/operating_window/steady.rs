@@ -13,6 +13,7 @@ use crate::solve::linear_response::response;
 use crate::solve::pencil::wants_polish;
 use crate::solve::pencil::{Spectrum, modes_about};
 use crate::solve::rest::rest;
+use crate::study::shared::support::{growth_error, growth_rounding, larger};
 use laval_num::complex::C64;
 use laval_num::newton::{Options, newton};
 use std::collections::BTreeMap;
@@ -40,18 +41,41 @@ pub(super) struct State {
     pub forward: Vec<C64>,
     /// The same of its tilt, rad; 0 of a body that does not tilt.
     pub lean: Vec<C64>,
-    /// Largest growth rate of a disturbance, 1/s.
-    pub growth: f64,
+    /// Of the disturbance that grows most.
+    pub growth: Growth,
     /// Torque of the drive that holds the speed, mean over a turn, N m.
     pub torque: f64,
     /// Does not grow beyond its error.
     pub stable: bool,
 }
 
+/// How fast the disturbance grows that grows most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Growth {
+    /// Its rate, 1/s.
+    pub rate: f64,
+    /// By how much a rate exceeds its error at most, 1/s: not above 0 where nothing grows beyond it.
+    pub beyond: f64,
+}
+
+impl Growth {
+    /// Of a spectrum.
+    pub fn of(spectrum: &Spectrum) -> Self {
+        let rounding = growth_rounding(spectrum);
+        let beyond = spectrum.modes.iter().map(|m| m.growth() - growth_error(m, rounding));
+        Growth { rate: spectrum.least_stable().map_or(f64::NEG_INFINITY, |m| m.growth()), beyond: beyond.fold(f64::NEG_INFINITY, larger) }
+    }
+
+    /// Excess over the rate at which disturbances must die out, 1/s. Where none is required, what neither grows nor decays to its error is kept.
+    pub fn excess(self, required: f64) -> f64 {
+        if required > 0.0 { self.rate + required } else { self.beyond }
+    }
+}
+
 const SAMPLES: usize = 48;
 
 /// What an orbit shows.
-fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f64, stable: bool) -> State {
+fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: Growth) -> State {
     let (n, m) = (system.n(), system.m());
     let (mut q, mut v, mut a, mut z) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
     let bodies = system.bodies();
@@ -67,7 +91,7 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: f
         lean: bodies.iter().map(|b| b.tilt.map_or(C64::zero(), |t| orbit.whirl(t, order).0)).collect(),
         growth,
         torque: 0.0,
-        stable,
+        stable: growth.beyond <= 0.0,
     };
     // NaN stays
     let raise = |x: &mut f64, y: f64| {
@@ -127,7 +151,7 @@ pub(super) fn spectrum(system: &System, speed: f64) -> Result<Spectrum, Diagnost
 }
 
 /// The steady state of a linear machine; `None` at an undamped resonance.
-pub(super) fn linear(system: &System, speed: f64, growth: f64) -> Result<Option<State>, Diagnostic> {
+pub(super) fn linear(system: &System, speed: f64, growth: Growth) -> Result<Option<State>, Diagnostic> {
     let find = |w: f64| rest(system, w);
     let Some(r) = response(system, &find, speed)? else { return Ok(None) };
     let about = rest(system, speed)?;
@@ -144,7 +168,7 @@ pub(super) fn linear(system: &System, speed: f64, growth: f64) -> Result<Option<
         states: vec![states],
         ..Orbit::default()
     };
-    Ok(Some(shown(system, &orbit, &about.q, 1, growth, growth <= 0.0)))
+    Ok(Some(shown(system, &orbit, &about.q, 1, growth)))
 }
 
 /// Branches of the nonlinear response of the machine as it is at one speed: where the states at speeds nearby start from.
@@ -192,10 +216,11 @@ impl Branches {
         for x in found {
             balance.sample(&x, speed);
             let exponents = stability.exponents(&mut balance, &x, speed);
-            let (growth, stable) = exponents.map_or((f64::NAN, false), |e| (e.growth(), e.stable()));
+            let unknown = Growth { rate: f64::NAN, beyond: f64::NAN };
+            let growth = exponents.map_or(unknown, |e| Growth { rate: e.growth(), beyond: e.growth() - e.error });
             let orbit = Orbit::of(&mut balance, &x, speed)
                 .map_err(|e| Diagnostic::error("operating_window.orbit", format!("a steady state cannot be evaluated: {e}")))?;
-            out.push(shown(system, &orbit, &[], d.divisor, growth, stable));
+            out.push(shown(system, &orbit, &[], d.divisor, growth));
         }
         Ok(out)
     }

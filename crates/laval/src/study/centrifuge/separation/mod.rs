@@ -177,6 +177,13 @@ ramp = "30 s"
             Some(w) => Some(w),
             None => speed(values, system, diagnostics),
         };
+        if programmed.is_none() && values.number("ramp").is_some() && speed == Some(0.0) {
+            diagnostics.push(
+                Diagnostic::error("separation.ramp", "a run-up needs two different speeds; this one begins and ends at standstill")
+                    .at(values.span_of("ramp"))
+                    .help("give another speed, or leave ramp out"),
+            );
+        }
         let run_up = match (ramp, values.number("ramp"), speed) {
             (Some(programme), ..) => RunUp::Programme(programme),
             (None, Some(d), Some(w)) if w != 0.0 => {

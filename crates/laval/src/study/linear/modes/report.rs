@@ -11,7 +11,7 @@ use crate::solve::roots::LEAST;
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::region;
-use crate::study::shared::support::{ROUNDING, hertz, inconsistent};
+use crate::study::shared::support::{ROUNDING, growth_error, growth_rounding, hertz, inconsistent};
 use laval_num::complex::C64;
 use laval_num::dense::{Lu, Mat};
 
@@ -30,7 +30,7 @@ pub(super) struct Shown<'a> {
 impl<'a> Shown<'a> {
     pub fn new(study: &'a Modes, system: &'a System, result: &'a ModesResult) -> Self {
         // beside the largest eigenvalue, what is smaller than this is rounding
-        let rounding = ROUNDING * result.spectrum.modes.iter().map(|m| m.value.abs()).fold(0.0, f64::max);
+        let rounding = growth_rounding(&result.spectrum);
         let undamped = system.domains(study.speed).into_iter().find(Domain::undamped).map(|d| d.words);
         let undamped = undamped.filter(|_| result.roots.is_some());
         let threshold = if undamped.is_some() { study.threshold.max(LEAST * study.speed.abs()) } else { study.threshold };
@@ -56,7 +56,7 @@ impl<'a> Shown<'a> {
 
     /// Growth below the rounding of the eigenvalue is no growth.
     fn above(&self, m: &MachineMode, limit: f64) -> bool {
-        !(m.growth() <= limit + self.rounding.max(if m.error.is_nan() { 0.0 } else { m.error }))
+        !(m.growth() <= limit + growth_error(m, self.rounding))
     }
 
     pub fn unstable(&self, m: &MachineMode) -> bool {

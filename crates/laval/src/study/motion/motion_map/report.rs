@@ -80,7 +80,7 @@ pub(super) fn report(study: &MotionMap, system: &System, result: &MotionMapResul
     if let Some(f) = results.remark() {
         outcome = outcome.finding(f);
     }
-    for f in largest(&map).into_iter().chain(repetition(&map)).chain(without(&map, results)) {
+    for f in largest(&map, system).into_iter().chain(repetition(&map)).chain(without(&map, results)) {
         outcome = outcome.finding(f);
     }
     outcome = stored::limits(results, |row, f| map.with_place(f, row), outcome);
@@ -90,7 +90,11 @@ pub(super) fn report(study: &MotionMap, system: &System, result: &MotionMapResul
 }
 
 /// The largest displacement of every body and point, and the largest tilt.
-fn largest(map: &Map) -> Vec<Finding> {
+fn largest(map: &Map, system: &System) -> Vec<Finding> {
+    let sizes = map.sizes.iter().flat_map(|(p, sizes)| sizes.iter().map(move |a| (p, *a)));
+    if probes::unforced(system, &map.study.spin_speeds(system), sizes) {
+        return vec![Finding::info("largest_displacement", probes::UNFORCED).value(0.0, "m")];
+    }
     let one = |(probe, sizes): &(Probe, Vec<f64>)| {
         let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
         let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;

@@ -35,7 +35,9 @@ use crate::solve::motion::{Motion, SpinLaw};
 use crate::solve::programme::{Programme, Shape, Unusable};
 use crate::study::shared::size::Size;
 use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::support::NARROWEST;
 use crate::study::{Context, Study};
+use crate::units::format_si;
 use linear::LinearResponse;
 use serde::{Deserialize, Serialize};
 
@@ -138,7 +140,7 @@ hold = "2 s"
         let before = diagnostics.0.len();
         let initial = start::state_map(values, "initial", system, diagnostics);
         let settings = Settings::read(values);
-        let made = programme(values, system, settings.phase, diagnostics);
+        let made = programme(values, system, settings.phase, diagnostics).filter(|(p, _)| changes(p, values, diagnostics));
         let t_end = made.as_ref().map(|m| m.1 + values.number("hold").unwrap_or(0.0));
         let span = made.as_ref().zip(t_end).map(|((p, _), t)| (t, p.largest_speed()));
         let spectra = Spectra::read(values, system, span.unwrap_or((1.0, 1.0)), diagnostics);
@@ -316,6 +318,25 @@ fn programme(values: &Values, system: &System, phase: f64, diagnostics: &mut Dia
             None
         }
     }
+}
+
+/// Whether the speed changes at all, with a mistake where it does not.
+fn changes(programme: &Programme, values: &Values, diagnostics: &mut Diagnostics) -> bool {
+    let (low, high) = programme.speed_range();
+    if high - low > NARROWEST * high.abs().max(low.abs()) {
+        return true;
+    }
+    let speed = format_si(low, "rad/s");
+    let given = |field: &&str| values.get(field).is_some();
+    let (said, field) = match ["programme", "polynomial", "to"].into_iter().find(given) {
+        Some("to") => (format!("from and to are both {speed}"), "to"),
+        Some(field) => (format!("this {field} stays at {speed}"), field),
+        None => (format!("from and the speed of the machine are both {speed}"), "from"),
+    };
+    let message = format!("a run-up needs two different speeds; {said}");
+    let help = "give another speed, or take a transient study for a constant speed";
+    diagnostics.push(Diagnostic::error("run_up.speed", message).at(values.span_of(field)).help(help));
+    false
 }
 
 impl RunUp {

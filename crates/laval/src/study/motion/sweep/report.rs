@@ -189,6 +189,10 @@ fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
 }
 
 fn largest(shown: &Shown, paths: &[Path], mut outcome: Outcome) -> Outcome {
+    let sizes = paths.iter().flat_map(|p| shown.probes.iter().zip(&p.amplitude)).flat_map(|(p, a)| a.iter().map(move |a| (p, *a)));
+    if probes::unforced(shown.system, &shown.study.spin_speeds(shown.system), sizes) {
+        return outcome.finding(Finding::info("largest_displacement", probes::UNFORCED).value(0.0, "m"));
+    }
     for (k, probe) in shown.probes.iter().enumerate() {
         let of = |p: &'_ Path, i: usize| (p.way, p.speed[i], p.amplitude[k][i], p.motion[i] == "periodic");
         let all = paths.iter().flat_map(|p| (0..p.speed.len()).map(move |i| of(p, i)));

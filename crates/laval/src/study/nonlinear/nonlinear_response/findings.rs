@@ -47,7 +47,12 @@ impl Shown<'_> {
         for r in rising.into_iter().chain(&self.measured.tilt_rising) {
             out.push(self.without_largest(r, &response.branches[r.branch]));
         }
-        if let Some(l) = self.most().filter(|_| displaced && rising.is_none()) {
+        let largest = self.most().filter(|_| displaced && rising.is_none());
+        let unforced = largest.is_some() && self.unforced(request.speeds);
+        if unforced {
+            out.push(Finding::info("largest_displacement", probes::UNFORCED).value(0.0, "m"));
+        }
+        if let Some(l) = largest.filter(|_| !unforced) {
             let peak = l.refined.as_ref();
             let (a, speed) = l.best();
             let end = match l.left {
@@ -73,7 +78,7 @@ impl Shown<'_> {
             );
         }
         let reported = self.measured.largest.iter().filter(|l| !self.only_tilts(l));
-        for l in reported.filter(|_| self.measured.largest.len() > 1 && displaced && rising.is_none()) {
+        for l in reported.filter(|_| self.measured.largest.len() > 1 && displaced && rising.is_none() && !unforced) {
             let (a, speed) = l.best();
             let text = format!("The largest steady displacement of \"{}\" is {{}}, at {} rad/s.", l.owner, significant(speed, 6));
             let slope = l.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
@@ -119,7 +124,7 @@ impl Shown<'_> {
             out.extend(self.fitted());
             out.extend(determinant(response));
         }
-        let d = response.discretisation;
+        let d = response.discretisation.whole();
         let (orders, _) = admitted(d.symmetry, d.harmonics, d.divisor);
         let orders: Vec<f64> = orders.into_iter().map(|n| f64::from(n) / d.divisor as f64).collect();
         out.extend(dense_orders(self.system, request.speeds.1, &orders));

@@ -143,7 +143,13 @@ harmonics = "auto"
         HARMONICS,
         TRUNCATION,
         SYMMETRY,
-        Field::optional("subharmonic", FieldKind::Integer { min: 1, max: 9 }, "1", "period sought, in turns of the rotor"),
+        Field::optional(
+            "subharmonic",
+            FieldKind::Integer { min: 1, max: 9 },
+            "1",
+            "period sought, in turns n of the rotor; of the orders in steps of speed / n symmetry by a quarter turn keeps every fourth (for 3: -1/3, 1, -5/3), by \
+             half a turn every second; even n has no symmetry",
+        ),
         STABILITY,
         Field::optional(
             "check_stability",
@@ -265,6 +271,15 @@ pub(in crate::study) fn request(values: &Values, diagnostics: &mut Diagnostics) 
             )
             .at(values.span_of("harmonics"))
             .help("with subharmonic = n, orders count in steps of speed / n: keep at least n of them"),
+        );
+    }
+    if let Some(by) = symmetry.filter(|s| *s != Symmetry::None && divisor.is_multiple_of(2)) {
+        let message =
+            format!("motions of {divisor} turns of the rotor have no symmetry by a {}: only those of an odd number of turns do", by.name());
+        diagnostics.push(
+            Diagnostic::error("response.symmetry", message)
+                .at(values.span_of("symmetry"))
+                .help("write symmetry = \"none\", or an odd number for subharmonic"),
         );
     }
     if diagnostics.0.len() > before {

@@ -12,6 +12,7 @@ use crate::solve::harmonic::branches::response::{Request, Response};
 use crate::solve::harmonic::stability::floquet::Stability;
 use crate::study::Context;
 use crate::study::shared::probes;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::inconsistent;
 use laval_num::continuation::Zero;
 use laval_num::dense::Mat;
@@ -125,6 +126,8 @@ pub(super) fn outcome(
         );
         outcome = outcome.finding(Finding::warning("unstable", text));
     }
+    let sizes = found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied()));
+    let unforced = if probes::unforced(system, &[SpinSpeeds::one(speed)], sizes) { " Nothing forces the machine." } else { "" };
     for (k, m) in found.iter().enumerate() {
         let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
         let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
@@ -132,7 +135,7 @@ pub(super) fn outcome(
         let reported = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
         for (p, a) in probes.iter().zip(&m.amplitudes).filter(reported) {
             let (what, owner) = (probes::quality(p), probes::owner(p));
-            let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.", m.stability());
+            let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.{unforced}", m.stability());
             let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
             let finding = Finding::info(id, text).of(format!("{} {owner}", k + 1)).value(*a, p.unit());
             outcome = outcome.finding(finding.evidence("largest growth rate", m.growth.0, "1/s").evidence("error", m.growth.1, "1/s"));

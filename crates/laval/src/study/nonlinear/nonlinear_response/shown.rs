@@ -11,6 +11,7 @@ use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::response::{Fold, Request, Response, State, States, Traced};
 use crate::study::shared::probes;
+use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::largest;
 use crate::study::{Context, Study};
 use laval_num::continuation::End;
@@ -41,6 +42,12 @@ impl<'a> Shown<'a> {
     /// The largest displacement of all.
     pub(super) fn most(&self) -> Option<&Largest> {
         self.measured.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
+    }
+
+    /// Nothing moves, because nothing forces the machine.
+    pub(super) fn unforced(&self, (from, to): (f64, f64)) -> bool {
+        let sizes = self.measured.sizes.iter().flatten().flat_map(|s| self.probes.iter().zip(s.iter().copied()));
+        probes::unforced(self.system, &[SpinSpeeds::between(from, to)], sizes)
     }
 
     /// What moves most at a fold, of tilts where nothing is displaced: its probe and the largest value.

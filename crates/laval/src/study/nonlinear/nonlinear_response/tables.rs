@@ -177,7 +177,7 @@ pub(super) fn branch_table(response: &Response, end: outcome::End) -> Result<Tab
         .text(
             "symmetry",
             "turning by which the motion repeats itself",
-            all.iter().map(|b| b.discretisation.symmetry.name().to_string()).collect(),
+            all.iter().map(|b| b.discretisation.whole().symmetry.name().to_string()).collect(),
         )
         .int(
             "images",

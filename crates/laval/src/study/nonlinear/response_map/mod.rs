@@ -172,8 +172,8 @@ speed = { from = "100 rpm", to = "12000 rpm" }
         Ok(ResponseMapResult { cells, end })
     }
 
-    fn report(&self, _: &System, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
-        report::report(self, result, name)
+    fn report(&self, system: &System, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+        report::report(self, system, result, name)
     }
 }
 

@@ -4,9 +4,11 @@ use super::border::{Piece, pieces};
 use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
 use super::{ParameterAxis, ResponseMap, ResponseMapResult, figures};
 use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
 use crate::outcome::{Finding, Outcome, Table, quantity, significant};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
+use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
 use std::collections::BTreeMap;
 
@@ -62,7 +64,7 @@ fn jumps(word: &str) -> Option<bool> {
     }
 }
 
-pub(super) fn report(study: &ResponseMap, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
+pub(super) fn report(study: &ResponseMap, system: &System, result: &ResponseMapResult, name: &str) -> Result<Outcome, Diagnostic> {
     let results = &result.cells;
     let values = &study.axes.each_ref().map(ParameterAxis::values);
     let floats = results.columns.iter().filter(|c| c.0.kind == Kind::Float);
@@ -77,7 +79,7 @@ pub(super) fn report(study: &ResponseMap, result: &ResponseMapResult, name: &str
     for f in failures(&map, results) {
         outcome = outcome.finding(f);
     }
-    for f in jumping(&map).into_iter().chain(peaks(&map)).chain(instability(&map, results)).chain(validity(&map, results)) {
+    for f in jumping(&map).into_iter().chain(peaks(&map, system)).chain(instability(&map, results)).chain(validity(&map, results)) {
         outcome = outcome.finding(f);
     }
     let points = map.column("points").iter().filter(|p| p.is_finite()).sum::<f64>();
@@ -142,7 +144,12 @@ fn jumping(map: &Map) -> Vec<Finding> {
 const PEAK: (&str, &str, &str) = ("peak", "peak_speed", "m");
 
 /// The largest and the smallest peak of the map, and the largest tilt.
-fn peaks(map: &Map) -> Vec<Finding> {
+fn peaks(map: &Map, system: &System) -> Vec<Finding> {
+    let all = probes::all(system);
+    let sizes = all.iter().flat_map(|p| map.column(if p.is_tilt() { TILT } else { PEAK.0 }).iter().map(move |a| (p, *a)));
+    if probes::unforced(system, &map.study.spin_speeds(system), sizes) {
+        return vec![Finding::info("largest_peak", probes::UNFORCED).value(0.0, "m")];
+    }
     let one = |id: &str, what: &str, (column, at, unit): (&str, &str, &str), sign: f64| {
         let (cell, peak) = map.best(column, sign)?;
         let of = |name: &str| map.column(name).get(cell).copied().unwrap_or(f64::NAN);

@@ -93,8 +93,9 @@ fn parameters(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
             let end = |(x, bound): (f64, bool)| format!("{}{}", with(x, v.unit), if bound { " (the bound)" } else { "" });
             format!(" Within {} % of the best from {} to {}.", significant(100.0 * study.tolerance, 3), end(s.ends[0]), end(s.ends[1]))
         });
+        let slope = at_bound(study, found, best, k).unwrap_or_default();
         let head = if found.complete { "Recommended" } else { "Best before the study stopped" };
-        let text = format!("{head}: {} = {{}}{at}.{range} The machine has {}.", v.path, with(v.now, v.unit));
+        let text = format!("{head}: {} = {{}}{at}.{slope}{range} The machine has {}.", v.path, with(v.now, v.unit));
         let end = |side: usize| found.stray.get(k).map_or(f64::NAN, |s| s.ends[side].0);
         Finding::info("recommended", text)
             .of(&v.path)
@@ -103,6 +104,27 @@ fn parameters(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
             .evidence("to", end(1), v.unit)
     };
     study.vary.iter().enumerate().map(say).collect()
+}
+
+/// How the number changes towards the bound at which a parameter lies. None where limits are reached: slopes then count what exceeds them.
+fn at_bound(study: &Optimum, found: &Found, best: &Run, k: usize) -> Option<String> {
+    let u = best.place[k];
+    let inwards = if u <= AT_BOUND {
+        1.0
+    } else if u >= 1.0 - AT_BOUND {
+        -1.0
+    } else {
+        return None;
+    };
+    if study.limits.iter().zip(&best.limited).any(|(l, x)| !(l.excess(*x) < -REACHED)) {
+        return None;
+    }
+    let slope = found.slopes.iter().find(|s| s.along == Some((k, inwards)))?.slope;
+    let v = &study.vary[k];
+    let rate = slope.abs() * found.size() * TEST / (v.value(u + inwards * TEST) - v.value(u)).abs();
+    let word = if (slope > 0.0) == study.aim.large { "rises" } else { "falls" };
+    let unit = if v.unit.is_empty() { "unit" } else { v.unit };
+    rate.is_finite().then(|| format!(" Towards it {} {word} by {} per {unit} of {}.", study.aim.name, with(rate, &found.unit), v.path))
 }
 
 fn limits(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
@@ -128,23 +150,33 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
     }
     let worst = found.slopes.iter().map(|s| s.slope).fold(f64::INFINITY, |m, s| if s < m || s.is_nan() { s } else { m });
     let count = found.slopes.len();
+    let counted = if study.limits.is_empty() { "" } else { ", with what exceeds limits counted" };
+    let (per, shown) = if found.relative() {
+        (format!(" of the present {} per whole range between the bounds{counted}", study.aim.name), (100.0 * worst, "%"))
+    } else {
+        (format!(" per whole range between the bounds{counted}"), (worst, found.unit.as_str()))
+    };
     // what a smooth optimum shows at that distance is curvature
     let finding = if worst >= 0.0 {
-        let text = format!("None of {count} machines at a distance of {TEST:.0e} of the bounds is better: the least slope is {{}}.");
+        let text = format!("None of {count} machines at a distance of {TEST:.0e} of the bounds is better: the least slope is {{}}{per}.");
         Finding::info("optimality", text)
     } else if worst >= -1e-2 {
         let better = significant(100.0 * TEST * -worst, 2);
         let text = format!(
-            "Of {count} machines at a distance of {TEST:.0e} of the bounds the best is better by {better} % only: the search has arrived (least slope {{}})."
+            "Of {count} machines at a distance of {TEST:.0e} of the bounds the best is better by {better} % only: the search has arrived (least slope {{}}{per})."
         );
         Finding::info("optimality", text)
     } else {
         let text = format!(
-            "Of {count} machines at a distance of {TEST:.0e} of the bounds one is better: the search has not arrived (slope {{}}). Allow more runs."
+            "Of {count} machines at a distance of {TEST:.0e} of the bounds one is better: the search has not arrived (slope {{}}{per}). Allow more runs."
         );
         Finding::warning("optimality", text)
     };
-    out = out.finding(finding.value(worst, "").evidence("distance of the machines tested, as a share of the bounds", TEST, ""));
+    out = out.finding(finding.value(worst, "").shown_as(shown.0, shown.1).evidence(
+        "distance of the machines tested, as a share of the bounds",
+        TEST,
+        "",
+    ));
     let short = found.trails.iter().filter(|t| t.ended == Ended::Evaluations).count();
     // what every search found alike needs no such caution
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();

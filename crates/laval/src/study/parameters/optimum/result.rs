@@ -86,3 +86,20 @@ pub struct Found {
     /// Weight of the penalty at the end.
     pub weight: f64,
 }
+
+/// What the number is divided by where it is minimised: that of the machine as it is, or 1 where that is zero or has none.
+pub(super) fn size(now: f64) -> f64 {
+    if now.is_finite() && now != 0.0 { now.abs() } else { 1.0 }
+}
+
+impl Found {
+    /// Slopes are of the number over that of the machine as it is.
+    pub(super) fn relative(&self) -> bool {
+        self.now.is_finite() && self.now != 0.0
+    }
+
+    /// What the number is divided by in slopes.
+    pub(super) fn size(&self) -> f64 {
+        size(self.now)
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::machine::at;
 use super::request::number;
-use super::result::{Along, Found, Run, Slope, Stray, Trail};
+use super::result::{Along, Found, Run, Slope, Stray, Trail, size};
 use super::{Context, Limit, Optimum};
 use crate::model::system::System;
 use crate::study::parameters::uncertainty::collect::{Quantity, Sample, sample, with_sizes};
@@ -92,7 +92,7 @@ impl Bench<'_> {
 
     /// What is minimised.
     fn merit(&self, run: &Run, weight: f64) -> f64 {
-        let size = if self.now != 0.0 { self.now.abs() } else { 1.0 };
+        let size = size(self.now);
         let sign = if self.study.aim.large { -1.0 } else { 1.0 };
         let beyond: f64 =
             self.study.limits.iter().zip(&run.limited).map(|(l, x)| if l.excess(*x) <= 0.0 { 0.0 } else { l.excess(*x) }).sum();
