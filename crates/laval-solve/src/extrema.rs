@@ -36,7 +36,7 @@ pub struct Curve {
     pub points: Vec<Response>,
     /// By probe, then speed.
     pub extrema: Vec<Extremum>,
-    /// Speeds where the response is infinite.
+    /// Speeds requested at which the response is infinite, exactly or to rounding: those without response, and ends of the range.
     pub singular: Vec<f64>,
     /// Speeds where a part has no accurate reaction, and the response is not known.
     pub unknown: Vec<f64>,
@@ -44,6 +44,17 @@ pub struct Curve {
     pub complete: bool,
     /// Linear systems solved.
     pub solved: u64,
+}
+
+impl Curve {
+    /// Speeds at which the response has no bound, rising.
+    pub fn poles(&self) -> Vec<f64> {
+        let maxima = self.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed);
+        let mut out: Vec<f64> = maxima.chain(self.singular.iter().copied()).collect();
+        out.sort_by(f64::total_cmp);
+        out.dedup_by(|b, a| (*b - *a).abs() <= FAR * NARROW * a.abs());
+        out
+    }
 }
 
 /// Frequency above which no mode can meet an excitation of this frequency on its way through the speeds computed.
@@ -117,6 +128,30 @@ fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
     }
 }
 
+/// A computed response is what rounding makes of infinity, where it is seen by these probes: as [`pole`], of all of them at once.
+pub fn unbounded_at(system: &System, state: State, probes: &[Probe], speed: f64) -> bool {
+    let beside = |d: f64| -> Vec<Response> {
+        [-d, d].into_iter().filter_map(|d| response(system, state, speed + d * speed).ok().flatten()).collect()
+    };
+    let (near, far) = (beside(10.0 * NARROW), beside(FAR * NARROW));
+    let largest = |of: &[Response], p: &Probe| of.iter().map(|r| r.size(p)).fold(0.0, f64::max);
+    // what moves by rounding alone has no pole
+    let loudest = far.iter().map(|r| loudest(r, probes)).fold(0.0, f64::max);
+    !near.is_empty() && !far.is_empty() && probes.iter().any(|p| largest(&near, p) > (STEEP * largest(&far, p)).max(still(loudest, p)))
+}
+
+/// The response at a critical speed of a mode that nothing excites: that beside it. None where it has no bound.
+fn through(system: &System, state: State, probes: &[Probe], speed: f64) -> Option<Response> {
+    if unbounded_at(system, state, probes, speed) {
+        return None;
+    }
+    let beside = |d: f64| response(system, state, speed + d * speed).ok().flatten();
+    beside(10.0 * NARROW).or_else(|| beside(-10.0 * NARROW)).map(|r| Response { speed, ..r })
+}
+
+/// Growth of an amplitude from twice a distance beside a pole to that distance from which on it shares the pole.
+const SHARES: f64 = 1.01;
+
 /// Response over given speeds and between them, with the extrema of the amplitudes of these probes; `each` stops the work by saying false.
 ///
 /// # Errors
@@ -143,12 +178,20 @@ pub fn curve(
             Some(r) => r,
             None => {
                 out.solved += 1;
-                let Some(r) = response(system, state, w)? else {
-                    let list = if is_known(system, state, w)? { &mut out.singular } else { &mut out.unknown };
-                    list.push(w);
-                    continue;
-                };
-                r
+                match response(system, state, w)? {
+                    Some(r) => r,
+                    None if !is_known(system, state, w)? => {
+                        out.unknown.push(w);
+                        continue;
+                    }
+                    None => match through(system, state, probes, w) {
+                        Some(r) => r,
+                        None => {
+                            out.singular.push(w);
+                            continue;
+                        }
+                    },
+                }
             }
         };
         if let Some(left) = out.points.last()
@@ -216,12 +259,28 @@ pub fn curve(
             .collect();
         out.extrema.extend(found.into_iter().zip(deep).filter_map(|(e, keep)| keep.then_some(e)));
     }
+    let mut ends: Vec<f64> = [out.points.first(), out.points.last()].into_iter().flatten().map(|r| r.speed).collect();
+    ends.dedup();
+    ends.retain(|&w| unbounded_at(system, state, probes, w));
+    out.singular.extend(ends);
     // beside a pole the numbers are what rounding makes of infinity
-    for e in out.extrema.iter_mut().filter(|e| e.unbounded) {
+    let poles = out.poles();
+    let at_pole = |w: f64| poles.iter().any(|p| (w - p).abs() <= FAR * NARROW * p.abs());
+    for e in out.extrema.iter_mut().filter(|e| e.maximum && at_pole(e.speed)) {
+        let beside =
+            |d: f64| Some(search.at(e.speed - d * e.speed, &probes[e.probe])?.max(search.at(e.speed + d * e.speed, &probes[e.probe])?));
+        let shares = match (beside(10.0 * NARROW), beside(20.0 * NARROW)) {
+            (Some(near), Some(far)) => near > SHARES * far,
+            _ => true,
+        };
+        e.unbounded |= shares;
         e.value = f64::NAN;
-        for p in out.points.iter_mut().filter(|p| (p.speed - e.speed).abs() <= FAR * NARROW * e.speed) {
-            p.x.fill(c(f64::NAN, f64::NAN));
-        }
+    }
+    // a maximum of rounding
+    out.extrema.retain(|e| !e.maximum || e.unbounded || !at_pole(e.speed));
+    for p in out.points.iter_mut().filter(|p| at_pole(p.speed)) {
+        p.x.fill(c(f64::NAN, f64::NAN));
+        p.residual = f64::NAN;
     }
     Ok(out)
 }

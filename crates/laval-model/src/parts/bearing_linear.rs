@@ -7,7 +7,7 @@
 //! [Fy] = - [kyx kyy] [y] - [cyx cyy] [y']
 //! ```
 //!
-//! A table is interpolated by a monotone piecewise cubic over the spin speed W, with exact derivative. Beyond its ends it has no values unless `beyond` says
+//! A table is interpolated by a monotone piecewise cubic over the spin speed W (PCHIP, `laval_num::interpolate`), with exact derivative. Beyond its ends it has no values unless `beyond` says
 //! how it continues: as a constant, or along the tangents at its ends.
 //!
 //! `stiffness = k` is short for kxx = kyy = k, `damping = c` for cxx = cyy = c.
@@ -189,7 +189,8 @@ cyy = "3e4 N s/m"
                 ("cyy", "N s/m", false, "damping in y against y"),
             ]),
             "",
-            "coefficients over speed, instead of constant ones",
+            "coefficients over speed, instead of constant ones; between the rows each column is a monotone cubic (PCHIP, slopes of Fritsch and Butland), which stays between \
+                the values of neighbouring rows; two rows are joined by a straight line",
         ),
         Field::optional(
             "beyond",
@@ -398,6 +399,23 @@ mod tests {
             let e = bearing.energy(&p, &at).unwrap();
             let per_turn = e.supplied * std::f64::consts::TAU / 200.0;
             assert!((per_turn - sign * std::f64::consts::PI * 1e-6 * 4e5).abs() < 1e-12);
+        }
+    }
+
+    /// The harmonic mean of the slopes beside an inner row, weighted by `p = 2 h_i + h_{i-1}` and `r = h_i + 2 h_{i-1}`, and no slope where the column turns.
+    #[test]
+    fn between_its_rows_a_table_is_the_cubic_that_its_documentation_names() {
+        let field = BearingLinear::FIELDS.iter().find(|f| f.name == "table").unwrap();
+        assert!(field.doc.contains("monotone cubic") && field.doc.contains("PCHIP"), "{}", field.doc);
+        let kxx = |speed: f64| BearingLinear::tabulated(link(), table()).coefficients(&BearingLinearParams::new(), speed).value[0];
+        let (d0, d1, h) = (2e6 / 150.0, 1e6 / 150.0, 150.0);
+        let (s1, s2) = (6.0 * h / (3.0 * h / d0 + 3.0 * h / d1), 0.0);
+        // cubic Hermite in the middle of the second interval
+        let middle = 0.5 * (3e6 + 4e6) + h / 8.0 * (s1 - s2);
+        assert!((kxx(275.0) / middle - 1.0).abs() < 1e-12, "{} {middle}", kxx(275.0));
+        for k in 0..=60 {
+            let speed = 350.0 + 250.0 * f64::from(k) / 60.0;
+            assert!((3.5e6 - 1e-3..=4e6 + 1e-3).contains(&kxx(speed)), "{speed}");
         }
     }
 

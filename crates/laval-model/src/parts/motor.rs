@@ -124,7 +124,7 @@ inertia = "0.02 kg m^2"
             "table",
             FieldKind::Columns(&[("speed", "rad/s", true, "spin speed, increasing"), ("share", "", true, "torque there over torque")]),
             "",
-            "torque at given speeds as shares of torque, joined smoothly, constant outside",
+            "torque at given speeds as shares of torque; between the rows a monotone cubic (PCHIP, slopes of Fritsch and Butland), constant outside",
         ),
     ];
 

@@ -92,6 +92,32 @@ fn a_whirl_keeps_its_frequency_within_rounding_only() {
     }
 }
 
+/// The drive that keeps a damped whirl up makes up for all of its damping: the family begins at `sqrt(k/m)` = 1000 rad/s and is named by it, not by the damped
+/// frequency, 995 rad/s at a damping ratio of 0.1. Without damping both are the same.
+#[test]
+fn a_damped_family_is_named_by_the_frequency_at_which_it_begins() {
+    for damping in [400.0f64, 0.0] {
+        let text = format!(
+            "[machine]\nspeed = \"100 rad/s\"\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\n\
+             [[part]]\nkind = \"bearing_cubic\"\nbetween = [\"d\", \"ground\"]\nlaw = \"isotropic\"\nstiffness = 2e6\ncubic_stiffness = 4e13\n\
+             [[part]]\nkind = \"damper\"\nbetween = [\"d\", \"ground\"]\ndamping = {damping}\n\
+             [[study]]\nkind = \"backbone\"\namplitude = {{ from = \"20 um\", to = \"100 um\" }}\n"
+        );
+        let o = run_all(&text).remove(0);
+        let damped = (1e6 - (damping / 4.0).powi(2)).sqrt();
+        let modes = column(&o, "modes", "frequency");
+        assert!(!modes.is_empty() && modes.iter().all(|w| (w.abs() / damped - 1.0).abs() < 1e-6), "{modes:?}");
+        let families = findings(&o, "family");
+        assert!(!families.is_empty());
+        for f in families {
+            assert!((f.value.unwrap().abs() / 1000.0 - 1.0).abs() < 1e-6, "{}", f.sentence());
+        }
+        // at 20 um the bearing has added to its stiffness already
+        let first = column(&o, "backbone", "frequency")[0].abs();
+        assert!((first / (1e6 + 0.5 * 4e13 * 4e-10f64).sqrt() - 1.0).abs() < 1e-6, "{first}");
+    }
+}
+
 /// A whirl has the frequency of the spin at the amplitude at which `k + c a^2 = m W^2`, if that lies among
 /// those computed.
 #[test]

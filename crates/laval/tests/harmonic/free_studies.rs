@@ -125,7 +125,7 @@ fn studies_stop_when_requested() {
 
 /// At rest every whirl of a round machine goes round either way: one family for each pair, whatever rounding a stiff mode leaves in the frequency of a soft
 /// one. A wheel that turns, however slowly, has different families both ways, all of them kept; and a family
-/// has the frequency of the mode it begins at, not of its first amplitude.
+/// has the frequency at which it begins, that of vanishing amplitude, not of its first amplitude.
 #[test]
 fn families_of_both_directions() {
     let study = "kind = \"backbone\"\namplitude = { from = \"20 um\", to = \"100 um\" }\nharmonics = 3\nspeed";

@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::{Attach, Value, Values};
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::outcome::{End, Outcome};
+use laval::outcome::{End, Level, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, shaft_lumped::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
@@ -90,6 +90,19 @@ fn a_growing_transient_within_its_bound_has_no_largest_displacement() {
     let f = o.findings.iter().find(|f| f.id == "largest_displacement").unwrap();
     assert!(f.text.contains("still grows"), "{}", f.text);
     assert!(has(&o, "growth_rate") && has(&o, "energy_balance"));
+}
+
+/// `z'' + w^2 z = E w^2 exp(i w t)` from rest: the displacement grows like `E w t/2`, beside a part that stays below E. There is no rate.
+#[test]
+fn growth_at_an_undamped_resonance_is_linear_in_time() {
+    let w = (K / M).sqrt();
+    let o = run::<Transient>(&undamped(0.0), &[("duration", Value::Number(400.0 / w)), ("speed", Value::Number(w))]);
+    assert!(!has(&o, "growth_rate"), "{:?}", o.findings);
+    let f = o.findings.iter().find(|f| f.id == "no_growth_rate").unwrap_or_else(|| panic!("{:?}", o.findings));
+    assert!(f.level == Level::Warning && f.text.contains("grows linearly in time") && f.unit == "m/s", "{f:?}");
+    assert!((f.value.unwrap() / (0.5 * E * w) - 1.0).abs() < 0.02, "{f:?}");
+    let f = o.findings.iter().find(|f| f.id == "largest_displacement").unwrap();
+    assert!(f.text.contains("still grows"), "{}", f.text);
 }
 
 #[test]

@@ -246,6 +246,57 @@ fn an_undamped_resonance_has_no_amplitude() {
     assert!(!damped.findings.iter().any(|f| f.id == "undamped_resonance"));
 }
 
+/// Two springs of stiffness k at heights of 0.1 m hold a disc of 4 kg: displacement resonates at `sqrt(2 k/m)`, tilt at `sqrt(2 k h^2/(A - C))`. At either,
+/// inside the range, at its end, or alone, no amplitude and no use of a validity has a number.
+#[test]
+fn without_bound_no_validity_has_a_number() {
+    let (m, a, polar, k, h) = (4.0, 0.02, 0.008, 4e5f64, 0.1);
+    let (sways, cones) = ((2.0 * k / m).sqrt(), (2.0 * k * h * h / (a - polar)).sqrt());
+    let disc = DiscParams { eccentricity: 1e-5, diametral_inertia: a, polar_inertia: polar, skew: 1e-3, ..DiscParams::new(m) };
+    let spring = |z: f64| BearingCubic::isotropic(Link::Between(Attach::at("disc", z), Attach::ground()));
+    let machine = |damping: f64| {
+        let law = BearingCubicParams { stiffness: [k; 2], cubic_stiffness: [0.0; 2], valid_to: 1e-4 };
+        let air = |z: f64| Damper::fixed(Link::Between(Attach::at("disc", z), Attach::ground()));
+        let loss = DamperParams { damping: [damping; 2], tilt_damping: 0.0 };
+        let sprung =
+            Builder::new("conical").part("disc", Disc::tilting(), disc).part("upper", spring(h), law).part("lower", spring(-h), law);
+        sprung.part("air above", air(h), loss).part("air below", air(-h), loss).build().unwrap()
+    };
+    let of = |o: &Outcome, id: &str| o.findings.iter().filter(|f| f.id == id).cloned().collect::<Vec<_>>();
+    let undamped = machine(0.0);
+    for (from, to) in [(100.0, 1000.0), (600.0, 1000.0), (600.0, cones), (cones, cones)] {
+        let o = run(&undamped, from, to);
+        let poles = of(&o, "undamped_resonance");
+        assert!(poles.iter().any(|f| (f.value.unwrap() / cones - 1.0).abs() < 1e-6), "{from} {to}: {:?}", o.findings);
+        let outside = of(&o, "validity");
+        for part in ["disc", "upper", "lower"] {
+            let f = outside.iter().find(|f| f.text.contains(part)).unwrap_or_else(|| panic!("{from} {to} {part}: {:?}", o.findings));
+            assert!(f.value.is_none() && f.text.contains("without bound"), "{from} {to}: {}", f.sentence());
+        }
+        assert!(of(&o, "tilt").is_empty() && of(&o, "largest_tilt_resonance").is_empty(), "{from} {to}: {:?}", o.findings);
+        let numbers = o.findings.iter().flat_map(|f| f.value.into_iter().chain(f.evidence.iter().map(|e| e.value)));
+        assert!(numbers.into_iter().all(|x| x.abs() < 2e3), "{from} {to}: {:?}", o.findings);
+        let t = o.find_table("response").unwrap();
+        let last = t.column("validity").unwrap();
+        assert!(to != cones || last.number(t.rows() - 1).is_none_or(f64::is_nan), "{from} {to}");
+    }
+    // beside the resonances, and with damping, all have numbers
+    for (system, from, to) in [(&undamped, 500.0, 700.0), (&machine(40.0), 100.0, 1000.0), (&machine(40.0), cones, cones)] {
+        let o = run(system, from, to);
+        assert!(of(&o, "undamped_resonance").is_empty(), "{from} {to}: {:?}", o.findings);
+        assert!(o.findings.iter().all(|f| !f.text.contains("without bound")), "{from} {to}: {:?}", o.findings);
+        assert!(of(&o, "validity").iter().all(|f| f.value.is_some_and(|x| x > 1.0)), "{from} {to}: {:?}", o.findings);
+    }
+    // nothing excites the backward whirl of the tilt: its critical speed is no pole
+    let backward = (2.0 * k * h * h / (a + polar)).sqrt();
+    let o = run(&undamped, backward, backward);
+    assert!(of(&o, "undamped_resonance").is_empty() && of(&o, "tilt").len() == 1, "{:?}", o.findings);
+    // a displacement alone, beside a tilt that stays bounded
+    let o = run(&undamped, 300.0, sways);
+    assert!((of(&o, "undamped_resonance")[0].value.unwrap() / sways - 1.0).abs() < 1e-6, "{:?}", o.findings);
+    assert!(of(&o, "validity").iter().all(|f| !f.text.contains("\"disc\"")), "{:?}", o.findings);
+}
+
 /// Stopped early, a study claims only what it computed, and names the limit.
 #[test]
 fn stopped_early_nothing_is_claimed_of_the_rest() {

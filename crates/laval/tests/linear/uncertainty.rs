@@ -132,13 +132,26 @@ fn indices_of_a_product_of_powers() {
     let q = o.find_table("quantities").unwrap();
     assert_eq!(number(q, "count", rows(&o, "quantities", &[("quantity", NAME)])[0]), 512.0);
     assert!(o.findings.iter().any(|f| f.id == "most_influential" && f.subject == NAME && f.text.contains("shaft.stiffness")));
+    // an index stands with its interval
+    for f in o.findings.iter().filter(|f| f.id == "most_influential") {
+        assert!(f.text.matches("95 % interval").count() == 2 && f.text.contains("first-order index"), "{}", f.sentence());
+    }
     // a few sentences lead; the tables have all
     for id in ["distribution", "most_influential"] {
         let count = o.findings.iter().filter(|f| f.id == id).count();
         assert!((1..=4).contains(&count), "{count} {id}");
     }
-    assert!(o.findings.iter().filter(|f| f.id == "no_indices").count() <= 1);
+    assert!(o.findings.iter().filter(|f| f.id == "no_indices" && f.text.contains("too seldom")).count() <= 1);
     assert!(o.find_table("quantities").unwrap().is_leading());
+    // of four base points no index is stated
+    let o = run(&format!("study = \"critical_speeds\"\nsamples = 4\nindices = \"sobol\"\n{parameters}"));
+    assert!(o.findings.iter().all(|f| f.id != "most_influential"), "{:?}", o.findings);
+    assert!(
+        o.findings.iter().any(|f| f.id == "no_indices" && f.text.contains("is too small for the sensitivity indices")),
+        "{:?}",
+        o.findings
+    );
+    assert!(o.find_table("indices").unwrap().rows() > 0);
 }
 
 #[test]
@@ -153,6 +166,7 @@ fn elementary_effects_order_the_parameters() {
     let at = |path| rows(&o, "effects", &[("quantity", NAME), ("parameter", path)])[0];
     // the eccentricity does nothing; the step from 1/8 or 3/8 to 5/8 or 7/8 of the interval of the stiffness
     assert!(number(t, "mu_star", at("disc.eccentricity")) < 1e-6);
+    assert!(o.findings.iter().filter(|f| f.id == "most_influential").all(|f| f.text.contains("95 % interval")), "{:?}", o.findings);
     let w = |u: f64| ((1.9e5 + 2e4 * u) / 2.0).sqrt();
     let (small, large) = (2.0 * (w(0.875) - w(0.375)), 2.0 * (w(0.625) - w(0.125)));
     let mu = number(t, "mu_star", at("shaft.stiffness"));

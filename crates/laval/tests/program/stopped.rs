@@ -127,6 +127,55 @@ fn a_window_whose_passage_the_work_limit_ends_is_no_mistake() {
     assert_eq!(run(&machine, study, &Cancel::default(), 2).end, End::WorkLimit);
 }
 
+/// The window of the machine itself is complete when its robust window and its map are stopped: it is shown, and they are named.
+#[test]
+fn a_window_stopped_in_its_later_parts_names_them() {
+    let machine = r#"
+[machine]
+speed = "300 rad/s"
+[[part]]
+kind = "disc"
+name = "drum"
+mass = "2 kg"
+eccentricity = "50 um"
+[[part]]
+kind = "bearing_linear"
+name = "bearing"
+between = ["drum", "ground"]
+stiffness = "2e5 N/m"
+[[part]]
+kind = "damper"
+name = "losses"
+between = ["drum", "ground"]
+damping = "55 N s/m"
+[limits]
+displacement = "0.2 mm"
+"#;
+    let main = "kind = \"operating_window\"\nspeed = { from = 50, to = 900, points = 20 }\n";
+    let all = format!(
+        "{main}uncertain = {{ drum.mass = 0.1, losses.damping = 0.1 }}\n\
+         map = {{ parameter = \"losses.damping\", from = \"40 N s/m\", to = \"80 N s/m\" }}\n"
+    );
+    let alone = run(machine, main, &Cancel::default(), u64::MAX);
+    assert!(findings(&alone, "incomplete").is_empty() && alone.find_table("speeds").is_some(), "{}", text(&alone));
+    let whole = run(machine, &all, &Cancel::default(), u64::MAX);
+    assert!(whole.end == End::Reached && findings(&whole, "incomplete").is_empty(), "{}", text(&whole));
+    let (own, both) = (spent(machine, main), spent(machine, &all));
+    let within = |share: f64| Cancel::after(own + ((both - own) as f64 * share) as u64);
+    let speeds = alone.work["speeds"];
+    for (o, end, robust) in [
+        (run(machine, &all, &within(0.03), u64::MAX), End::Cancelled, false),
+        (run(machine, &all, &within(0.9), u64::MAX), End::Cancelled, true),
+        (run(machine, &all, &Cancel::default(), speeds + 2), End::WorkLimit, false),
+    ] {
+        assert_eq!(o.end, end, "{}", text(&o));
+        let f = finding(&o, "incomplete").sentence();
+        assert!(f.contains("the map") && f.contains("the robust window") != robust, "{f}");
+        assert_eq!(findings(&o, "robust_window").is_empty(), !robust, "{}", text(&o));
+        assert!(o.find_table("map").is_none() && findings(&o, "window").len() == findings(&whole, "window").len(), "{}", text(&o));
+    }
+}
+
 #[test]
 fn an_optimum_that_was_stopped_is_the_best_so_far() {
     let study = r#"kind = "optimum"

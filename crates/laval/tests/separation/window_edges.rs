@@ -208,3 +208,23 @@ fn a_neutral_mode_is_not_unstable() {
     let o = machine("", driven, "growth_margin = 0\n");
     assert!(ids(&o).contains(&"no_window".to_string()) && ids(&o).contains(&"unstable".to_string()), "{:?}", ids(&o));
 }
+
+/// A disc of 2 kg on 2e5 N/m without damping: at its critical speed the vibration has no bound, and no margin is a number made by rounding.
+#[test]
+fn at_an_undamped_resonance_the_vibration_has_no_margin() {
+    let text = "[machine]\n[[part]]\nkind = \"disc\"\nname = \"d\"\nmass = 2\neccentricity = \"10 um\"\n\
+                [[part]]\nkind = \"bearing_linear\"\nbetween = [\"d\", \"ground\"]\nstiffness = 2e5\n\
+                [limits]\ndisplacement = \"0.2 mm\"\n\
+                [[study]]\nkind = \"operating_window\"\nspeed = { from = 50, to = 900, points = 20 }\n";
+    let l = load(text).unwrap_or_else(|d| panic!("{d:?}"));
+    let o = l.studies[0].study.run(&l.system, &Context::quiet("window")).unwrap();
+    let t = o.find_table("margins").unwrap();
+    let (Data::Text(names), Data::Text(by)) = (&t.column("requirement").unwrap().data, &t.column("by").unwrap().data) else { panic!() };
+    let number = |column: &str, row: usize| t.column(column).unwrap().number(row).unwrap();
+    let pole = 1e5f64.sqrt();
+    let at: Vec<usize> = (0..t.rows()).filter(|&r| names[r] == "vibration" && (number("speed", r) / pole - 1.0).abs() < 2e-9).collect();
+    assert!(!at.is_empty());
+    for r in at {
+        assert!(number("margin", r).is_nan() && by[r].contains("without bound"), "{} {}", number("margin", r), by[r]);
+    }
+}

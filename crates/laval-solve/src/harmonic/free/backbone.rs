@@ -79,6 +79,8 @@ pub struct Motion {
 pub struct Family {
     /// Where it was begun.
     pub origin: Origin,
+    /// Frequency at which it begins, rad/s: from a linear mode that at vanishing amplitude, where the drive makes up for the damping; else of its first motion.
+    pub begins: f64,
     /// In order.
     pub motions: Vec<Motion>,
     /// Amplitudes at which it turns back.
@@ -150,6 +152,9 @@ const VANISHED: f64 = 0.01;
 
 /// Modes that decay faster than this part of their frequency do not whirl freely.
 const LIGHT: f64 = 0.3;
+
+/// Share of the least amplitude at which the nonlinear parts add nothing to the frequency.
+const VANISHING: f64 = 1e-3;
 
 /// Whether free motions of this machine can be sought.
 ///
@@ -265,9 +270,8 @@ fn attempt<'a>(
             match free.shape(&mode.q, turned, from) {
                 None => left = Some("does not deflect the nonlinear parts"),
                 Some(mut x) => {
-                    if let Some(static_part) = static_harmonics(&free, system, speed) {
-                        x.iter_mut().zip(&static_part).for_each(|(x, s)| *x += s);
-                    }
+                    let still = static_harmonics(&free, system, speed);
+                    x.iter_mut().zip(still.iter().flatten()).for_each(|(x, s)| *x += s);
                     x.extend([value.im, -2.0 * value.re]);
                     let options = Options { to_rounding: true, ..Options::default() };
                     let near = newton(&mut free, &mut x, from, &options).is_ok()
@@ -275,7 +279,17 @@ fn attempt<'a>(
                         && (free.quantities(&x, from)[1] - value.im).abs() < 0.2 * value.im.abs();
                     if near {
                         let origin = Origin::Mode(out.modes.len());
+                        let small = free.shape(&mode.q, turned, VANISHING * from.min(natural));
+                        let begins = small.and_then(|mut small| {
+                            small.iter_mut().zip(still.iter().flatten()).for_each(|(x, s)| *x += s);
+                            small.extend(&x[free.harmonics()..]);
+                            vanishing(&mut free, small, VANISHING * from.min(natural), value.im)
+                        });
+                        let before = out.families.len();
                         follow(&mut free, &x, (from, Direction::Up), request, origin, &mut out)?;
+                        if let (Some(f), Some(begins)) = (out.families.get_mut(before), begins) {
+                            f.begins = begins;
+                        }
                         tick(out.points());
                     } else {
                         left = Some("has no free motion of the smallest amplitude near it");
@@ -302,6 +316,13 @@ pub(super) fn static_harmonics(free: &Free, system: &System, speed: f64) -> Opti
     let mut x = vec![0.0; free.harmonics()];
     free.balance.terms.add_amplitudes(0, &u, &mut x);
     Some(x)
+}
+
+/// Frequency of the free motion at a vanishing amplitude, from an estimate of it; none where Newton's method leads away from the mode.
+fn vanishing(free: &mut Free, mut x: Vec<f64>, amplitude: f64, mode: f64) -> Option<f64> {
+    newton(free, &mut x, amplitude, &Options { to_rounding: true, ..Options::default() }).ok()?;
+    let found = free.quantities(&x, amplitude)[1];
+    (defect(free, &x, amplitude) <= BALANCED && (found - mode).abs() < 0.2 * mode.abs()).then_some(found)
 }
 
 /// Follows a family from a motion at an amplitude, as far as the points allowed in all reach.
@@ -351,7 +372,7 @@ fn follow(
         motions.push(m);
     }
     let vanishes = last.is_some() && end == End::Reached;
-    out.families.push(Family { origin, motions, folds, synchronous, end, vanishes, lead: free.lead });
+    out.families.push(Family { origin, begins: first, motions, folds, synchronous, end, vanishes, lead: free.lead });
     Ok(())
 }
 

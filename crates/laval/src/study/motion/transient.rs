@@ -22,8 +22,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::system::{Drive, System};
 use crate::model::timed::Speeds;
-use crate::outcome::{End, Finding, Outcome};
-use crate::solve::motion::envelope::{Growth, Window, growth};
+use crate::outcome::{End, Finding, Outcome, quantity};
+use crate::solve::motion::envelope::{Course, Growth, Window, growth};
 use crate::solve::motion::trajectory::{Plan, simulate};
 use crate::solve::motion::{Motion, SpinLaw};
 use crate::study::shared::size::Size;
@@ -383,15 +383,25 @@ impl Transient {
             _ => "neither grows nor decays clearly; the slope of its logarithm is",
         };
         let what = if loudest.tilt { "the tilt of " } else { "" };
-        let text = format!("In the second half the envelope of {what}\"{}\" {how} {{}}.", loudest.body);
+        let envelope = format!("In the second half the envelope of {what}\"{}\"", loudest.body);
         let make = if grows { Finding::warning } else { Finding::info };
-        out.push(
-            make("growth_rate", text)
-                .value(g.rate, "1/s")
-                .evidence("uncertainty", g.uncertainty, "1/s")
-                .evidence("mean turning rate of the displacement", g.frequency, "rad/s")
-                .evidence("record starts at", g.from, "s"),
-        );
+        let finding = match g.course {
+            Course::Straight { slope, uncertainty } if clear(&g) => {
+                let does = if slope > 0.0 { "grows" } else { "decreases" };
+                let unit = history::per_second(loudest.unit);
+                let text = format!("{envelope} {does} linearly in time, at {{}}.");
+                make("no_growth_rate", text).value(slope, &unit).evidence("uncertainty", uncertainty, &unit)
+            }
+            Course::Falling { first, second } if clear(&g) => {
+                let text = format!(
+                    "{envelope} grows more slowly than exponentially: its relative rate falls from {} to {{}}.",
+                    quantity(first, "1/s")
+                );
+                make("no_growth_rate", text).value(second, "1/s").evidence("relative rate before", first, "1/s")
+            }
+            _ => make("growth_rate", format!("{envelope} {how} {{}}.")).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s"),
+        };
+        out.push(finding.evidence("mean turning rate of the displacement", g.frequency, "rad/s").evidence("record starts at", g.from, "s"));
         out
     }
 }

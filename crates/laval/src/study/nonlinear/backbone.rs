@@ -310,10 +310,11 @@ impl Shown<'_> {
         out
     }
 
-    /// The frequency that names a family: of the linear mode it begins at, else of its first motion.
+    /// The frequency that names a family: that at which it begins. From a linear mode of a damped machine it is not the damped one, because the drive makes up for
+    /// the damping.
     fn named(&self, f: &Family) -> f64 {
         match f.origin {
-            Origin::Mode(k) => self.found.modes.get(k).map_or(f64::NAN, |m| m.value.im),
+            Origin::Mode(_) => f.begins,
             Origin::Asymptote(_) => f.motions.first().map_or(f64::NAN, |m| m.frequency),
         }
     }

@@ -235,7 +235,7 @@ pub const SUSPENSION: &[Field] = &[
         "viscosity_table",
         FieldKind::Columns(&[("temperature", "K", true, "temperatures, increasing"), ("viscosity", "Pa s", true, "viscosity at each")]),
         "",
-        "viscosity over temperature; ln mu is joined smoothly",
+        "viscosity over temperature; between the rows ln mu is a monotone cubic (PCHIP, slopes of Fritsch and Butland)",
     ),
     Field::optional("temperature", TEMPERATURE, "", "temperature of the liquid; needed with viscosity_table"),
     Field::required("particle_density", DENSITY, "density of the particles, rho_p; the median where they differ"),

@@ -49,6 +49,8 @@ pub struct Evaluated {
     pub passage: Option<Passage>,
     /// The run-up to the recommended speed of tubes held at an angle.
     pub counted: Option<Counted>,
+    /// The search for narrow interruptions between the speeds of the scan was not stopped.
+    pub refined: bool,
 }
 
 /// A run-up counted by an estimate.
@@ -90,13 +92,15 @@ fn unseen(system: &System, required: &Requirements) -> Vec<Unseen> {
 }
 
 impl OperatingWindow {
-    /// Scans the range, refines the ends; `known` is the passage when it was simulated before.
+    /// Scans the range, refines the ends; `known` is the passage when it was simulated before, `before` the number of speeds evaluated until now, which count for
+    /// the limit on the work. `None` when it was stopped.
     pub(super) fn evaluate(
         &self,
         system: &System,
         context: &Context,
         care: Care,
         known: Option<&Passage>,
+        before: u64,
     ) -> Result<Option<Evaluated>, Diagnostic> {
         let (careful, only) = (matches!(care, Care::Full), matches!(care, Care::Only(_)));
         let required = fitting(self, system, only)?;
@@ -135,12 +139,15 @@ impl OperatingWindow {
         let total = speeds.len() as u64;
         let go_on = |done: u64| {
             context.progress.report(done.min(total), total);
-            !context.cancelled() && done < context.work_limit
+            context.goes_on(before.saturating_add(done))
         };
         let Some(mut points) = scan(&evaluator, &speeds, go_on)? else { return Ok(None) };
+        let mut refined = true;
         if careful {
-            let more = dips(&points);
-            points.extend(scan(&evaluator, &more, |_| !context.cancelled())?.unwrap_or_default());
+            let scanned = before.saturating_add(total);
+            let more = scan(&evaluator, &dips(&points), |done| context.goes_on(scanned.saturating_add(done)))?;
+            refined = more.is_some();
+            points.extend(more.unwrap_or_default());
             points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
         if !only {
@@ -161,7 +168,7 @@ impl OperatingWindow {
         drop(branches);
         let unseen = unseen(system, &required);
         let counted = best.as_ref().and_then(|best| counted(&required, best));
-        Ok(Some(Evaluated { points, intervals: found, mechanical, best, unseen, folds, harmonics, passage, counted }))
+        Ok(Some(Evaluated { points, intervals: found, mechanical, best, unseen, folds, harmonics, passage, counted, refined }))
     }
 
     /// Branches of a nonlinear machine; none when it is linear.

@@ -2,7 +2,7 @@
 
 use super::Policy;
 use super::passage::Passage;
-use super::steady::{Branches, Growth, State, linear, spectrum};
+use super::steady::{Branches, Growth, State, linear, spectrum, states_validity};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::{Body, Slot, System};
 use crate::separation::load::Load;
@@ -136,6 +136,9 @@ pub(super) struct Evaluator<'a> {
 const BEFORE: &str = " before the separation";
 const AFTER: &str = " after the separation";
 
+/// Why a linear machine has no steady state.
+const WITHOUT_BOUND: &str = "amplitude without bound at an undamped resonance";
+
 fn margin(name: usize, value: f64, detail: impl Into<String>) -> Margin {
     Margin { name, value, detail: detail.into() }
 }
@@ -247,7 +250,11 @@ impl Evaluator<'_> {
             margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
         }
         let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
-        margins.extend(least(VALID, outside));
+        if !nonlinear && states.is_empty() && states_validity(system, speed) {
+            margins.push(margin(VALID, f64::NAN, WITHOUT_BOUND));
+        } else {
+            margins.extend(least(VALID, outside));
+        }
         let leans = (0..system.bodies().len()).map(|k| largest(met.iter().map(|s| s.tilt[k]))).collect();
         let duration = required.task.as_ref().map_or(0.0, |d| d.time);
         let torque = met.iter().map(|s| s.torque.abs()).fold(0.0, f64::max);
@@ -277,13 +284,18 @@ impl Evaluator<'_> {
         chosen.copied().into_iter().collect()
     }
 
+    /// Why no steady state is assessed.
+    fn without_state(&self) -> &'static str {
+        if self.branches.is_none() { WITHOUT_BOUND } else { "no steady state" }
+    }
+
     fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
         let l = &self.required.limits;
         if !l.vibration() {
             return None;
         }
         if met.is_empty() {
-            return Some(margin(1, f64::NAN, "no steady state"));
+            return Some(margin(1, f64::NAN, self.without_state()));
         }
         let bodies = system.bodies();
         let place = |name: &str| bodies.iter().position(|b| b.name == name);
@@ -318,7 +330,7 @@ impl Evaluator<'_> {
     fn self_centred(&self, system: &System, speed: f64, met: &[&State]) -> Option<Margin> {
         let c0 = self.required.limits.self_centring?;
         if met.is_empty() {
-            return Some(margin(2, f64::NAN, "no steady state"));
+            return Some(margin(2, f64::NAN, self.without_state()));
         }
         let mut all = Vec::new();
         for (k, b) in system.bodies().iter().enumerate() {

@@ -46,6 +46,7 @@ use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
 use evaluate::Care;
 pub use evaluate::{Counted, Evaluated, Unseen};
+use laval_num::work;
 pub use margins::{Margin, Point};
 pub use passage::{Passage, Stretch};
 use serde::{Deserialize, Serialize};
@@ -189,19 +190,45 @@ ramp = "60 s"
         let others = corners + self.map.as_ref().map_or(0, |m| m.1.points.unwrap_or(MAP_POINTS));
         let speeds = self.speed.points.unwrap_or(SPEEDS) + others * SPEEDS / 2;
         context.announce(speeds as f64, 1000.0, "speeds to evaluate, and more where something happens");
-        let Some(main) = self.evaluate(system, context, Care::Full, None)? else {
+        let Some(main) = self.evaluate(system, context, Care::Full, None, 0)? else {
             return Ok(WindowResult { found: None, end: context.end(false) });
         };
-        let robust = self.robust(system, context, &main)?;
-        let map = self.mapped(system, context, &main)?;
-        Ok(WindowResult { found: Some(Found { main, robust, map }), end: End::Reached })
+        let mut speeds = main.points.len() as u64;
+        let robust = later(context, || self.robust(system, context, &main, &mut speeds))?;
+        let stopped = self.wants_robust() && robust.is_none();
+        let map = if stopped { None } else { later(context, || self.mapped(system, context, &main, &mut speeds))? };
+        let found = Found { main, robust, map };
+        let end = context.end(self.missing(&found).is_empty());
+        Ok(WindowResult { found: Some(found), end })
     }
 
     fn report(&self, system: &System, result: &WindowResult, name: &str) -> Result<Outcome, Diagnostic> {
         match &result.found {
-            Some(found) => report::Shown::new(self, system, found)?.outcome(name),
+            Some(found) => Ok(report::Shown::new(self, system, found)?.outcome(name)?.end(result.end)),
             None => Ok(Outcome::new(Self::KIND, name).over("speed", "rad/s").end(result.end)),
         }
+    }
+}
+
+impl OperatingWindow {
+    /// What the file requires and a stop left out.
+    fn missing(&self, found: &Found) -> Vec<&'static str> {
+        let parts = [
+            (!found.main.refined, "the search for narrow interruptions between the speeds of the scan"),
+            (self.wants_robust() && found.robust.is_none(), "the robust window"),
+            (self.map.is_some() && found.map.is_none(), "the map"),
+        ];
+        parts.into_iter().filter_map(|(left_out, part)| left_out.then_some(part)).collect()
+    }
+}
+
+/// A part of the study after the window of the machine itself, which is shown without it; `None` where it is not required or was stopped.
+fn later<R>(context: &Context, part: impl FnOnce() -> Result<Option<R>, Diagnostic>) -> Result<Option<R>, Diagnostic> {
+    match work::piece(part) {
+        // a computation that was stopped may end with an error of its own
+        Some(Err(_)) if context.cancelled() => Ok(None),
+        Some(found) => found,
+        None => Ok(None),
     }
 }
 

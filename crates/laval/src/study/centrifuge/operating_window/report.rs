@@ -4,7 +4,7 @@ use super::request::{policy, requested};
 use super::{Found, OperatingWindow, Policy};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Outcome, OutcomeError, SpecialPoint, Status, significant};
+use crate::outcome::{Finding, Outcome, OutcomeError, SpecialPoint, Status, significant};
 use crate::study::Study;
 use crate::study::centrifuge::cups::task::Task;
 use crate::study::shared::limits::Limits;
@@ -54,6 +54,11 @@ impl<'a> Shown<'a> {
         let mut out = Outcome::new(OperatingWindow::KIND, name).over("speed", "rad/s").work("speeds", m.points.len() as u64);
         if let Some(p) = &m.passage {
             out = out.work("steps of the passage", p.steps);
+        }
+        let missing = self.study.missing(self.found);
+        if !missing.is_empty() {
+            let text = format!("The study was stopped before its end; not computed: {}.", missing.join(", "));
+            out = out.finding(Finding::warning("incomplete", text));
         }
         out = if m.intervals.is_empty() { self.conflict(out) } else { self.windows(out) };
         out = self.recommended(out);

@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
 use crate::model::system::{System, Workspace};
 use crate::solve::characteristic::Characteristic;
+use crate::solve::extrema::unbounded_at;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::{Balance, Discretisation};
 use crate::solve::harmonic::branches::measure::{Measure, fastest};
@@ -150,9 +151,15 @@ pub(super) fn spectrum(system: &System, speed: f64) -> Result<Spectrum, Diagnost
     modes_about(system, &rest(system, speed)?, wants_polish(system))
 }
 
-/// The steady state of a linear machine; `None` at an undamped resonance.
+/// Decay over the speed below which a resonance may be without bound.
+const UNDAMPED: f64 = 1e-6;
+
+/// The steady state of a linear machine; `None` at an undamped resonance, where amplitudes are what rounding makes of infinity.
 pub(super) fn linear(system: &System, speed: f64, growth: Growth) -> Result<Option<State>, Diagnostic> {
     let find = |w: f64| rest(system, w);
+    if !(growth.rate < -UNDAMPED * speed.abs()) && unbounded_at(system, &find, system.probes(), speed) {
+        return Ok(None);
+    }
     let Some(r) = response(system, &find, speed)? else { return Ok(None) };
     let about = rest(system, speed)?;
     let t = Characteristic::new(system, &about);
@@ -169,6 +176,13 @@ pub(super) fn linear(system: &System, speed: f64, growth: Growth) -> Result<Opti
         ..Orbit::default()
     };
     Ok(Some(shown(system, &orbit, &about.q, 1, growth)))
+}
+
+/// A part of the machine states a validity.
+pub(super) fn states_validity(system: &System, speed: f64) -> bool {
+    let (q, z) = (vec![0.0; system.n()], vec![0.0; system.m()]);
+    let at = At { q: &q, v: &q, a: &q, z: &z, phase: 0.0, speed, spin_accel: 0.0, t: 0.0 };
+    !system.validity(&at, &mut Workspace::default()).is_empty()
 }
 
 /// Branches of the nonlinear response of the machine as it is at one speed: where the states at speeds nearby start from.

@@ -50,9 +50,20 @@ pub struct Cell {
 }
 
 impl OperatingWindow {
-    /// The window that holds at every corner, shrunk by the tolerance of the speed.
-    pub(super) fn robust(&self, system: &System, context: &Context, main: &Evaluated) -> Result<Option<Robust>, Diagnostic> {
-        if self.uncertain.is_empty() && self.tolerance == 0.0 {
+    /// The file requires a robust window.
+    pub(super) fn wants_robust(&self) -> bool {
+        !self.uncertain.is_empty() || self.tolerance != 0.0
+    }
+
+    /// The window that holds at every corner, shrunk by the tolerance of the speed, where it is required; `None` when it was stopped. Counts the speeds evaluated.
+    pub(super) fn robust(
+        &self,
+        system: &System,
+        context: &Context,
+        main: &Evaluated,
+        speeds: &mut u64,
+    ) -> Result<Option<Robust>, Diagnostic> {
+        if !self.wants_robust() {
             return Ok(None);
         }
         let mut kept: Vec<(f64, f64)> = main.intervals.iter().map(|i| (i.low.speed, i.high.speed)).collect();
@@ -66,9 +77,10 @@ impl OperatingWindow {
                 changed = Some(varied(now, path, x * (1.0 + sign * share))?);
             }
             let known = main.passage.as_ref().filter(|_| self.uncertain.iter().all(|u| only_liquid(system, &u.0)));
-            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, Care::Ends, known)? else {
+            let Some(found) = self.evaluate(changed.as_ref().unwrap_or(system), context, Care::Ends, known, *speeds)? else {
                 return Ok(None);
             };
+            *speeds += found.points.len() as u64;
             let other: Vec<(f64, f64)> = found.intervals.iter().map(|i| (i.low.speed, i.high.speed)).collect();
             kept = kept.iter().flat_map(|a| other.iter().map(move |b| (a.0.max(b.0), a.1.min(b.1)))).filter(|i| i.0 <= i.1).collect();
         }
@@ -78,23 +90,30 @@ impl OperatingWindow {
         Ok(Some(Robust { intervals, corners }))
     }
 
-    /// The least margin over speed and the parameter of the map.
-    pub(super) fn mapped(&self, system: &System, context: &Context, main: &Evaluated) -> Result<Option<Map>, Diagnostic> {
+    /// The least margin over speed and the parameter of the map, where it is required; `None` when it was stopped. Counts the speeds evaluated.
+    pub(super) fn mapped(&self, system: &System, context: &Context, main: &Evaluated, speeds: &mut u64) -> Result<Option<Map>, Diagnostic> {
         let Some((path, r)) = &self.map else { return Ok(None) };
         let mut cells = Vec::new();
         let unit = unit_of(system, path);
         let grid = RangeValue { points: Some(SPEEDS / 2), ..self.speed }.linspace(SPEEDS / 2);
         // what does not weigh changes the separation alone
         let moving = match only_friction(system, path) {
-            true => self.evaluate(system, context, Care::Only(&grid), main.passage.as_ref())?,
+            true => {
+                let Some(found) = self.evaluate(system, context, Care::Only(&grid), main.passage.as_ref(), *speeds)? else {
+                    return Ok(None);
+                };
+                *speeds += found.points.len() as u64;
+                Some(found)
+            }
             false => None,
         };
         for x in r.linspace(MAP_POINTS) {
             let changed = varied(system, path, x)?;
             let points = if let Some(moving) = &moving {
-                if context.cancelled() {
+                if !context.goes_on(*speeds) {
                     return Ok(None);
                 }
+                *speeds += moving.points.len() as u64;
                 let required = fitting(self, &changed, true)?;
                 let evaluator = Evaluator { system: &changed, required: &required, branches: None, passage: main.passage.as_ref() };
                 let mut points = moving.points.clone();
@@ -106,7 +125,8 @@ impl OperatingWindow {
                 points
             } else {
                 let known = main.passage.as_ref().filter(|_| only_liquid(system, path));
-                let Some(found) = self.evaluate(&changed, context, Care::Only(&grid), known)? else { return Ok(None) };
+                let Some(found) = self.evaluate(&changed, context, Care::Only(&grid), known, *speeds)? else { return Ok(None) };
+                *speeds += found.points.len() as u64;
                 found.points
             };
             for &w in &grid {

@@ -119,7 +119,7 @@ ramp = "30 s"
             "programme",
             FieldKind::Columns(&[("time", "s", true, "times, increasing, from 0"), ("speed", "rad/s", true, "spin speed at these times")]),
             "",
-            "speeds at given times, joined smoothly, instead of speed and ramp; the speed a recovery needs and the sensitivities scale all of them",
+            "speeds at given times, joined by a monotone cubic (PCHIP, slopes of Fritsch and Butland), instead of speed and ramp; the speed a recovery needs and the sensitivities scale all of them",
         ),
         Field::optional(
             "transfer_k",

@@ -104,7 +104,7 @@ impl Study for ForcedResponse {
             strongest = more.strongest;
         }
         let found = curve(system, &state, speeds, system.probes(), &mut each)?;
-        let observed = observed(system, &state, &found.points)?;
+        let observed = observed(system, &state, &found)?;
         let mut directions = [f64::NAN; 2];
         for (direction, tilt) in directions.iter_mut().zip([false, true]) {
             let Some(e) = largest(&found, system.probes(), tilt).filter(|e| !e.unbounded) else { continue };

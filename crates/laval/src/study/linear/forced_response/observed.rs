@@ -5,7 +5,8 @@ use crate::model::blocks::Blocks;
 use crate::model::part::{At, Physics};
 use crate::model::system::{Slot, System, Workspace};
 use crate::solve::characteristic::{Characteristic, Equilibrium};
-use crate::solve::linear_response::Response;
+use crate::solve::extrema::Curve;
+use crate::solve::linear_response::{Response, response};
 use crate::solve::locate::State;
 use crate::solve::rest::clearance;
 use crate::solve::sectors::circular;
@@ -69,7 +70,7 @@ pub struct Outside {
     /// The statement.
     #[serde(deserialize_with = "laval_num::text::one")]
     pub what: Text,
-    /// Largest use.
+    /// Largest use; infinite at a resonance without bound.
     pub ratio: f64,
     /// Speed where it occurs, rad/s.
     pub speed: f64,
@@ -79,76 +80,115 @@ pub struct Outside {
     pub to: f64,
 }
 
+/// Instants of a turn at which the parts are evaluated.
+const INSTANTS: u32 = 24;
+/// Distances from a pole, over its speed, of two responses whose difference tells what grows without bound there.
+const BESIDE: [f64; 2] = [2e-6, 4e-6];
+/// Growth of a use from the farther of them to the nearer from which on it grows with the pole, and the least use that is no rounding.
+const GROWS: f64 = 1.01;
+const NOTICED: f64 = 1e-6;
+
+/// The machine at one instant of a turn.
+struct Instant {
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    z: Vec<f64>,
+    phase: f64,
+}
+
+impl Instant {
+    fn at(&self, speed: f64) -> At<'_, f64> {
+        At { q: &self.q, v: &self.v, a: &self.a, z: &self.z, phase: self.phase, speed, spin_accel: 0.0, t: 0.0 }
+    }
+}
+
+/// A turn of a response about its state.
+fn turn(system: &System, rest: &Equilibrium, r: &Response) -> Vec<Instant> {
+    let t = Characteristic::new(system, rest);
+    let (n, s) = (system.n(), c(0.0, r.speed));
+    let one = |turn: u32| {
+        let turning = C64::cis(std::f64::consts::TAU * f64::from(turn) / f64::from(INSTANTS));
+        let real = |z: C64| (z * turning).re;
+        let mut z = rest.z.clone();
+        for (&k, x) in t.states().iter().zip(&r.x[n..]) {
+            z[k] += real(*x);
+        }
+        Instant {
+            q: (0..n).map(|i| rest.q[i] + real(r.x[i])).collect(),
+            v: (0..n).map(|i| real(r.x[i] * s)).collect(),
+            a: (0..n).map(|i| real(r.x[i] * s * s)).collect(),
+            z,
+            phase: turning.arg(),
+        }
+    };
+    (0..INSTANTS).map(one).collect()
+}
+
+/// Largest use of every statement of validity over a turn, by part and statement; what is no number stays.
+fn uses(system: &System, turn: &[Instant], speed: f64, ws: &mut Workspace<f64>) -> Vec<(usize, Text, f64)> {
+    let mut out: Vec<(usize, Text, f64)> = Vec::new();
+    for instant in turn {
+        for (slot, u) in system.validity(&instant.at(speed), ws) {
+            match out.iter_mut().find(|o| (o.0, o.1) == (slot, u.what)) {
+                Some(o) if !(o.2.is_nan() || u.ratio <= o.2) => o.2 = u.ratio,
+                Some(_) => {}
+                None => out.push((slot, u.what, u.ratio)),
+            }
+        }
+    }
+    out
+}
+
+/// Gaps that are open at rest: part, clearance there, and how far the motion of a turn closes it, m.
+fn gaps<'s>(system: &'s System, rest: &Equilibrium, turn: &[Instant]) -> Vec<(&'s Slot, f64, f64)> {
+    let one = |slot: &'s Slot| {
+        let gap = clearance(system, slot, rest).filter(|gap| *gap > 0.0)?;
+        let left = |i: &Instant| clearance(system, slot, &Equilibrium { q: i.q.clone(), z: i.z.clone(), ..rest.clone() });
+        let closed = turn.iter().map(|i| left(i).filter(|left| left.is_finite()).map_or(f64::INFINITY, |left| gap - left));
+        Some((slot, gap, closed.fold(0.0, |most: f64, x| if x <= most { most } else { x })))
+    };
+    system.slots().iter().filter_map(one).collect()
+}
+
 /// Quantities that linear parts show, at their largest over one turn, and the use of every part's validity. The observed force of a nonlinear part would
-/// be that of a law the motion does not know; its validity is a matter of the motion itself.
+/// be that of a law the motion does not know; its validity is a matter of the motion itself. Beside a pole the amplitudes are no numbers: what grows there
+/// is without bound.
 ///
 /// # Errors
 /// As the state.
-pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Result<Observations, Diagnostic> {
+pub(super) fn observed(system: &System, state: State, curve: &Curve) -> Result<Observations, Diagnostic> {
+    let points = &curve.points;
     let mut out: BTreeMap<(String, Text, Text), Vec<f64>> = BTreeMap::new();
     let (mut validity, mut outside) = (vec![0.0f64; points.len()], Vec::<Outside>::new());
     let mut ws = Workspace::default();
-    let n = system.n();
     let mut closed = Vec::<Closed>::new();
+    let known = |r: &Response| r.x.iter().all(|x| x.is_finite());
     for (row, r) in points.iter().enumerate() {
+        if !known(r) {
+            validity[row] = f64::NAN;
+            continue;
+        }
         for (name, force) in exact_forces(system, r) {
             out.entry((name, "force", "N")).or_insert_with(|| vec![0.0; points.len()])[row] = force;
         }
         let rest = state(r.speed)?;
-        let t = Characteristic::new(system, &rest);
-        let s = c(0.0, r.speed);
-        let open = |slot: &'_ Slot| clearance(system, slot, &rest).filter(|gap| *gap > 0.0);
-        let gaps: Vec<(&Slot, f64)> = system.slots().iter().filter_map(|slot| Some((slot, open(slot)?))).collect();
-        for turn in 0..24 {
-            let turning = C64::cis(std::f64::consts::TAU * turn as f64 / 24.0);
-            let real = |z: C64| (z * turning).re;
-            let q: Vec<f64> = (0..n).map(|i| rest.q[i] + real(r.x[i])).collect();
-            let v: Vec<f64> = (0..n).map(|i| real(r.x[i] * s)).collect();
-            let a: Vec<f64> = (0..n).map(|i| real(r.x[i] * s * s)).collect();
-            let mut z = rest.z.clone();
-            for (&k, x) in t.states().iter().zip(&r.x[n..]) {
-                z[k] += real(*x);
+        let turn = turn(system, &rest, r);
+        for (slot, gap, moved) in gaps(system, &rest, &turn) {
+            if !(moved <= gap) {
+                close(&mut closed, &slot.name, (gap, moved - gap), r.speed);
             }
-            for &(slot, gap) in &gaps {
-                let moved = Equilibrium { q: q.clone(), z: z.clone(), ..rest.clone() };
-                // the amplitude beside a pole is not a number
-                let depth = clearance(system, slot, &moved).filter(|left| left.is_finite()).map_or(f64::INFINITY, |left| -left);
-                if depth > 0.0 {
-                    close(&mut closed, &slot.name, (gap, depth), r.speed);
-                }
+        }
+        for (slot, what, ratio) in uses(system, &turn, r.speed, &mut ws) {
+            if !(validity[row].is_nan() || ratio <= validity[row]) {
+                validity[row] = if ratio.is_finite() { ratio } else { f64::NAN };
             }
-            let at = At { q: &q, v: &v, a: &a, z: &z, phase: turning.arg(), speed: r.speed, spin_accel: 0.0, t: 0.0 };
-            for (k, u) in system.validity(&at, &mut ws) {
-                // the amplitude beside a pole is not a number
-                if !r.x.iter().all(|x| x.is_finite()) {
-                    validity[row] = f64::NAN;
-                    continue;
-                }
-                if !(validity[row].is_nan() || u.ratio <= validity[row]) {
-                    validity[row] = if u.ratio.is_finite() { u.ratio } else { f64::NAN };
-                }
-                if u.ratio <= 1.0 {
-                    continue;
-                }
-                match outside.iter_mut().find(|o| o.slot == k && o.what == u.what) {
-                    Some(o) => {
-                        o.to = r.speed;
-                        if !(u.ratio <= o.ratio) {
-                            (o.ratio, o.speed) = (u.ratio, r.speed);
-                        }
-                    }
-                    None => outside.push(Outside {
-                        slot: k,
-                        part: system.slots()[k].name.clone(),
-                        what: u.what,
-                        ratio: u.ratio,
-                        speed: r.speed,
-                        from: r.speed,
-                        to: r.speed,
-                    }),
-                }
+            if !(ratio <= 1.0) {
+                leave(&mut outside, system, (slot, what, ratio), r.speed);
             }
-            for (slot, o) in system.observe(&at, &mut ws) {
+        }
+        for instant in &turn {
+            for (slot, o) in system.observe(&instant.at(r.speed), &mut ws) {
                 let slot = &system.slots()[slot];
                 // the amplitude of a body is in its own columns; eliminated states are not at hand
                 if slot.physics != Physics::Linear || slot.memory > 0 || o.is_motion_of_body() {
@@ -161,15 +201,55 @@ pub(super) fn observed(system: &System, state: State, points: &[Response]) -> Re
             }
         }
     }
+    for (row, _) in points.iter().enumerate().filter(|(_, r)| !known(r)) {
+        out.values_mut().for_each(|column| column[row] = f64::NAN);
+    }
+    for pole in curve.poles() {
+        let sides = [1.0, -1.0].into_iter();
+        let both = |side: f64| {
+            let of = |d: f64| response(system, state, pole * (1.0 + side * d)).ok().flatten();
+            Some([of(BESIDE[0])?, of(BESIDE[1])?])
+        };
+        let Some([near, far]) = sides.into_iter().find_map(both) else { continue };
+        let (near_rest, far_rest) = (state(near.speed)?, state(far.speed)?);
+        let (near_turn, far_turn) = (turn(system, &near_rest, &near), turn(system, &far_rest, &far));
+        let before = uses(system, &far_turn, far.speed, &mut ws);
+        for (slot, what, ratio) in uses(system, &near_turn, near.speed, &mut ws) {
+            let other = before.iter().find(|o| (o.0, o.1) == (slot, what)).map_or(0.0, |o| o.2);
+            if !(ratio <= GROWS * other) && !(ratio <= NOTICED) {
+                leave(&mut outside, system, (slot, what, f64::INFINITY), pole);
+            }
+        }
+        let before = gaps(system, &far_rest, &far_turn);
+        for (slot, gap, moved) in gaps(system, &near_rest, &near_turn) {
+            let other = before.iter().find(|o| o.0.name == slot.name).map_or(0.0, |o| o.2);
+            if !(moved <= GROWS * other) && !(moved <= NOTICED * gap) {
+                close(&mut closed, &slot.name, (gap, f64::INFINITY), pole);
+            }
+        }
+    }
     let quantities = out.into_iter().map(|((part, what, unit), values)| Shows { part, what, unit, values }).collect();
     Ok(Observations { quantities, validity, outside, closed })
+}
+
+/// Enters that a part is outside a statement of its validity at a speed.
+fn leave(outside: &mut Vec<Outside>, system: &System, (slot, what, ratio): (usize, Text, f64), speed: f64) {
+    match outside.iter_mut().find(|o| o.slot == slot && o.what == what) {
+        Some(o) => {
+            (o.from, o.to) = (o.from.min(speed), o.to.max(speed));
+            if !(ratio <= o.ratio) {
+                (o.ratio, o.speed) = (ratio, speed);
+            }
+        }
+        None => outside.push(Outside { slot, part: system.slots()[slot].name.clone(), what, ratio, speed, from: speed, to: speed }),
+    }
 }
 
 /// Enters that the gap of a part closes at a speed.
 fn close(closed: &mut Vec<Closed>, part: &str, (gap, depth): (f64, f64), speed: f64) {
     match closed.iter_mut().find(|c| c.part == part) {
         Some(c) => {
-            c.to = speed;
+            (c.from, c.to) = (c.from.min(speed), c.to.max(speed));
             if depth > c.depth {
                 (c.depth, c.speed, c.gap) = (depth, speed, gap);
             }

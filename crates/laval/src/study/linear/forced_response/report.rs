@@ -67,6 +67,10 @@ impl<'a> Shown<'a> {
             let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
             let who = if p.is_tilt() { p.name.clone() } else { probe_name(p) };
             let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.study.speed.from, "rad/s")));
+            // without bound, which is said of the speed
+            if !r.size(p).is_finite() {
+                continue;
+            }
             out.push(finding.of(who).value(r.size(p), p.unit()).evidence("residual", self.residual, ""));
         }
         out
@@ -86,7 +90,8 @@ impl<'a> Shown<'a> {
                 let text = format!("Nothing dissipates at the resonance{of}{so_far} at {{}}: there {body} {does} without bound.");
                 Finding::warning("undamped_resonance", text)
             } else {
-                let text = format!("The largest resonance{of}{so_far} is at {{}}: {}.", moves(probe, e.value));
+                let bounded = if found.poles().is_empty() { "" } else { " bounded" };
+                let text = format!("The largest{bounded} resonance{of}{so_far} is at {{}}: {}.", moves(probe, e.value));
                 Finding::info(id, text)
             };
             let amplitude = if probe.is_tilt() { "tilt" } else { "amplitude" };
@@ -122,20 +127,18 @@ impl<'a> Shown<'a> {
             ));
         }
         // other poles than the one already named
-        let unbounded = found.extrema.iter().filter(|e| e.unbounded).map(|e| e.speed);
-        let mut poles: Vec<f64> = unbounded.chain(found.singular.iter().copied()).collect();
-        poles.sort_by(f64::total_cmp);
-        poles.dedup_by(|b, a| (*b - *a).abs() <= 1e-6 * a.abs());
+        let poles = found.poles();
         let named: Vec<f64> = self.largest.into_iter().flatten().filter(|e| e.unbounded).map(|e| e.speed).collect();
         for w in poles.into_iter().filter(|w| named.iter().all(|n| (n - w).abs() > 1e-6 * n.abs())) {
             let text = "The response grows without bound at {}: nothing dissipates there.";
             out.push(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
         }
         if let Some(first) = found.unknown.first() {
+            let without = |w: &&f64| found.points.iter().all(|r| r.speed != **w);
             let text = format!(
                 "At {} of {} speeds, first at {{}}, a part has no accurate reaction, and the response is not known there.",
                 found.unknown.len(),
-                found.unknown.len() + found.singular.len() + found.points.len()
+                found.unknown.len() + found.singular.iter().filter(without).count() + found.points.len()
             );
             out.push(Finding::warning("response_unknown", text).value(*first, "rad/s"));
         }
@@ -154,7 +157,7 @@ impl<'a> Shown<'a> {
         }
         for u in &self.result.observed.outside {
             let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);
-            let text = if u.ratio.is_finite() { text } else { text.replace("{}, above 1", "no finite value") };
+            let text = if u.ratio.is_finite() { text } else { text.replace("reaches {}, above 1", "is without bound") };
             let finding = Finding::invalid("validity", text);
             let finding = if u.ratio.is_finite() { finding.value(u.ratio, "") } else { finding };
             out.push(finding.evidence("at", u.speed, "rad/s").evidence("outside from", u.from, "rad/s").evidence("to", u.to, "rad/s"));

@@ -3,7 +3,7 @@
 use super::energy;
 use crate::model::system::System;
 use crate::outcome::{End, Finding, Outcome, quantity};
-use crate::solve::motion::envelope::{Peak, Window, growth_of};
+use crate::solve::motion::envelope::{Course, Growth, Peak, Window, growth_of};
 use crate::solve::motion::trajectory::Left;
 use crate::study::motion::record::{MotionRecord, UsedForm, ValidityUse};
 use laval_num::ode;
@@ -15,7 +15,13 @@ pub(in crate::study) fn unbounded(system: &System, left: Left, windows: &[Window
     let where_ = format!("it was left at {at}, {place} from its place of rest");
     // many e-folds in few turns tell the rate as well as many turns
     let finding = match growth_of(windows, turn, 4) {
-        Some(g) if g.rate > g.uncertainty => {
+        Some(Growth { course: Course::Straight { slope, uncertainty }, .. }) if slope > uncertainty => {
+            let text = format!(
+                "The motion of \"{body}\" grows without bound, linearly in time at {{}} over the second half of the record; {where_}."
+            );
+            Finding::warning("unbounded", text).value(slope, "m/s").evidence("uncertainty", uncertainty, "m/s")
+        }
+        Some(g) if g.course == Course::Exponential && g.rate > g.uncertainty => {
             let text = format!("The motion of \"{body}\" grows without bound, at {{}} over the second half of the record; {where_}.");
             Finding::warning("unbounded", text).value(g.rate, "1/s").evidence("uncertainty", g.uncertainty, "1/s")
         }

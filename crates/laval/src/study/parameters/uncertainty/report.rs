@@ -165,13 +165,35 @@ fn significant(x: f64) -> String {
     crate::outcome::significant(x, 4)
 }
 
+/// Fewest base points, or trajectories, whose resampling tells how far an index is off.
+const LEAST: usize = 8;
+
+/// An interval in a sentence.
+fn ends(i: &Interval, unit: &str) -> String {
+    format!("95 % interval {} to {}", quantity(i.low, unit), quantity(i.high, unit))
+}
+
+/// The sample tells something of these indices: enough base points, intervals narrower than the range from 0 to 1 that both have, which meet it, and
+/// a first-order index that may lie below the total one.
+fn known(i: &Indices, used: usize) -> bool {
+    let meets = |x: &Interval| x.high - x.low < 1.0 && x.low <= 1.0 && x.high >= 0.0;
+    used >= LEAST && meets(&i.first) && meets(&i.total) && i.first.low <= i.total.high
+}
+
+/// The first names of a list, and how many more there are.
+fn listed(names: &[&str]) -> String {
+    let more = names.len().saturating_sub(LEADING);
+    let list = names[..names.len() - more].join(", ");
+    if more > 0 { format!("{list} and {more} more") } else { list }
+}
+
 fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Option<Shares>]) -> Result<Outcome, Diagnostic> {
     let rows: Vec<(usize, usize, &Indices, usize)> = found
         .iter()
         .enumerate()
         .flat_map(|(q, f)| f.iter().flat_map(move |f| f.each.iter().enumerate().map(move |(p, i)| (q, p, i, f.used))))
         .collect();
-    let (mut sentences, mut without) = (Vec::new(), Vec::new());
+    let (mut sentences, mut without, mut small) = (Vec::new(), Vec::new(), Vec::new());
     for (q, f) in found.iter().enumerate() {
         let name = &samples.names[q].0;
         let Some(Shares { each: list, used }) = f else {
@@ -179,6 +201,10 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
             continue;
         };
         let most = list.iter().enumerate().max_by(|a, b| a.1.total.value.total_cmp(&b.1.total.value));
+        if most.is_some_and(|(_, i)| !known(i, *used)) {
+            small.push((name.as_str(), *used));
+            continue;
+        }
         if let Some((p, i)) = most {
             // the samples do not distinguish what their intervals share
             let rivals: Vec<&str> = list
@@ -187,33 +213,40 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
                 .filter(|(q, o)| *q != p && !(o.total.high < i.total.low))
                 .map(|(q, _)| study.parameters[q].path.as_str())
                 .collect();
-            let (path, first) = (&study.parameters[p].path, significant(i.first.value));
+            let path = &study.parameters[p].path;
+            let indices = format!(
+                "total index {{}} ({}), first-order index {} ({})",
+                ends(&i.total, ""),
+                significant(i.first.value),
+                ends(&i.first, "")
+            );
             let text = if rivals.is_empty() {
-                format!("{name} depends most on {path}: total index {{}}, first-order index {first}.")
+                format!("{name} depends most on {path}: {indices}.")
             } else {
-                let others = rivals.join(", ");
-                format!(
-                    "In the samples {name} depends most on {path}: total index {{}}, first-order index {first}. Intervals overlap with {others}."
-                )
+                format!("In the samples {name} depends most on {path}: {indices}. Intervals overlap with {}.", rivals.join(", "))
             };
             sentences.push(
                 Finding::info("most_influential", text)
                     .of(name)
                     .value(i.total.value, "")
-                    .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), "")
-                    .evidence("base points used", *used as f64, ""),
+                    .evidence("base points used", *used as f64, "")
+                    .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), ""),
             );
         }
     }
     outcome = lead(outcome, sentences, "indices");
     if !without.is_empty() {
         let verb = if without.len() == 1 { "does not vary, or was" } else { "do not vary, or were" };
-        let more = without.len().saturating_sub(LEADING);
-        let mut list = without[..without.len() - more].join(", ");
-        if more > 0 {
-            list += &format!(" and {more} more");
-        }
+        let list = listed(&without);
         outcome = outcome.finding(Finding::info("no_indices", format!("{list} {verb} found too seldom: no sensitivity indices.")));
+    }
+    if let Some(used) = small.iter().map(|s| s.1).min() {
+        let names: Vec<&str> = small.iter().map(|s| s.0).collect();
+        let text = format!(
+            "The sample, {{}} base points, is too small for the sensitivity indices of {}: the table \"indices\" has their 95 % intervals. Raise samples.",
+            listed(&names)
+        );
+        outcome = outcome.finding(Finding::warning("no_indices", text).value(used as f64, ""));
     }
     let table = Table::new("indices", "Sensitivity indices of Sobol")
         .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
@@ -235,7 +268,9 @@ fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found
     for (list, (name, unit)) in found.iter().zip(&samples.names) {
         let known = list.iter().enumerate().filter(|(_, e)| e.count > 0);
         if let Some((p, e)) = known.max_by(|a, b| a.1.mu_star.value.total_cmp(&b.1.mu_star.value)) {
-            let text = format!("{name} changes most with {}: mu* = {{}}.", study.parameters[p].path);
+            let interval =
+                if e.mu_star.low.is_finite() { ends(&e.mu_star, unit) } else { "the sample is too small for its interval".into() };
+            let text = format!("{name} changes most with {}: mu* = {{}} ({interval}).", study.parameters[p].path);
             sentences.push(
                 Finding::info("most_influential", text).of(name).value(e.mu_star.value, unit).evidence("sigma", e.sigma, unit).evidence(
                     "effects",
@@ -287,4 +322,30 @@ fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnost
         .int("first", "", "first such sample", all.iter().map(|f| f.1.first as i64).collect())
         .text("example", "what it said", all.iter().map(|f| f.1.example.clone()).collect());
     Ok(outcome.table(table.build().map_err(inconsistent)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Estimates beyond 0 and 1 are known where their intervals say how far, and not where these contradict the range, or fill it.
+    #[test]
+    fn indices_are_known_by_their_intervals() {
+        let of = |value, low, high| Interval { value, low, high };
+        for (first, total, is) in [
+            (of(0.4, 0.3, 0.5), of(0.6, 0.5, 0.7), true),
+            (of(1.01, 0.95, 1.07), of(1.02, 0.96, 1.08), true),
+            (of(-0.02, -0.1, 0.06), of(0.1, 0.05, 0.2), true),
+            (of(1.2, 1.05, 1.4), of(1.0, 0.8, 1.2), false),
+            (of(-0.3, -0.5, -0.1), of(0.6, 0.5, 0.7), false),
+            (of(0.8, 0.7, 0.9), of(0.5, 0.4, 0.6), false),
+            (of(0.5, -0.4, 1.4), of(0.6, 0.5, 0.7), false),
+            (of(0.5, f64::NAN, f64::NAN), of(0.6, 0.5, 0.7), false),
+        ] {
+            assert_eq!(known(&Indices { first, total }, LEAST), is, "{first:?} {total:?}");
+            assert!(!known(&Indices { first, total }, LEAST - 1));
+        }
+        assert_eq!(listed(&["a", "b"]), "a, b");
+        assert_eq!(listed(&["a", "b", "c", "d", "e", "f"]), "a, b, c, d and 2 more");
+    }
 }
