@@ -126,7 +126,7 @@ fn course(points: &[(f64, f64)], (rate, first, second): (f64, f64, f64)) -> Cour
     let plain: Vec<(f64, f64)> = points.iter().map(|&(t, x)| (t, (x - top).exp())).collect();
     let (steep, error) = slope(&plain);
     let middle = mean(&plain).1;
-    let straight = misfit(&|t| (middle + steep * (t - tm)).ln());
+    let straight = misfit(&|t| top + (middle + steep * (t - tm)).ln());
     let doubly: Vec<(f64, f64)> = points.iter().map(|&(t, x)| (t.ln(), x)).collect();
     let (power, at) = (slope(&doubly).0, mean(&doubly));
     let power = misfit(&|t| at.1 + power * (t.ln() - at.0));

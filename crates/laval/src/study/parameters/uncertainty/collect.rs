@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::outcome::{End, Level, Outcome};
 use crate::study::{Context, ErasedStudy};
+use crate::units::parse_unit;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
@@ -104,30 +105,25 @@ pub fn decode(text: &str) -> Vec<Quantity> {
     object.into_iter().filter_map(one).collect()
 }
 
-/// A message without its numbers, so that the same cause at different values is one cause.
+/// A message without its numbers, and with the SI units of the quantities it names, so that the same cause at different values is one cause.
 pub fn cause(message: &str) -> String {
-    let mut out = String::new();
-    let mut word = String::new();
-    let flush = |word: &mut String, out: &mut String| {
+    let mut after_number = false;
+    let word = |word: &str| {
         let core = word.trim_matches(|c: char| matches!(c, '(' | ')' | ',' | ';' | ':' | '"') || c == '.');
-        if core.parse::<f64>().is_ok() && core.contains(|c: char| c.is_ascii_digit()) {
-            out.push_str(&word.replacen(core, "..", 1));
-        } else {
-            out.push_str(word);
+        let number = core.parse::<f64>().is_ok() && core.contains(|c: char| c.is_ascii_digit());
+        let unit = parse_unit(core).ok().filter(|_| after_number && !WORDS.contains(&core));
+        after_number = number;
+        match unit {
+            _ if number => word.replacen(core, "..", 1),
+            Some(unit) => word.replacen(core, &unit.dimension.si_text(), 1),
+            None => word.to_string(),
         }
-        word.clear();
     };
-    for c in message.chars() {
-        if c.is_whitespace() {
-            flush(&mut word, &mut out);
-            out.push(c);
-        } else {
-            word.push(c);
-        }
-    }
-    flush(&mut word, &mut out);
-    out
+    message.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
+
+/// Words of a sentence that are units, too.
+const WORDS: [&str; 2] = ["in", "at"];
 
 #[cfg(test)]
 mod tests {
@@ -182,6 +178,7 @@ mod tests {
     fn one_cause_whatever_the_number() {
         assert_eq!(cause("\"drum\": mass = -0.25 kg is not admissible"), "\"drum\": mass = .. kg is not admissible");
         assert_eq!(cause("no rest at 1e3 rad/s (3, 4)."), "no rest at .. rad/s (.., ..).");
+        assert_eq!(cause("mass is -25 g; it must be above 0"), cause("mass is -2 kg; it must be above 0"));
         assert_eq!(cause("order-2 of \"disc-2\""), "order-2 of \"disc-2\"");
     }
 }
