@@ -128,7 +128,7 @@ fn pole(value: impl Fn(f64) -> Option<f64>, speed: f64) -> bool {
     }
 }
 
-/// A computed response is what rounding makes of infinity, where it is seen by these probes: as [`pole`], of all of them at once.
+/// A computed response is what rounding makes of infinity, where it is seen by these probes: as `pole`, of all of them at once.
 pub fn unbounded_at(system: &System, state: State, probes: &[Probe], speed: f64) -> bool {
     let beside = |d: f64| -> Vec<Response> {
         [-d, d].into_iter().filter_map(|d| response(system, state, speed + d * speed).ok().flatten()).collect()
