@@ -23,7 +23,7 @@ pub type ErasedPart = Arc<dyn erased::Erased>;
 /// A part adds its share to the residual of the machine, written once over [`Scalar`]; see [`Physics`] for the three forms. It is affine in
 /// `a` and `spin_accel`. It never sees other parts, positions or analyses.
 ///
-/// The methods down to [`warnings`](Self::warnings) are the part. Those after it declare a [capability](super::capability): a part that
+/// The methods down to [`warnings`](Self::warnings) are the part; [`erased`](Self::erased) is for libraries of parts. Those after it declare a [capability](super::capability): a part that
 /// implements the trait returns `Some(self)`.
 pub trait Part: Send + Sync + Sized + 'static {
     /// The word in the file.

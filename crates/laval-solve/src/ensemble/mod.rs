@@ -181,7 +181,7 @@ pub fn run<V: EnsembleTask>(task: &V, base: &System, form: Form, range: Range<us
     (whole && rows.len() == count).then(|| rows.into_iter().map(|r| r.1).collect())
 }
 
-/// One thread: the lanes, compiled here for every task there will be.
+/// The members of one thread. Not generic, so that the kernels are compiled in this crate once and not for each kind of task.
 #[inline(never)]
 fn run_members(settings: Settings, hands: &mut dyn MemberSource, base: &System, form: Form) -> bool {
     dispatch(settings.level, RunMembers { hands, base, form, method: settings.method })

@@ -67,7 +67,7 @@ impl<'a> Shown<'a> {
             let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
             let who = if p.is_tilt() { p.name.clone() } else { probe_name(p) };
             let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.study.speed.from, "rad/s")));
-            // without bound, which is said of the speed
+            // an amplitude without bound has no number; the finding about the pole reports its speed
             if !r.size(p).is_finite() {
                 continue;
             }

@@ -165,7 +165,7 @@ fn significant(x: f64) -> String {
     crate::outcome::significant(x, 4)
 }
 
-/// Fewest base points, or trajectories, whose resampling tells how far an index is off.
+/// Fewest base points, or trajectories, whose resampling gives a confidence interval of an index.
 const LEAST: usize = 8;
 
 /// An interval in a sentence.
@@ -173,7 +173,7 @@ fn ends(i: &Interval, unit: &str) -> String {
     format!("95 % interval {} to {}", quantity(i.low, unit), quantity(i.high, unit))
 }
 
-/// The sample tells something of these indices: enough base points, intervals narrower than the range from 0 to 1 that both have, which meet it, and
+/// The sample is large enough for these indices: enough base points, intervals narrower than the range from 0 to 1 that both have, which meet it, and
 /// a first-order index that may lie below the total one.
 fn known(i: &Indices, used: usize) -> bool {
     let meets = |x: &Interval| x.high - x.low < 1.0 && x.low <= 1.0 && x.high >= 0.0;
