@@ -130,27 +130,11 @@ fn a_window_whose_passage_the_work_limit_ends_is_no_mistake() {
 /// The window of the machine itself is complete when its robust window and its map are stopped: it is shown, and they are named.
 #[test]
 fn a_window_stopped_in_its_later_parts_names_them() {
-    let machine = r#"
-[machine]
-speed = "300 rad/s"
-[[part]]
-kind = "disc"
-name = "drum"
-mass = "2 kg"
-eccentricity = "50 um"
-[[part]]
-kind = "bearing_linear"
-name = "bearing"
-between = ["drum", "ground"]
-stiffness = "2e5 N/m"
-[[part]]
-kind = "damper"
-name = "losses"
-between = ["drum", "ground"]
-damping = "55 N s/m"
-[limits]
-displacement = "0.2 mm"
-"#;
+    let linear = ROTOR
+        .replace("bearing_cubic", "bearing_linear")
+        .replace("law = \"isotropic\"\n", "")
+        .replace("cubic_stiffness = \"1e11 N/m^3\"\n", "");
+    let machine = &format!("{linear}[limits]\ndisplacement = \"0.2 mm\"\n");
     let main = "kind = \"operating_window\"\nspeed = { from = 50, to = 900, points = 20 }\n";
     let all = format!(
         "{main}uncertain = {{ drum.mass = 0.1, losses.damping = 0.1 }}\n\

@@ -151,7 +151,7 @@ impl OperatingWindow {
             points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         }
         if !only {
-            stepped_over(&evaluator, &mut points)?;
+            stepped_over(|w| evaluator.at(w), &mut points)?;
         }
         let mut found = if only { vec![] } else { intervals(&evaluator, &mut points, Point::feasible)? };
         let mechanical =

@@ -74,10 +74,10 @@ pub(super) fn dips(points: &[Point]) -> Vec<f64> {
 
 /// A speed that keeps all requirements between neighbours that do not, where the grid steps over a window: between two speeds that break different requirements, and
 /// around one whose least margin is larger than those of both neighbours. All points looked at are added.
-pub(super) fn stepped_over(evaluator: &Evaluator, points: &mut Vec<Point>) -> Result<(), Diagnostic> {
+pub(super) fn stepped_over(at: impl Fn(f64) -> Result<Point, Diagnostic>, points: &mut Vec<Point>) -> Result<(), Diagnostic> {
     let mut made = Vec::new();
     for pair in points.windows(2) {
-        made.extend(between(&pair[0], &pair[1], |w| evaluator.at(w))?);
+        made.extend(between(&pair[0], &pair[1], &at)?);
     }
     for three in points.windows(3).filter(|t| t.iter().all(|p| !p.feasible())) {
         let (a, b, c) = (three[0].least(), three[1].least(), three[2].least());
@@ -86,7 +86,7 @@ pub(super) fn stepped_over(evaluator: &Evaluator, points: &mut Vec<Point>) -> Re
             && b > c
             && !made.iter().any(|p: &Point| p.feasible() && three[0].speed < p.speed && p.speed < three[2].speed)
         {
-            around(three, &mut made, |w| evaluator.at(w))?;
+            around(three, &mut made, &at)?;
         }
     }
     points.extend(made);
@@ -311,6 +311,26 @@ mod tests {
         made.clear();
         around(&three, &mut made, never).unwrap();
         assert!(made.is_empty());
+    }
+
+    /// The same on a grid: beside the speed with the largest of the least margins, and nowhere else.
+    #[test]
+    fn a_window_that_the_grid_steps_over() {
+        let looked = std::cell::RefCell::new(Vec::new());
+        let at = |w: f64| {
+            looked.borrow_mut().push(w);
+            Ok(point(w, &[0.01 - (w - 5.3).powi(2)]))
+        };
+        let mut points: Vec<Point> = (1..10).map(|k| at(f64::from(k)).unwrap()).collect();
+        looked.borrow_mut().clear();
+        stepped_over(at, &mut points).unwrap();
+        assert!(points.iter().any(Point::feasible) && points.is_sorted_by(|a, b| a.speed < b.speed), "{points:?}");
+        assert!(looked.borrow().iter().all(|w| (4.0..=6.0).contains(w)), "{looked:?}");
+        // margins that only rise have no largest one inside
+        let rising = |w: f64| Ok(point(w, &[w - 20.0]));
+        let mut points: Vec<Point> = (1..10).map(|k| rising(f64::from(k)).unwrap()).collect();
+        stepped_over(rising, &mut points).unwrap();
+        assert_eq!(points.len(), 9);
     }
 
     /// What is kept needs no relaxation.

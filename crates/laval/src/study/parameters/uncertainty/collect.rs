@@ -109,7 +109,7 @@ pub fn decode(text: &str) -> Vec<Quantity> {
 pub fn cause(message: &str) -> String {
     let mut after_number = false;
     let word = |word: &str| {
-        let core = word.trim_matches(|c: char| matches!(c, '(' | ')' | ',' | ';' | ':' | '"') || c == '.');
+        let core = word.trim_matches(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | ',' | ';' | ':' | '"' | '.'));
         let number = core.parse::<f64>().is_ok() && core.contains(|c: char| c.is_ascii_digit());
         let unit = parse_unit(core).ok().filter(|_| after_number && !WORDS.contains(&core));
         after_number = number;
@@ -119,7 +119,7 @@ pub fn cause(message: &str) -> String {
             None => word.to_string(),
         }
     };
-    message.split(' ').map(word).collect::<Vec<_>>().join(" ")
+    message.split_inclusive(char::is_whitespace).map(word).collect()
 }
 
 /// Words of a sentence that are units, too.
@@ -179,6 +179,7 @@ mod tests {
         assert_eq!(cause("\"drum\": mass = -0.25 kg is not admissible"), "\"drum\": mass = .. kg is not admissible");
         assert_eq!(cause("no rest at 1e3 rad/s (3, 4)."), "no rest at .. rad/s (.., ..).");
         assert_eq!(cause("mass is -25 g; it must be above 0"), cause("mass is -2 kg; it must be above 0"));
+        assert_eq!(cause("stopped at 3\nof 7 mm"), "stopped at ..\nof .. m");
         assert_eq!(cause("order-2 of \"disc-2\""), "order-2 of \"disc-2\"");
     }
 }
