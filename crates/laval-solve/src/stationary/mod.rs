@@ -10,6 +10,7 @@ mod continuum;
 mod found;
 mod grip;
 pub mod images;
+pub mod metric;
 pub mod problem;
 
 use super::pencil::modes_about;

@@ -114,6 +114,7 @@ pub struct Condenser {
     rhs: Mat<C64>,
     work: Mat<C64>,
     projected: [Mat<C64>; 2],
+    square: Mat<C64>,
     small: Lu<C64>,
 }
 
@@ -137,6 +138,7 @@ impl Condenser {
             rhs: Mat::default(),
             work: Mat::default(),
             projected: Default::default(),
+            square: Mat::default(),
             small: Lu::default(),
         }
     }
@@ -243,23 +245,6 @@ impl Condenser {
                 }
             }
         }
-        let [flexibility, change] = &self.projected;
-        let square = |a: &Mat<C64>| Mat::from_fn(m, m, |i, j| a[(i, j)]);
-        self.small.factor(&square(flexibility))?;
-        let mut k_ref = Mat::identity(m);
-        self.small.solve_mat(&mut k_ref);
-        // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
-        let dk = k_ref.matmul(&square(change)).matmul(&k_ref);
-        let u0: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
-        let du0: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
-        out.load = k_ref.mul_vec(&u0);
-        out.load_speed = k_ref.mul_vec(&du0);
-        dk.mul_vec_add(&u0, &mut out.load_speed);
-        for i in 0..m {
-            k_ref[(i, i)] -= lossy(k, self.reference[i]);
-        }
-        out.stiffness = k_ref;
-        out.stiffness_speed = dk;
         out.spread.reset(size, m);
         out.free.clear();
         for i in 0..size {
@@ -274,6 +259,30 @@ impl Condenser {
                 *d = -*w;
             }
             out.free_speed.push(self.rhs[(i, m + 1)] - self.work[(i, m)]);
+        }
+        // K, p and their derivatives
+        let [flexibility, change] = &self.projected;
+        let square = |a: &Mat<C64>, out: &mut Mat<C64>| {
+            out.reset(m, m);
+            (0..m).for_each(|i| out.row_mut(i).copy_from_slice(&a.row(i)[..m]));
+        };
+        square(flexibility, &mut self.square);
+        self.small.factor(&self.square)?;
+        let k_ref = &mut out.stiffness;
+        k_ref.reset(m, m);
+        (0..m).for_each(|i| k_ref[(i, i)] = C64::one());
+        self.small.solve_mat(k_ref);
+        // dK = -K dG K with dG = -B Z^-1 Z' Z^-1 B^T
+        square(change, &mut self.square);
+        k_ref.matmul_into(&self.square, &mut self.work);
+        self.work.matmul_into(k_ref, &mut out.stiffness_speed);
+        let moved: Vec<C64> = (0..m).map(|i| flexibility[(i, m)]).collect();
+        let change: Vec<C64> = (0..m).map(|i| flexibility[(i, m + 1)] - change[(i, m)]).collect();
+        out.load = k_ref.mul_vec(&moved);
+        out.load_speed = k_ref.mul_vec(&change);
+        out.stiffness_speed.mul_vec_add(&moved, &mut out.load_speed);
+        for i in 0..m {
+            out.stiffness[(i, i)] -= lossy(k, self.reference[i]);
         }
         Ok(())
     }

@@ -67,6 +67,8 @@ pub struct Balance<'a> {
     pub terms: Terms,
     /// The linear parts, order by order (as `terms.orders`), at the last speed.
     pub orders: Vec<Order>,
+    /// The base order at the last speed that was measured alone.
+    measured: Order,
     /// Samples of the last evaluation.
     pub sampled: Sampled,
     /// Parts whose law switches along the motion: not in the samples of an evaluation, only in those of [`Balance::sample`].
@@ -157,6 +159,7 @@ impl<'a> Balance<'a> {
             smooth,
             projected: vec![0.0; unknowns],
             orders: vec![Order::default(); terms.orders.len()],
+            measured: Order::default(),
             sampled: Sampled::default(),
             condenser,
             pace: None,
@@ -309,11 +312,16 @@ impl<'a> Balance<'a> {
     /// Motion of all coordinates and linear states at order `terms.orders[which]`: complex amplitudes of real coordinates, of the last point
     /// evaluated (its samples give the forces).
     pub fn motion(&mut self, x: &[f64], which: usize, out: &mut Vec<C64>) {
-        let k = self.terms.orders[which];
+        let order = std::mem::take(&mut self.orders[which]);
+        self.motion_of(x, self.terms.orders[which], &order, out);
+        self.orders[which] = order;
+    }
+
+    /// The same with the linear parts condensed at order `k` as given.
+    fn motion_of(&mut self, x: &[f64], k: usize, order: &Order, out: &mut Vec<C64>) {
         let mu = self.nonlinear.basis.rows.len();
         self.terms.amplitudes(x, k, &mut self.amplitudes);
         self.force_amplitudes(k);
-        let order = &self.orders[which];
         out.clear();
         for (i, &free) in order.free.iter().enumerate() {
             let mut sum = free;
@@ -504,11 +512,24 @@ impl Zero for Balance<'_> {
         out.fill(1e-3 * size);
     }
     fn measure(&mut self, x: &[f64], p: f64, out: &mut [f64]) -> Result<(), Failure> {
-        self.set_speed(p).map_err(|_| Failure::Undefined(NO_RESPONSE))?;
         let Some(which) = self.terms.orders.iter().position(|&k| k == self.terms.divisor) else { return Ok(()) };
-        self.project(x, p, None, None);
         let mut motion = Vec::new();
-        self.motion(x, which, &mut motion);
+        if self.pace == Some(self.pace(p)) {
+            self.project(x, p, None, None);
+            self.motion(x, which, &mut motion);
+        } else {
+            // one order is enough
+            self.pace = None;
+            self.condenser.set_pace(self.system, &self.pace(p));
+            let mut order = std::mem::take(&mut self.measured);
+            let condensed = self.condenser.order(self.system, self.terms.divisor, &mut order);
+            if condensed.is_ok() {
+                self.project(x, p, None, None);
+                self.motion_of(x, self.terms.divisor, &order, &mut motion);
+            }
+            self.measured = order;
+            condensed.map_err(|_| Failure::Undefined(NO_RESPONSE))?;
+        }
         for (i, &(g, lever)) in self.bodies.iter().enumerate() {
             let forward = (motion[g] + motion[g + 1].mul_i()).scale(0.5 * lever);
             out[2 * i] = forward.re;

@@ -86,7 +86,10 @@ fn approach<'a>(
     let start = direct(&mut balance, from)?;
     let way = if to > from { Direction::Up } else { Direction::Down };
     let max_points = MOST_POINTS.min(request.max_points);
-    let branch = trace(&mut balance, &start, from, way, &Settings { max_points, ..Settings::new(range.0, range.1) }, &mut []).ok()?;
+    // only the last state is kept, so that longer steps will do than along a branch that is drawn
+    let max_parameter_step = (range.1 - range.0) / 10.0;
+    let settings = Settings { max_points, max_parameter_step, monitor_change: 0.3, ..Settings::new(range.0, range.1) };
+    let branch = trace(&mut balance, &start, from, way, &settings, &mut []).ok()?;
     let last = branch.points.last().filter(|p| branch.end == End::Reached && p.p == to)?;
     Some(last.x.clone())
 }

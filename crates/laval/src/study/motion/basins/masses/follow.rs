@@ -5,11 +5,11 @@
 //! agree.
 
 use super::known::{KnownAttractors, MassKind};
-use super::space::Space;
 use crate::model::system::System;
 use crate::solve::ensemble::{self, Ended, EnsembleTask, Leg, LegEnd, Next, Start};
 use crate::solve::motion::SpinLaw;
 use crate::solve::programme::{Programme, Shape};
+use crate::solve::stationary::metric::Metric;
 use crate::study::motion::steady_state::{Budget, words};
 use crate::study::shared::support::larger;
 use std::f64::consts::TAU;
@@ -98,7 +98,7 @@ pub(super) struct Begin {
 
 pub(super) struct Follow<'a> {
     pub system: &'a Arc<System>,
-    pub space: &'a Space,
+    pub metric: &'a Metric,
     pub speed: f64,
     pub starts: &'a [Begin],
     pub relative: f64,
@@ -120,7 +120,7 @@ impl Follow<'_> {
     }
 
     fn angles(&self, y: &[f64]) -> Vec<f64> {
-        self.space.images.angles.iter().map(|&i| y[i]).collect()
+        self.metric.images.angles.iter().map(|&i| y[i]).collect()
     }
 
     fn failed(log: &mut Log, why: &'static str, y: &[f64]) -> Course {
@@ -147,7 +147,7 @@ impl Follow<'_> {
 
     /// What a motion that is at this state now has come to, as far as that shows.
     fn look(&self, log: &mut Log, seen: &[f64]) -> Option<Goal> {
-        let distances = self.known.distances(self.space, seen, self.early);
+        let distances = self.known.distances(self.metric, seen, self.early);
         for (near, &d) in log.nearest.iter_mut().zip(&distances) {
             *near = near.min(d);
         }
@@ -237,7 +237,7 @@ impl EnsembleTask for Follow<'_> {
             return Next::Done(Self::failed(log, words(ended.end), y));
         }
         let coordinates = self.system.coordinates();
-        let bodies = (0..self.system.n()).filter(|i| !self.space.images.angles.contains(i));
+        let bodies = (0..self.system.n()).filter(|i| !self.metric.images.angles.contains(i));
         if !bodies.into_iter().all(|i| y[i].abs() <= RUNAWAY * coordinates[i].dof.typical) {
             return Next::Done(Self::failed(log, "grows without bound", y));
         }
@@ -248,7 +248,7 @@ impl EnsembleTask for Follow<'_> {
         }
         log.turns += ((ended.t - log.t) * self.speed / TAU).round() as u64;
         log.t = ended.t;
-        let seen = self.space.seen(y);
+        let seen = self.metric.seen(y);
         if log.seen.len() == WINDOW {
             log.seen.clear();
         }
@@ -261,9 +261,9 @@ impl EnsembleTask for Follow<'_> {
             let now = self.angles(y);
             let turned = WINDOW as f64 * LEG as f64 * TAU;
             let slip: Vec<f64> = now.iter().zip(&log.begin).map(|(a, b)| (a - b) / turned).collect();
-            let size = log.seen.iter().map(|s| self.space.size(s)).sum::<f64>() / WINDOW as f64;
-            let stir = log.seen.iter().map(|s| self.space.stir(s)).fold(0.0, larger);
-            log.windows.push((self.space.sorted(&slip), size, stir));
+            let size = log.seen.iter().map(|s| self.metric.size(s)).sum::<f64>() / WINDOW as f64;
+            let stir = log.seen.iter().map(|s| self.metric.stir(s)).fold(0.0, larger);
+            log.windows.push((self.metric.sorted(&slip), size, stir));
             log.begin = now;
             if let Some(goal) = self.assess(log) {
                 return Self::course(log, goal, y);

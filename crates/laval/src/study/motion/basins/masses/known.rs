@@ -1,6 +1,6 @@
 //! What motions of a machine with movable masses end in, and how near a motion must come to be recognised.
 
-use super::space::Space;
+use crate::solve::stationary::metric::Metric;
 use crate::study::nonlinear::stationary::classify::Class;
 use serde::{Deserialize, Serialize};
 
@@ -77,8 +77,8 @@ pub(super) struct Attractor {
 }
 
 impl Attractor {
-    pub fn rest(space: &Space, q: &[f64], class: Class, growth: f64, stable: bool) -> Self {
-        let points = space.images(&space.resting(q));
+    pub fn rest(metric: &Metric, q: &[f64], class: Class, growth: f64, stable: bool) -> Self {
+        let points = metric.images(&metric.resting(q));
         Attractor { kind: MassKind::Rest { class, growth, stable, q: q.to_vec() }, points, radius: 0.0, approach: f64::INFINITY }
     }
 
@@ -92,8 +92,8 @@ impl Attractor {
         MassAttractor { kind: self.kind.clone(), radius: self.radius, approach: Some(self.approach).filter(|a| a.is_finite()) }
     }
 
-    pub fn distance(&self, space: &Space, at: &[f64]) -> f64 {
-        self.points.iter().map(|p| space.distance(p, at)).filter(|d| !d.is_nan()).fold(f64::INFINITY, f64::min)
+    pub fn distance(&self, metric: &Metric, at: &[f64]) -> f64 {
+        metric.to_nearest(at, &self.points)
     }
 }
 
@@ -123,7 +123,7 @@ impl KnownAttractors {
     }
 
     /// Adds what a motion that was followed to its end shows of what it moves on.
-    pub fn learn(&mut self, space: &Space, slip: &[f64], (size, stir): (f64, f64), tail: &[Vec<f64>]) {
+    pub fn learn(&mut self, metric: &Metric, slip: &[f64], (size, stir): (f64, f64), tail: &[Vec<f64>]) {
         let k = self.moving(slip).unwrap_or_else(|| {
             let kind = MassKind::Moving { slip: slip.to_vec(), size, stir };
             self.attractors.push(Attractor { kind, points: vec![], radius: 0.0, approach: f64::INFINITY });
@@ -131,8 +131,8 @@ impl KnownAttractors {
         });
         let own = &mut self.attractors[k];
         for state in tail {
-            if own.distance(space, state) > APART {
-                let images = space.images(state);
+            if own.distance(metric, state) > APART {
+                let images = metric.images(state);
                 if own.points.len() < MOST_POINTS * images.len() {
                     own.points.extend(images);
                 }
@@ -141,16 +141,16 @@ impl KnownAttractors {
     }
 
     /// Distances of a state; where only `near` ones count, those of motions are infinite beyond the radius.
-    pub fn distances(&self, space: &Space, at: &[f64], near: bool) -> Vec<f64> {
+    pub fn distances(&self, metric: &Metric, at: &[f64], near: bool) -> Vec<f64> {
         let of = |a: &Attractor| match &a.kind {
             MassKind::Moving { .. } if near => {
-                if a.points.iter().any(|p| space.nearer(p, at, a.radius)) {
+                if metric.any_within(at, &a.points, a.radius) {
                     a.radius
                 } else {
                     f64::INFINITY
                 }
             }
-            _ => a.distance(space, at),
+            _ => a.distance(metric, at),
         };
         self.attractors.iter().map(of).collect()
     }

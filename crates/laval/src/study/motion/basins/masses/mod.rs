@@ -7,13 +7,12 @@
 //! attractor without being followed on. A third part of the starts is followed to the end as well, and says how often that would have been wrong; cells of the
 //! map may be, too ([`check`]).
 //!
-//! Distances are those of [`space`].
+//! Distances are those of [`Metric`].
 
 mod check;
 mod follow;
 mod known;
 mod report;
-mod space;
 
 use super::rows::PLACE;
 use super::{Basins, BasinsResult, Context, Found, MassBasins};
@@ -22,6 +21,7 @@ use crate::model::system::{Drive, System};
 use crate::outcome::{End, Finding, Outcome};
 use crate::solve::ensemble::{self, Form, Settings};
 use crate::solve::stationary::images::Images;
+use crate::solve::stationary::metric::Metric;
 use crate::solve::stationary::{Request, Search, State};
 use crate::solve::turning::isotropic;
 use crate::store::{self, Collected};
@@ -39,7 +39,6 @@ pub use known::{MassAttractor, MassKind};
 use laval_num::sampling::Points;
 pub(super) use report::report;
 use serde::{Deserialize, Serialize};
-use space::Space;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -95,7 +94,7 @@ fn place(values: &[Vec<f64>; 2], cell: usize) -> [f64; 2] {
 struct Members<'a> {
     study: &'a Basins,
     system: Arc<System>,
-    space: Space,
+    metric: Metric,
     start: Start,
     budget: Budget,
     values: [Vec<f64>; 2],
@@ -131,7 +130,7 @@ impl Members<'_> {
         let relative = if self.study.exact { rules.relative } else { RELATIVE };
         let task = Follow {
             system: &self.system,
-            space: &self.space,
+            metric: &self.metric,
             speed: self.study.speed,
             starts,
             relative,
@@ -175,7 +174,7 @@ impl Members<'_> {
         let mut seen = Rehearsal { learned, ..Rehearsal::default() };
         for course in self.follow(&self.spread(0, learned), false, &done)? {
             if course.goal == Goal::Moving {
-                self.known.learn(&self.space, &course.slip, course.extent, &course.tail);
+                self.known.learn(&self.metric, &course.slip, course.extent, &course.tail);
             }
         }
         if !self.early {
@@ -276,18 +275,18 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     let own = system.with(&[]).map_err(Diagnostics::into_error)?;
     let (states, images) = states_at(&own, study.speed, STARTS, context)?;
     let held = states.first().map_or_else(|| vec![0.0; own.n()], |s| s.state.x[..own.n()].to_vec());
-    let space = Space::new(&own, study.speed, images, &held);
+    let metric = Metric::new(&own, study.speed, images, &held);
     let values = study.axes.each_ref().map(super::InitialValueAxis::values);
     let count = values[0].len() * values[1].len();
     let rest = |r: &crate::study::nonlinear::stationary::Row| {
-        Attractor::rest(&space, &r.state.x[..own.n()], r.class, r.stability.growth(), r.stable())
+        Attractor::rest(&metric, &r.state.x[..own.n()], r.class, r.stability.growth(), r.stable())
     };
     let attractors = states.iter().map(rest).collect();
-    let early = study.recognise && count >= MANY && space.countable();
+    let early = study.recognise && count >= MANY && metric.countable();
     let mut members = Members {
         study,
         known: KnownAttractors { attractors },
-        space,
+        metric,
         start: Start::new(&own, study.speed),
         budget: Budget::new(context.work_limit),
         values,
@@ -314,7 +313,7 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
     let names = report::names(&attractors);
     let checked = if wanted { check::check(&members, &names, &report::ends(&cells, &names)) } else { None };
     let end = context.end(complete && !(wanted && checked.is_none()));
-    let masses = members.space.images.groups.iter().flatten().copied().collect();
+    let masses = members.metric.images.groups.iter().flatten().copied().collect();
     let recognition = members.early.then_some(seen);
     let found = MassBasins { attractors, masses, cells, recognition, checked };
     Ok(BasinsResult { found: Some(Found::Masses(Box::new(found))), undeflected: members.start.undeflected, end })

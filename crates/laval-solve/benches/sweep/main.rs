@@ -1,25 +1,29 @@
 //! The sweep benchmark: 200 speeds 25, 50 .. 5000 rad/s of the planar machine on cubic bearings, 250 forcing periods each from rest, relative
 //! tolerance 1e-8, absolute 1e-11, in microseconds of one core per speed and period.
 //!
-//! The machine comes from a file and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
+//! The machine is built from parts and goes through the generic ensemble; beside it run a kernel written by hand for this machine in the same
 //! lanes ([`kernel`]), and laval's one-member integrator. `benches/sweep/compare/compare.sh` adds other programs on the same work.
 //!
-//! `cargo bench -p laval --bench sweep [-- source | alone]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each;
+//! `cargo bench -p laval-solve --bench sweep [-- source | alone]`; with `source` also the complete study of the source document: 5000 speeds, 25 s each;
 //! with `alone` only one member at a time.
 
-#[path = "../common/clock.rs"]
+#[path = "../../../laval/benches/common/clock.rs"]
 mod clock;
 mod kernel;
-#[path = "../common/processor.rs"]
+#[path = "../../../laval/benches/common/processor.rs"]
 mod processor;
 
 use clock::clock;
-use laval::model::system::System;
-use laval::solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, Next, Settings, Start};
-use laval::solve::motion::{Motion, SpinLaw};
-use laval::solve::programme::Programme;
+use laval_model::model::builder::Builder;
+use laval_model::model::field::Attach;
+use laval_model::model::part::Link;
+use laval_model::model::system::System;
+use laval_model::parts::{bearing_cubic::*, damper::*, disc::*, foundation::*};
 use laval_num::lanes::Level;
 use laval_num::ode::{Control, Dop853, integrate};
+use laval_solve::ensemble::{self, Ended, EnsembleTask, Form, Leg, Next, Settings, Start};
+use laval_solve::motion::{Motion, SpinLaw};
+use laval_solve::programme::Programme;
 use processor::processor;
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
@@ -56,15 +60,16 @@ const CASES: [Case; 2] = [
 ];
 
 fn machine(case: Case) -> Option<System> {
-    let text = include_str!("machine.toml").replace("@DAMPING@", &case.damping.to_string());
-    let text = text.replace("@ECCENTRICITY@", &case.eccentricity.to_string());
-    match laval::file::load(&text) {
-        Ok(loaded) => Some(loaded.system),
-        Err(d) => {
-            println!("{d:?}");
-            None
-        }
-    }
+    let joint = Link::Between(Attach::on("drum"), Attach::on("base"));
+    let ground = Link::Between(Attach::on("drum"), Attach::ground());
+    let law = BearingCubicParams { stiffness: [1.1e7; 2], cubic_stiffness: [8.7e10; 2], valid_to: 0.0 };
+    let built = Builder::new("planar rotor of the sweep benchmark")
+        .part("drum", Disc::planar(), DiscParams { eccentricity: case.eccentricity, ..DiscParams::new(2.4) })
+        .part("base", Foundation, FoundationParams { mass: 25.0, stiffness: [3.26e5; 2], damping: [6.59; 2] })
+        .part("bearing", BearingCubic::per_axis(joint), law)
+        .part("air", Damper::fixed(ground), DamperParams { damping: [case.damping; 2], tilt_damping: 0.0 })
+        .build();
+    built.map_err(|d| println!("{d:?}")).ok()
 }
 
 /// From rest at each speed.

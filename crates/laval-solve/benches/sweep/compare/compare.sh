@@ -3,7 +3,7 @@
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 echo "== laval"
-(cd "$here/../../../../.." && cargo bench -p laval --bench sweep)
+(cd "$here/../../../../.." && cargo bench -p laval-solve --bench sweep)
 echo "== Rust crates"
 (cd "$here" && cargo run --release --quiet)
 echo "== Python"

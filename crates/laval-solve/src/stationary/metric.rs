@@ -1,4 +1,4 @@
-//! States of a machine with movable masses in axes that turn with the rotor, and how far apart they are.
+//! How far apart states of a machine with movable masses are, in axes that turn with the rotor.
 //!
 //! ```text
 //! d^2 = sum_i (m_i/m) (dq_i^2 + dv_i^2/W^2),   v = q' - W J q
@@ -7,26 +7,28 @@
 //! m_i are the diagonal entries of the mass matrix, m the largest of an angle: d is one when the mass with the most inertia is one radian away, or moves
 //! by one turn a turn. Angles count modulo a turn. W spin speed, J the quarter turn of vectors and tilts.
 
+use crate::characteristic::coordinate_sectors;
 use crate::model::part::At;
 use crate::model::system::System;
 use crate::model::tangent::{Tangent, TangentScratch};
-use crate::solve::characteristic::coordinate_sectors;
-use crate::solve::sectors::Sectors;
-use crate::solve::stationary::images::{Images, wrapped};
+use crate::sectors::Sectors;
+use crate::stationary::images::{Images, wrapped};
 
 /// Most images of a state that are compared one by one.
 const MOST_IMAGES: usize = 128;
 
-pub(super) struct Space {
+/// Coordinates and relative rates of a machine, their weights, and the images of a state.
+pub struct Metric {
     n: usize,
     speed: f64,
+    /// What leaves the machine as it is.
     pub images: Images,
     turning: Sectors,
     weight: Vec<f64>,
     angle: Vec<bool>,
 }
 
-impl Space {
+impl Metric {
     /// Weights are those of the mass matrix at coordinates `q`.
     pub fn new(system: &System, speed: f64, images: Images, q: &[f64]) -> Self {
         let n = system.n();
@@ -38,7 +40,7 @@ impl Space {
         images.angles.iter().for_each(|&i| angle[i] = true);
         let unit = images.angles.iter().map(|&i| tangent.a[(i, i)]).fold(0.0, f64::max);
         let weight = (0..n).map(|i| tangent.a[(i, i)] / unit).collect();
-        Space { n, speed, images, turning: coordinate_sectors(system), weight, angle }
+        Metric { n, speed, images, turning: coordinate_sectors(system), weight, angle }
     }
 
     /// Coordinates, then relative rates over the speed, of a state (q, v, z) at phase zero.
@@ -54,32 +56,41 @@ impl Space {
         q[..self.n].iter().copied().chain(std::iter::repeat_n(0.0, self.n)).collect()
     }
 
-    /// Distance of two states as they stand; NaN stays.
-    pub fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
-        let mut sum = 0.0;
-        for i in 0..self.n {
-            let off = a[i] - b[i];
-            let off = if self.angle[i] { wrapped(off) } else { off };
-            let rate = a[self.n + i] - b[self.n + i];
-            sum += self.weight[i] * (off * off + rate * rate);
-        }
-        sum.sqrt()
+    /// Part of the square of the distance that belongs to coordinate `i`.
+    #[inline(always)]
+    fn square(&self, i: usize, a: &[f64], b: &[f64]) -> f64 {
+        let off = a[i] - b[i];
+        let off = if self.angle[i] { wrapped(off) } else { off };
+        let rate = a[self.n + i] - b[self.n + i];
+        self.weight[i] * (off * off + rate * rate)
     }
 
-    /// Two states as they stand are nearer than this.
-    pub fn nearer(&self, a: &[f64], b: &[f64], limit: f64) -> bool {
-        let (mut sum, most) = (0.0, limit * limit);
-        for i in 0..self.n {
-            let off = a[i] - b[i];
-            let off = if self.angle[i] { wrapped(off) } else { off };
-            let rate = a[self.n + i] - b[self.n + i];
-            sum += self.weight[i] * (off * off + rate * rate);
-            // a distance that is no number is not near
-            if !(sum <= most) {
-                return false;
+    /// Distance from a state to the nearest of others; those at no finite distance are left out, infinite without others.
+    pub fn to_nearest(&self, at: &[f64], others: &[Vec<f64>]) -> f64 {
+        let mut least = f64::INFINITY;
+        for other in others {
+            let mut sum = 0.0;
+            for i in 0..self.n {
+                sum += self.square(i, other, at);
+            }
+            // not so for NaN
+            if sum < least {
+                least = sum;
             }
         }
-        true
+        least.sqrt()
+    }
+
+    /// One of the states is no farther than `limit`.
+    pub fn any_within(&self, at: &[f64], others: &[Vec<f64>], limit: f64) -> bool {
+        let most = limit * limit;
+        others.iter().any(|other| {
+            let mut sum = 0.0;
+            (0..self.n).all(|i| {
+                sum += self.square(i, other, at);
+                sum <= most
+            })
+        })
     }
 
     /// Distance from rest in turning axes.
