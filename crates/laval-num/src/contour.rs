@@ -60,6 +60,8 @@ const AGREE: f64 = 0.25;
 const WHOLE: f64 = 1e-3;
 /// Noise of a function that is computed to rounding.
 pub const NOISE: f64 = 1e-10;
+/// Factors between 0.7 and 1 in size whose product is computed without scaling.
+const PRODUCT: usize = 32;
 /// Places on the edge of a cell that zeros are looked for from, at most.
 const BESIDE: usize = 12;
 /// Deepest subdivision.
@@ -209,7 +211,8 @@ impl<'a, F: FnMut(C64) -> Option<Sample>> Search<'a, F> {
                 let there = self.at(next)?;
                 let way = next - s;
                 // of the sum of their angles only the rest after whole turns is needed: that of the product
-                let known = self.known.iter().fold(C64::ONE, |all, z| direction(all * direction((next - *z) * (s - *z).conj()))).arg();
+                let angle = |some: &[C64]| some.iter().fold(C64::ONE, |all, z| all * direction((next - *z) * (s - *z).conj()));
+                let known = self.known.chunks(PRODUCT).fold(C64::ONE, |all, some| direction(all * angle(some))).arg();
                 let turn = there.phase - here.phase - known;
                 let turn = turn - TAU * (turn / TAU).round();
                 let expected = (way * (here.rate + there.rate)).im * 0.5;

@@ -1,8 +1,8 @@
 //! One step of the explicit method of order 8 in lanes.
 
 use super::EnsembleProblem;
-use super::method::{Attempt, Ends, Method, bounded};
-use crate::lanes::{Bits, LaneBits, LaneScalar};
+use super::method::{Attempt, Ends, Method, bounded, stored};
+use crate::lanes::{Bits, LANES, LaneBits, LaneScalar};
 use crate::ode::nystrom::{self as pairs, Pair};
 use crate::ode::tableau::C;
 
@@ -242,32 +242,28 @@ impl<S: LaneScalar> Method<S> for Dop853<S> {
         from.state(&mut self.rows[6 * n..7 * n], &pairs::D6);
     }
 
-    /// The lane's interpolant and its ends, to be read at several times: y0, y1, rows.
-    fn extract(&self, lane: usize, out: &mut [f64]) {
-        for (x, s) in out.iter_mut().zip(self.ends.y0[..self.ends.n].iter().chain(&self.ends.y1[..self.ends.n]).chain(&self.rows)) {
-            *x = s.get(lane);
-        }
+    /// y0, y1, rows.
+    #[inline(always)]
+    fn interpolants(&self, out: &mut Vec<[f64; LANES]>) {
+        let n = self.ends.n;
+        stored(self.ends.y0[..n].iter().chain(&self.ends.y1[..n]).chain(&self.rows), out);
     }
-    /// Length of what [`Dop853::extract`] fills.
-    fn extract_len(n: usize) -> usize {
-        (2 + ROWS) * n
-    }
-    /// Reads an extract: y = y0 + x (F0 + (1-x) (F1 + x (F2 + ...))), x = (t - t0)/(t1 - t0).
-    fn eval(extract: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
+    /// y = y0 + x (F0 + (1-x) (F1 + x (F2 + ...))), x = (t - t0)/(t1 - t0).
+    fn eval(interpolant: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
         let n = y.len();
         if t == t1 {
-            y.copy_from_slice(&extract[n..2 * n]);
+            y.copy_from_slice(&interpolant[n..2 * n]);
             return;
         }
         let x = (t - t0) / (t1 - t0);
         y.fill(0.0);
         for i in (0..ROWS).rev() {
             let w = if i % 2 == 0 { x } else { 1.0 - x };
-            for (y, f) in y.iter_mut().zip(&extract[(2 + i) * n..(3 + i) * n]) {
+            for (y, f) in y.iter_mut().zip(&interpolant[(2 + i) * n..(3 + i) * n]) {
                 *y = (*y + f) * w;
             }
         }
-        for (y, y0) in y.iter_mut().zip(&extract[..n]) {
+        for (y, y0) in y.iter_mut().zip(&interpolant[..n]) {
             *y += y0;
         }
     }

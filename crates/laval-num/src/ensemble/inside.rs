@@ -13,7 +13,9 @@ pub(super) struct Inside {
     n: usize,
     /// State, relative and absolute tolerances.
     seat: Vec<f64>,
-    extract: Vec<f64>,
+    /// Interpolants of the step in all lanes, and that of the lane looked at.
+    interpolants: Vec<[f64; LANES]>,
+    interpolant: Vec<f64>,
     y: Vec<f64>,
     events: usize,
     /// Values at the last probe, lane after lane.
@@ -28,7 +30,8 @@ impl Inside {
         Inside {
             n,
             seat: vec![0.0; 3 * n],
-            extract: vec![],
+            interpolants: vec![],
+            interpolant: vec![],
             y: vec![0.0; n],
             events,
             values: vec![0.0; events * LANES],
@@ -81,6 +84,12 @@ impl Inside {
         fine
     }
 
+    /// Keeps the interpolants of the step, which [`Inside::look`] reads.
+    #[inline(always)]
+    pub fn keep<S: LaneScalar, M: Method<S>>(&mut self, method: &M) {
+        method.interpolants(&mut self.interpolants);
+    }
+
     /// Gives the outputs and events of the step in order. `Some` is the time of the crossing that ends the leg, its state then is
     /// [`Inside::state`].
     pub fn look<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(
@@ -88,7 +97,6 @@ impl Inside {
         lane: usize,
         problem: &mut C,
         roster: &mut Roster<S>,
-        method: &M,
         t0: f64,
         t1: f64,
     ) -> Option<f64> {
@@ -96,8 +104,8 @@ impl Inside {
         if !wants && self.events == 0 {
             return None;
         }
-        self.extract.resize(M::extract_len(self.n), 0.0);
-        method.extract(lane, &mut self.extract);
+        self.interpolant.clear();
+        self.interpolant.extend(self.interpolants.iter().map(|of_lanes| of_lanes[lane]));
         let span = (t0, t1);
         let mut a = t0;
         for p in 1..=PROBES {
@@ -109,7 +117,7 @@ impl Inside {
             for k in 0..self.found.len() {
                 let (index, t) = self.found[k];
                 self.outputs_until::<S, C, M>(lane, problem, roster, span, t);
-                M::eval(&self.extract, span, t, &mut self.y);
+                M::eval(&self.interpolant, span, t, &mut self.y);
                 if problem.crossed(lane, index, t, &self.y) {
                     self.crossing[lane] = index;
                     self.seat[..self.n].copy_from_slice(&self.y);
@@ -131,7 +139,7 @@ impl Inside {
         until: f64,
     ) {
         while roster.next_output[lane] <= until {
-            M::eval(&self.extract, span, roster.next_output[lane], &mut self.y);
+            M::eval(&self.interpolant, span, roster.next_output[lane], &mut self.y);
             roster.give(lane, problem, &self.y);
         }
     }
@@ -146,7 +154,7 @@ impl Inside {
         b: f64,
     ) {
         self.found.clear();
-        M::eval(&self.extract, span, b, &mut self.y);
+        M::eval(&self.interpolant, span, b, &mut self.y);
         for i in 0..self.events {
             self.probe[i] = problem.event(lane, i, b, &self.y);
         }
@@ -156,9 +164,9 @@ impl Inside {
             if !((ga < 0.0 && gb >= 0.0) || (ga > 0.0 && gb <= 0.0)) {
                 continue;
             }
-            let (extract, y) = (&self.extract, &mut self.y);
+            let (interpolant, y) = (&self.interpolant, &mut self.y);
             let zero = bracket(a, ga, b, gb, |t| {
-                M::eval(extract, span, t, y);
+                M::eval(interpolant, span, t, y);
                 problem.event(lane, i, t, y)
             });
             if let Some((_, t)) = zero {

@@ -1,7 +1,7 @@
 //! What a one-step method in lanes gives, and the ends of a step that all methods keep.
 
 use super::EnsembleProblem;
-use crate::lanes::{Bits, LaneBits, LaneScalar};
+use crate::lanes::{Bits, LANES, LaneBits, LaneScalar};
 
 /// Outcome of a step tried in all lanes.
 pub(super) struct Attempt<S> {
@@ -30,12 +30,10 @@ pub(super) trait Method<S: LaneScalar>: Sized {
     fn dense<C: EnsembleProblem<S>>(&mut self, problem: &mut C);
     /// Makes the end of the step the start of the next in the lanes given.
     fn advance(&mut self, accepted: Bits);
-    /// The lane's interpolant and its ends, to be read at several times.
-    fn extract(&self, lane: usize, out: &mut [f64]);
-    /// Length of what [`Method::extract`] fills.
-    fn extract_len(n: usize) -> usize;
-    /// Reads an extract at a time of the step.
-    fn eval(extract: &[f64], span: (f64, f64), t: f64, y: &mut [f64]);
+    /// The interpolants of all lanes with both ends of the step, value by value.
+    fn interpolants(&self, out: &mut Vec<[f64; LANES]>);
+    /// Reads the interpolant of one lane at a time of the step.
+    fn eval(interpolant: &[f64], span: (f64, f64), t: f64, y: &mut [f64]);
 }
 
 /// Both ends of a step, and the tolerances.
@@ -48,6 +46,17 @@ pub(super) struct Ends<S> {
     /// States at both ends of the step, each with the problem's room behind it.
     pub y0: Vec<S>,
     pub y1: Vec<S>,
+}
+
+/// The values of all lanes.
+#[inline(always)]
+pub(super) fn stored<'a, S: LaneScalar + 'a>(values: impl Iterator<Item = &'a S>, out: &mut Vec<[f64; LANES]>) {
+    out.clear();
+    for s in values {
+        let mut row = [0.0; LANES];
+        s.store(&mut row);
+        out.push(row);
+    }
 }
 
 impl<S: LaneScalar> Ends<S> {

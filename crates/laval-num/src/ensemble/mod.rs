@@ -238,6 +238,7 @@ fn travel<S: LaneScalar, C: EnsembleProblem<S>, M: Method<S>>(problem: &mut C) -
             let wanted = accepted & r.wants_inside(t1, problem.events());
             if wanted != 0 {
                 method.dense(problem);
+                inside.keep(&method);
                 stopped = r.inside(wanted, t1, problem, &mut method, &mut inside);
             }
             let advanced = accepted & !stopped;
@@ -359,7 +360,7 @@ impl<S: LaneScalar> Roster<S> {
         let (t0, t1) = (self.t.to_array(), t1.to_array());
         let mut stopped = 0;
         for lane in each(wanted) {
-            if let Some(t) = inside.look(lane, problem, self, method, t0[lane], t1[lane]) {
+            if let Some(t) = inside.look::<S, C, M>(lane, problem, self, t0[lane], t1[lane]) {
                 stopped |= 1 << lane;
                 self.t = self.t.with(lane, t);
                 method.ends_mut().set_state(lane, inside.state());

@@ -12,8 +12,8 @@
 //! package, BIT Numer. Math. 63 (2023) 27.
 
 use super::EnsembleProblem;
-use super::method::{Attempt, Ends, Method, bounded, rates};
-use crate::lanes::{Bits, LaneBits, LaneScalar};
+use super::method::{Attempt, Ends, Method, bounded, rates, stored};
+use crate::lanes::{Bits, LANES, LaneBits, LaneScalar};
 
 const STAGES: usize = 8;
 const SAFETY: f64 = 0.9;
@@ -384,24 +384,20 @@ impl<S: LaneScalar> Method<S> for Rodas<S> {
         }
     }
 
-    fn extract(&self, lane: usize, out: &mut [f64]) {
+    #[inline(always)]
+    fn interpolants(&self, out: &mut Vec<[f64; LANES]>) {
         let n = self.ends.n;
-        for (x, s) in out.iter_mut().zip(self.ends.y0[..n].iter().chain(&self.ends.y1[..n]).chain(&self.rows)) {
-            *x = s.get(lane);
-        }
+        stored(self.ends.y0[..n].iter().chain(&self.ends.y1[..n]).chain(&self.rows), out);
     }
-    fn extract_len(n: usize) -> usize {
-        5 * n
-    }
-    fn eval(extract: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
+    fn eval(interpolant: &[f64], (t0, t1): (f64, f64), t: f64, y: &mut [f64]) {
         let n = y.len();
         if t == t1 {
-            y.copy_from_slice(&extract[n..2 * n]);
+            y.copy_from_slice(&interpolant[n..2 * n]);
             return;
         }
         let x = (t - t0) / (t1 - t0);
         for (j, y) in y.iter_mut().enumerate() {
-            let [y0, y1, k1, k2, k3] = std::array::from_fn(|i| extract[i * n + j]);
+            let [y0, y1, k1, k2, k3] = std::array::from_fn(|i| interpolant[i * n + j]);
             *y = (1.0 - x) * y0 + x * (y1 + (1.0 - x) * (k1 + x * (k2 + x * k3)));
         }
     }
@@ -458,11 +454,12 @@ mod tests {
             let attempt = r.attempt(&mut Bell, S::cst(t0), S::cst(t0 + h), S::cst(h));
             assert!(attempt.finite.get(0));
             r.dense(&mut Bell);
-            let mut extract = vec![0.0; Rodas::<S>::extract_len(1)];
-            r.extract(0, &mut extract);
+            let mut interpolants = Vec::new();
+            r.interpolants(&mut interpolants);
+            let first: Vec<f64> = interpolants.iter().map(|of_lanes| of_lanes[0]).collect();
             let error = |t: f64| {
                 let mut y = [0.0];
-                Rodas::<S>::eval(&extract, (t0, t0 + h), t, &mut y);
+                Rodas::<S>::eval(&first, (t0, t0 + h), t, &mut y);
                 y[0] - exact(t)
             };
             [error(t0 + h), error(t0 + 0.4 * h), r.k[STAGES - 1].get(0)].map(f64::abs)
