@@ -358,6 +358,9 @@ fn templates_are_sound_and_never_overwrite() {
         }
         dir.laval(["new", name]).refused(&["exists and is not overwritten", "--out"]);
     }
+    // every example is a template, and runs here
+    let examples = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples")).unwrap();
+    assert_eq!(examples.filter(|e| e.as_ref().unwrap().path().join("machine.toml").exists()).count(), TEMPLATES.len());
     assert_eq!(list.out.lines().take_while(|l| !l.is_empty()).count(), TEMPLATES.len());
     dir.laval(["new", "rigid-rotr"]).refused(&["did you mean \"rigid-rotor\"?"]);
     assert_eq!(dir.laval(["new", "rigid-rotor", "--out", "-"]).done(), fs::read_to_string(dir.0.join("rigid-rotor.toml")).unwrap());

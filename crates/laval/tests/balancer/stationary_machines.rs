@@ -267,7 +267,7 @@ fn states_satisfy_the_equations_of_motion() {
 /// A bow that turns with the shaft has relaxed: states of a shaft with memory are those of its long-term stiffness.
 #[test]
 fn a_shaft_with_memory_has_relaxed() {
-    let speeds = "speed = { from = 300, to = 1200, points = 3 }\nseeds = 2\nstarts = 8";
+    let speeds = "speed = { from = 300, to = 1200, points = 3 }\nseeds = 2\nstarts = 4";
     let (amplitude, decay) = (0.04f64, 0.04f64);
     // integral of A t^(-1/2) exp(-b t)
     let lasting = 1.0 - amplitude * (PI / decay).sqrt();

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-const MACHINES: u64 = 600;
+const MACHINES: u64 = 400;
 /// Machines beyond those in which something was wrong once: a memory beside its pole, an equilibrium in its rounding, a matrix singular to the last digit.
 const ALSO: [u64; 3] = [792, 1296, 1608];
 

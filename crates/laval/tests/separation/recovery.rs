@@ -367,7 +367,7 @@ drag = "{drag}"
 [[study]]
 kind = "separation"
 time = "5 min"
-particles = 64
+particles = 32
 programme = {{ time = [0, 30, 90], speed = [{speeds}] }}
 "#
         )
@@ -380,7 +380,7 @@ programme = {{ time = [0, 30, 90], speed = [{speeds}] }}
         assert!(again.find_table("demand").is_some() && again.find_table("sensitivity").is_some());
     }
     // with the inertia of every particle the speed is not searched for, and that is said
-    let o = run(&file(150.0, "stokes").replace("particles = 64", "particles = 16\nmodel = \"exact\""), 0);
+    let o = run(&file(150.0, "stokes").replace("particles = 32", "particles = 16\nmodel = \"exact\""), 0);
     let reported = o.findings.iter().find(|f| f.id == "speed_needed").unwrap();
     assert!(reported.value.is_none() && reported.text.contains("drifting"), "{}", reported.text);
 }

@@ -53,6 +53,8 @@ impl Starts {
         });
         let found = match known {
             Some(start) => Some(start),
+            // one state, whichever way the machine came
+            None if balance.nonlinear.members.is_empty() => direct(balance, speed).map(|x| Start { x, followed: true }),
             None => {
                 let from = speed * if slow { SLOWER } else { FASTER };
                 let x = approach(system, balance.discretisation(), request, (from, speed), cancel).and_then(|x| solved(balance, x, speed));
