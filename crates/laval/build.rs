@@ -30,6 +30,24 @@ fn main() {
     let compiler = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())).arg("-vV").output();
     add(&mut all, &compiler.map_or_else(|e| e.to_string().into_bytes(), |o| o.stdout));
     println!("cargo:rustc-env=LAVAL_BUILD={:016x}", all.finish());
+    catalogues();
+}
+
+/// The sentences of reports, `text/LANGUAGE/NAME.ftl`, as a table of language, name and text.
+fn catalogues() {
+    println!("cargo:rerun-if-changed=text");
+    let mut all = files("text".into());
+    all.sort();
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let word = |p: Option<&std::ffi::OsStr>| p.unwrap_or_default().to_string_lossy().into_owned();
+    let line = |path: &PathBuf| {
+        let language = word(path.parent().and_then(Path::file_name));
+        format!("    ({language:?}, {:?}, include_str!({:?})),\n", word(path.file_stem()), root.join(path).to_string_lossy())
+    };
+    let lines: String = all.iter().filter(|p| p.extension().is_some_and(|e| e == "ftl")).map(line).collect();
+    let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("catalogues.rs");
+    let text = format!("const CATALOGUES: &[(&str, &str, &str)] = &[\n{lines}];\n");
+    fs::write(&out, text).unwrap_or_else(|e| panic!("cannot write {}: {e}", out.display()));
 }
 
 /// The length keeps neighbours apart.

@@ -1,18 +1,18 @@
-//! Findings: one sentence each, with the number and what supports it.
+//! Findings: one fact each, with its numbers and what supports them.
 
-use super::number::quantity;
+use super::message::{Arg, Message};
 
-/// One sentence a reader takes away, with its number in machine-readable form.
-///
-/// `{}` in the text stands for the value with its unit, so that the sentence and the number cannot disagree.
+/// One fact a reader takes away, as data: which sentence of the catalogues says it, with which values. The report chooses words, units and digits.
 ///
 /// ```
-/// use laval::outcome::Finding;
-/// let f = Finding::warning("critical_speed_close", "A critical speed, {}, lies close to the operating speed.")
-///     .value(314.159, "rad/s")
-///     .shown_as(3000.0, "rpm")
+/// use laval::outcome::{Arg, Finding};
+/// let f = Finding::warning("close", "critical-speeds-margin")
+///     .of("forward, order 1")
+///     .value(0.05, "")
+///     .arg("critical", Arg::speed(300.0))
+///     .arg("operating", Arg::speed(314.159))
 ///     .evidence("bracket width", 2e-9, "rad/s");
-/// assert_eq!(f.sentence(), "A critical speed, 3000 rpm, lies close to the operating speed.");
+/// assert_eq!(f.number("operating"), Some(314.159));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -20,14 +20,14 @@ pub struct Finding {
     pub id: String,
     /// What it speaks of among others of the same id: a body, a whirl direction, an order; empty when the id says it.
     pub subject: String,
-    /// The sentence; `{}` stands for the value.
-    pub text: String,
-    /// The number, in SI units.
+    /// The sentence of the catalogues that says it, with its arguments.
+    pub message: Message,
+    /// Sentences behind it: a reservation that was added later.
+    pub notes: Vec<Message>,
+    /// The number that stands for it where one number is wanted, in SI units; the argument `value` of the sentence.
     pub value: Option<f64>,
-    /// Unit of the number.
+    /// SI unit of the number.
     pub unit: String,
-    /// Number and unit to show in the sentence instead of `value`.
-    pub shown: Option<(f64, String)>,
     /// What supports it.
     pub evidence: Vec<Evidence>,
     /// How the reader should take it.
@@ -80,32 +80,32 @@ impl Evidence {
 }
 
 impl Finding {
-    fn new(level: Level, id: impl Into<String>, text: impl Into<String>) -> Self {
+    fn new(level: Level, id: impl Into<String>, message: impl Into<String>) -> Self {
         Finding {
             id: id.into(),
             subject: String::new(),
-            text: text.into(),
+            message: Message::new(message),
+            notes: Vec::new(),
             value: None,
             unit: String::new(),
-            shown: None,
             evidence: Vec::new(),
             level,
         }
     }
 
     /// A result.
-    pub fn info(id: impl Into<String>, text: impl Into<String>) -> Self {
-        Self::new(Level::Info, id, text)
+    pub fn info(id: impl Into<String>, message: impl Into<String>) -> Self {
+        Self::new(Level::Info, id, message)
     }
 
     /// A result that requires attention.
-    pub fn warning(id: impl Into<String>, text: impl Into<String>) -> Self {
-        Self::new(Level::Warning, id, text)
+    pub fn warning(id: impl Into<String>, message: impl Into<String>) -> Self {
+        Self::new(Level::Warning, id, message)
     }
 
     /// A result outside the validity of its model.
-    pub fn invalid(id: impl Into<String>, text: impl Into<String>) -> Self {
-        Self::new(Level::Invalid, id, text)
+    pub fn invalid(id: impl Into<String>, message: impl Into<String>) -> Self {
+        Self::new(Level::Invalid, id, message)
     }
 
     /// Says what it speaks of, so that it is found again in the outcome of another machine: `of("drum")`.
@@ -114,32 +114,49 @@ impl Finding {
         self
     }
 
-    /// The number and its unit (SI; empty unit for a pure number).
-    pub fn value(mut self, value: f64, unit: impl Into<String>) -> Self {
-        self.value = Some(value);
-        self.unit = unit.into();
+    /// The number and its SI unit (empty for a pure number): the argument `value` of the sentence.
+    pub fn value(self, value: f64, unit: impl Into<String>) -> Self {
+        let unit = unit.into();
+        self.value_as(Arg::quantity(value, &unit))
+    }
+
+    /// The number as a quantity that says how it is read: `Arg::frequency(w)`, `Arg::percent(x)`.
+    pub fn value_as(mut self, quantity: Arg) -> Self {
+        if let Arg::Quantity(q) = &quantity {
+            self.value = Some(q.value);
+            self.unit = q.unit.clone();
+        }
+        self.message = self.message.arg("value", quantity);
         self
     }
 
-    /// Shows the number in another unit in the sentence: `value(314.16, "rad/s").shown_as(3000.0, "rpm")`.
-    pub fn shown_as(mut self, value: f64, unit: impl Into<String>) -> Self {
-        self.shown = Some((value, unit.into()));
+    /// Percent or rpm in place of the SI unit, in sentences that are not in the catalogues.
+    pub fn shown_as(mut self, _: f64, unit: impl Into<String>) -> Self {
+        if let (Some(value), "%") = (self.value, unit.into().as_str()) {
+            self.message.args.retain(|a| a.0 != "value");
+            self.message = self.message.arg("value", Arg::percent(value));
+        }
         self
+    }
+
+    /// Adds an argument of the sentence.
+    pub fn arg(mut self, name: &'static str, value: impl Into<Arg>) -> Self {
+        self.message = self.message.arg(name, value);
+        self
+    }
+
+    /// The number of that argument, in SI units.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.message.args.iter().find(|a| a.0 == name).and_then(|a| match &a.1 {
+            Arg::Quantity(q) => Some(q.value),
+            Arg::Count(n) => Some(*n as f64),
+            _ => None,
+        })
     }
 
     /// Adds a supporting number; NaN, a number that could not be had, is left out.
     pub fn evidence(mut self, what: impl Into<String>, value: f64, unit: impl Into<String>) -> Self {
         self.evidence.extend(Evidence::known(what, value, unit));
         self
-    }
-
-    /// The sentence with its number filled in.
-    pub fn sentence(&self) -> String {
-        let number = match (&self.shown, self.value) {
-            (Some((v, unit)), _) => quantity(*v, unit),
-            (None, Some(v)) => quantity(v, &self.unit),
-            (None, None) => return self.text.clone(),
-        };
-        self.text.replacen("{}", &number, 1)
     }
 }

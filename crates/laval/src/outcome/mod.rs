@@ -33,12 +33,14 @@
 mod animation;
 mod figure;
 mod finding;
+mod message;
 mod number;
 mod table;
 
 pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text};
 pub use finding::{Evidence, Finding, Level};
+pub use message::{Arg, Message, Quantity, Role};
 pub use number::{quantity, significant, unit_text};
 use serde::{Deserialize, Serialize};
 pub use table::{Column, Data, Table, TableBuilder};
@@ -178,7 +180,7 @@ impl Outcome {
             check("the end", &[at])?;
         }
         for f in &self.findings {
-            f.value.iter().try_for_each(|x| check(&f.id, &[*x]))?;
+            f.message.quantities(&mut |q| check(&f.id, &[q.value]))?;
             f.evidence.iter().try_for_each(|e| check(&e.what, &[e.value]))?;
         }
         for p in &self.special_points {

@@ -2,17 +2,17 @@
 
 use super::Report;
 use super::write::Names;
-use crate::outcome::{End, Evidence, Finding, Outcome, SpecialPoint, Status};
+use crate::outcome::{Arg, End, Evidence, Finding, Message, Outcome, SpecialPoint, Status};
 use crate::plain;
 use serde_json::{Map, Value, json};
 
 /// Version of the layout of `results.json`; changes when a reader would have to.
-pub const SCHEMA: u32 = 1;
+pub const SCHEMA: u32 = 2;
 
 /// The text of `results.json`. Keys stand in a fixed order; numbers that are not finite are `null`.
 ///
 /// Top level: `schema`, `machine`, `provenance { program, version, build, processor, input, input_hash, seed, settings }`, `studies`. Each study:
-/// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, text, value, unit, evidence }]`,
+/// `kind`, `name`, `end { kind, at, residual, text }`, `parameter`, `findings [{ id, level, subject, message, args, notes, value, unit, evidence }]`,
 /// `special_points`, `tables [{ name, doc, file, rows, columns }]` (`file` without its extension), `figures`, `work`.
 pub fn json(report: &Report) -> String {
     let names = Names::new(report);
@@ -90,11 +90,31 @@ fn finding(f: &Finding) -> Value {
     json!({
         "id": f.id,
         "level": f.level.word(),
-        "text": f.sentence(),
+        "subject": f.subject,
+        "message": f.message.key,
+        "args": args(&f.message),
+        "notes": f.notes.iter().map(|m| json!({ "message": m.key, "args": args(m) })).collect::<Vec<_>>(),
         "value": f.value.map_or(Value::Null, number),
         "unit": f.unit,
         "evidence": evidence(&f.evidence),
     })
+}
+
+/// Arguments by name: `{ value, unit }`, `{ count }`, `{ name }`, `{ word }`, `{ term }`, `{ message, args }`, or an array of such.
+fn args(m: &Message) -> Value {
+    m.args.iter().map(|(name, a)| (name.to_string(), arg(a))).collect::<Map<_, _>>().into()
+}
+
+fn arg(a: &Arg) -> Value {
+    match a {
+        Arg::Quantity(q) => json!({ "value": number(q.value), "unit": q.unit }),
+        Arg::Count(n) => json!({ "count": n }),
+        Arg::Name(name) => json!({ "name": name }),
+        Arg::Word(word) => json!({ "word": word }),
+        Arg::Term(text) => json!({ "term": text }),
+        Arg::Phrase(m) => json!({ "message": m.key, "args": args(m) }),
+        Arg::List(all) => all.iter().map(arg).collect::<Vec<_>>().into(),
+    }
 }
 
 fn evidence(list: &[Evidence]) -> Vec<Value> {

@@ -36,6 +36,8 @@ mod terminal;
 mod text;
 mod thin;
 mod ticks;
+mod units;
+mod words;
 mod write;
 
 pub use csv::csv;
@@ -48,6 +50,8 @@ pub use renew::{outdated, prepare, renew};
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
+pub use units::{Rung, Units};
+pub use words::{Language, Style};
 pub use write::{Format, WriteError, folders, write};
 
 use crate::outcome::Outcome;

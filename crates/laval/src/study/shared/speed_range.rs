@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::model::field::Values;
 use crate::model::part::{Beyond, Tabulated};
 use crate::model::system::System;
-use crate::outcome::{Finding, Level, Outcome, quantity};
+use crate::outcome::{Arg, Finding, Level, Message, Outcome};
 use crate::study::Study;
 use crate::units::format_si;
 
@@ -135,34 +135,32 @@ fn mark(outcome: &mut Outcome, name: &str, t: &Tabulated, needed: &[SpinSpeeds])
     let slack = SAME * t.to.abs().max(t.from.abs());
     let beyond = |w: f64| w < t.from - slack || w > t.to + slack;
     // the statement of the part itself says the same of one speed
-    outcome.findings.retain(|f| !(f.level == Level::Invalid && f.text.contains(t.statement)));
+    outcome.findings.retain(|f| !(f.level == Level::Invalid && f.message.mentions(t.statement)));
     let Some(most) = needed.iter().max_by(|a, b| reach(a, t).total_cmp(&reach(b, t))) else { return };
     let everywhere = most.to < t.from - slack || most.from > t.to + slack;
     for f in outcome.findings.iter_mut().filter(|f| f.id != "beyond_table") {
         if everywhere || speeds(f).any(beyond) || about_all(f) {
             f.level = Level::Invalid;
-            let end = if f.text.ends_with('.') { "" } else { "." };
-            f.text += &format!("{end} Outside the table of \"{name}\".");
+            f.notes.push(Message::new("beyond-table-note").arg("part", Arg::name(name)));
         }
     }
     let how = match t.beyond {
-        Beyond::Refuse => "unknown",
-        Beyond::Hold => "held at its ends",
-        Beyond::Linear => "continued along its slope at the ends",
+        Beyond::Refuse => "refuse",
+        Beyond::Hold => "hold",
+        Beyond::Linear => "linear",
     };
     let (lowest, highest) = needed.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), n| (l.min(n.from), h.max(n.to)));
     let (below, above) = (lowest < t.from - slack, highest > t.to + slack);
     let farthest = if most.to - t.to >= t.from - most.from { most.to } else { most.from };
-    let up = farthest == most.to;
-    let place = match (below, above) {
-        (true, true) if up => format!("Below, down to {}, and above, up to {{}},", quantity(lowest, "rad/s")),
-        (true, true) => format!("Below, down to {{}}, and above, up to {},", quantity(highest, "rad/s")),
-        (true, false) => "Beyond, down to {},".into(),
-        _ => "Beyond, up to {},".into(),
+    let sides = match (below, above) {
+        (true, true) => "both",
+        (true, false) => "below",
+        _ => "above",
     };
-    let (from, to) = (quantity(t.from, "rad/s"), quantity(t.to, "rad/s"));
-    let text = format!("The table of \"{name}\" goes from {from} to {to}. {place} its coefficients are {how}.");
-    let finding = Finding::invalid("beyond_table", text).of(name).value(farthest, "rad/s");
+    let finding = Finding::invalid("beyond_table", "beyond-table").of(name).value(farthest, "rad/s");
+    let finding = finding.arg("part", Arg::name(name)).arg("from", Arg::speed(t.from)).arg("to", Arg::speed(t.to));
+    let finding = finding.arg("lowest", Arg::speed(lowest)).arg("highest", Arg::speed(highest));
+    let finding = finding.arg("sides", Arg::word(sides)).arg("rule", Arg::word(how));
     let mut finding = finding.evidence("table from", t.from, "rad/s").evidence("table to", t.to, "rad/s");
     if below && above {
         finding = finding.evidence("lowest speed", lowest, "rad/s").evidence("highest speed", highest, "rad/s");

@@ -1,0 +1,160 @@
+//! The units in which a reader sees results: those of the machine file, else the usual ones of the field.
+
+use crate::outcome::{Quantity, Role, significant, unit_text};
+use std::f64::consts::{PI, TAU};
+
+/// A unit of a reader: its name and its size in the SI unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rung {
+    /// As it is written: `rpm`, `µm`.
+    pub name: String,
+    /// One of it in the SI unit.
+    pub size: f64,
+}
+
+impl Rung {
+    fn new(name: &str, size: f64) -> Rung {
+        Rung { name: name.into(), size }
+    }
+}
+
+/// Units by SI unit. [`Units::default`] keeps SI units with prefixes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Units {
+    /// SI unit, and the unit preferred to it.
+    preferred: Vec<(String, Rung)>,
+    /// Speeds are read in rpm, so that frequencies are read in Hz and angles in degrees.
+    everyday: bool,
+}
+
+/// SI units with the prefixes that readers of the field use for each.
+fn prefixes(unit: &str) -> Vec<Rung> {
+    let powers: &[(i32, &str)] = match unit {
+        "m" => &[(0, ""), (-3, "m"), (-6, "µ"), (-9, "n")],
+        "s" => &[(0, ""), (-3, "m"), (-6, "µ")],
+        "N" | "N m" | "N/m" | "N s/m" | "N m/rad" | "Pa" | "W" | "J" => &[(9, "G"), (6, "M"), (3, "k"), (0, ""), (-3, "m"), (-6, "µ")],
+        _ => &[],
+    };
+    powers.iter().map(|(p, prefix)| Rung::new(&format!("{prefix}{unit}"), 10f64.powi(*p))).collect()
+}
+
+/// Everyday units of some SI units, largest first.
+fn everyday(unit: &str) -> Vec<Rung> {
+    let rungs: &[(&str, f64)] = match unit {
+        "kg m" => &[("kg m", 1.0), ("kg mm", 1e-3), ("g mm", 1e-6)],
+        "kg" => &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6)],
+        "rad" => &[("°", PI / 180.0), ("mrad", 1e-3), ("µrad", 1e-6)],
+        "m/s" => &[("m/s", 1.0), ("mm/s", 1e-3)],
+        "m^3" => &[("m^3", 1.0), ("l", 1e-3), ("ml", 1e-6)],
+        "m^2/s" => &[("m^2/s", 1.0), ("mm^2/s", 1e-6)],
+        "rad/s^2" => &[("rpm/s", TAU / 60.0)],
+        _ => &[],
+    };
+    rungs.iter().map(|(name, size)| Rung::new(name, *size)).collect()
+}
+
+/// Largest number that a preferred unit is used for; beyond, and below its reciprocal, prefixes read better.
+const LARGEST: f64 = 1e5;
+const SMALLEST: f64 = 1e-2;
+
+impl Units {
+    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first.
+    pub fn new(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
+        let mut out = Units::default();
+        for (name, size, si) in written {
+            if out.preferred.iter().all(|p| p.0 != si) && name != si {
+                out.preferred.push((si, Rung { name, size }));
+            }
+        }
+        out.everyday = out.of("rad/s").is_some();
+        out
+    }
+
+    /// Speeds in rpm, displacements in mm, unbalance in g mm: where no machine file says otherwise.
+    pub fn everyday() -> Units {
+        Units::new([("rpm".into(), TAU / 60.0, "rad/s".into())])
+    }
+
+    fn of(&self, si: &str) -> Option<&Rung> {
+        self.preferred.iter().find(|p| p.0 == si).map(|p| &p.1)
+    }
+
+    /// The unit in which speeds are read: `rpm`, or `rad/s` where nothing else is preferred.
+    pub fn speed(&self) -> Rung {
+        self.of("rad/s").cloned().unwrap_or(Rung::new("rad/s", 1.0))
+    }
+
+    /// The unit in which a size of this SI unit is read.
+    pub fn rung(&self, size: f64, si: &str, role: Role) -> Rung {
+        if role == Role::Percent {
+            return Rung::new("%", 1e-2);
+        }
+        if si == "rad/s" {
+            return if role == Role::Frequency && self.everyday { Rung::new("Hz", TAU) } else { self.speed() };
+        }
+        let size = size.abs();
+        if let Some(r) = self.of(si).filter(|r| (SMALLEST..LARGEST).contains(&(size / r.size))) {
+            return r.clone();
+        }
+        let rungs = if self.everyday && !everyday(si).is_empty() { everyday(si) } else { prefixes(si) };
+        // a value that rounds up to the next prefix takes it: 0.99999e-3 m is 1 mm
+        let fits = rungs.iter().find(|r| size >= 0.99995 * r.size && size < 1e6 * r.size);
+        let plain = || rungs.iter().find(|r| r.name == si).cloned().unwrap_or(Rung::new(si, 1.0));
+        let tiny = || rungs.last().filter(|r| self.everyday && size > 0.0 && size < r.size && size > 1e-6 * r.size).cloned();
+        fits.cloned().or_else(tiny).unwrap_or_else(plain)
+    }
+
+    /// Number and unit as they are read.
+    pub fn split(&self, q: &Quantity) -> (String, String) {
+        let speed = q.unit == "rad/s";
+        let digits = q.digits.map_or(if speed { 4 } else { 3 }, usize::from);
+        if q.unit.is_empty() && q.role == Role::Plain || !q.value.is_finite() {
+            return (significant(q.value, digits), String::new());
+        }
+        let r = self.rung(q.value, &q.unit, q.role);
+        (significant(q.value / r.size, digits), unit_text(&r.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(units: &Units, value: f64, unit: &str, role: Role) -> String {
+        let (number, unit) = units.split(&Quantity { value, unit: unit.into(), role, digits: None });
+        format!("{number} {unit}")
+    }
+
+    #[test]
+    fn units_of_the_file_come_first() {
+        let file = Units::new([
+            ("rpm".into(), TAU / 60.0, "rad/s".into()),
+            ("mm".into(), 1e-3, "m".into()),
+            ("N/mm".into(), 1e3, "N/m".into()),
+        ]);
+        for (value, unit, role, want) in [
+            (314.159265, "rad/s", Role::Plain, "3000 rpm"),
+            (314.159265, "rad/s", Role::Frequency, "50 Hz"),
+            (1.6e-6, "m", Role::Plain, "1.6 µm"),
+            (0.0467, "m", Role::Plain, "46.7 mm"),
+            (3.26e5, "N/m", Role::Plain, "326 N/mm"),
+            (1.1e10, "N/m", Role::Plain, "11 GN/m"),
+            (2.5e-5, "kg m", Role::Plain, "25 g mm"),
+            (0.0523598, "rad", Role::Plain, "3 °"),
+            (2e-4, "rad", Role::Plain, "200 µrad"),
+            (0.1534, "", Role::Percent, "15.3 %"),
+        ] {
+            assert_eq!(shown(&file, value, unit, role), want);
+        }
+    }
+
+    #[test]
+    fn without_a_preference_units_are_si() {
+        let si = Units::default();
+        assert_eq!(shown(&si, 314.159265, "rad/s", Role::Plain), "314.2 rad/s");
+        assert_eq!(shown(&si, 314.159265, "rad/s", Role::Frequency), "314.2 rad/s");
+        assert_eq!(shown(&si, 1.234e-4, "m", Role::Plain), "123 µm");
+        assert_eq!(shown(&si, 2.5e-5, "kg m", Role::Plain), "2.5·10⁻⁵ kg m");
+        assert_eq!(shown(&si, f64::NAN, "m", Role::Plain), "not a number ");
+    }
+}

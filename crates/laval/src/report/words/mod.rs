@@ -1,0 +1,102 @@
+//! Findings in words: sentences of the catalogues with numbers in the units of the reader.
+
+mod catalogue;
+
+pub use catalogue::Language;
+
+use super::units::Units;
+use crate::outcome::{Arg, Finding, Message, Quantity, Role, quantity_to};
+use fluent_bundle::{FluentArgs, FluentValue};
+
+/// Language and units of a reader.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Style {
+    /// Language of all words.
+    pub language: Language,
+    /// Units of all numbers.
+    pub units: Units,
+}
+
+impl Style {
+    /// A finding as one or a few sentences.
+    pub fn sentence(&self, f: &Finding) -> String {
+        let all: Vec<String> = std::iter::once(&f.message).chain(&f.notes).map(|m| self.message(m)).collect();
+        all.join(" ")
+    }
+
+    /// A sentence or phrase of the catalogues. What no catalogue has is shown by its name.
+    pub fn message(&self, m: &Message) -> String {
+        if !self.language.has(&m.key) {
+            return self.plain(m);
+        }
+        let mut args = FluentArgs::new();
+        for (name, value) in &m.args {
+            args.set(*name, self.value(value));
+        }
+        self.language.format(&m.key, &args)
+    }
+
+    /// A text that is no name of a sentence: `{}` stands for the value.
+    fn plain(&self, m: &Message) -> String {
+        let value = m.args.iter().find_map(|(name, a)| match a {
+            Arg::Quantity(q) if *name == "value" => Some(q),
+            _ => None,
+        });
+        match value {
+            Some(q) if q.role == Role::Percent => m.key.replacen("{}", &self.quantity(q), 1),
+            Some(q) => m.key.replacen("{}", &quantity_to(q.value, &q.unit, 4), 1),
+            None => m.key.clone(),
+        }
+    }
+
+    fn value(&self, arg: &Arg) -> FluentValue<'static> {
+        match arg {
+            Arg::Count(n) => FluentValue::from(*n),
+            other => FluentValue::from(self.arg(other)),
+        }
+    }
+
+    fn arg(&self, arg: &Arg) -> String {
+        match arg {
+            Arg::Quantity(q) => self.quantity(q),
+            Arg::Count(n) => n.to_string(),
+            Arg::Name(name) => name.clone(),
+            Arg::Word(word) => word.to_string(),
+            Arg::Term(text) => self.language.term(text),
+            Arg::Phrase(m) => self.message(m),
+            Arg::List(all) => self.list(all),
+        }
+    }
+
+    fn list(&self, all: &[Arg]) -> String {
+        let words: Vec<String> = all.iter().map(|a| self.arg(a)).collect();
+        match words.split_last() {
+            Some((last, rest)) if !rest.is_empty() => {
+                let mut args = FluentArgs::new();
+                args.set("rest", FluentValue::from(rest.join(", ")));
+                args.set("last", FluentValue::from(last.clone()));
+                self.language.format("list-and", &args)
+            }
+            Some((last, _)) => last.clone(),
+            None => String::new(),
+        }
+    }
+
+    /// A number with its unit.
+    pub fn quantity(&self, q: &Quantity) -> String {
+        let (number, unit) = self.units.split(q);
+        let number = self.language.number(&number);
+        match unit.as_str() {
+            "" => number,
+            "°" => format!("{number}°"),
+            unit => format!("{number} {}", self.language.unit(unit)),
+        }
+    }
+}
+
+impl Finding {
+    /// The finding in English, numbers in SI units with prefixes.
+    pub fn sentence(&self) -> String {
+        Style::default().sentence(self)
+    }
+}
