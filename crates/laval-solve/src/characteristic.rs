@@ -259,14 +259,19 @@ impl<'a> Characteristic<'a> {
 
     /// Newton's method on `g(s) = 0` from a nearby start, over the members of a sector or all unknowns (`None`).
     pub fn polish(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
-        self.polished(start, sector, |_, test| test.g / test.slope)
+        self.polished(start, sector, f64::INFINITY, |_, test| test.g / test.slope)
+    }
+
+    /// The same, given up where an iterate is farther than `reach` from the start.
+    pub fn polish_within(&mut self, start: C64, sector: Option<Sector>, reach: f64) -> Option<Polished> {
+        self.polished(start, sector, reach, |_, test| test.g / test.slope)
     }
 
     /// The same beside a pole so close that Newton's method does not see the root from the start: steps to the zero of `a (s - z)/(s - p)` with the value and the slope here and the
     /// value at the place before.
     pub fn polish_beside_pole(&mut self, start: C64, sector: Option<Sector>) -> Option<Polished> {
         let mut before: Option<(C64, C64)> = None;
-        self.polished(start, sector, |s, test| {
+        self.polished(start, sector, f64::INFINITY, |s, test| {
             let rate = test.slope / test.g;
             let pole = before.map_or(C64::ZERO, |(place, g)| {
                 let (way, ratio) = (place - s, g / test.g);
@@ -277,8 +282,8 @@ impl<'a> Characteristic<'a> {
         })
     }
 
-    /// A root by steps, which are subtracted.
-    fn polished(&mut self, start: C64, sector: Option<Sector>, mut step: impl FnMut(C64, &Test) -> C64) -> Option<Polished> {
+    /// A root by steps, which are subtracted, no farther than `reach` from the start.
+    fn polished(&mut self, start: C64, sector: Option<Sector>, reach: f64, mut step: impl FnMut(C64, &Test) -> C64) -> Option<Polished> {
         let members: Vec<usize> = (0..self.size()).filter(|&i| sector.is_none_or(|k| self.sectors.of(i) == k)).collect();
         let border = self.border(start, &members)?;
         let (mut s, mut last) = (start, f64::INFINITY);
@@ -290,6 +295,9 @@ impl<'a> Characteristic<'a> {
                 return None;
             }
             s -= step;
+            if (s - start).abs() > reach {
+                return None;
+            }
             let size = s.abs();
             // in turning axes T is evaluated at s + i W, and its rounding is that of the sum
             let resolved = 1e-14 * (size + self.shift(Sector::Forward).abs());

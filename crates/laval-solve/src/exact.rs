@@ -14,6 +14,10 @@ use laval_num::complex::{C64, c};
 use laval_num::dense::{Field, Lu, Mat};
 use std::f64::consts::{PI, TAU};
 
+/// Iterates of Newton's method that are this many times farther from their start than a root may be: beside a pole of the fit there is no root, and
+/// without a bound all steps would be spent on finding some other one.
+const STRAY: f64 = 4.0;
+
 /// Replaces the modes of the pencil by roots of the exact function.
 pub(super) fn settle(t: &mut Characteristic, linear: &Linearised, spectrum: &mut Spectrum) {
     let modes = std::mem::take(&mut spectrum.modes);
@@ -32,7 +36,8 @@ pub(super) fn settle(t: &mut Characteristic, linear: &Linearised, spectrum: &mut
                 continue;
             }
             for aside in starts {
-                let Some(mut p) = t.polish(mode.value + c(0.0, aside * gaps[k]), mode.sector) else { continue };
+                let start = mode.value + c(0.0, aside * gaps[k]);
+                let Some(mut p) = t.polish_within(start, mode.sector, STRAY * near * gaps[k]) else { continue };
                 if p.value.im.abs() <= 4.0 * f64::EPSILON * p.value.re.abs() {
                     p.value.im = 0.0;
                 }

@@ -25,6 +25,8 @@ pub struct Probe {
     pub name: String,
     /// What it measures.
     pub sight: Sight,
+    /// Significant digits of the height that tell the points of this body apart.
+    pub digits: usize,
     /// Both components over the coordinates.
     pub rows: [Vec<(usize, f64)>; 2],
 }
@@ -33,6 +35,10 @@ impl Probe {
     /// The displacement of the reference point of a body.
     pub fn is_reference(&self) -> bool {
         self.sight == Sight::Displacement(0.0)
+    }
+    /// The displacement of the point at this height.
+    pub fn is_at(&self, height: f64) -> bool {
+        matches!(self.sight, Sight::Displacement(z) if same_height(z, height))
     }
     /// It measures the tilt.
     pub fn is_tilt(&self) -> bool {
@@ -64,13 +70,14 @@ impl Probe {
 pub(super) fn all(system: &System) -> Vec<Probe> {
     let mut out = Vec::new();
     for (k, body) in system.bodies().into_iter().enumerate() {
-        let probe = |sight, rows| Probe { body: k, name: body.name.clone(), sight, rows };
         let reference = [0, 1].map(|i| vec![(body.x + i, 1.0)]);
-        out.push(probe(Sight::Displacement(0.0), reference.clone()));
         let named = system.machine.points.iter().filter(|p| p.0 == body.name).map(|p| p.1);
         let mut heights: Vec<f64> = attached(system, &body.name).chain(named).filter(|z| *z != 0.0).collect();
         heights.sort_by(f64::total_cmp);
-        heights.dedup();
+        heights.dedup_by(|a, b| same_height(*a, *b));
+        let digits = distinct_digits(&heights);
+        let probe = |sight, rows| Probe { body: k, name: body.name.clone(), sight, digits, rows };
+        out.push(probe(Sight::Displacement(0.0), reference.clone()));
         for z in heights {
             if let Ok([x, y, ..]) = system.point_rows(body.slot, &Attach::at(body.name.clone(), z))
                 && [&x, &y] != [&reference[0], &reference[1]]
@@ -83,6 +90,18 @@ pub(super) fn all(system: &System) -> Vec<Probe> {
         }
     }
     out
+}
+
+/// Equal to the rounding of a conversion between units: "235.1 mm" and "0.2351 m".
+fn same_height(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs())
+}
+
+/// The fewest significant digits, at least four, to which no two of these sorted heights are equal; 17 tell all numbers apart.
+fn distinct_digits(heights: &[f64]) -> usize {
+    let rounded = |z: f64, digits: usize| format!("{z:.*e}", digits - 1);
+    let distinct = |digits: &usize| heights.windows(2).all(|w| rounded(w[0], *digits) != rounded(w[1], *digits));
+    (4..17).find(distinct).unwrap_or(17)
 }
 
 /// Heights on a body at which parts are attached to it.
@@ -100,6 +119,15 @@ mod tests {
     use crate::model::builder::Builder;
 
     use crate::parts::{bearing_cubic::*, disc::*};
+
+    /// Points of one body are named apart, however close they are.
+    #[test]
+    fn digits_tell_heights_apart() {
+        for (heights, digits) in [(&[][..], 4), (&[-0.2, 0.1], 4), (&[-0.23512, -0.23508], 5), (&[0.1, 0.1 + 1e-12], 12)] {
+            assert_eq!(distinct_digits(heights), digits, "{heights:?}");
+        }
+        assert!(same_height(0.3, 0.1 + 0.2) && same_height(235.1 * 1e-3, 0.2351) && !same_height(0.3, 0.3 + 1e-14));
+    }
 
     /// A tilt moves the points above and below the reference point to opposite sides, and not the point itself.
     #[test]

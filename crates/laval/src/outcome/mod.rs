@@ -41,6 +41,7 @@ pub use animation::{Animation, Circle};
 pub use figure::{Axis, Band, BandPlace, Figure, Heat, Line, Mark, Panel, Points, Rule, Scale, Text};
 pub use finding::{Evidence, Finding, Level};
 pub use message::{Arg, Message, Quantity, Role};
+pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
 use serde::{Deserialize, Serialize};
 pub use table::{Column, Data, Table, TableBuilder};

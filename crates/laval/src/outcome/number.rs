@@ -84,11 +84,13 @@ pub(crate) fn trim_zeros(text: &str) -> &str {
 /// assert_eq!(quantity(0.25, ""), "0.25");
 /// ```
 pub fn quantity(value: f64, unit: &str) -> String {
-    if unit.is_empty() {
-        return significant(value, 4);
-    }
-    if !value.is_finite() {
-        return significant(value, 4);
+    quantity_to(value, unit, 4)
+}
+
+/// The same with another number of significant digits.
+pub(crate) fn quantity_to(value: f64, unit: &str, digits: usize) -> String {
+    if unit.is_empty() || !value.is_finite() {
+        return significant(value, digits);
     }
     // range of prefixes that readers of the field use for each unit
     let powers: &[(i32, &str)] = match unit {
@@ -103,9 +105,9 @@ pub fn quantity(value: f64, unit: &str) -> String {
         && let Some((p, prefix)) = powers.iter().find(|(p, _)| size >= 0.99995 * 10f64.powi(*p))
         && (size < 1e6 * 10f64.powi(*p))
     {
-        return format!("{} {prefix}{}", significant(value / 10f64.powi(*p), 4), unit_text(unit));
+        return format!("{} {prefix}{}", significant(value / 10f64.powi(*p), digits), unit_text(unit));
     }
-    format!("{} {}", significant(value, 4), unit_text(unit))
+    format!("{} {}", significant(value, digits), unit_text(unit))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics, nearest};
 use crate::model::field::{Bounds, Extra, Field, FieldKind, Values};
-use crate::model::probe::{Probe, Sight};
+use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::units::read_quantity;
 
@@ -89,7 +89,7 @@ pub struct Limit {
 impl Limit {
     /// It is on the point that this probe measures.
     pub fn is_at(&self, probe: &Probe) -> bool {
-        probe.name == self.body && self.at.is_some_and(|z| probe.sight == Sight::Displacement(z))
+        probe.name == self.body && self.at.is_some_and(|z| probe.is_at(z))
     }
 }
 

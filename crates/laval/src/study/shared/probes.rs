@@ -3,9 +3,9 @@
 
 use super::speed_range::SpinSpeeds;
 use super::support::probe_name;
-use crate::model::probe::Probe;
+use crate::model::probe::{Probe, Sight};
 use crate::model::system::System;
-use crate::outcome::Axis;
+use crate::outcome::{Arg, Axis, Message};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::branches::measure::Measure;
@@ -53,6 +53,16 @@ pub fn owner(probe: &Probe) -> String {
 /// Subject of a sentence: "drum" in quotes, or the tilt of it.
 pub fn subject(probe: &Probe) -> String {
     if probe.is_tilt() { format!("the tilt of \"{}\"", probe.name) } else { format!("\"{}\"", probe_name(probe)) }
+}
+
+/// The body, point of a body or tilt of a body, as an argument of a sentence.
+pub fn arg(probe: &Probe) -> Arg {
+    let body = |key: &str| Message::new(key).arg("body", Arg::name(&probe.name));
+    match probe.sight {
+        Sight::Displacement(0.0) => body("body").into(),
+        Sight::Displacement(z) => body("point").arg("height", Arg::quantity(z, "m").digits(probe.digits as u8)).into(),
+        Sight::Tilt => body("tilt-of").into(),
+    }
 }
 
 /// An axis of its sizes, in a unit in which `most` is read easily.

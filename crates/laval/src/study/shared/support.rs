@@ -5,7 +5,7 @@ use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Val
 use crate::model::part::At;
 use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Slot, System, Workspace};
-use crate::outcome::{Finding, Level, OutcomeError, quantity};
+use crate::outcome::{Finding, Level, OutcomeError, quantity, quantity_to};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
@@ -25,7 +25,7 @@ pub const ROUNDING: f64 = 1e-13;
 pub fn probe_name(probe: &Probe) -> String {
     match probe.sight {
         Sight::Displacement(0.0) => probe.name.clone(),
-        Sight::Displacement(z) => format!("{} at {}", probe.name, quantity(z, "m")),
+        Sight::Displacement(z) => format!("{} at {}", probe.name, quantity_to(z, "m", probe.digits)),
         Sight::Tilt => format!("tilt of {}", probe.name),
     }
 }
