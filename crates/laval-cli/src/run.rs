@@ -7,7 +7,7 @@ use laval::build;
 use laval::diagnostic::{Diagnostic, Diagnostics, nearest};
 use laval::file::{self, Loaded, NamedStudy};
 use laval::hash::sha256;
-use laval::outcome::{End, Finding, Outcome};
+use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
 use laval::report::{self, Format, Provenance, Report, WriteError};
 use laval::store::Keep;
@@ -123,6 +123,11 @@ fn listen() {
     }
 }
 
+/// The reason of a refusal, as a finding.
+fn refusal(why: &Diagnostic) -> Finding {
+    Finding::warning("refused", "run-refused").arg("reason", Arg::term(why.to_string()))
+}
+
 struct Run<'a> {
     args: &'a Args,
     input: &'a Input,
@@ -194,11 +199,11 @@ impl<'a> Run<'a> {
                 break;
             }
             match refusals.iter().find(|r| r.studies.contains(&i)) {
-                Some(r) if r.studies[0] == i => self.refused(study, Finding::warning("refused", r.diagnostic.to_string())),
+                Some(r) if r.studies[0] == i => self.refused(study, refusal(&r.diagnostic)),
                 // the reason names all studies and stands once
                 Some(r) => {
-                    let text = format!("It is refused for the same reason as study \"{}\".", self.loaded.studies[r.studies[0]].name);
-                    self.refused(study, Finding::info("refused_alike", text));
+                    let first = &self.loaded.studies[r.studies[0]].name;
+                    self.refused(study, Finding::info("refused_alike", "run-refused-alike").arg("study", Arg::name(first)));
                 }
                 None => self.study(study),
             }
@@ -244,7 +249,7 @@ impl<'a> Run<'a> {
             Some(Ok(outcome)) => outcome,
             Some(Err(d)) => {
                 let d = self.complain(named, d);
-                return self.refused(named, Finding::warning("refused", d.to_string()));
+                return self.refused(named, refusal(&d));
             }
             None => {
                 terminal::complain(&format!("laval: study \"{}\" has no result\n", named.name));

@@ -39,7 +39,7 @@ pub use cells::{Cells, Column, Kind};
 pub use collected::Collected;
 
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{End, Finding};
+use crate::outcome::{Arg, End, Finding};
 #[cfg(feature = "parquet")]
 use folder::Folder;
 use serde::{Deserialize, Serialize};
@@ -372,12 +372,13 @@ impl Extent {
 }
 
 fn incomplete(done: u64, requested: u64, kept: bool, rows: &str) -> Option<Finding> {
-    let how = if kept { "; the same command continues from there" } else { "" };
+    let key = if kept { "store-incomplete-kept" } else { "store-incomplete" };
     (done != requested).then(|| {
-        Finding::warning("incomplete", format!("Only {{}} of {requested} {rows} were computed{how}.")).value(done as f64, "").evidence(
-            format!("{rows} requested"),
-            requested as f64,
-            "",
-        )
+        Finding::warning("incomplete", key)
+            .value(done as f64, "")
+            .arg("done", Arg::Count(done))
+            .arg("requested", Arg::Count(requested))
+            .arg("rows", Arg::term(rows))
+            .evidence(format!("{rows} requested"), requested as f64, "")
     })
 }

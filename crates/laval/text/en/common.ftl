@@ -20,3 +20,69 @@ beyond-table = The table of "{ $part }" covers { $from } to { $to }. { $sides ->
        *[refuse] unknown
     }.
 beyond-table-note = Outside the table of "{ $part }".
+
+# Nothing excites the machine.
+unforced = The machine has no excitation: the largest displacement is { $value }. Give a disc an eccentricity, an unbalance or a skew to see resonances.
+
+# Linear studies: what they are linearised about.
+support-linearised = { $n ->
+        [one] The nonlinear part { $parts } is
+       *[other] The nonlinear parts { $parts } are
+    } linearised about the { $state ->
+        [undeflected] undeflected state
+       *[deflected] equilibrium under load
+    }. Results hold for small vibration.
+support-fitted-part = Initial eigenvalues come from a rational fit of "{ $part }"; they are refined with its exact impedance.
+support-open-gap = The gap of "{ $part }" is open at equilibrium and adds no stiffness. Contact begins at a relative displacement above { $value }.
+support-outside = "{ $part }" is outside its validity at { $speed }, even without vibration: { $what } = { $value } (limit 1).
+support-outside-unbounded = "{ $part }" is outside its validity at { $speed }, even without vibration: { $what } is unbounded (limit 1).
+
+# Motions outside the validity of a part.
+validity-states = Not valid: some states { $place } are outside the range of "{ $part }", { $what } = { $value } (limit 1).
+validity-states-unbounded = Not valid: some states { $place } are outside the range of "{ $part }", { $what } is unbounded (limit 1).
+validity-motions = Not valid: some { $motions } are outside the range of "{ $part }", { $what } = { $value } (limit 1).
+validity-motions-unbounded = Not valid: some { $motions } are outside the range of "{ $part }", { $what } is unbounded (limit 1).
+
+# Count of roots by the argument principle.
+region-growing-root = growing root
+region-faster-root = root growing faster than { $growth }
+region-all-roots = Root count verified (argument principle): no { $root } below { $frequency } is missing. The counted regions contain { $found ->
+        [0] no root
+        [1] one root
+       *[other] { $found } roots
+    }, all computed.
+region-slower-roots-missed = Root count verified (argument principle): no { $root } below { $frequency } is missing. Slow waves of { $part } add { $missing ->
+        [one] one root that is counted but not computed
+       *[other] { $missing } roots that are counted but not computed
+    }.
+region-roots-missed = Stability is not proven: { $missing ->
+        [one] one counted root was not found, and it
+       *[other] { $missing } counted roots were not found, and one of them
+    } may be a { $root }. Lower frequency_limit, or set growth_threshold above 0.
+region-roots-not-counted = { $proven ->
+        [yes] No { $root } below { $frequency } is missing, but slower roots may be
+       *[no] Stability is not proven, and roots may be missing
+    }: the count failed in { $open } of { $all } regions. Try another frequency_limit.
+region-uncounted-roots = { $outside } of { $all } roots lie outside the counted regions. Other roots may be missing beside them.
+region-dense-range = At { $speed } { $waves } of { $part } form a continuous spectrum at forward frequencies from { $from } to { $to }. Damping elsewhere makes some of them grow slowly, so that only growth above a threshold means instability. Slower growth depends on { $loss }, which the model lacks.
+region-half-plane = Only growing roots are counted. Decaying roots of a machine with { $part } are searched for; one that hardly shows in the response may be missing.
+region-accumulation = Roots from { $from } to { $to } with growth or decay below { $growth } are not counted: at { $speed } waves accumulate there.
+region-other-orders = { $n } { $n ->
+        [one] other
+       *[other] others
+    }
+region-orders-without-response = { $n ->
+        [one] Order { $orders } of the response lies
+       *[other] Orders { $orders } of the response lie
+    } in the continuous spectrum of { $waves }, from { $from } to { $to } at { $value }. There { $part } has no steady response, and the equations have no solution. { $remedy }.
+region-orders-of-kept-waves = { $n ->
+        [one] Order { $orders } of the response lies
+       *[other] Orders { $orders } of the response lie
+    } in the continuous spectrum of { $waves }, from { $from } to { $to } at { $value }. There { $part } has no steady response; { $kept }.
+
+# A study that ended early, or did not begin.
+watch-nothing-shown = No result: the study was stopped within a computation that has no partial result.
+store-incomplete = Only { $done } of { $requested } { $rows } were computed.
+store-incomplete-kept = Only { $done } of { $requested } { $rows } were computed. The same command continues from there.
+run-refused = { $reason }
+run-refused-alike = The study is refused for the same reason as "{ $study }".

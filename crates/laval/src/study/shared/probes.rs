@@ -117,9 +117,8 @@ pub fn still(probe: &Probe, size: f64, loudest: f64, share: f64) -> bool {
     size.abs() <= share * loudest * probe.typical()
 }
 
-/// In place of the largest of sizes that are [`unforced`].
-pub const UNFORCED: &str = "Nothing forces the machine: the largest displacement is {}, and no resonance is reported. Give a disc an eccentricity, an unbalance \
-                            or a skew.";
+/// Sentence in place of the largest of sizes that are [`unforced`].
+pub const UNFORCED: &str = "unforced";
 
 /// No force turns with the rotor at these speeds, and of a motion there is rounding at most: the sizes tell of no resonance.
 pub fn unforced<'p>(system: &System, speeds: &[SpinSpeeds], sizes: impl IntoIterator<Item = (&'p Probe, f64)>) -> bool {

@@ -5,7 +5,7 @@ use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Val
 use crate::model::part::At;
 use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Slot, System, Workspace};
-use crate::outcome::{Finding, Level, OutcomeError, quantity, quantity_to};
+use crate::outcome::{Arg, Finding, Level, Message, OutcomeError, quantity, quantity_to};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
@@ -35,6 +35,17 @@ pub fn moves(probe: &Probe, amplitude: f64) -> String {
     match probe.sight {
         Sight::Tilt => format!("{} tilts by {}", probe.name, quantity(amplitude, "rad")),
         _ => format!("{} moves {}", probe_name(probe), quantity(amplitude, "m")),
+    }
+}
+
+/// Relative difference of speeds that read alike in four digits.
+const ALIKE: f64 = 1e-3;
+
+/// A range of speeds in rad/s, or the one speed that it is in four digits, as a phrase: "from .. to ..", "at ..".
+pub fn place(from: f64, to: f64) -> Message {
+    match (to - from).abs() <= ALIKE * from.abs().max(to.abs()) {
+        true => Message::new("at").arg("at", Arg::speed(from)),
+        false => Message::new("range").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)),
     }
 }
 
@@ -260,29 +271,20 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let names: Vec<&str> = system.slots().iter().filter(|s| !s.is_linear()).map(|s| s.name.as_str()).collect();
     if !names.is_empty() {
         let largest = system.coordinates().iter().zip(&about.q).map(|(c, q)| (q / c.dof.typical).abs()).fold(0.0, f64::max);
-        let place = if largest == 0.0 { "undeflected state" } else { "state deflected by its load" };
         out.push(
-            Finding::info(
-                "linearised",
-                format!(
-                    "Nonlinear parts ({}) enter by their tangent at the {place}: results hold for small motions about it.",
-                    names.join(", ")
-                ),
-            )
-            .evidence("Newton steps to the state", about.iterations as f64, "")
-            .evidence("last Newton step over typical size", about.last_step, ""),
+            Finding::info("linearised", "support-linearised")
+                .arg("n", Arg::count(names.len()))
+                .arg("parts", Arg::names(names))
+                .arg("state", Arg::word(if largest == 0.0 { "undeflected" } else { "deflected" }))
+                .evidence("Newton steps to the state", about.iterations as f64, "")
+                .evidence("last Newton step over typical size", about.last_step, ""),
         );
     }
     out.extend(open(system, about));
     out.extend(outside(system, about));
     for (name, error) in time_forms(system).unwrap_or_default() {
-        out.push(
-            Finding::info(
-                "fitted_part",
-                format!("\"{name}\" entered the eigenvalue problem by a fit; modes were then solved for on its exact impedance."),
-            )
-            .evidence("relative error of the fit", error, ""),
-        );
+        let finding = Finding::info("fitted_part", "support-fitted-part").arg("part", Arg::name(name));
+        out.push(finding.evidence("relative error of the fit", error, ""));
     }
     out
 }
@@ -290,14 +292,10 @@ pub fn remarks(system: &System, about: &Equilibrium) -> Vec<Finding> {
 /// Parts with a gap that is open at the state: they add nothing until it closes.
 fn open(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let gap = |slot: &Slot| rest::clearance(system, slot, about).filter(|gap| *gap > 0.0);
-    let say = |(slot, gap): (&Slot, f64)| {
-        let text = format!(
-            "The gap of \"{}\" is open at this state and the part adds no stiffness: contact begins where the motion between its points exceeds {{}}.",
-            slot.name
-        );
-        Finding::info("open_gap", text).of(&slot.name).value(gap, "m")
+    let one = |(slot, gap): (&Slot, f64)| {
+        Finding::info("open_gap", "support-open-gap").of(&slot.name).arg("part", Arg::name(&slot.name)).value(gap, "m")
     };
-    system.slots().iter().filter_map(|slot| Some((slot, gap(slot)?))).map(say).collect()
+    system.slots().iter().filter_map(|slot| Some((slot, gap(slot)?))).map(one).collect()
 }
 
 /// Parts that are outside the validity of their model at the state itself, before anything vibrates.
@@ -308,14 +306,14 @@ fn outside(system: &System, about: &Equilibrium) -> Vec<Finding> {
     let uses = system.validity(&at, &mut Workspace::default());
     let mut out = Vec::new();
     for (slot, u) in uses.iter().filter(|(_, u)| !(u.ratio <= 1.0)) {
-        let (part, speed) = (&system.slots()[*slot].name, quantity(about.speed, "rad/s"));
-        let text = format!("At {speed} \"{part}\" is outside its model, even undisturbed: {}", u.what);
+        let part = &system.slots()[*slot].name;
         let finding = if u.ratio.is_finite() {
-            Finding::invalid("validity", text + " is {}, above 1.").value(u.ratio, "")
+            Finding::invalid("validity", "support-outside").value(u.ratio, "")
         } else {
-            Finding::invalid("validity", text + " is without bound.")
+            Finding::invalid("validity", "support-outside-unbounded")
         };
-        out.push(finding.of(part));
+        let finding = finding.of(part).arg("part", Arg::name(part)).arg("speed", Arg::speed(about.speed));
+        out.push(finding.arg("what", Arg::term(u.what)));
     }
     out
 }

@@ -1,10 +1,10 @@
 //! How far periodic motions use up the validity of the parts' models.
 
-use super::support::larger;
+use super::support::{larger, place};
 use crate::diagnostic::Diagnostic;
 use crate::model::part::At;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::Response;
@@ -107,30 +107,32 @@ impl Uses {
 
     /// That states of a response over the speed are outside: one finding for each statement.
     pub fn of_states(&self, system: &System) -> Vec<Finding> {
-        self.say("outside_validity", system, |part, u| {
-            let (from, to) = (significant(u.speeds.0, 5), significant(u.speeds.1, 5));
-            let place = if from == to { format!("at {from} rad/s") } else { format!("between {from} and {to} rad/s") };
-            (format!("Some states {place} lie outside the validity of a part ({part}: {})", u.what), ": up to {} times the limit.")
+        self.findings(system, |u| {
+            let finding = if u.ratio.is_finite() {
+                Finding::invalid("outside_validity", "validity-states").value(u.ratio, "")
+            } else {
+                Finding::invalid("outside_validity", "validity-states-unbounded")
+            };
+            finding.arg("place", place(u.speeds.0, u.speeds.1))
         })
     }
 
     /// That some of what these motions are called is outside: one finding for each statement.
     pub fn of_motions(&self, system: &System, motions: &str) -> Vec<Finding> {
-        self.say("validity", system, |part, u| {
-            (format!("Some {motions} are outside the model of \"{part}\": {}", u.what), " reaches {}, above 1.")
+        self.findings(system, |u| {
+            let finding = if u.ratio.is_finite() {
+                Finding::invalid("validity", "validity-motions").value(u.ratio, "")
+            } else {
+                Finding::invalid("validity", "validity-motions-unbounded")
+            };
+            finding.arg("motions", Arg::term(motions))
         })
     }
 
-    fn say(&self, id: &str, system: &System, text: impl Fn(&str, &Use) -> (String, &'static str)) -> Vec<Finding> {
+    fn findings(&self, system: &System, of: impl Fn(&Use) -> Finding) -> Vec<Finding> {
         let one = |u: &Use| {
             let part = &system.slots()[u.slot].name;
-            let (text, amount) = text(part, u);
-            let finding = if u.ratio.is_finite() {
-                Finding::invalid(id, text + amount).value(u.ratio, "")
-            } else {
-                Finding::invalid(id, text + " without bound.")
-            };
-            finding.of(part)
+            of(u).of(part).arg("part", Arg::name(part)).arg("what", Arg::term(u.what))
         };
         self.0.iter().filter(|u| u.outside()).map(one).collect()
     }

@@ -52,6 +52,5 @@ pub(in crate::study) fn run<T: Study, R>(
 
 /// The outcome of a study without partial result.
 pub(in crate::study) fn nothing_shown<T: Study>(name: &str, end: End) -> Outcome {
-    let text = "It was stopped within a computation that has no partial result: nothing of it is shown.";
-    Outcome::new(T::KIND, name).end(end).finding(Finding::info("nothing_shown", text))
+    Outcome::new(T::KIND, name).end(end).finding(Finding::info("nothing_shown", "watch-nothing-shown"))
 }
