@@ -373,7 +373,7 @@ fn least_external_damping() {
         if let Some((want, _)) = wanted.iter().find(|w| w.1) {
             assert!((reported.value.unwrap() - want).abs() < 2e-9 * want, "{reported:?}");
         } else {
-            assert!(reported.value.is_none() && reported.text.contains("is unstable at all 61 values"), "{reported:?}");
+            assert!(reported.value.is_none() && reported.sentence().contains("is unstable at all 61 values"), "{reported:?}");
         }
     }
 }

@@ -106,7 +106,7 @@ fn a_state_that_is_stable_wherever_it_exists_is_made_stable_by_existing() {
     let want = needed(900.0) / 0.2;
     assert!(reported.value.is_some_and(|m| (m - want).abs() < 1e-11 * want), "{reported:?} {want}");
     assert!(
-        reported.level == Level::Info && reported.text.contains("exists and is stable when balancer.ball_mass rises above"),
+        reported.level == Level::Info && reported.sentence().contains("exists and is stable when balancer.ball_mass exceeds"),
         "{reported:?}"
     );
     // and values of the table above it are stable, those below are none
@@ -118,15 +118,15 @@ fn a_state_that_is_stable_wherever_it_exists_is_made_stable_by_existing() {
             "speed = {{ from = 890, to = 900, points = 2 }}\nseeds = 1\nstabilise = {{ parameter = \"losses.damping\", from = {from}, to = {to} }}"
         )
     };
-    assert!(all(&run(&[], &study(0.01, 400.0)), "least")[0].text.contains("becomes stable when losses.damping rises above"));
+    assert!(all(&run(&[], &study(0.01, 400.0)), "least")[0].sentence().contains("becomes stable when losses.damping exceeds"));
     let never = run(&[], &study(0.01, 0.1));
     assert!(
-        all(&never, "least")[0].level == Level::Warning && all(&never, "least")[0].text.contains("is unstable at all"),
+        all(&never, "least")[0].level == Level::Warning && all(&never, "least")[0].sentence().contains("is unstable at all"),
         "{:?}",
         never.findings
     );
     let always = run(&[], &study(10.0, 400.0));
-    assert!(all(&always, "least")[0].text.contains("is stable at all 61 values"), "{:?}", always.findings);
+    assert!(all(&always, "least")[0].sentence().contains("is stable at all 61 values"), "{:?}", always.findings);
 }
 
 /// Along the speed: one pitchfork, listed once, at the closed form's place and with it in its bracket; ranges begin there.
@@ -162,12 +162,12 @@ fn nothing_is_a_multiple_of_no_unbalance() {
         "speed = { from = 300, to = 1200, points = 10 }\nerrors = [{ parameter = \"balancer.tilt\", from = \"0.5 deg\", to = \"1 deg\" }]",
     );
     assert!(column(&o, "branches", "without").iter().all(|u| *u == 0.0));
-    assert!(o.findings.iter().all(|f| !f.text.contains("times")), "{:?}", o.findings);
+    assert!(o.findings.iter().all(|f| !f.sentence().contains("times")), "{:?}", o.findings);
     let (harm, stable) = (all(&o, "harm"), all(&o, "stable_states"));
     assert!(!harm.is_empty() && harm.len() <= stable.len(), "{} findings of {} ranges", harm.len(), stable.len());
     // two balls of 3.6 g at 100 mm
     assert!(harm.iter().all(|f| f.unit == "kg m" && f.value.is_some_and(|u| u > 1e-9 && u <= 7.2e-4 * (1.0 + 1e-12))), "{harm:?}");
-    assert!(all(&o, "residual_unbalance")[0].text.contains("nothing is out of balance without"), "{:?}", o.findings);
+    assert!(all(&o, "residual_unbalance")[0].sentence().contains("nothing is out of balance without"), "{:?}", o.findings);
 }
 
 /// The best state at the operating speed may be one of a continuum; here all others leave more.
@@ -178,7 +178,7 @@ fn the_best_state_may_be_one_of_a_continuum() {
     // the ring centre on the axis: U = (k/w^2 - M + i c/w) zeta with zeta = -s_2
     let (w, mass) = (900.0f64, 8.91 + 1.5 + 3.0 * 3.6e-3);
     let want = c(2.92e6 / (w * w) - mass, 400.0 / w).abs() * 2e-6;
-    assert!(best.text.contains("partly balanced") && best.value.is_some_and(|u| (u - want).abs() < 1e-6 * want), "{best:?} {want}");
+    assert!(best.sentence().contains("partly balanced") && best.value.is_some_and(|u| (u - want).abs() < 1e-6 * want), "{best:?} {want}");
 }
 
 /// Three equal balls keep the ring centre on the axis in a continuum of ways, which shrinks to one state where their moments just suffice: all balls stand together there.

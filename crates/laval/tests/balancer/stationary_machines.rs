@@ -136,7 +136,7 @@ fn a_continuum_of_an_eccentric_ring_balances_partly() {
     let study = format!("{SPEEDS}\nstabilise = {{ parameter = \"losses.damping\", from = 1e-3, to = 1000 }}");
     let o = run(&machine(&[EQUAL], "", &study));
     let least = one(&o, "least");
-    assert!(least.text.contains("one state of the continuum") && least.value.is_some_and(|v| v > 0.01 && v < 400.0), "{least:?}");
+    assert!(least.sentence().contains("one state of the continuum") && least.value.is_some_and(|v| v > 0.01 && v < 400.0), "{least:?}");
 }
 
 /// Two unequal balls balance where unbalance and moments form a triangle.

@@ -2,12 +2,12 @@
 
 use super::classify::Class;
 use super::errors::Errors;
-use super::follow::Why;
+use super::follow::{Limit, Why};
 use super::least::Least;
 use super::ranges::{Harm, Range, existing, rest, union};
 use super::report::{Report, Reported};
 use super::{Varied, unit_of};
-use crate::outcome::{Finding, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, significant};
 use crate::solve::stationary::Found;
 use crate::solve::unbalance::Unbalance;
 use crate::study::shared::support::larger;
@@ -27,22 +27,32 @@ fn left_of(left: f64, without: f64) -> f64 {
     if left <= NOTHING * without { 0.0 } else { left }
 }
 
-fn speed(w: f64) -> String {
-    quantity(w, "rad/s")
+/// Ends of two ranges at one change of stability are located each for itself: what differs less is no gap.
+fn wide(ends: &(f64, f64)) -> bool {
+    significant(ends.0, 4) != significant(ends.1, 4)
+}
+
+/// The kind of a state.
+pub(super) fn kind(class: Class) -> Message {
+    Message::new("stationary-kind").arg("kind", Arg::word(class.word()))
+}
+
+/// A state that balances.
+pub(super) fn balancing(class: Class) -> Message {
+    Message::new("stationary-state").arg("kind", Arg::word(class.word()))
 }
 
 impl Report<'_> {
     pub(super) fn findings(&self, reported: &Reported) -> Vec<Finding> {
         let mut out = Vec::new();
-        for (slot, text) in self.system.warnings() {
+        for (slot, reason) in self.system.warnings() {
             let name = &self.system.slots()[slot].name;
-            out.push(Finding::warning("hindered", format!("\"{name}\": {text}.")).of(name));
+            let finding = Finding::warning("hindered", "stationary-hindered").of(name);
+            out.push(finding.arg("part", Arg::name(name)).arg("reason", Arg::term(reason)));
         }
         let movable = !self.found.images.angles.is_empty();
         if !movable {
-            let text = "This machine has no masses that move round in the rotor, such as the balls of a balancer, for which this study is made: its states are its \
-                        synchronous motion, which nonlinear_response follows as well.";
-            out.push(Finding::info("no_masses", text));
+            out.push(Finding::info("no_masses", "stationary-no-balls"));
         }
         out.extend(capacity(reported).filter(|_| movable));
         out.extend(self.operating());
@@ -74,31 +84,18 @@ impl Report<'_> {
     fn stable(&self, r: &Range) -> Finding {
         let id = if r.class.balances() { "balanced_stable" } else { "stable_states" };
         let whole = r.from <= self.range.0 && r.to >= self.range.1;
-        let place = if whole { "over the whole range, up to {}".to_string() } else { format!("from {} to {{}}", speed(r.from)) };
-        let text = format!("Branch {} ({}) is stable {place}.", r.path + 1, r.class.words());
-        Finding::info(id, text)
+        Finding::info(id, if whole { "stationary-stable-throughout" } else { "stationary-stable" })
             .of(format!("branch {} from {}", r.path + 1, significant(r.from, 6)))
             .value(r.to, "rad/s")
+            .arg("branch", Arg::count(r.path + 1))
+            .arg("kind", kind(r.class))
+            .arg("from", Arg::speed(r.from))
             .evidence("from", r.from, "rad/s")
     }
 
     fn continuum(&self) -> Vec<Finding> {
         let all = self.continua.spans.iter();
         all.map(|s| {
-            let kind = s.class.words();
-            let text = match s.stable {
-                false => {
-                    let plural = if s.free > 1 { "s" } else { "" };
-                    format!(
-                        "Samples of a continuum of states that are {kind}, with {} free direction{plural}, were found from {} to {{}}.",
-                        s.free,
-                        speed(s.from)
-                    )
-                }
-                true => {
-                    format!("Of the samples of the continuum of states that are {kind} some are stable from {} to {{}}.", speed(s.from))
-                }
-            };
             let id = match (s.stable, s.class.balances()) {
                 (false, _) => "continuum",
                 (true, true) => "balanced_stable",
@@ -106,9 +103,12 @@ impl Report<'_> {
             };
             let here = self.continua.sheets.iter().filter(|x| (x.class, x.free) == (s.class, s.free) && (s.from..=s.to).contains(&x.speed));
             let (assessed, stable) = here.fold((0, 0), |n, x| (n.0 + x.samples, n.1 + x.stable));
-            Finding::info(id, text)
+            Finding::info(id, if s.stable { "stationary-continuum-stable" } else { "stationary-continuum" })
                 .of(format!("continuum from {}", significant(s.from, 6)))
                 .value(s.to, "rad/s")
+                .arg("kind", kind(s.class))
+                .arg("free", Arg::count(s.free))
+                .arg("from", Arg::speed(s.from))
                 .evidence("from", s.from, "rad/s")
                 .evidence("samples assessed", assessed as f64, "")
                 .evidence("stable samples", stable as f64, "")
@@ -125,25 +125,23 @@ impl Report<'_> {
 
     fn unstable(&self, reported: &Reported) -> Vec<Finding> {
         if self.complete && reported.points.is_empty() && self.continua.sheets.is_empty() {
-            let text = "No state at rest in axes that turn with the rotor was found.";
-            return vec![Finding::warning("no_state", text).evidence("starts", self.found.starts[0] as f64, "")];
+            return vec![Finding::warning("no_state", "stationary-no-state").evidence("starts", self.found.starts[0] as f64, "")];
         }
         if !self.complete {
             return Vec::new();
         }
         let gaps = rest(self.range, &self.covered(reported, false), GAP * (self.range.1 - self.range.0));
         let movable = !self.found.images.angles.is_empty();
-        let why = if movable { "the movable masses slip, the machine whirls, or no start led to one" } else { "the machine whirls" };
-        let say = |(from, to): (f64, f64)| {
-            let text = format!("No stable state was found from {} to {{}}: {why}.", speed(from));
-            Finding::warning("no_stable_state", text)
+        let gap = |(from, to): (f64, f64)| {
+            Finding::warning("no_stable_state", "stationary-no-stable-state")
                 .of(format!("from {}", significant(from, 6)))
                 .value(to, "rad/s")
+                .arg("from", Arg::speed(from))
+                .arg("balls", Arg::word(if movable { "yes" } else { "no" }))
                 .evidence("from", from, "rad/s")
                 .evidence("branches followed", self.found.paths.len() as f64, "")
         };
-        // ends of two ranges at one change of stability are located each for itself
-        gaps.into_iter().filter(|(from, to)| speed(*from) != speed(*to)).map(say).collect()
+        gaps.into_iter().filter(wide).map(gap).collect()
     }
 
     /// Where there is no state that balances, and whether the masses suffice.
@@ -156,16 +154,17 @@ impl Report<'_> {
         let spans = self.continua.spans.iter().filter(|s| s.class.balances()).map(|s| (s.from, s.to));
         let width = self.range.1 - self.range.0;
         let exist = union(existing(self.found, &reported.points).into_iter().chain(spans).collect(), GAP * width);
-        for (from, to) in rest(self.range, &exist, GAP * width).into_iter().filter(|(from, to)| speed(*from) != speed(*to)) {
+        for (from, to) in rest(self.range, &exist, GAP * width).into_iter().filter(wide) {
             // at the edge of existence the masses stand together or have nothing left
             let near = |w: f64| (w - from).abs().min((w - to).abs());
             let edge = seen.clone().filter(|(p, _)| p.class.balances()).min_by(|a, b| near(a.0.speed).total_cmp(&near(b.0.speed)));
             let share = edge.map(|(_, u)| u.correction.abs() / u.capacity).filter(|s| s.is_finite());
             let used = share.is_some_and(|s| s > USED_UP);
-            let why = if used { ": the masses would need a larger moment than they have" } else { "" };
-            let finding = Finding::warning("not_balanced", format!("No state that balances was found from {} to {{}}{why}.", speed(from)))
+            let finding = Finding::warning("not_balanced", "stationary-not-balanced")
                 .of(format!("from {}", significant(from, 6)))
                 .value(to, "rad/s")
+                .arg("from", Arg::speed(from))
+                .arg("capacity", Arg::word(if used { "used" } else { "left" }))
                 .evidence("from", from, "rad/s");
             out.push(
                 share.into_iter().fold(finding, |f, s| f.evidence("share of their capacity at the nearest state that balances", s, "")),
@@ -175,26 +174,25 @@ impl Report<'_> {
     }
 
     fn harm(&self, reported: &Reported) -> Vec<Finding> {
-        let say = |(k, h): &(usize, Harm)| {
+        let one = |(k, h): &(usize, Harm)| {
             let r = &reported.ranges[*k];
-            let (branch, class) = (r.path + 1, r.class.words());
-            let ends = format!("{} to {}", speed(h.from), speed(h.to));
-            let text = if h.relative {
-                format!(
-                    "The masses increase the unbalance from {ends}: stable states of branch {branch} ({class}) leave up to {{}} times that without them."
-                )
+            let branch = r.path + 1;
+            let finding = if h.relative {
+                // at least 1.001 times, which three digits do not tell from 1
+                Finding::warning("harm", "stationary-harm").value_as(Arg::number(h.most).digits(4))
             } else {
-                format!(
-                    "The masses unbalance the rotor from {ends}: stable states of branch {branch} ({class}) leave up to {{}}, and nothing is out of balance without them."
-                )
+                Finding::warning("harm", "stationary-harm-of-balanced").value(h.most, "kg m")
             };
-            Finding::warning("harm", text)
+            finding
                 .of(format!("branch {branch} from {}", significant(h.from, 6)))
-                .value(h.most, if h.relative { "" } else { "kg m" })
+                .arg("branch", Arg::count(branch))
+                .arg("kind", kind(r.class))
+                .arg("from", Arg::speed(h.from))
+                .arg("to", Arg::speed(h.to))
                 .evidence("from", h.from, "rad/s")
                 .evidence("to", h.to, "rad/s")
         };
-        reported.harm.iter().map(say).collect()
+        reported.harm.iter().map(one).collect()
     }
 
     /// Speeds of the table at which the balanced state is stable and another is, too.
@@ -211,14 +209,12 @@ impl Report<'_> {
             })
             .collect();
         let (first, last) = (both.first().copied()?, both.last().copied()?);
-        let text = format!(
-            "At {{}} speeds of the table, from {} to {}, a state that balances and one that does not are both stable: which is reached depends on the start.",
-            speed(first),
-            speed(last)
-        );
         Some(
-            Finding::warning("coexistence", text)
+            Finding::warning("coexistence", "stationary-coexistence")
                 .value(both.len() as f64, "")
+                .arg("speeds", Arg::count(both.len()))
+                .arg("from", Arg::speed(first))
+                .arg("to", Arg::speed(last))
                 .evidence("from", first, "rad/s")
                 .evidence("to", last, "rad/s"),
         )
@@ -238,15 +234,17 @@ impl Report<'_> {
             return None;
         }
         let left = left_of(u.moment.abs(), u.without());
-        let share = match u.without() {
-            0.0 => "; nothing is out of balance without the masses".to_string(),
-            without if left > 0.0 => format!(", {} times that without the masses", significant(left / without, 3)),
-            _ => String::new(),
-        };
-        let text = format!("At {} the best stable state found ({}) leaves an unbalance of {{}}{share}.", speed(nearest), class.words());
         let worst = all.iter().map(|x| x.1.moment.abs()).fold(u.moment.abs(), larger);
-        let finding = Finding::info("residual_unbalance", text)
+        let finding = Finding::info("residual_unbalance", "stationary-residual-unbalance")
             .value(left, "kg m")
+            .arg("speed", Arg::speed(nearest))
+            .arg("kind", kind(class));
+        let finding = match u.without() {
+            0.0 => finding.arg("beside", Arg::word("nothing")),
+            without if left > 0.0 => finding.arg("beside", Arg::word("times")).arg("times", Arg::number(left / without)),
+            _ => finding.arg("beside", Arg::word("none")),
+        };
+        let finding = finding
             .evidence("speed", nearest, "rad/s")
             .evidence("without the masses", u.without(), "kg m")
             .evidence("capacity", u.capacity, "kg m");
@@ -259,81 +257,55 @@ impl Report<'_> {
     }
 
     fn stabilised(&self, least: &Least, requested: &Varied) -> Finding {
-        let unit = unit_of(self.system, &requested.path);
-        let (at, path) = (speed(requested.speed), &requested.path);
-        let value = |x: f64| quantity(x, unit);
-        let ends = format!("between {} and {}", value(requested.range.from), value(requested.range.to));
+        let (path, unit) = (&requested.path, unit_of(self.system, &requested.path));
+        let (lowest, highest) = (requested.range.from, requested.range.to);
+        let value = |x: f64| Arg::quantity(x, unit);
+        let common = |f: Finding| {
+            let f = f.of(path).arg("speed", Arg::speed(requested.speed)).arg("parameter", Arg::name(path));
+            f.arg("lowest", value(lowest)).arg("highest", value(highest))
+        };
         let Some(class) = least.class else {
-            let text = format!(
-                "At {at} no state that balances was found at the {} values of {path} {ends} at which states were sought.",
-                least.sought
-            );
-            return Finding::warning("least", text).of(path).evidence("values at which states were sought", least.sought as f64, "");
+            return common(Finding::warning("least", "stationary-least-no-state"))
+                .arg("sought", Arg::count(least.sought))
+                .evidence("values at which states were sought", least.sought as f64, "");
         };
         let state = if least.loose {
-            format!("one state of the continuum that is {}", class.words())
+            Message::new("stationary-sample").arg("kind", Arg::word(class.word()))
         } else {
-            format!("the state that is {}", class.words())
+            balancing(class)
         };
         let limit_at = |x: f64| least.limits.iter().flatten().find(|l| l.value == x);
-        // where it is followed no farther, and why
-        let why = |x: f64| match limit_at(x).map(|l| l.why) {
-            Some(Why::Exists) => ", where it ends",
-            Some(Why::Half) => ", where it leaves half of the unbalance",
-            Some(Why::Lost) => ", as far as it was followed",
-            None => "",
-        };
-        let known: Vec<f64> = least.growth.iter().map(|g| g.1).filter(|g| g.is_finite()).collect();
-        let (low, high) = (least.limits[0].map(|l| l.value), least.limits[1].map(|l| l.value));
-        let exists = |x: f64| limit_at(x).is_some_and(|l| l.why == Why::Exists);
-        let reach = match (low, high) {
-            (None, None) => String::new(),
-            (Some(a), None) if exists(a) => format!(" It exists from {} on.", value(a)),
-            (None, Some(b)) if exists(b) => format!(" It exists up to {}.", value(b)),
-            (Some(a), Some(b)) if exists(a) && exists(b) => format!(" It exists from {} to {}.", value(a), value(b)),
-            (a, b) => {
-                let from = a.map_or(String::new(), |a| format!(" from {}{}", value(a), why(a)));
-                let to = b.map_or(String::new(), |b| format!(" to {}{}", value(b), why(b)));
-                format!(" It was followed{from}{to}.")
-            }
-        };
+        let why = |x: f64| limit_at(x).map_or("open", |l| ending(l.why));
         let gains = |x: f64| least.edges.iter().find(|e| e.gains && e.value == x);
+        let known: Vec<f64> = least.growth.iter().map(|g| g.1).filter(|g| g.is_finite()).collect();
         let (from, to) = least.stable.first().copied().unwrap_or((f64::NAN, f64::NAN));
-        let whole = |x: f64, end: f64| x == end;
-        let more = match least.stable.len() {
-            0 | 1 => String::new(),
-            n => format!(" It is stable in {n} ranges of {path}."),
-        };
-        let until = if whole(to, requested.range.to) { String::new() } else { format!(" and stays so up to {}{}", value(to), why(to)) };
-        let (text, shown) = if least.stable.is_empty() {
-            (format!("At {at} {state} is unstable at all {} values of {path} {ends} at which it was computed.{reach}", known.len()), None)
-        } else if gains(from).is_some() {
-            (format!("At {at} {state} becomes stable when {path} rises above {{}}{until}.{more}"), Some(from))
-        } else if limit_at(from).is_some() {
-            let first = if limit_at(from).is_some_and(|l| l.why == Why::Exists) { "exists and is stable" } else { "is stable" };
-            let from_where = why(from).replace(", where it ends", "");
-            (format!("At {at} {state} {first} when {path} rises above {{}}{from_where}{until}.{more}"), Some(from))
-        } else if !whole(from, requested.range.from) {
-            (format!("At {at} {state} is stable from {{}} to {} of {path}, as far as it was computed.{more}", value(to)), Some(from))
-        } else if whole(to, requested.range.to) && least.stable.len() == 1 {
-            (format!("At {at} {state} is stable at all {} values of {path} computed {ends}.", known.len()), None)
-        } else {
-            match least.edges.iter().find(|e| e.gains && e.value > to) {
-                Some(e) => {
-                    let until = format!("{}{}", value(to), why(to));
-                    (
-                        format!("At {at} {state} is stable until {path} rises above {until}, and again when it rises above {{}}.{more}"),
-                        Some(e.value),
-                    )
-                }
-                None => (format!("At {at} {state} is stable until {path} rises above {{}}{}.{more}", why(to)), Some(to)),
-            }
+        let again = least.edges.iter().find(|e| e.gains && e.value > to);
+        let (key, shown) = match () {
+            () if least.stable.is_empty() => ("stationary-least-unstable", None),
+            () if gains(from).is_some() => ("stationary-least-above", Some(from)),
+            () if limit_at(from).is_some() => ("stationary-least-from-limit", Some(from)),
+            () if from != lowest => ("stationary-least-between", Some(from)),
+            () if to == highest && least.stable.len() == 1 => ("stationary-least-everywhere", None),
+            () => match again {
+                Some(e) => ("stationary-least-outside", Some(e.value)),
+                None => ("stationary-least-below", Some(to)),
+            },
         };
         let make = if least.stable.is_empty() { Finding::warning } else { Finding::info };
-        let mut finding = make("least", text).of(path);
+        let mut finding = common(make("least", key)).arg("state", state).arg("computed", Arg::count(known.len()));
         if let Some(x) = shown {
             finding = finding.value(x, unit);
         }
+        finding = if least.stable.is_empty() {
+            finding.arg("reach", reach(least, &value))
+        } else {
+            let ranges = Message::new("stationary-least-ranges").arg("ranges", Arg::count(least.stable.len()));
+            finding
+                .arg("begins", Arg::word(why(from)))
+                .arg("to", value(to))
+                .arg("ends", Arg::word(if to == highest { "none" } else { why(to) }))
+                .arg("ranges", ranges.arg("parameter", Arg::name(path)))
+        };
         if let Some(frequency) = gains(from).map(|e| e.frequency).filter(|f| f.is_finite()) {
             finding = finding.evidence("frequency of the root in turning axes", frequency, "rad/s");
         }
@@ -352,35 +324,47 @@ impl Report<'_> {
     fn cost(&self, e: &Errors) -> Option<Finding> {
         let (path, unit) = (&e.requested.path, unit_of(self.system, &e.requested.path));
         let (first, last) = (e.costs.first()?, e.costs.last()?);
-        let (from, to) = (quantity(first.value, unit), quantity(last.value, unit));
-        let at = speed(e.requested.speed);
+        let common = |f: Finding| f.of(path).arg("speed", Arg::speed(e.requested.speed)).arg("parameter", Arg::name(path));
         if let Some(lost) = e.costs.iter().position(|c| c.stable == 0) {
             let none = e.costs.iter().filter(|c| c.stable == 0).count();
             let onward = e.costs[lost..].iter().all(|c| c.stable == 0);
-            let rest = if onward && none > 1 { format!(" and the {} larger values computed", none - 1) } else { String::new() };
-            let rest = if onward { rest } else { format!(", and at {none} of {} values in all", e.costs.len()) };
-            let text = format!("At {at} no stable state was found at {path} = {{}}{rest}.");
-            let finding = Finding::warning("cost", text).of(path).value(e.costs[lost].value, unit);
+            let more = match (onward, none) {
+                (true, 1) => "none",
+                (true, _) => "larger",
+                (false, _) => "some",
+            };
+            let finding = common(Finding::warning("cost", "stationary-cost-no-stable-state"))
+                .value(e.costs[lost].value, unit)
+                .arg("more", Arg::word(more))
+                .arg("larger", Arg::count(none - 1))
+                .arg("none", Arg::count(none))
+                .arg("computed", Arg::count(e.costs.len()));
             let before = lost.checked_sub(1).map(|k| e.costs[k].value);
             return Some(before.into_iter().fold(finding, |f, b| f.evidence("a stable state is there at", b, unit)));
         }
         if !(last.unbalance.0.is_finite() && first.unbalance.0.is_finite()) {
             return None;
         }
-        let text = format!(
-            "At {at} the best stable state found leaves an unbalance of {} with {path} = {from}, and of {{}} with {to} ({} without the masses).",
-            quantity(left_of(first.unbalance.0, first.without), "kg m"),
-            quantity(last.without, "kg m")
-        );
         let most = e.costs.iter().map(|c| c.unbalance.0).fold(f64::NEG_INFINITY, larger);
-        let harm = last.unbalance.0 > last.without;
-        let make = if harm || !last.balances && first.balances { Finding::warning } else { Finding::info };
+        let effect = match () {
+            () if last.unbalance.0 > last.without => "harm",
+            () if !last.balances && first.balances => "lost",
+            () => "none",
+        };
+        let make = if effect == "none" { Finding::info } else { Finding::warning };
         let more = [
             ("left by the worst stable state at the end", last.unbalance.1, "kg m"),
             ("largest of the values computed", most, "kg m"),
             ("grade number at the end", last.grade, "m/s"),
         ];
-        let mut finding = backed(make("cost", text).of(path).value(left_of(last.unbalance.0, last.without), "kg m"), &more);
+        let finding = common(make("cost", "stationary-cost"))
+            .value(left_of(last.unbalance.0, last.without), "kg m")
+            .arg("to", Arg::quantity(last.value, unit))
+            .arg("first", Arg::quantity(left_of(first.unbalance.0, first.without), "kg m"))
+            .arg("from", Arg::quantity(first.value, unit))
+            .arg("without", Arg::quantity(last.without, "kg m"))
+            .arg("effect", Arg::word(effect));
+        let mut finding = backed(finding, &more);
         if let Some(c) = e.costs.iter().find(|c| first.balances && !c.balances) {
             finding = finding.evidence("first value at which no stable state balances", c.value, unit);
         }
@@ -392,20 +376,43 @@ impl Report<'_> {
         let count = |word: &str| chart.cells.iter().filter(|c| c.word() == word).count();
         let [only, both, not, none] = super::chart::WORDS else { return None };
         let all = chart.cells.len();
-        let text = format!(
-            "Over speed and {}, of {{}} cells {} have stable states that balance only, {} such and others, {} others only; in {} none was found.",
-            chart.path,
-            count(only),
-            count(both),
-            count(not),
-            count(none)
-        );
-        Some(Finding::info("chart", text).of(&chart.path).value(all as f64, "").evidence(
-            "located points of the boundary",
-            chart.edges.len() as f64,
-            "",
-        ))
+        Some(
+            Finding::info("chart", "stationary-chart")
+                .of(&chart.path)
+                .value(all as f64, "")
+                .arg("parameter", Arg::name(&chart.path))
+                .arg("balanced", Arg::count(count(only)))
+                .arg("bistable", Arg::count(count(both)))
+                .arg("unbalanced", Arg::count(count(not)))
+                .arg("unstable", Arg::count(count(none)))
+                .evidence("located points of the boundary", chart.edges.len() as f64, ""),
+        )
     }
+}
+
+/// Why a state is followed no farther, as a word of the sentences.
+fn ending(why: Why) -> &'static str {
+    match why {
+        Why::Exists => "exists",
+        Why::Half => "half",
+        Why::Lost => "lost",
+    }
+}
+
+/// Down to which value and up to which the state exists, or was followed.
+fn reach(least: &Least, value: &dyn Fn(f64) -> Arg) -> Arg {
+    let ends = [("stationary-down-to", least.limits[0]), ("stationary-up-to", least.limits[1])];
+    let ends: Vec<(&str, Limit)> = ends.into_iter().filter_map(|(key, l)| Some((key, l?))).collect();
+    let exists = ends.iter().all(|e| e.1.why == Why::Exists);
+    let phrase = |(key, l): (&str, Limit)| {
+        let why = if exists { "open" } else { ending(l.why) };
+        Message::new(key).arg("end", value(l.value)).arg("why", Arg::word(why)).into()
+    };
+    if ends.is_empty() {
+        return Arg::word("none");
+    }
+    let key = if exists { "stationary-exists" } else { "stationary-followed" };
+    Message::new(key).arg("ends", Arg::List(ends.into_iter().map(phrase).collect())).into()
 }
 
 /// With what evidence has a value.
@@ -418,26 +425,26 @@ fn capacity(reported: &Reported) -> Option<Finding> {
     let seen = reported.points.iter().filter_map(|p| p.seen.unbalance);
     let needed = seen.clone().map(|u| u.without()).reduce(larger).filter(|x| x.is_finite())?;
     let most = seen.map(|u| u.capacity).reduce(larger).filter(|most| *most < (1.0 - NOTHING) * needed)?;
-    let text = format!("The masses can cancel {{}} at most, less than the unbalance of {}.", quantity(needed, "kg m"));
-    Some(Finding::warning("insufficient_capacity", text).value(most, "kg m").evidence("needed", needed, "kg m"))
+    let finding = Finding::warning("insufficient_capacity", "stationary-insufficient-capacity").value(most, "kg m");
+    Some(finding.arg("missing", Arg::quantity(needed - most, "kg m")).evidence("needed", needed, "kg m"))
 }
 
 fn completeness(found: &Found, loose: usize, complete: bool) -> Vec<Finding> {
     let [starts, led, known] = found.starts.map(|n| n as f64);
     let share = if led > 0.0 { (known + loose as f64) / led } else { 0.0 };
-    let so_far = if complete { "" } else { " before the study stopped" };
-    let text = format!(
-        "{} branches of states were found{so_far}; {{}} of the starts that led to a state led to one known before.",
-        found.paths.len()
-    );
-    let reported = Finding::info("completeness", text)
-        .value(share, "")
+    let reported = Finding::info("completeness", "stationary-completeness")
+        .value_as(Arg::percent(share))
+        .arg("branches", Arg::count(found.paths.len()))
+        .arg("stopped", Arg::word(if complete { "no" } else { "yes" }))
         .evidence("starts", starts, "")
         .evidence("starts that led to a state", led, "")
         .evidence("starts that led to states that are not isolated", loose as f64, "");
-    let crowded = Finding::warning("too_many_branches", "There are more branches of states than are followed: the list is not complete.");
+    let crowded = Finding::warning("too_many_branches", "stationary-too-many-branches");
     if found.crowded { vec![reported, crowded] } else { vec![reported] }
 }
+
+/// Branches that are named in one sentence.
+const NAMED: usize = 5;
 
 fn unfinished(found: &Found) -> Option<Finding> {
     let lost = |(k, p): (usize, &crate::solve::stationary::Path)| {
@@ -447,22 +454,18 @@ fn unfinished(found: &Found) -> Option<Finding> {
             End::MaxPoints => p.branch.points.last().map(|q| q.p),
             _ => None,
         })?;
-        Some(format!("branch {} near {}", k + 1, speed(at)))
+        Some(Message::new("stationary-branch-near").arg("branch", Arg::count(k + 1)).arg("speed", Arg::speed(at)))
     };
-    let all: Vec<String> = found.paths.iter().enumerate().filter_map(lost).collect();
-    let few = all.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
-    let more = if all.len() > 5 { format!(" and {} more", all.len() - 5) } else { String::new() };
-    (!all.is_empty()).then(|| Finding::warning("unfinished", format!("Not followed to their ends: {few}{more}.")))
+    let all: Vec<Message> = found.paths.iter().enumerate().filter_map(lost).collect();
+    let more = all.len().checked_sub(NAMED).filter(|n| *n > 0).map(|n| Message::new("stationary-more").arg("count", Arg::count(n)));
+    let branches = all.iter().take(NAMED).cloned().chain(more).map(Arg::Phrase).collect();
+    (!all.is_empty()).then(|| Finding::warning("unfinished", "stationary-unfinished").arg("branches", Arg::List(branches)))
 }
 
 /// Classes in a sentence for those who cannot see the figure.
 pub(super) fn alt(ranges: &[Range], branches: usize) -> String {
-    let each = ranges.iter().map(|r| format!("{} from {} to {} rad/s", words(r.class), significant(r.from, 4), significant(r.to, 4)));
+    let each = ranges.iter().map(|r| format!("{} from {} to {} rad/s", r.class.words(), significant(r.from, 4), significant(r.to, 4)));
     let stable = each.collect::<Vec<_>>().join("; ");
     let stable = if stable.is_empty() { "no state is stable".to_string() } else { format!("stable: {stable}") };
     format!("{branches} branches of states at rest in turning axes over the spin speed; {stable}.")
-}
-
-fn words(class: Class) -> &'static str {
-    class.words()
 }

@@ -1,6 +1,6 @@
 //! The states at one speed: those of branches over a narrow range about it.
 
-use crate::outcome::{Data, Finding, Outcome, quantity};
+use crate::outcome::{Arg, Data, Finding, Outcome};
 
 /// Half the width of the range in which branches are followed, over the speed.
 const ASIDE: f64 = 1e-3;
@@ -19,13 +19,12 @@ pub(super) fn at(speed: f64, mut outcome: Outcome) -> Outcome {
         _ => (0, 0),
     };
     let (stable, all) = stable(&outcome);
-    let at = quantity(speed, "rad/s");
-    let text = match (stable, all) {
-        (_, 0) => format!("At {at} no state that turns with the rotor was found."),
-        (0, _) => format!("At {at} none of the states found, {{}} in number, is stable: a transient shows the motion there."),
-        (m, _) => format!("At {at} {m} of the {{}} states found {} stable.", if m == 1 { "is" } else { "are" }),
+    let finding = match (stable, all) {
+        (_, 0) => Finding::warning("states", "stationary-states-none"),
+        (0, _) => Finding::warning("states", "stationary-states-unstable"),
+        _ => Finding::info("states", "stationary-states"),
     };
-    let finding = if stable == 0 { Finding::warning("states", text) } else { Finding::info("states", text) };
+    let finding = finding.arg("speed", Arg::speed(speed)).arg("states", Arg::count(all)).arg("stable", Arg::count(stable));
     let finding = if all > 0 { finding.value(all as f64, "") } else { finding };
     outcome.findings.retain(|f| !OF_RANGES.contains(&f.id.as_str()));
     outcome.findings.insert(0, finding.evidence("stable", stable as f64, ""));

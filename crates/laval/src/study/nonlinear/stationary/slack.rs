@@ -7,7 +7,7 @@ use super::continua::Sheet;
 use super::report::column_of;
 use super::zones::most_left;
 use crate::model::system::System;
-use crate::outcome::{Finding, OutcomeError, Table, quantity};
+use crate::outcome::{Arg, Finding, Message, OutcomeError, Table};
 use crate::solve::stationary::{Search, State};
 use crate::study::shared::support::larger;
 use serde::{Deserialize, Serialize};
@@ -98,17 +98,14 @@ pub fn finding(sheets: &[Sheet], left: &[Left], operating: f64) -> Option<Findin
     let balancing = left.iter().filter(|l| sheets[l.sheet].class.balances() && l.unbalance.is_finite());
     let nearest = balancing.min_by(|a, b| off(a).total_cmp(&off(b)))?;
     let sheet = &sheets[nearest.sheet];
-    let text = format!(
-        "At {} dry friction may leave an unbalance of {{}} or more where the masses balance in a continuum of ways ({}).",
-        quantity(sheet.speed, "rad/s"),
-        sheet.class.words()
-    );
     let make = if nearest.unbalance <= 0.5 * nearest.without { Finding::info } else { Finding::warning };
     let friction = nearest.held.iter().map(|h| h.friction).fold(0.0, larger);
     Some(
-        make("dead_zone", text)
+        make("dead_zone", "stationary-dead-zone-continuum")
             .of("continuum")
             .value(nearest.unbalance, "kg m")
+            .arg("speed", Arg::speed(sheet.speed))
+            .arg("continuum", Message::new("stationary-continuum-of").arg("kind", Arg::word(sheet.class.word())))
             .evidence("without the masses", nearest.without, "kg m")
             .evidence("friction", friction, "N m")
             .evidence("grade number (ISO 21940-11)", nearest.grade, "m/s")

@@ -2,10 +2,11 @@
 
 use super::Row;
 use super::classify::Seen;
+use super::findings::balancing;
 use super::report::column_of;
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Finding, OutcomeError, Table, quantity};
+use crate::outcome::{Arg, Finding, OutcomeError, Table};
 use crate::solve::stationary::{Search, State};
 use crate::solve::unbalance::Unbalance;
 use crate::study::shared::support::larger;
@@ -114,31 +115,28 @@ pub fn finding(rows: &[Row], zones: &[Zone], operating: f64) -> Option<Finding> 
     let nearest = zones.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
     let speed = rows[nearest.row].state.speed;
     let here = || zones.iter().filter(|z| rows[z.row].state.speed == speed);
-    let balancing = here().filter(|z| rows[z.row].stable() && rows[z.row].class.balances());
-    let best = balancing.min_by(|a, b| a.unbalance.total_cmp(&b.unbalance))?;
-    let at = quantity(speed, "rad/s");
+    let calm = here().filter(|z| rows[z.row].stable() && rows[z.row].class.balances());
+    let best = calm.min_by(|a, b| a.unbalance.total_cmp(&b.unbalance))?;
     let row = &rows[best.row];
     let without = row.seen.unbalance.map_or(f64::NAN, |u| u.without());
     if !best.closed {
-        let text = format!(
-            "At {at} dry friction of {{}} holds masses over ranges of which not all ends were found: more unbalance may be left than is computed."
-        );
         let friction = best.held.iter().map(|h| h.friction).fold(0.0, larger);
-        return Some(Finding::warning("dead_zone", text).value(friction, "N m").evidence("speed", speed, "rad/s"));
+        let finding = Finding::warning("dead_zone", "stationary-dead-zone-open").value(friction, "N m");
+        return Some(finding.arg("speed", Arg::speed(speed)).evidence("speed", speed, "rad/s"));
     }
     let widest = best.held.iter().map(|h| h.reach[1] - h.reach[0]).fold(0.0, larger);
-    let unstable = if best.growth > 0.0 { " With the masses held the machine is unstable there." } else { "" };
-    let text = format!(
-        "At {at} dry friction holds masses up to {} from where they balance ({}); at the ends of these ranges an unbalance of up to {{}} is left.{unstable}",
-        quantity(best.held.iter().map(|h| larger(-h.reach[0], h.reach[1])).fold(0.0, larger), "rad"),
-        row.class.words()
-    );
+    let farthest = best.held.iter().map(|h| larger(-h.reach[0], h.reach[1])).fold(0.0, larger);
     if !best.unbalance.is_finite() {
         return None;
     }
     let make = if best.unbalance <= without && !(best.growth > 0.0) { Finding::info } else { Finding::warning };
-    let finding = make("dead_zone", text)
+    let finding = make("dead_zone", "stationary-dead-zone")
         .value(best.unbalance, "kg m")
+        .arg("speed", Arg::speed(speed))
+        .arg("angle", Arg::quantity(farthest, "rad"))
+        .arg("state", balancing(row.class))
+        .arg("effect", Arg::word(if best.unbalance <= without { "less" } else { "more" }))
+        .arg("held", Arg::word(if best.growth > 0.0 { "unstable" } else { "stable" }))
         .evidence("without the masses", without, "kg m")
         .evidence("widest range of a mass", widest, "rad")
         .evidence("grade number (ISO 21940-11)", best.grade, "m/s")
