@@ -1,4 +1,4 @@
-//! What is said of a sweep.
+//! Findings and tables of a sweep.
 
 use super::super::start;
 use super::super::steady_state::measure::{HIGHEST, LINES, POINTS};
@@ -9,7 +9,7 @@ use super::rows::{STATE, mean, point, spectrum};
 use super::{Shown, Sweep, SweepResult, Way, figures};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
-use crate::outcome::{Finding, Outcome, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome, SpecialPoint, Status, Table};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::shared::probes;
@@ -121,26 +121,29 @@ fn stretches(len: usize, holds: impl Fn(usize) -> bool) -> Vec<RangeInclusive<us
     out
 }
 
-/// "at a" or "from a to b", rising.
-fn place(speed: &[f64], range: &RangeInclusive<usize>) -> String {
+/// One speed, or a range of rising ones.
+fn place(speed: &[f64], range: &RangeInclusive<usize>) -> Message {
     let (a, b) = (speed[*range.start()], speed[*range.end()]);
-    let say = |x: f64| quantity(x, "rad/s");
-    if a == b { format!("at {}", say(a)) } else { format!("from {} to {}", say(a.min(b)), say(a.max(b))) }
-}
-
-/// "between a and b", with as many digits as distinguish them.
-fn between((a, b): (f64, f64)) -> String {
-    let words = |digits: usize| (significant(a, digits), significant(b, digits));
-    let (a, b) = (4..12).map(words).find(|(a, b)| a != b).unwrap_or_else(|| words(12));
-    format!("between {a} rad/s and {b} rad/s")
-}
-
-fn begun(way: Way) -> &'static str {
-    match way {
-        Way::Rest => "started anew",
-        Way::Up => "followed up",
-        Way::Down => "followed down",
+    if a == b {
+        return Message::new("at").arg("at", Arg::speed(a));
     }
+    let digits = digits((a, b));
+    Message::new("range").arg("from", Arg::speed(a.min(b)).digits(digits)).arg("to", Arg::speed(a.max(b)).digits(digits))
+}
+
+/// Digits that tell two speeds apart in every unit.
+fn digits((a, b): (f64, f64)) -> u8 {
+    let apart = (a - b).abs() / a.abs().max(b.abs());
+    (1.0 - apart.log10()).ceil().clamp(4.0, 12.0) as u8
+}
+
+/// How the motion began.
+fn begun(way: Way) -> Message {
+    Message::new(match way {
+        Way::Rest => "sweep-from-start",
+        Way::Up => "sweep-run-up",
+        Way::Down => "sweep-run-down",
+    })
 }
 
 pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<Outcome, Diagnostic> {
@@ -170,7 +173,7 @@ pub(super) fn report(shown: &Shown, result: &SweepResult, name: &str) -> Result<
     figures::figures(shown, &paths, results.done > 0, outcome).checked().map_err(inconsistent)
 }
 
-/// That settling has no end where a mode at rest does not decay.
+/// Speeds at which a mode at rest does not decay: settling has no end there.
 fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
     // every way passes the same speeds
     let mut decay: Vec<(f64, f64)> = results.numbers("speed").into_iter().zip(results.numbers("decay")).collect();
@@ -180,12 +183,8 @@ fn undamped(results: &Collected, outcome: Outcome) -> Outcome {
     if none == 0 {
         return outcome;
     }
-    let text = format!(
-        "At {{}} of {} speeds a mode of the machine at rest does not decay: nothing says how long settling takes there, and what is shown, jumps and \
-         hysteresis included, may be what is left of the start.",
-        decay.len()
-    );
-    outcome.finding(Finding::warning("no_decay", text).value(none as f64, ""))
+    let finding = Finding::warning("no_decay", "sweep-no-decay").value(none as f64, "");
+    outcome.finding(finding.arg("count", Arg::count(none)).arg("speeds", Arg::count(decay.len())))
 }
 
 fn largest(shown: &Shown, paths: &[Path], mut outcome: Outcome) -> Outcome {
@@ -202,11 +201,14 @@ fn largest(shown: &Shown, paths: &[Path], mut outcome: Outcome) -> Outcome {
             continue;
         }
         // of a motion that does not repeat the largest of the periods recorded
-        let what = if repeats { "settled" } else { "recorded" };
-        let open = if repeats { "" } else { ", where the motion does not repeat" };
-        let (place, quality, owner) = (quantity(speed, "rad/s"), probes::quality(probe), probes::owner(probe));
-        let text = format!("The largest {what} {quality} of \"{owner}\" is {{}}, at {place} ({}){open}.", begun(way));
-        let finding = Finding::info(format!("largest_{quality}"), text).of(owner);
+        let key = if repeats { "sweep-largest" } else { "sweep-largest-recorded" };
+        let (quality, owner) = (probes::quality(probe), probes::owner(probe));
+        let finding = Finding::info(format!("largest_{quality}"), key)
+            .of(owner)
+            .arg("point", probes::arg(probe))
+            .arg("quality", Arg::word(quality))
+            .arg("speed", Arg::speed(speed))
+            .arg("start", begun(way));
         outcome = outcome.finding(finding.value(a, probe.unit()).evidence("speed", speed, "rad/s"));
     }
     outcome
@@ -215,22 +217,22 @@ fn largest(shown: &Shown, paths: &[Path], mut outcome: Outcome) -> Outcome {
 fn reported_jumps(shown: &Shown, paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
     for j in jumps {
         let probe = &shown.probes[j.probe];
-        let (who, unit) = (probes::subject(probe), probe.unit());
-        let (from, to) = (quantity(j.amplitudes.0, unit), quantity(j.amplitudes.1, unit));
-        let between = between(j.placed);
-        let (id, text) = match j.way {
-            Way::Rest => (
-                "start_jump",
-                format!(
-                    "Started anew, {who} reaches {from} and then {to} {between}: there the start passes from one motion's basin to another's, which is no fold."
-                ),
-            ),
-            way => (
-                if way == Way::Up { "jump_up" } else { "jump_down" },
-                format!("A slow sweep {} jumps {between}: {who} goes from {from} to {to}.", way.word()),
-            ),
+        let unit = probe.unit();
+        let (id, key) = match j.way {
+            Way::Rest => ("start_jump", "sweep-start-jump"),
+            Way::Up => ("jump_up", "sweep-jump"),
+            Way::Down => ("jump_down", "sweep-jump"),
         };
-        let finding = Finding::info(id, text).value(j.placed.1, "rad/s").evidence("last speed before", j.placed.0, "rad/s");
+        let digits = digits(j.placed);
+        let finding = Finding::info(id, key)
+            .value(j.placed.1, "rad/s")
+            .arg("point", probes::arg(probe))
+            .arg("before", Arg::quantity(j.amplitudes.0, unit))
+            .arg("after", Arg::quantity(j.amplitudes.1, unit))
+            .arg("from", Arg::speed(j.placed.0).digits(digits))
+            .arg("to", Arg::speed(j.placed.1).digits(digits))
+            .arg("way", Arg::word(j.way.word()))
+            .evidence("last speed before", j.placed.0, "rad/s");
         let finding = finding.evidence("amplitude before", j.amplitudes.0, unit).evidence("amplitude after", j.amplitudes.1, unit);
         let special = SpecialPoint::new(id, j.placed.1, j.placed).status(Status::Bracketed);
         outcome = outcome.finding(finding).special_point(special);
@@ -239,20 +241,20 @@ fn reported_jumps(shown: &Shown, paths: &[Path], jumps: &[Jump], mut outcome: Ou
     let whole =
         |p: &&Path| p.speed.len() > 2 && p.amplitude.iter().flatten().all(|a| a.is_finite()) && p.motion.iter().all(|m| m == "periodic");
     for p in paths.iter().filter(|p| p.way != Way::Rest && !jumps.iter().any(|j| j.way == p.way)).filter(whole) {
-        let (from, to) = (p.speed[0], p.speed[p.speed.len() - 1]);
-        let (range, way) = (format!("from {} to {}", quantity(from, "rad/s"), quantity(to, "rad/s")), p.way.word());
-        let (id, text) = match joined(paths, p.way) {
-            // a step that the ratio of amplitudes does not show
-            Some((a, b)) => {
-                let place = format!("between {} and {}", quantity(a, "rad/s"), quantity(b, "rad/s"));
-                let text = format!(
-                    "A slow sweep {way} {range} joins the motion of the sweep the other way {place}: it jumps or turns steeply there, which more speeds would tell."
-                );
-                (format!("joins_{way}"), text)
-            }
-            None => (format!("no_jump_{way}"), format!("A slow sweep {way} {range} shows no jump between its {} speeds.", p.speed.len())),
+        // a step that the ratio of amplitudes does not show
+        let joined = joined(paths, p.way);
+        let (id, key) = match joined {
+            Some(_) => (format!("joins_{}", p.way.word()), "sweep-joins"),
+            None => (format!("no_jump_{}", p.way.word()), "sweep-no-jump"),
         };
-        outcome = outcome.finding(Finding::info(id, text));
+        let (from, to) = joined.unwrap_or((p.speed[0], p.speed[p.speed.len() - 1]));
+        let digits = digits((from, to));
+        let finding = Finding::info(id, key)
+            .arg("way", Arg::word(p.way.word()))
+            .arg("from", Arg::speed(from).digits(digits))
+            .arg("to", Arg::speed(to).digits(digits))
+            .arg("speeds", Arg::count(p.speed.len()));
+        outcome = outcome.finding(finding);
     }
     outcome
 }
@@ -303,12 +305,12 @@ fn hysteresis(paths: &[Path], jumps: &[Jump], mut outcome: Outcome) -> Outcome {
         let (first, last) = (up.speed[*r.start()], up.speed[*r.end()]);
         let left = |way: Way, at: f64| jumps.iter().find(|j| j.way == way && j.before == at).map_or(at, |j| j.placed.0);
         let (a, b) = (left(Way::Down, first), left(Way::Up, last));
-        let depends = "the motion depends on the direction of the sweep";
         let finding = if a == b {
-            Finding::info("hysteresis", format!("Hysteresis at {}, of the speeds computed: {depends}.", quantity(a, "rad/s")))
+            Finding::info("hysteresis", "sweep-hysteresis-at").arg("speed", Arg::speed(a))
         } else {
-            let place = place(&[a, b], &(0..=1));
-            Finding::info("hysteresis", format!("Hysteresis {place}: {depends}, over {{}}.")).value(b - a, "rad/s")
+            let digits = digits((a, b));
+            let finding = Finding::info("hysteresis", "sweep-hysteresis").value(b - a, "rad/s");
+            finding.arg("from", Arg::speed(a.min(b)).digits(digits)).arg("to", Arg::speed(a.max(b)).digits(digits))
         };
         outcome = outcome.finding(finding.evidence("from", a, "rad/s").evidence("to", b, "rad/s"));
     }
@@ -321,33 +323,27 @@ fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
         let n = p.speed.len();
         for k in 2..=LONGEST {
             for r in stretches(n, |i| p.period[i] == k as f64) {
-                let text = format!("{}, the motion ({}) repeats only after {{}} turns.", upper(&place(&p.speed, &r)), begun(p.way));
-                outcome = outcome.finding(spanned(Finding::info("longer_period", text).value(k as f64, ""), p, &r));
+                let finding = Finding::info("longer_period", "sweep-longer-period").value(k as f64, "").arg("turns", Arg::count(k));
+                outcome = outcome.finding(spanned(finding, p, &r));
             }
         }
-        let cut_short = "still changes slowly where the largest number of periods ended its settling";
-        let unfinished = "does not repeat within the tolerance after several decay times of the slowest mode: it changes slowly, as beside a fold, or by the \
-                          error of the integration, which a smaller relative_tolerance reduces";
-        let irregular = "does not repeat within 16 turns: quasi-periodic, chaotic or of a longer period";
         // whether the largest number of periods ended the settling, where it matters
-        for (id, wanted, bounded, what) in [
-            ("not_periodic", "not periodic", None, irregular),
-            ("not_settled", "not settled", Some(true), cut_short),
-            ("not_settled", "not settled", Some(false), unfinished),
+        for (id, wanted, bounded, key) in [
+            ("not_periodic", "not periodic", None, "sweep-not-periodic"),
+            ("not_settled", "not settled", Some(true), "sweep-not-settled-bounded"),
+            ("not_settled", "not settled", Some(false), "sweep-not-settled"),
         ] {
             for r in stretches(n, |i| p.motion[i] == wanted && bounded.is_none_or(|b| p.bounded[i] == b)) {
                 let count = r.end() - r.start() + 1;
-                let text = format!("{}, the motion ({}) {what}: {{}} speeds.", upper(&place(&p.speed, &r)), begun(p.way));
-                outcome = outcome.finding(spanned(Finding::warning(id, text).value(count as f64, ""), p, &r));
+                let finding = Finding::warning(id, key).value(count as f64, "").arg("count", Arg::count(count));
+                outcome = outcome.finding(spanned(finding.arg("turns", Arg::count(LONGEST)), p, &r));
             }
         }
         let cut = (0..n).filter(|&i| p.bounded[i] && p.motion[i] == "periodic").count();
         if cut > 0 {
-            let text = format!(
-                "At {{}} of {n} speeds ({}) the largest number of periods cut the settling short of what the slowest mode requires; the motion repeats within the tolerance all the same.",
-                begun(p.way)
-            );
-            outcome = outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""));
+            let finding = Finding::info("settling_bounded", "sweep-settling-bounded").value(cut as f64, "");
+            outcome =
+                outcome.finding(finding.arg("count", Arg::count(cut)).arg("speeds", Arg::count(n)).arg("start", begun(p.way)));
         }
     }
     outcome
@@ -355,12 +351,8 @@ fn motions(paths: &[Path], mut outcome: Outcome) -> Outcome {
 
 fn spanned(finding: Finding, p: &Path, r: &RangeInclusive<usize>) -> Finding {
     let (a, b) = (p.speed[*r.start()], p.speed[*r.end()]);
+    let finding = finding.arg("place", place(&p.speed, r)).arg("start", begun(p.way));
     finding.evidence("from", a.min(b), "rad/s").evidence("to", a.max(b), "rad/s")
-}
-
-fn upper(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 fn failures(results: &Collected, mut outcome: Outcome) -> Outcome {
@@ -370,10 +362,15 @@ fn failures(results: &Collected, mut outcome: Outcome) -> Outcome {
         causes.entry(why).or_insert((0, *speed)).0 += 1;
     }
     for (why, (count, first)) in causes {
-        let text =
-            format!("{{}} of {} motions could not be followed: each {why}. A sweep that loses its motion starts anew.", speeds.len());
-        outcome =
-            outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, "").evidence("first at", first, "rad/s"));
+        let finding = Finding::warning("failed_motions", "sweep-failed-motions")
+            .of(&why)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("motions", Arg::count(speeds.len()))
+            .arg("first", Arg::speed(first))
+            .arg("reason", Arg::term(why))
+            .evidence("first at", first, "rad/s");
+        outcome = outcome.finding(finding);
     }
     outcome
 }
@@ -385,10 +382,13 @@ fn exponents(study: &Sweep, results: &Collected, outcome: Outcome) -> Outcome {
     let (speed, value, halves) = (results.numbers("speed"), results.numbers("lyapunov"), results.numbers("lyapunov_halves"));
     let clear: Vec<usize> = (0..value.len()).filter(|&i| value[i] > 3.0 * halves[i]).collect();
     let Some(&top) = clear.iter().max_by(|&&a, &&b| value[a].total_cmp(&value[b])) else {
-        return outcome.finding(Finding::info("no_chaos", "No Lyapunov exponent is clearly positive: no motion found is chaotic."));
+        return outcome.finding(Finding::info("no_chaos", "sweep-no-chaos"));
     };
-    let text = format!("{} motions have a clearly positive Lyapunov exponent: they are chaotic. The largest is {{}}.", clear.len());
-    let finding = Finding::warning("chaos", text).value(value[top], "1/s").evidence("at", speed[top], "rad/s");
+    let finding = Finding::warning("chaos", "sweep-chaos")
+        .value(value[top], "1/s")
+        .arg("count", Arg::count(clear.len()))
+        .arg("speed", Arg::speed(speed[top]))
+        .evidence("at", speed[top], "rad/s");
     outcome.finding(finding.evidence("difference between the halves of its time", halves[top], "1/s"))
 }
 
@@ -490,6 +490,7 @@ fn end_states(results: &Collected) -> Result<Table, Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::{Style, Units};
 
     fn path(amplitude: &[f64]) -> Path {
         let n = amplitude.len();
@@ -572,8 +573,15 @@ mod tests {
         falls.placed[3] = (f64::NAN, f64::NAN);
         falls.way = Way::Rest;
         assert_eq!(jumps(&falls).len(), 1);
-        assert_eq!(between((2.25, 2.5)), "between 2.25 rad/s and 2.5 rad/s");
-        assert_eq!(between((2395.7, 2395.9)), "between 2395.7 rad/s and 2395.9 rad/s");
+        // two speeds read differently in every unit
+        assert_eq!((digits((2.25, 2.5)), digits((2395.7, 2395.9))), (4, 6));
+        let rpm = Style { units: Units::everyday(), ..Style::default() };
+        for pair in [(2.25, 2.5), (2395.7, 2395.9), (1.047_19, 1.047_21), (999.999_96, 1000.0)] {
+            for style in [Style::default(), rpm.clone()] {
+                let [a, b] = [pair.0, pair.1].map(|w| style.arg(&Arg::speed(w).digits(digits(pair))));
+                assert_ne!(a, b);
+            }
+        }
         // narrow resonances, sampled once or twice
         assert_eq!(jumps(&path(&[1.0, 1.1, 9.0, 1.1, 1.0])), []);
         assert_eq!(jumps(&path(&[1.0, 2.0, 8.0, 2.5, 1.0])), []);
