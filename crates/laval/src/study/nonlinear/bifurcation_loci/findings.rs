@@ -1,7 +1,8 @@
-//! What is said of loci: where jumps begin, how far hysteresis reaches, where stability changes, and how far everything could be followed.
+//! Findings of loci: where jumps begin, how far hysteresis reaches, where stability changes, and how far everything could be followed.
 
 use super::report::{Shown, corner_name};
-use crate::outcome::{Finding, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, significant};
+use crate::solve::harmonic::branches::bifurcation::Event;
 use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
 use crate::study::shared::validity::Uses;
@@ -14,96 +15,85 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 impl Shown<'_> {
-    fn of(&self, value: f64) -> String {
-        quantity(value, self.unit)
+    fn of(&self, value: f64) -> Arg {
+        Arg::quantity(value, self.unit)
     }
-    fn path(&self) -> &str {
-        &self.request.parameter
+    fn path(&self) -> Arg {
+        Arg::name(&self.request.parameter)
     }
-    fn loci(&self) -> impl Iterator<Item = (String, &Locus)> {
-        self.found.loci.iter().enumerate().map(|(k, l)| (format!("locus {}", k + 1), l))
+    fn stopped(&self) -> Arg {
+        Arg::word(if self.found.stopped { "yes" } else { "no" })
+    }
+    fn loci(&self) -> impl Iterator<Item = (usize, &Locus)> {
+        self.found.loci.iter().enumerate().map(|(k, l)| (k + 1, l))
     }
 
     pub(super) fn findings(&self) -> Vec<Finding> {
         let mut out = Vec::new();
-        for (name, locus) in self.loci() {
-            out.extend(locus.corners.iter().map(|c| self.corner(&name, locus, c)));
+        for (number, locus) in self.loci() {
+            out.extend(locus.corners.iter().map(|c| self.corner(number, locus, c)));
         }
         out.extend(self.jumps());
         out.extend(self.hysteresis());
-        for (name, locus) in self.loci() {
-            out.extend(self.locus(&name, locus));
-            out.extend(self.unfinished(&name, locus));
+        for (number, locus) in self.loci() {
+            out.extend(self.locus(number, locus));
+            out.extend(self.unfinished(number, locus));
         }
         if self.found.loci.is_empty() {
             out.push(self.nothing());
         }
         out.extend(self.existence());
         if self.found.lost > 0 {
-            let n = self.found.lost;
-            let text = format!("From {n} of the bifurcations of the sampled responses no locus could be followed.");
-            out.push(Finding::warning("starts_lost", text));
+            out.push(Finding::warning("starts_lost", "bifurcation-loci-starts-lost").arg("count", Arg::count(self.found.lost)));
         }
         if let Some((value, why)) = self.found.failed.first() {
-            let n = self.found.failed.len();
-            let text = format!("No response was computed at {n} of the values of {}; at {}: {why}.", self.path(), self.of(*value));
-            out.push(Finding::warning("no_response", text));
+            out.push(
+                Finding::warning("no_response", "bifurcation-loci-no-response")
+                    .arg("count", Arg::count(self.found.failed.len()))
+                    .arg("parameter", self.path())
+                    .arg("first", self.of(*value))
+                    .arg("why", Arg::term(why)),
+            );
         }
         if self.found.corners > 0 && self.request.folds {
-            let n = self.found.corners;
-            let text = format!(
-                "{n} of the folds met lie where the law of a part changes along the motion (as where a contact closes): such corners are not followed."
-            );
-            out.push(Finding::warning("corners", text));
+            out.push(Finding::warning("corners", "bifurcation-loci-corners").arg("count", Arg::count(self.found.corners)));
         }
         if self.found.more {
-            let text = format!("There are more than {MOST_LOCI} loci; the others were not followed. Narrow the range of speeds.");
-            out.push(Finding::warning("more_loci", text));
+            out.push(Finding::warning("more_loci", "bifurcation-loci-more").arg("most", Arg::count(MOST_LOCI)));
         }
         if let Some(why) = &self.found.unassessed {
-            out.push(Finding::warning(
-                "stability_unknown",
-                format!("Stability of some or all states was not assessed, and loci of changes of stability may be missing: {why}."),
-            ));
+            out.push(
+                Finding::warning("stability_unknown", "bifurcation-loci-stability-unknown").arg("why", Arg::term(why.to_string())),
+            );
         }
         let dropped =
             self.found.loci.iter().flat_map(|l| &l.points).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         if self.request.harmonics.is_none() && dropped > self.request.truncation {
             out.push(
-                Finding::warning(
-                    "harmonics_short",
-                    "The harmonics kept leave out {} of the nonlinear force at the worst point of the loci.",
-                )
-                .value(dropped, "")
-                .shown_as(100.0 * dropped, "%")
-                .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
+                Finding::warning("harmonics_short", "bifurcation-loci-harmonics-short").value_as(Arg::percent(dropped)).evidence(
+                    "orders kept",
+                    self.found.discretisation.harmonics as f64,
+                    "",
+                ),
             );
         }
         out.extend(self.invalid());
         out
     }
 
-    fn corner(&self, name: &str, locus: &Locus, c: &Corner) -> Finding {
-        let (path, speed, t) = (self.path(), significant(c.speed, 7), &c.turn);
-        let here = if t.opens_up { "larger" } else { "smaller" };
+    fn corner(&self, number: usize, locus: &Locus, c: &Corner) -> Finding {
+        let t = &c.turn;
         let finding = match corner_name(locus, c) {
-            "cusp" => Finding::info(
-                "cusp",
-                format!("Two folds vanish in a cusp at {path} = {{}} and {speed} rad/s: they exist at {here} values only."),
-            ),
-            "folds meet" => Finding::info(
-                "folds_meet",
-                format!(
-                    "Two folds meet at {path} = {{}} and {speed} rad/s and exist at {here} values only: there a detached branch begins, or branches exchange their parts."
-                ),
-            ),
-            _ => Finding::info(
-                "stability_extremum",
-                format!("{} turns back at {path} = {{}} and {speed} rad/s: it lies at {here} values only.", capital(locus.kind.name())),
-            ),
+            "cusp" => Finding::info("cusp", "bifurcation-loci-cusp"),
+            "folds meet" => Finding::info("folds_meet", "bifurcation-loci-folds-meet"),
+            _ => Finding::info("stability_extremum", "bifurcation-loci-extremum").arg("kind", kind(locus)),
         };
         finding
-            .of(name)
+            .of(subject(number))
+            .arg("locus", Arg::count(number))
+            .arg("parameter", self.path())
+            .arg("speed", Arg::speed(c.speed))
+            .arg("side", Arg::word(if t.opens_up { "above" } else { "below" }))
             .value(t.value, self.unit)
             .evidence("speed", c.speed, "rad/s")
             .evidence("scaled residual of the extended equations", t.residual, "")
@@ -123,38 +113,31 @@ impl Shown<'_> {
             return None;
         }
         let same = |a: f64, b: f64| (a - b).abs() <= SAME * (self.found.exists.1 - self.found.exists.0);
-        let why = |end: f64, edge: f64| {
-            let corner = folds()
-                .flat_map(|l| l.corners.iter().map(move |c| corner_name(l, c)).zip(&l.corners))
-                .find(|(_, c)| same(c.turn.value, end));
-            match corner {
-                Some((name, _)) => name,
-                None if same(end, edge) => "the end of the range",
-                None if self.found.stopped => "where a locus leaves the range of speeds, was left or stopped",
-                None => "where a locus leaves the range of speeds or was left",
-            }
+        let limit = |end: f64, edge: f64| {
+            let corners = folds().flat_map(|l| l.corners.iter().map(move |c| (corner_name(l, c), c.turn.value)));
+            let here = match corners.into_iter().find(|c| same(c.1, end)) {
+                Some(("cusp", _)) => "cusp",
+                Some(_) => "folds-meet",
+                None if same(end, edge) => "range",
+                None => "left",
+            };
+            Message::new("bifurcation-loci-limit").arg("limit", Arg::word(here)).arg("stopped", self.stopped())
         };
-        let (below, above) = (why(lo, self.found.exists.0), why(hi, self.found.exists.1));
+        let (below, above) = (limit(lo, self.found.exists.0), limit(hi, self.found.exists.1));
         let speeds = span(folds().flat_map(|l| l.points.iter().map(|p| p.speed).chain(l.corners.iter().map(|c| c.speed))));
-        let text = format!(
-            "Folds were found at values of {} from {{}} ({below}) to {} ({above}), {}.{}",
-            self.path(),
-            self.of(hi),
-            spread(speeds),
-            self.so_far()
-        );
         Some(
-            Finding::info("folds_from", text)
+            Finding::info("folds_from", "bifurcation-loci-folds")
                 .value(lo, self.unit)
+                .arg("parameter", self.path())
+                .arg("largest", self.of(hi))
+                .arg("below", below)
+                .arg("above", above)
+                .arg("place", place(speeds))
+                .arg("stopped", self.stopped())
                 .evidence("largest value", hi, self.unit)
                 .evidence("lowest speed", speeds.0, "rad/s")
                 .evidence("highest speed", speeds.1, "rad/s"),
         )
-    }
-
-    /// What of a study that was stopped is not known.
-    fn so_far(&self) -> &'static str {
-        if self.found.stopped { " The study was stopped: there may be others." } else { "" }
     }
 
     /// Arms of folds that belong together, and the sign of the difference of their speeds: beside a cusp, and between the folds of a sampled response.
@@ -194,65 +177,59 @@ impl Shown<'_> {
         let (value, lo, hi) = widest?;
         let (from, to) = self.request.speeds;
         let at_edge = |speed: f64, edge: f64| (speed - edge).abs() <= SAME * (to - from);
-        let cut = if at_edge(lo, from) || at_edge(hi, to) {
-            " One of them leaves the range of speeds there: beyond it they lie farther apart."
-        } else {
-            ""
-        };
-        let text = format!(
-            "Two folds that belong together lie farthest apart at {} = {}: between {} and {} rad/s, over {{}}, there are several states.{cut}{}",
-            self.path(),
-            self.of(value),
-            significant(lo, 6),
-            significant(hi, 6),
-            self.so_far()
-        );
+        let cut = at_edge(lo, from) || at_edge(hi, to);
         Some(
-            Finding::info("widest_hysteresis", text)
+            Finding::info("widest_hysteresis", "bifurcation-loci-widest-hysteresis")
                 .value(hi - lo, "rad/s")
+                .arg("parameter", self.path())
+                .arg("at", self.of(value))
+                .arg("lower", Arg::speed(lo))
+                .arg("cut", Arg::word(if cut { "yes" } else { "no" }))
+                .arg("stopped", self.stopped())
                 .evidence("parameter", value, self.unit)
                 .evidence("lower fold", lo, "rad/s")
                 .evidence("upper fold", hi, "rad/s"),
         )
     }
 
-    fn locus(&self, name: &str, locus: &Locus) -> Option<Finding> {
+    fn locus(&self, number: usize, locus: &Locus) -> Option<Finding> {
         let (first, last) = (locus.points.first()?, locus.points.last()?);
-        let at = |speed: f64, value: f64| format!("{} rad/s, {}", significant(speed, 6), self.of(value));
         let residual = locus.points.iter().fold(0.0, |m: f64, p| if p.residual <= m { m } else { p.residual });
-        let ends = if locus.ends[0] == PathEnd::Closed {
-            "closed on itself".to_string()
-        } else {
-            format!(
-                "from {} ({}) to {} ({})",
-                at(first.speed, first.value),
-                words(&locus.ends[0]),
-                at(last.speed, last.value),
-                words(&locus.ends[1])
-            )
+        let end = |p: &LocusPoint, end: &PathEnd| {
+            let at = Message::new("bifurcation-loci-end").arg("value", self.of(p.value)).arg("speed", Arg::speed(p.speed));
+            at.arg("end", Arg::word(word(end)))
         };
-        let common =
-            |f: Finding| f.of(name).evidence("largest scaled residual", residual, "").evidence("points", locus.points.len() as f64, "");
+        let course = if locus.ends[0] == PathEnd::Closed {
+            Message::new("bifurcation-loci-closed")
+        } else {
+            Message::new("bifurcation-loci-from-to").arg("from", end(first, &locus.ends[0])).arg("to", end(last, &locus.ends[1]))
+        };
+        let common = |f: Finding| {
+            f.of(subject(number))
+                .arg("locus", Arg::count(number))
+                .arg("course", course)
+                .evidence("largest scaled residual", residual, "")
+                .evidence("points", locus.points.len() as f64, "")
+        };
         Some(match locus.kind {
-            LocusKind::Fold => common(Finding::info("fold_locus", format!("{}: folds {ends}.", capital(name)))),
+            LocusKind::Fold => common(Finding::info("fold_locus", "bifurcation-loci-fold-locus")),
             LocusKind::Change(event) => {
                 let (lo, hi) = span(locus.points.iter().filter_map(|p| Some(p.crossing?.1)).filter(|f| f.is_finite()));
                 let beside = locus.points.iter().filter(|p| p.crossing.is_some_and(|c| c.2 > 0)).count();
                 let growth =
                     locus.points.iter().filter_map(|p| Some(p.crossing?.0.abs())).fold(0.0, |m: f64, g| if g <= m { m } else { g });
-                let frequency = match event.name() {
-                    "Neimark-Sacker" if lo <= hi => {
-                        format!(", of disturbances between {} and {} rad/s", significant(lo, 4), significant(hi, 4))
-                    }
-                    _ => String::new(),
+                let others = match beside {
+                    0 => "none",
+                    n if n == locus.points.len() => "all",
+                    _ => "part",
                 };
-                let other = match beside {
-                    0 => String::new(),
-                    n if n == locus.points.len() => " Other disturbances grow all along it.".into(),
-                    _ => " On a part of it other disturbances grow as well: there it bounds no stable states.".into(),
-                };
-                let text = format!("{}: {} {ends}{frequency}.{other}", capital(name), event.name());
-                let f = common(Finding::info("stability_locus", text)).evidence("largest growth rate left", growth, "1/s");
+                let f = common(Finding::info("stability_locus", "bifurcation-loci-stability-locus"))
+                    .arg("kind", kind(locus))
+                    .arg("others", Arg::word(others))
+                    .evidence("largest growth rate left", growth, "1/s");
+                let whirl = event == Event::NeimarkSacker && lo <= hi;
+                let f = f.arg("whirl", Arg::word(if whirl { "yes" } else { "no" }));
+                let f = if whirl { f.arg("lowest", Arg::frequency(lo)).arg("highest", Arg::frequency(hi)) } else { f };
                 let (difference, assessed) = locus.assessed_again;
                 if assessed == 0 {
                     f
@@ -267,53 +244,58 @@ impl Shown<'_> {
         })
     }
 
-    fn unfinished(&self, name: &str, locus: &Locus) -> Vec<Finding> {
+    fn unfinished(&self, number: usize, locus: &Locus) -> Vec<Finding> {
         let places = [locus.points.first(), locus.points.last()];
         let ends = locus.ends.iter().zip(places).filter_map(|(e, p)| match e {
             PathEnd::Stuck(why) => Some((why, p?)),
             _ => None,
         });
         ends.map(|(why, p)| {
-            let head = format!("{} could be followed to {{}} at {} rad/s only: {why}.", capital(name), significant(p.speed, 6));
-            Finding::warning("locus_unfinished", head).of(name).value(p.value, self.unit)
+            Finding::warning("locus_unfinished", "bifurcation-loci-unfinished")
+                .of(subject(number))
+                .value(p.value, self.unit)
+                .arg("locus", Arg::count(number))
+                .arg("parameter", self.path())
+                .arg("speed", Arg::speed(p.speed))
+                .arg("why", Arg::term(*why))
         })
         .collect()
     }
 
     fn nothing(&self) -> Finding {
-        let n = self.found.samples.len();
         let (folds, changes) = self.found.samples.iter().fold((0, 0), |(f, c), s| (f + s.folds, c + s.changes));
-        let what = match (self.request.folds, self.request.stability) {
-            (true, true) => "No fold and no other change of stability",
-            (true, false) => "No fold",
-            _ => "No change of stability away from folds",
+        let sought = match (self.request.folds, self.request.stability) {
+            (true, true) => "both",
+            (true, false) => "folds",
+            _ => "stability",
         };
         let beside = match () {
-            () if !self.request.folds && folds > 0 => format!(" ({folds} folds were not requested)"),
-            () if self.found.lost > 0 || changes > 0 => " that could be followed".into(),
-            () => String::new(),
+            () if !self.request.folds && folds > 0 => "folds",
+            () if self.found.lost > 0 || changes > 0 => "lost",
+            () => "none",
         };
-        let at = format!("at {n} {} of {}", if n == 1 { "value" } else { "values" }, self.path());
-        let text = match self.found.stopped {
-            true => format!("{what} was found{beside} before the study stopped, with responses {at}."),
-            false => {
-                format!("{what} was found{beside} in the response {at}. Loci that lie between these values are not excluded: raise points.")
-            }
-        };
-        Finding::info("no_locus", text)
+        Finding::info("no_locus", "bifurcation-loci-none")
+            .arg("sought", Arg::word(sought))
+            .arg("beside", Arg::word(beside))
+            .arg("folds", Arg::count(folds))
+            .arg("values", Arg::count(self.found.samples.len()))
+            .arg("parameter", self.path())
+            .arg("stopped", self.stopped())
     }
 
     /// That the machine does not exist in a part of the range.
     fn existence(&self) -> Vec<Finding> {
         let (lo, hi) = self.found.exists;
-        let say = |(why, edge, word): (&Option<String>, f64, &str)| {
-            let why = why.as_ref()?;
-            let text =
-                format!("The machine exists at values of {} {word} {{}} only, and the rest of the range was left out: {why}.", self.path());
-            Some(Finding::warning("parameter_range", text).value(edge, self.unit))
-        };
         let [below, above] = &self.found.refused;
-        [(below, lo, "from"), (above, hi, "up to")].into_iter().filter_map(say).collect()
+        let beyond = [(below, lo, "below"), (above, hi, "above")].into_iter().filter_map(|(why, edge, side)| Some((why.as_ref()?, edge, side)));
+        let one = |(why, edge, side): (&String, f64, &'static str)| {
+            Finding::warning("parameter_range", "bifurcation-loci-parameter-range")
+                .value(edge, self.unit)
+                .arg("parameter", self.path())
+                .arg("side", Arg::word(side))
+                .arg("why", Arg::term(why))
+        };
+        beyond.map(one).collect()
     }
 
     fn invalid(&self) -> Vec<Finding> {
@@ -352,24 +334,40 @@ fn speed_at(arm: &[LocusPoint], value: f64) -> Option<f64> {
     })
 }
 
-/// A range of speeds in words.
-fn spread((lo, hi): (f64, f64)) -> String {
-    let [a, b] = [lo, hi].map(|w| significant(w, 6));
-    if a == b { format!("all at {a} rad/s") } else { format!("at speeds from {a} to {b} rad/s") }
+/// One speed or a range of them.
+fn place((lo, hi): (f64, f64)) -> Message {
+    let [a, b] = [lo, hi].map(|w| significant(w, 4));
+    if a == b {
+        Message::new("at").arg("at", Arg::speed(lo))
+    } else {
+        Message::new("range").arg("from", Arg::speed(lo)).arg("to", Arg::speed(hi))
+    }
 }
 
-fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+/// By which other programs find a locus.
+fn subject(number: usize) -> String {
+    format!("locus {number}")
 }
 
-fn words(end: &PathEnd) -> &'static str {
+/// What happens on a locus.
+fn kind(locus: &Locus) -> Message {
+    let word = match locus.kind {
+        LocusKind::Fold => "fold",
+        LocusKind::Change(Event::BranchPoint) => "branch-point",
+        LocusKind::Change(Event::SymmetryBreaking) => "symmetry-breaking",
+        LocusKind::Change(Event::PeriodDoubling) => "period-doubling",
+        LocusKind::Change(Event::NeimarkSacker) => "neimark-sacker",
+    };
+    Message::new("bifurcation-loci-kind").arg("kind", Arg::word(word))
+}
+
+fn word(end: &PathEnd) -> &'static str {
     match end {
-        PathEnd::Value => "the end of the parameter's range",
-        PathEnd::Speed => "where it leaves the range of speeds",
-        PathEnd::Closed => "closed on itself",
-        PathEnd::Stuck(_) => "where it was left",
-        PathEnd::MaxPoints => "as many points as allowed",
-        PathEnd::Cancelled => "where it was stopped",
+        PathEnd::Value => "value",
+        PathEnd::Speed => "speed",
+        PathEnd::Closed => "closed",
+        PathEnd::Stuck(_) => "stuck",
+        PathEnd::MaxPoints => "points",
+        PathEnd::Cancelled => "stopped",
     }
 }
