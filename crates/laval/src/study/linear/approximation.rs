@@ -14,7 +14,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::field::{Field, FieldKind, Values};
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, Table};
 use crate::solve::pencil::{MachineMode, Spectrum};
 use crate::solve::rest::rest;
 use crate::solve::sweep::{Sweep, sweep};
@@ -94,6 +94,9 @@ pub struct Approximation {
     pub most: Option<[(f64, f64); 2]>,
 }
 
+/// Distance from a root of the whole machine, over its size, within which a mode of the approximation meets it.
+const MET: f64 = 0.01;
+
 /// How far a root of the approximation is from the nearest root of the machine that whirls alike.
 fn apart(mode: &MachineMode, whole: &Spectrum) -> (f64, C64) {
     let signed = |m: &MachineMode| if m.forward_share < 0.5 { m.value.conj() } else { m.value };
@@ -148,30 +151,34 @@ impl Approximation {
             let own = rows.iter().filter(|r| r.branch == k);
             own.map(Row::share).fold(0.0f64, |m, x| if x > m || x.is_nan() { x } else { m })
         };
-        let met = (0..self.branches).filter(|&k| share(k) < 0.01).count();
+        let met = (0..self.branches).filter(|&k| share(k) < MET).count();
         if let Some(r) = rows.iter().max_by(|a, b| a.share().total_cmp(&b.share())) {
-            let text = format!(
-                "The approximation is a polynomial of degree {degree}. {met} of its {} modes stay within 1 % of a root of the whole machine; the one farthest from any, at {}, has {} rad/s and grows \
-                 {} 1/s where the machine has {} rad/s and {} 1/s: {{}} of its size.",
-                self.branches,
-                quantity(r.speed, "rad/s"),
-                significant(r.mode.frequency(), 5),
-                significant(r.mode.growth(), 3),
-                significant(r.nearest.im.abs(), 5),
-                significant(r.nearest.re, 3),
+            out.push(
+                Finding::info("approximation", "approximation-modes")
+                    .value_as(Arg::percent(r.share()))
+                    .arg("met", Arg::count(met))
+                    .arg("modes", Arg::count(self.branches))
+                    .arg("degree", Arg::count(degree))
+                    .arg("within", Arg::percent(MET))
+                    .arg("speed", Arg::speed(r.speed))
+                    .arg("frequency", Arg::frequency(r.mode.frequency()).digits(5))
+                    .arg("growth", Arg::quantity(r.mode.growth(), "1/s"))
+                    .arg("whole_frequency", Arg::frequency(r.nearest.im.abs()).digits(5))
+                    .arg("whole_growth", Arg::quantity(r.nearest.re, "1/s"))
+                    .evidence("degree", degree as f64, "")
+                    .evidence("modes within 1 %", met as f64, ""),
             );
-            let finding = Finding::info("approximation", text).value(r.share(), "").evidence("degree", degree as f64, "");
-            out.push(finding.evidence("modes within 1 %", met as f64, ""));
         }
         if let Some([exact, rough]) = self.most {
-            let text = format!(
-                "Of the speeds computed the whole machine grows most at {}, {} 1/s, the approximation at {}, {} 1/s: a difference of {{}}.",
-                quantity(exact.0, "rad/s"),
-                significant(exact.1, 4),
-                quantity(rough.0, "rad/s"),
-                significant(rough.1, 4),
+            let growth = |x: f64| Arg::quantity(x, "1/s").digits(4);
+            out.push(
+                Finding::info("approximate_growth", "approximation-growth")
+                    .value(rough.1 - exact.1, "1/s")
+                    .arg("whole_speed", Arg::speed(exact.0))
+                    .arg("whole_growth", growth(exact.1))
+                    .arg("speed", Arg::speed(rough.0))
+                    .arg("growth", growth(rough.1)),
             );
-            out.push(Finding::info("approximate_growth", text).value(rough.1 - exact.1, "1/s"));
         }
         out
     }

@@ -12,11 +12,12 @@
 
 use super::approximation::{self, Approximation};
 use super::modes::{THRESHOLD, WHIRLS};
+use super::whirl;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, SpecialPoint, Status, Table, quantity};
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::pencil::{MachineMode, Whirl};
 use crate::solve::rest::rest;
@@ -57,14 +58,33 @@ pub(in crate::study) fn special(c: &Critical) -> SpecialPoint {
         .evidence(if c.located() { "last Newton step" } else { "width of the bracket" }, c.step, "rad/s")
 }
 
-/// That a crossing lies between two speeds, and could not be located.
-pub(in crate::study) fn bracketed(c: &Critical) -> Finding {
-    let text = format!(
-        "Between {{}} and {} the frequency of a mode crosses order {}; the place could not be located: give a range with more points there.",
-        quantity(c.bracket.1, "rad/s"),
-        c.order
-    );
-    Finding::warning("critical_speed_not_located", text).of(format!("order {}", c.order)).value(c.bracket.0, "rad/s")
+/// An order of the spin speed.
+pub(in crate::study) fn order(k: f64) -> Arg {
+    Arg::number(k).digits(6)
+}
+
+/// A speed of a narrow interval.
+fn narrow(w: f64) -> Arg {
+    Arg::speed(w).digits(6)
+}
+
+/// A critical speed: as the sentence says it, or that it lies between two speeds and was not located.
+pub(in crate::study) fn critical(c: &Critical, sentence: &'static str) -> Finding {
+    if !c.located() {
+        return Finding::warning("critical_speed_not_located", "campbell-critical-speed-not-located")
+            .of(format!("order {}", c.order))
+            .value_as(narrow(c.bracket.0))
+            .arg("to", narrow(c.bracket.1))
+            .arg("order", order(c.order));
+    }
+    let damping = damping(c);
+    Finding::info("critical_speed", sentence)
+        .of(format!("order {} {}", c.order, c.whirl.word()))
+        .value(c.speed, "rad/s")
+        .arg("order", order(c.order))
+        .arg("whirl", whirl::direction(c.whirl, c.forward_share))
+        .arg("damped", Arg::word(if damping == 0.0 { "no" } else { "yes" }))
+        .arg("damping", Arg::number(damping))
 }
 
 /// Damping ratio of a mode at its critical speed.
@@ -72,14 +92,6 @@ pub(in crate::study) fn damping(c: &Critical) -> f64 {
     let size = c.growth.hypot(c.order * c.speed);
     // what Newton's method leaves of a mode without damping is no damping
     if c.growth.abs() > 1e-10 * size { -c.growth / size } else { 0.0 }
-}
-
-/// Damping of a crossing in words.
-pub(in crate::study) fn damping_words(c: &Critical) -> String {
-    match damping(c) {
-        0.0 => "undamped".into(),
-        d => format!("damping ratio {}", quantity(d, "")),
-    }
 }
 
 /// Table of critical speeds.
@@ -285,31 +297,21 @@ impl<'a> Shown<'a> {
     /// The mode that grows most.
     fn growth(&self) -> Option<Finding> {
         let unstable = self.rows.iter().filter(|r| !self.within(r.2, self.threshold));
-        let (k, w, m) = unstable.max_by(|a, b| a.2.growth().total_cmp(&b.2.growth()))?;
-        let at = quantity(*w, "rad/s");
-        let text = format!("Mode {} is unstable; of the speeds computed it grows most, {{}}, at {at}.", self.label(*k).trim());
-        Some(Finding::warning("unstable", text).value(m.growth(), "1/s").evidence("speed", *w, "rad/s"))
+        let &(k, w, m) = unstable.max_by(|a, b| a.2.growth().total_cmp(&b.2.growth()))?;
+        let finding = Finding::warning("unstable", "campbell-unstable").value(m.growth(), "1/s").arg("mode", Arg::count(k + 1));
+        Some(whirl::growing(finding, m, w).arg("speed", Arg::speed(w)).evidence("speed", w, "rad/s"))
     }
 
     fn critical_speeds(&self, mut outcome: Outcome) -> Outcome {
         for c in &self.result.crossings {
-            let finding = if c.located() {
-                let text = format!("Order {} meets a {} at {{}}, {}.", c.order, c.whirl.of("mode", c.forward_share), damping_words(c));
-                Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
-            } else {
-                bracketed(c)
-            };
+            let finding = critical(c, "campbell-critical-speed");
             outcome = outcome
                 .finding(finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence("growth", c.growth, "1/s"))
                 .special_point(special(c));
         }
         if self.result.crossings.is_empty() {
-            let text = if self.result.end == End::Reached {
-                "No crossing of a frequency with an excitation line was found in this range."
-            } else {
-                "No frequency met an excitation line before the study stopped."
-            };
-            outcome = outcome.finding(Finding::info("no_critical_speed", text));
+            let key = if self.result.end == End::Reached { "campbell-no-critical-speed" } else { "campbell-no-critical-speed-yet" };
+            outcome = outcome.finding(Finding::info("no_critical_speed", key));
         }
         outcome
     }
@@ -318,12 +320,8 @@ impl<'a> Shown<'a> {
     fn doubts(&self) -> Vec<Finding> {
         let mut out = Vec::new();
         if let Some(&(a, b)) = self.result.ambiguous.first() {
-            let text = format!(
-                "Shapes mixed faster than they could be followed at {} of the steps, first between {{}} and {}.",
-                self.result.ambiguous.len(),
-                quantity(b, "rad/s")
-            );
-            let finding = Finding::warning("ambiguous", text).value(a, "rad/s");
+            let finding = Finding::warning("ambiguous", "campbell-ambiguous").value_as(narrow(a)).arg("to", narrow(b));
+            let finding = finding.arg("steps", Arg::count(self.result.ambiguous.len()));
             out.push(finding.evidence("smallest assurance", self.result.worst_assurance, ""));
         }
         if transcendental(self.system) {
@@ -331,11 +329,7 @@ impl<'a> Shown<'a> {
             let domains = self.system.domains(from);
             out.extend(region::limits(&domains, from).into_iter().chain(region::accumulation(&domains, from)));
             if domains.iter().any(|d| d.dense.is_some()) {
-                out.push(Finding::warning(
-                    "slow_roots",
-                    "Roots close to the imaginary axis are followed from where they were met, and not all of them are: critical speeds may be missing. forced_response meets \
-                     every resonance.",
-                ));
+                out.push(Finding::warning("slow_roots", "campbell-slow-roots"));
             }
         }
         out

@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::field::{Field, FieldKind, Values, Word};
 use crate::model::part::{Domain, Words};
 use crate::model::system::System;
-use crate::outcome::{Finding, quantity};
+use crate::outcome::{Arg, Finding};
 use crate::solve::pencil::modes_about;
 use crate::study::shared::support::About;
 
@@ -80,22 +80,25 @@ impl Criterion {
         }
     }
 
-    /// What was meant, in words.
+    /// What is called unstable.
     pub(in crate::study) fn finding(self, system: &System, speed: f64, threshold: f64) -> Finding {
         let domains = system.domains(speed);
         let dense = domains.iter().find(|d| d.dense.is_some()).map(|d| d.words);
         let Words { loss, verdict, .. } = domains.iter().find(|d| lossy(d)).map_or(Words::PLAIN, |d| d.words);
-        let text = match self {
-            Criterion::Growth => {
-                let slow = dense.map_or("", |w| w.slow);
-                format!("Unstable means: growth above {}.{slow}", quantity(threshold, "1/s"))
+        let limit = Arg::quantity(threshold, "1/s");
+        match (self, dense) {
+            (Criterion::Growth, None) => Finding::info("criterion", "criterion-growth").arg("limit", limit),
+            (Criterion::Growth, Some(words)) => {
+                Finding::info("criterion", "criterion-growth-of-waves").arg("limit", limit).arg("part", Arg::term(words.name))
             }
-            Criterion::Flutter => "Unstable means: two frequencies of the undamped machine have met. Close to the edge growth rises with the square root of the distance.".into(),
-            Criterion::Viscous => format!(
-                "Unstable means: growth above {} with {loss}.{verdict}",
-                quantity(threshold, "1/s")
-            ),
-        };
-        Finding::info("criterion", text)
+            (Criterion::Flutter, _) => Finding::info("criterion", "criterion-flutter"),
+            (Criterion::Viscous, _) => {
+                let finding = match verdict.trim() {
+                    "" => Finding::info("criterion", "criterion-viscous"),
+                    verdict => Finding::info("criterion", "criterion-viscous-range").arg("range", Arg::term(verdict)),
+                };
+                finding.arg("limit", limit).arg("loss", Arg::term(loss))
+            }
+        }
     }
 }

@@ -9,23 +9,24 @@
 //!
 //! Sources: `docs/theory/linear-vibration.md#critical-speeds`.
 
-use super::campbell::{ORDERS, bracketed, critical_table, damping, damping_words, follow, orders, special};
+use super::campbell::{ORDERS, critical, critical_table, damping, follow, order, orders, special};
 use super::growing::{Follows, unstable};
 use super::modes::WHIRLS;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table, quantity};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Outcome, Panel, Points, Rule, SpecialPoint, Table};
 use crate::solve::characteristic::Characteristic;
 use crate::solve::criticals::{Critical, criticals};
 use crate::solve::extrema::{Curve, Extremum, above, curve, seeds};
 use crate::solve::linear_response::Response;
 use crate::solve::rest::rest;
 use crate::solve::sweep::Strongest;
+use crate::study::shared::probes;
 use crate::study::shared::size;
 use crate::study::shared::speed_range::SpinSpeeds;
-use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, moves, probe_name, range};
+use crate::study::shared::support::{About, EndStates, SPEED_RANGE, admit_eigenvalues, inconsistent, probe_name, range};
 use crate::study::{Context, Study};
 use serde::{Deserialize, Serialize};
 
@@ -166,33 +167,28 @@ impl Shown<'_> {
         probe_name(self.probe(p))
     }
 
-    fn subject(&self, p: &Extremum) -> String {
-        match self.probe(p).is_tilt() {
-            true => format!("the {}", self.name(p)),
-            false => format!("the response of {}", self.name(p)),
-        }
-    }
-
     fn own_peak(&self, c: &Critical) -> Option<&Extremum> {
         own_peak(c, &self.result.crossings, self.peaks)
     }
 
+    /// Adds what the unbalance response does beside a located critical speed.
+    fn beside(&self, c: &Critical, finding: Finding) -> Finding {
+        if !c.located() {
+            return finding;
+        }
+        let finding = |word: &'static str| finding.arg("response", Arg::word(word));
+        match self.own_peak(c) {
+            _ if !self.forced() || c.order != 1.0 => finding("none"),
+            Some(p) if p.unbounded => finding("unbounded").arg("body", probes::arg(self.probe(p))),
+            Some(p) => finding("peak").arg("body", probes::arg(self.probe(p))).arg("peak", Arg::speed(p.speed)),
+            None if !c.driven_by_unbalance() => finding("not_excited"),
+            None => finding("no_peak"),
+        }
+    }
+
     fn critical_speeds(&self, mut outcome: Outcome) -> Outcome {
         for c in &self.result.crossings {
-            let beside = match self.own_peak(c) {
-                _ if !self.forced() || c.order != 1.0 => String::new(),
-                Some(p) if p.unbounded => format!("; there {} has no bound", self.subject(p)),
-                Some(p) => format!("; {} peaks at {}", self.subject(p), quantity(p.speed, "rad/s")),
-                None if !c.driven_by_unbalance() => "; in this machine unbalance does not excite it".into(),
-                None => "; the unbalance response has no peak there".into(),
-            };
-            let whirl = c.whirl.of("whirl", c.forward_share);
-            let finding = if c.located() {
-                let text = format!("Critical speed of order {} at {{}}: {whirl}, {}{beside}.", c.order, damping_words(c));
-                Finding::info("critical_speed", text).of(format!("order {} {}", c.order, c.whirl.word())).value(c.speed, "rad/s")
-            } else {
-                bracketed(c)
-            };
+            let finding = self.beside(c, critical(c, "critical-speeds-critical-speed"));
             let finding = finding.evidence("relative defect of the dynamic stiffness", c.defect, "").evidence(
                 if c.located() { "last Newton step" } else { "width of the bracket" },
                 c.step,
@@ -210,20 +206,21 @@ impl Shown<'_> {
     /// Peaks of the response, and that there are no critical speeds.
     fn response_peaks(&self, mut outcome: Outcome) -> Outcome {
         for p in &self.loose {
-            let text = format!(
-                "The unbalance response peaks at {{}}, where the frequency of no mode equals the speed: {}.",
-                if p.unbounded { format!("{} has no bound there", self.subject(p)) } else { moves(self.probe(p), p.value) }
-            );
-            let finding = Finding::info("response_peak", text).of(self.name(p)).value(p.speed, "rad/s");
+            let finding = if p.unbounded {
+                Finding::info("response_peak", "critical-speeds-response-unbounded")
+            } else {
+                let amplitude = Arg::quantity(p.value, self.probe(p).unit());
+                Finding::info("response_peak", "critical-speeds-response-peak").arg("amplitude", amplitude)
+            };
+            let finding = finding.of(self.name(p)).value(p.speed, "rad/s").arg("body", probes::arg(self.probe(p)));
             outcome = outcome.finding(finding.evidence("amplitude", p.value, self.probe(p).unit()));
         }
         if self.result.crossings.is_empty() {
-            let text = match (self.complete(), self.loose.is_empty()) {
-                (true, true) => "No critical speed was found in this range.",
-                (true, false) => "No speed was found in this range at which the frequency of a mode equals it.",
-                _ => "No critical speed was found before the study stopped.",
-            };
-            outcome = outcome.finding(Finding::info("no_critical_speed", text));
+            outcome = outcome.finding(match (self.complete(), self.loose.len()) {
+                (true, 0) => Finding::info("no_critical_speed", "critical-speeds-none"),
+                (true, n) => Finding::info("no_critical_speed", "critical-speeds-peaks-alone").arg("peaks", Arg::count(n)),
+                _ => Finding::info("no_critical_speed", "critical-speeds-none-yet"),
+            });
         }
         for p in self.peaks {
             let name = self.name(p);
@@ -250,33 +247,35 @@ impl Shown<'_> {
             (None, c) => (c, false),
             _ => (None, false),
         };
-        let place = peak.map(|p| (p.speed, "peak of the unbalance response".to_string())).or(close.map(|c| {
-            let order = if c.order == 1.0 { String::new() } else { format!(" of order {}", c.order) };
-            let not = if c.located() { "" } else { " (not located)" };
-            (c.speed, format!("lightly damped critical speed{order}{not}"))
-        }));
-        let (speed, what) = place?;
+        let speed = peak.map(|p| p.speed).or(close.map(|c| c.speed))?;
         let distance = (speed - w).abs() / w.abs();
-        let so_far = if self.complete() { "" } else { " found before the study stopped" };
-        let quietly = if quiet { "; the unbalance of this machine excites no resonance there" } else { "" };
-        let text = if distance <= SAME {
-            format!("The operating speed, {}, is a {what}{so_far}{quietly}.", quantity(w, "rad/s"))
-        } else {
-            format!(
-                "The nearest {what}{so_far}, {}, is {{}} of the operating speed, {}, away from it{quietly}.",
-                quantity(speed, "rad/s"),
-                quantity(w, "rad/s")
-            )
-        };
         // which is the nearest, and whether the load excites it, is known of a whole search alone
         let near = self.complete() && !quiet && distance < self.study.margin;
-        let finding = if near { Finding::warning("margin", text) } else { Finding::info("margin", text) };
-        let finding = finding.of("to the nearest critical speed, over the operating speed").value(distance, "");
-        Some(finding.shown_as(100.0 * distance, "%").evidence("margin requested", self.study.margin, "").evidence(
-            "its speed",
-            speed,
-            "rad/s",
-        ))
+        let finding = match (distance <= SAME, near) {
+            (true, true) => Finding::warning("margin", "critical-speeds-no-margin"),
+            (true, false) => Finding::info("margin", "critical-speeds-no-margin"),
+            (false, true) => Finding::warning("margin", "critical-speeds-small-margin"),
+            (false, false) => Finding::info("margin", "critical-speeds-margin"),
+        };
+        let finding = match close {
+            None => finding.arg("nearest", Arg::word("peak")).arg("located", Arg::word("yes")),
+            Some(c) => finding
+                .arg("nearest", Arg::word("critical_speed"))
+                .arg("order", order(c.order))
+                .arg("located", Arg::word(if c.located() { "yes" } else { "no" })),
+        };
+        Some(
+            finding
+                .of("to the nearest critical speed, over the operating speed")
+                .value_as(Arg::percent(distance))
+                .arg("critical", Arg::speed(speed))
+                .arg("operating", Arg::speed(w))
+                .arg("required", Arg::percent(self.study.margin))
+                .arg("excited", Arg::word(if quiet { "no" } else { "yes" }))
+                .arg("search", Arg::word(if self.complete() { "complete" } else { "stopped" }))
+                .evidence("margin requested", self.study.margin, "")
+                .evidence("its speed", speed, "rad/s"),
+        )
     }
 
     fn peak_table(&self) -> Result<Table, Diagnostic> {

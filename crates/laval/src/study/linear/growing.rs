@@ -1,8 +1,8 @@
-//! That a machine is unstable, in words: first among the findings of studies whose answers hold for a stable machine only.
+//! That a machine is unstable: the first finding of studies whose answers hold for a stable machine only.
 
 use crate::model::part::Domain;
 use crate::model::system::System;
-use crate::outcome::{Finding, quantity};
+use crate::outcome::{Arg, Finding};
 use crate::solve::roots::LEAST;
 use crate::solve::sweep::Strongest;
 
@@ -27,23 +27,28 @@ pub(in crate::study) fn unstable(system: &System, strongest: &[Strongest], follo
     let grow: Vec<&Strongest> = all.iter().filter(|s| felt(s)).collect();
     let (first, last) = (grow.first()?, grow.last()?);
     let most = grow.iter().max_by(|a, b| a.value.re.total_cmp(&b.value.re))?;
-    let speed = |w: f64| quantity(w, "rad/s");
     let place = match (all.len(), grow.len()) {
-        (1, _) => format!("at {}", speed(first.speed)),
-        (m, n) if m == n => format!("at every speed computed, from {} to {}", speed(first.speed), speed(last.speed)),
-        (m, 1) => format!("at 1 of {m} speeds computed, {}", speed(first.speed)),
-        (m, n) => format!("at {n} of {m} speeds computed, between {} and {}", speed(first.speed), speed(last.speed)),
+        (1, _) => "one",
+        (m, n) if m == n => "all",
+        (_, 1) => "single",
+        _ => "several",
     };
-    let how = if most.value.im == 0.0 { "diverges without oscillation".into() } else { format!("whirls at {}", speed(most.value.im)) };
-    let at = if grow.len() > 1 { format!(", at {}", speed(most.speed)) } else { String::new() };
-    let so = match follows {
-        Follows::Response => {
-            "A steady response is never reached there: the amplitudes and resonances at these speeds belong to an unstable solution."
-        }
-        Follows::Speeds => "Critical speeds and margins mean nothing there before the instability is removed.",
+    let follows = match follows {
+        Follows::Response => "response",
+        Follows::Speeds => "speeds",
     };
-    let text = format!("The machine is unstable {place}: it {how} with a growth rate of up to {{}}{at}. {so}");
     let share = grow.len() as f64 / all.len() as f64;
-    let finding = Finding::warning("unstable", text).value(most.value.re, "1/s").evidence("share of the speeds computed", share, "");
+    let finding = Finding::warning("unstable", "growing-unstable")
+        .value(most.value.re, "1/s")
+        .arg("place", Arg::word(place))
+        .arg("from", Arg::speed(first.speed))
+        .arg("to", Arg::speed(last.speed))
+        .arg("unstable", Arg::count(grow.len()))
+        .arg("computed", Arg::count(all.len()))
+        .arg("speed", Arg::speed(most.speed))
+        .arg("motion", Arg::word(if most.value.im == 0.0 { "divergence" } else { "whirl" }))
+        .arg("frequency", Arg::frequency(most.value.im))
+        .arg("follows", Arg::word(follows))
+        .evidence("share of the speeds computed", share, "");
     Some(finding.evidence("first speed", first.speed, "rad/s").evidence("last speed", last.speed, "rad/s"))
 }

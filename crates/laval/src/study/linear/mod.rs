@@ -8,3 +8,4 @@ pub mod forced_response;
 pub(in crate::study) mod growing;
 pub mod modes;
 pub mod stability_map;
+pub(in crate::study) mod whirl;

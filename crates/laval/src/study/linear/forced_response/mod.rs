@@ -37,6 +37,9 @@ pub struct ForcedResponse {
     pub speed: RangeValue,
 }
 
+/// Speeds of a range, unless given.
+const POINTS: usize = 400;
+
 impl Study for ForcedResponse {
     type Result = ForcedResponseResult;
     const KIND: &'static str = "forced_response";
@@ -65,7 +68,7 @@ impl Study for ForcedResponse {
     }
 
     fn size(&self, system: &System) -> Option<size::Size> {
-        let speeds = self.speed.points.unwrap_or(400);
+        let speeds = self.speed.points.unwrap_or(POINTS);
         let kept = 4.0 * (system.n() + system.m()) as f64;
         let listed = (7 * system.bodies().len() + 3 * system.slots().len()) as f64;
         Some(size::Size {
@@ -87,7 +90,7 @@ impl Study for ForcedResponse {
     fn compute(&self, system: &System, context: &Context) -> Result<ForcedResponseResult, Diagnostic> {
         self.admit(system)?;
         let state = |w: f64| rest(system, w);
-        let mut speeds = self.speed.linspace(400);
+        let mut speeds = self.speed.linspace(POINTS);
         context.announce(speeds.len() as f64, 10_000.0, "speeds to solve for, and more where the response bends");
         let mut each = |done: u64| {
             context.progress.report(done, 0);
@@ -118,6 +121,14 @@ impl Study for ForcedResponse {
 
     fn report(&self, system: &System, result: &ForcedResponseResult, name: &str) -> Result<Outcome, Diagnostic> {
         report::Shown::new(self, system, result).outcome(name)
+    }
+}
+
+impl ForcedResponse {
+    /// Distance of the speeds required, rad/s; 0 of one speed.
+    fn step(&self) -> f64 {
+        let points = self.speed.points.unwrap_or(POINTS);
+        (self.speed.to - self.speed.from) / (points.max(2) - 1) as f64
     }
 }
 

@@ -4,14 +4,14 @@ use super::{ForcedResponse, ForcedResponseResult, largest};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, Panel, Points, SpecialPoint, Table, quantity};
 use crate::solve::extrema::Extremum;
 use crate::solve::linear_response::Response;
 use crate::solve::pencil::time_forms;
 use crate::study::Study;
 use crate::study::linear::growing::{Follows, unstable};
 use crate::study::shared::probes;
-use crate::study::shared::support::{inconsistent, moves, probe_name};
+use crate::study::shared::support::{inconsistent, probe_name};
 
 pub(super) struct Shown<'a> {
     study: &'a ForcedResponse,
@@ -64,14 +64,17 @@ impl<'a> Shown<'a> {
     fn amplitudes(&self) -> Vec<Finding> {
         let mut out = Vec::new();
         for (r, p) in self.points().iter().flat_map(|r| self.probes().iter().map(move |p| (r, p))) {
-            let (id, does) = if p.is_tilt() { ("tilt", "tilts by") } else { ("amplitude", "moves") };
-            let who = if p.is_tilt() { p.name.clone() } else { probe_name(p) };
-            let finding = Finding::info(id, format!("At {} {who} {does} {{}}.", quantity(self.study.speed.from, "rad/s")));
             // an amplitude without bound has no number; the finding about the pole reports its speed
             if !r.size(p).is_finite() {
                 continue;
             }
-            out.push(finding.of(who).value(r.size(p), p.unit()).evidence("residual", self.residual, ""));
+            let finding = if p.is_tilt() {
+                Finding::info("tilt", "forced-response-tilt").of(&p.name).arg("body", Arg::name(&p.name))
+            } else {
+                Finding::info("amplitude", "forced-response-amplitude").of(probe_name(p)).arg("body", probes::arg(p))
+            };
+            let finding = finding.value(r.size(p), p.unit()).arg("speed", Arg::speed(self.study.speed.from));
+            out.push(finding.evidence("residual", self.residual, ""));
         }
         out
     }
@@ -81,19 +84,20 @@ impl<'a> Shown<'a> {
         let found = &self.result.curve;
         let mut out = Vec::new();
         for (e, direction) in self.largest.into_iter().zip(self.result.directions).filter_map(|(e, d)| Some((e?, d))) {
-            let so_far = if found.complete { "" } else { " found before the study stopped" };
             let probe = &self.probes()[e.probe];
-            let (id, of) = if probe.is_tilt() { ("largest_tilt_resonance", " of a tilt") } else { ("largest_resonance", "") };
             let finding = if e.unbounded {
-                let does = if probe.is_tilt() { "tilts" } else { "moves" };
-                let body = if probe.is_tilt() { probe.name.clone() } else { probe_name(probe) };
-                let text = format!("Nothing dissipates at the resonance{of}{so_far} at {{}}: there {body} {does} without bound.");
-                Finding::warning("undamped_resonance", text)
+                Finding::warning("undamped_resonance", "forced-response-undamped-resonance")
             } else {
-                let bounded = if found.poles().is_empty() { "" } else { " bounded" };
-                let text = format!("The largest{bounded} resonance{of}{so_far} is at {{}}: {}.", moves(probe, e.value));
-                Finding::info(id, text)
+                let finding = match probe.is_tilt() {
+                    true => Finding::info("largest_tilt_resonance", "forced-response-largest-tilt-resonance"),
+                    false => Finding::info("largest_resonance", "forced-response-largest-resonance"),
+                };
+                finding
+                    .arg("amplitude", Arg::quantity(e.value, probe.unit()))
+                    .arg("others", Arg::word(if found.poles().is_empty() { "none" } else { "unbounded" }))
+                    .arg("search", Arg::word(if found.complete { "complete" } else { "stopped" }))
             };
+            let finding = finding.arg("body", probes::arg(probe));
             let amplitude = if probe.is_tilt() { "tilt" } else { "amplitude" };
             let finding =
                 finding.value(e.speed, "rad/s").evidence(amplitude, e.value, probe.unit()).evidence("residual", self.residual, "");
@@ -104,14 +108,14 @@ impl<'a> Shown<'a> {
             });
         }
         if self.largest.iter().all(Option::is_none) && !self.study.speed.is_one() {
-            let text = if !found.unknown.is_empty() {
-                "No resonance was found where the response is known."
+            let key = if !found.unknown.is_empty() {
+                "forced-response-no-resonance-known"
             } else if found.complete {
-                "No body has a resonance inside the range of speeds."
+                "forced-response-no-resonance"
             } else {
-                "No resonance was found before the study stopped."
+                "forced-response-no-resonance-yet"
             };
-            out.push(Finding::info("no_resonance", text));
+            out.push(Finding::info("no_resonance", key));
         }
         out
     }
@@ -121,45 +125,42 @@ impl<'a> Shown<'a> {
         let found = &self.result.curve;
         let mut out = Vec::new();
         if time_forms(self.system).is_err() && !self.study.speed.is_one() {
-            out.push(Finding::info(
-                "frequency_only",
-                "A part is given in the frequency domain only, so that no eigenvalues guided the search: resonances narrower than the step of speeds may be missed, and stability was not assessed.",
-            ));
+            out.push(Finding::info("frequency_only", "forced-response-frequency-only").arg("step", Arg::speed(self.study.step())));
         }
         // other poles than the one already named
         let poles = found.poles();
         let named: Vec<f64> = self.largest.into_iter().flatten().filter(|e| e.unbounded).map(|e| e.speed).collect();
         for w in poles.into_iter().filter(|w| named.iter().all(|n| (n - w).abs() > 1e-6 * n.abs())) {
-            let text = "The response grows without bound at {}: nothing dissipates there.";
-            out.push(Finding::warning("undamped_resonance", text).value(w, "rad/s"));
+            out.push(Finding::warning("undamped_resonance", "forced-response-other-undamped-resonance").value(w, "rad/s"));
         }
         if let Some(first) = found.unknown.first() {
             let without = |w: &&f64| found.points.iter().all(|r| r.speed != **w);
-            let text = format!(
-                "At {} of {} speeds, first at {{}}, a part has no accurate reaction, and the response is not known there.",
-                found.unknown.len(),
-                found.unknown.len() + found.singular.iter().filter(without).count() + found.points.len()
-            );
-            out.push(Finding::warning("response_unknown", text).value(*first, "rad/s"));
+            let speeds = found.unknown.len() + found.singular.iter().filter(without).count() + found.points.len();
+            let finding = Finding::warning("response_unknown", "forced-response-unknown").value(*first, "rad/s");
+            out.push(finding.arg("unknown", Arg::count(found.unknown.len())).arg("speeds", Arg::count(speeds)));
         }
         for c in &self.result.observed.closed {
-            let place =
-                if self.study.speed.is_one() { "At {}".into() } else { format!("From {{}} on (last at {})", quantity(c.to, "rad/s")) };
-            let text = format!(
-                "{place} this linear response would close the gap of \"{}\", open by {} at rest, which it leaves out: its amplitudes are not those of \
-                 the machine there. nonlinear_response includes the contact.",
-                c.part,
-                quantity(c.gap, "m")
-            );
-            let finding = Finding::warning("gap_closes", text).of(&c.part).value(c.from, "rad/s").evidence("last at speed", c.to, "rad/s");
             let deepest = if c.depth.is_finite() { c.depth } else { f64::NAN };
-            out.push(finding.evidence("deepest penetration", deepest, "m").evidence("at speed", c.speed, "rad/s"));
+            out.push(
+                Finding::warning("gap_closes", "forced-response-gap-closes")
+                    .of(&c.part)
+                    .value(c.from, "rad/s")
+                    .arg("speeds", Arg::word(if self.study.speed.is_one() { "one" } else { "several" }))
+                    .arg("last", Arg::speed(c.to))
+                    .arg("part", Arg::name(&c.part))
+                    .arg("gap", Arg::quantity(c.gap, "m"))
+                    .evidence("last at speed", c.to, "rad/s")
+                    .evidence("deepest penetration", deepest, "m")
+                    .evidence("at speed", c.speed, "rad/s"),
+            );
         }
         for u in &self.result.observed.outside {
-            let text = format!("\"{}\" leaves its model at the amplitudes of this response: {} reaches {{}}, above 1.", u.part, u.what);
-            let text = if u.ratio.is_finite() { text } else { text.replace("reaches {}, above 1", "is without bound") };
-            let finding = Finding::invalid("validity", text);
-            let finding = if u.ratio.is_finite() { finding.value(u.ratio, "") } else { finding };
+            let finding = if u.ratio.is_finite() {
+                Finding::invalid("validity", "forced-response-validity").value(u.ratio, "")
+            } else {
+                Finding::invalid("validity", "forced-response-validity-unbounded")
+            };
+            let finding = finding.arg("part", Arg::name(&u.part)).arg("what", Arg::term(u.what)).arg("speed", Arg::speed(u.speed));
             out.push(finding.evidence("at", u.speed, "rad/s").evidence("outside from", u.from, "rad/s").evidence("to", u.to, "rad/s"));
         }
         out

@@ -1,9 +1,10 @@
-//! What the modes at one speed say.
+//! Findings about the modes at one speed.
 
 use super::report::Shown;
 use crate::model::part::Words;
-use crate::outcome::{Finding, quantity};
-use crate::solve::pencil::{MachineMode, Spectrum, Whirl, holds_fit, wants_polish};
+use crate::outcome::{Arg, Finding};
+use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, wants_polish};
+use crate::study::linear::whirl;
 use crate::study::shared::region;
 use crate::study::shared::support::{decay_uncounted, remarks};
 
@@ -13,8 +14,7 @@ impl Shown<'_> {
         let any_unstable = !out.is_empty();
         if any_unstable && self.threshold > self.study.threshold {
             let name = self.undamped.unwrap_or(Words::PLAIN).name;
-            let text = format!("Modes count as unstable from a growth rate of {{}} on: slower waves of {name} are not all computed.");
-            out.push(Finding::info("threshold", text).value(self.threshold, "1/s"));
+            out.push(Finding::info("threshold", "modes-threshold").value(self.threshold, "1/s").arg("part", Arg::term(name)));
         }
         let modes = self.modes();
         let slowly: Vec<usize> = (0..modes.len()).filter(|&k| self.grows(&modes[k]) && !self.unstable(&modes[k])).collect();
@@ -26,8 +26,7 @@ impl Shown<'_> {
         out.extend(self.counts(any_unstable));
         let infinite = self.result.spectrum.infinite;
         if infinite > 0 {
-            let text = format!("{infinite} eigenvalues are infinite: some coordinates have no mass.");
-            out.push(Finding::info("massless", text));
+            out.push(Finding::info("massless", "modes-massless").arg("infinite", Arg::count(infinite)));
         }
         out.extend(remarks(self.system, &self.result.about));
         out
@@ -35,13 +34,8 @@ impl Shown<'_> {
 
     fn unstable_modes(&self) -> Vec<Finding> {
         let one = |(k, m): (usize, &MachineMode)| {
-            let what = if m.frequency() > 0.0 {
-                format!("whirls{} at {}", direction(m.whirl.at(self.study.speed)), quantity(m.frequency(), "rad/s"))
-            } else {
-                "moves away without oscillation".into()
-            };
-            Finding::warning("unstable_mode", format!("Mode {} is unstable: it {what} and grows at {{}}.", k + 1))
-                .value(m.growth(), "1/s")
+            let finding = Finding::warning("unstable_mode", "modes-unstable-mode").value(m.growth(), "1/s").arg("mode", Arg::count(k + 1));
+            whirl::growing(finding, m, self.study.speed)
                 .evidence("error of the eigenvalue", m.error, "1/s")
                 .evidence("backward error", m.residual, "")
         };
@@ -56,22 +50,29 @@ impl Shown<'_> {
             .filter(|(_, m)| !self.grows(m) && m.frequency() > 0.0 && !(slow && m.growth() > 0.0))
             .max_by(|a, b| b.1.damping_ratio().total_cmp(&a.1.damping_ratio()))?;
         let undamped = m.growth().abs() <= self.rounding;
-        let text = format!(
-            "{} mode {} at {} ({}): {}.",
-            match (open, any_unstable || any_grows) {
-                (true, _) => "Of the modes that decay and were found the least damped is",
-                (_, true) if self.study.threshold < 0.0 => "The least damped stable mode is",
-                (_, true) => "Of the modes that decay the least damped is",
-                _ => "The least damped mode is",
-            },
-            k + 1,
-            quantity(m.frequency(), "rad/s"),
-            m.whirl.at(self.study.speed).of("whirl", m.forward_share),
-            if undamped { "its damping is zero to rounding" } else { "damping ratio {}" }
-        );
-        let ratio = if undamped { 0.0 } else { m.damping_ratio() };
-        let finding = Finding::info("least_damped_mode", text).of("damping ratio").value(ratio, "").evidence("growth", m.growth(), "1/s");
-        Some(finding.evidence("rounding of the eigenvalues", self.rounding, "1/s"))
+        let among = match (open, any_unstable || any_grows) {
+            (true, _) => "found",
+            (_, true) if self.study.threshold < 0.0 => "stable",
+            (_, true) => "decaying",
+            _ => "all",
+        };
+        let (ratio, decrement) = match undamped {
+            true => (0.0, 0.0),
+            false => (m.damping_ratio(), -std::f64::consts::TAU * m.growth() / m.frequency()),
+        };
+        Some(
+            Finding::info("least_damped_mode", "modes-least-damped")
+                .of("damping ratio")
+                .value(ratio, "")
+                .arg("among", Arg::word(among))
+                .arg("mode", Arg::count(k + 1))
+                .arg("whirl", whirl::direction(m.whirl.at(self.study.speed), m.forward_share))
+                .arg("frequency", Arg::frequency(m.frequency()))
+                .arg("damped", Arg::word(if undamped { "no" } else { "yes" }))
+                .arg("decrement", Arg::number(decrement))
+                .evidence("growth", m.growth(), "1/s")
+                .evidence("rounding of the eigenvalues", self.rounding, "1/s"),
+        )
     }
 
     /// Where no mode is unstable: whether the machine is stable. `slowly`: modes that grow, but less than counts.
@@ -81,35 +82,30 @@ impl Shown<'_> {
         let last = self.result.spectrum.least_stable();
         let largest = last.map_or(f64::NEG_INFINITY, MachineMode::growth);
         let zero = largest.abs() <= self.rounding;
-        let (at, limit) = (quantity(self.study.speed, "rad/s"), quantity(self.threshold, "1/s"));
         let proven = self.result.roots.as_ref().is_none_or(|f| f.growing().is_some());
-        let text = if !proven {
-            format!(
-                "Whether the machine is stable at {at} is not known: no mode was found that grows faster than {limit}, but some may be missing."
-            )
+        let free = last.is_some_and(|m| m.value.abs() <= self.rounding);
+        let finding = if !proven {
+            Finding::warning("stability_unknown", "modes-stability-unknown")
         } else if slow {
-            let slower = match slowly {
-                [] => "none of the modes found grows more slowly".to_string(),
-                [k] => format!("one of the modes found grows more slowly, mode {}", k + 1),
-                all => format!("{} of the modes found grow more slowly", all.len()),
+            let finding = match slowly {
+                [] => Finding::info("stable", "modes-slow-growth-open"),
+                [k, ..] => Finding::warning("slow_growth", "modes-slow-growth").arg("mode", Arg::count(k + 1)),
             };
-            format!("At {at} no mode grows faster than {limit}; {slower}. Slow waves of {} are not all computed.", undamped.name)
+            finding.arg("slower", Arg::count(slowly.len())).arg("part", Arg::term(undamped.name))
         } else if zero {
-            let why = if last.is_some_and(|m| m.value.abs() <= self.rounding) { "no stiffness holds it" } else { "nothing damps it" };
-            format!("Neither stable nor unstable at {at}: the largest growth rate is zero to rounding; {why}.")
-        } else if open {
-            format!(
-                "Stable at {at}: no mode grows faster than {limit}; the largest growth rate that was found is {{}}, one that decays more slowly may be missing."
-            )
+            Finding::info("stable", "modes-marginal").value(0.0, "1/s").arg("lacks", Arg::word(if free { "stiffness" } else { "damping" }))
         } else {
-            format!("Stable at {at}: no mode grows faster than {limit}; the largest growth rate is {{}}.")
+            // below a threshold above 0 modes may grow; where decaying roots are not counted, one that is not known may
+            let may_grow = if open { self.threshold > 0.0 } else { largest > 0.0 };
+            let finding = match (open, may_grow) {
+                (true, false) => Finding::info("stable", "modes-stable-found"),
+                (true, true) => Finding::info("stable", "modes-below-threshold-found"),
+                (false, true) => Finding::info("stable", "modes-below-threshold"),
+                (false, false) => Finding::info("stable", "modes-stable"),
+            };
+            finding.value(largest, "1/s")
         };
-        let finding = match (proven, slow) {
-            (false, _) => Finding::warning("stability_unknown", text),
-            (_, true) if !slowly.is_empty() => Finding::warning("slow_growth", text),
-            (_, true) => Finding::info("stable", text),
-            _ => Finding::info("stable", text).value(if zero { 0.0 } else { largest }, "1/s"),
-        };
+        let finding = finding.arg("speed", Arg::speed(self.study.speed)).arg("limit", Arg::quantity(self.threshold, "1/s"));
         finding.evidence("rounding of the eigenvalues", self.rounding, "1/s")
     }
 
@@ -126,8 +122,12 @@ impl Shown<'_> {
             return Vec::new();
         }
         let (polished, all) = (spectrum.polished, spectrum.modes.len());
-        let text = format!("{polished} of {all} modes were solved for on the exact characteristic function.");
-        let finding = if polished == all { Finding::info("polished", text) } else { Finding::warning("polished", text) };
+        let finding = if polished == all {
+            Finding::info("polished", "modes-polished")
+        } else {
+            Finding::warning("polished", "modes-not-all-polished")
+        };
+        let finding = finding.arg("polished", Arg::count(polished)).arg("modes", Arg::count(all));
         vec![finding.evidence("polished modes", polished as f64, "")]
     }
 }
@@ -135,46 +135,21 @@ impl Shown<'_> {
 /// Whether the growing roots found are all there are.
 fn counted(count: Option<usize>, spectrum: &Spectrum, unstable: bool) -> Finding {
     let found = spectrum.modes.iter().filter(|m| m.value.re > 0.0).count();
-    let roots = |n: usize| match n {
-        0 => "no growing root".to_string(),
-        1 => "one growing root".to_string(),
-        n => format!("{n} growing roots"),
-    };
     let finding = match count {
-        Some(n) if n == found => {
-            let (all, text) = (spectrum.modes.len(), roots(n));
-            Finding::info(
-                "all_roots",
-                format!(
-                    "The {all} modes are roots of the exact characteristic function, which has {text} by the argument principle: of those that grow none is missed."
-                ),
-            )
+        Some(n) if n == found => Finding::info("all_roots", "modes-all-roots").arg("growing", Arg::count(n)),
+        Some(n) => {
+            let outcome = match (n, n > found) {
+                (0, _) => "stable",
+                (_, true) => "incomplete",
+                _ => "doubtful",
+            };
+            let finding = Finding::warning("roots_missed", "modes-roots-missed").arg("growing", Arg::count(n));
+            finding.arg("found", Arg::count(found)).arg("outcome", Arg::word(outcome))
         }
-        Some(n) => Finding::warning(
-            "roots_missed",
-            format!(
-                "The exact characteristic function has {} by the argument principle, but {} {} found{}.",
-                roots(n),
-                roots(found),
-                if found > 1 { "were" } else { "was" },
-                if n > 0 { ": the machine is unstable" } else { "" }
-            ),
-        ),
-        None => Finding::warning(
-            "roots_not_counted",
-            format!(
-                "The modes are roots of the exact characteristic function; whether others grow{} could not be counted.",
-                if unstable { " too" } else { "" }
-            ),
-        ),
+        None => {
+            let word = if unstable { "yes" } else { "no" };
+            Finding::warning("roots_not_counted", "modes-roots-not-counted").arg("unstable", Arg::word(word))
+        }
     };
     finding.evidence("eigenvalues of the fit that are no roots", spectrum.left_out as f64, "")
-}
-
-fn direction(whirl: Whirl) -> &'static str {
-    match whirl {
-        Whirl::Forward => " forward",
-        Whirl::Backward => " backward",
-        Whirl::Mixed | Whirl::None => "",
-    }
 }

@@ -1,8 +1,8 @@
-//! What a stability map says.
+//! Findings of a stability map.
 
 use super::report::{Cell, Shown};
 use crate::model::part::{Domain, Words};
-use crate::outcome::{Finding, quantity};
+use crate::outcome::{Arg, Finding};
 use crate::solve::stability::Edge;
 use crate::study::linear::criterion::Criterion;
 use crate::study::shared::region;
@@ -25,8 +25,13 @@ impl Shown<'_> {
         out
     }
 
-    fn limit(&self) -> String {
-        quantity(self.threshold, "1/s")
+    fn limit(&self) -> Arg {
+        Arg::quantity(self.threshold, "1/s")
+    }
+
+    /// The word `computed`: whether the study reached its end.
+    fn computed(&self) -> Arg {
+        Arg::word(if self.complete() { "all" } else { "stopped" })
     }
 
     fn unstable(&self) -> bool {
@@ -48,64 +53,70 @@ impl Shown<'_> {
         let of = |c: &Cell| (c.row, c.sample.speed, c.sample.value);
         let highest = self.peaks.iter().map(|&(k, p)| (k, p.speed, p.value)).chain(self.cells.iter().map(of));
         let (k, speed, s) = highest.max_by(|a, b| a.2.re.total_cmp(&b.2.re))?;
-        let limit = self.limit();
-        let computed = if self.complete() { "" } else { " before the study stopped" };
         let finding = if self.unstable() {
-            let with = if self.two() { format!(" at {} = {}", self.name, quantity(self.value(k), self.unit)) } else { String::new() };
-            let text = format!(
-                "{} strongest instability grows at {{}}, at {}{with}, {}.",
-                if self.two() { "Of the machines computed the" } else { "The" },
-                quantity(speed, "rad/s"),
-                if s.im == 0.0 { "without oscillation".into() } else { format!("whirling at {}", quantity(s.im, "rad/s")) }
-            );
-            Finding::warning("largest_growth", text).value(s.re, "1/s")
+            let finding = if self.two() {
+                let parameter = Arg::quantity(self.value(k), self.unit);
+                Finding::warning("largest_growth", "stability-map-largest-growth-of-map")
+                    .arg("parameter", Arg::name(&self.name))
+                    .arg("setting", parameter)
+            } else {
+                Finding::warning("largest_growth", "stability-map-largest-growth")
+            };
+            finding
+                .value(s.re, "1/s")
+                .arg("speed", Arg::speed(speed))
+                .arg("motion", Arg::word(if s.im == 0.0 { "divergence" } else { "whirl" }))
+                .arg("frequency", Arg::frequency(s.im))
         } else if self.endless {
             match self.open() {
-                0 => Finding::info("stable", format!("No mode grows faster than {limit} at any point computed{computed}.")),
-                open => {
-                    let points = self.points();
-                    let text =
-                        format!("No mode was found that grows faster than {limit}, but at {open} of {points} points some may be missing.");
-                    Finding::warning("stability_unknown", text)
-                }
+                0 => Finding::info("stable", "stability-map-stable-counted").arg("computed", self.computed()),
+                open => Finding::warning("stability_unknown", "stability-map-stability-unknown")
+                    .arg("open", Arg::count(open))
+                    .arg("points", Arg::count(self.points())),
             }
         } else {
             let sizes = self.rows().iter().flat_map(|r| &r.samples).map(|s| s.size).fold(0.0, f64::max);
             let growth = beyond_rounding(s.re, sizes);
-            let largest = if growth == 0.0 { "zero to rounding" } else { "{}" };
-            let text = format!("No mode grows faster than {limit} at any point computed{computed}; the largest growth rate is {largest}.");
-            Finding::info("stable", text).value(growth, "1/s")
+            let finding = if growth == 0.0 {
+                Finding::info("stable", "stability-map-marginal")
+            } else {
+                Finding::info("stable", "stability-map-stable")
+            };
+            finding.value(growth, "1/s").arg("computed", self.computed())
         };
-        Some(finding.evidence("speed", speed, "rad/s"))
+        Some(finding.arg("limit", self.limit()).evidence("speed", speed, "rad/s"))
     }
 
     /// Along one line: the ranges of speed where it is unstable.
     fn ranges(&self) -> Vec<Finding> {
         let mut out = Vec::new();
-        let (limit, edges) = (self.limit(), &self.edges);
+        let edges = &self.edges;
         let samples = self.rows().first().map_or(&[][..], |r| &r.samples);
         let (first, last) = (self.study.speed.from, samples.last().map_or(self.study.speed.from, |s| s.speed));
-        let (whole, range_end) = if self.complete() {
-            ("", "the end of the range".to_string())
-        } else {
-            (", where the study stopped", format!("{}, where the study stopped", quantity(last, "rad/s")))
+        // where a range ends: at a boundary, or where the study does
+        let until = |next: Option<&(usize, &Edge)>| match next {
+            Some(e) => ("boundary", e.1.speed),
+            None if self.complete() => ("range", last),
+            None => ("stopped", last),
+        };
+        let range = |finding: Finding, (end, to): (&'static str, f64)| {
+            finding.arg("end", Arg::word(end)).arg("to", Arg::speed(to)).arg("limit", self.limit())
         };
         // an unstable start has no onset inside the range
         let start = match edges.first() {
-            Some(e) if !e.1.onset => Some(quantity(e.1.speed, "rad/s")),
-            None if self.unstable() => Some(quantity(last, "rad/s") + whole),
-            _ => None,
+            Some(e) if !e.1.onset => true,
+            None => self.unstable(),
+            _ => false,
         };
-        if let Some(until) = start {
-            let text = format!("Growth exceeds {limit} from the start of the range, {{}}, to {until}.");
-            let to = edges.first().map_or(last, |e| e.1.speed);
-            out.push(Finding::warning("unstable_range", text).value(first, "rad/s").evidence("to", to, "rad/s"));
+        if start {
+            let end = until(edges.first());
+            let finding = Finding::warning("unstable_range", "stability-map-unstable-from-start").value(first, "rad/s");
+            out.push(range(finding, end).evidence("to", end.1, "rad/s"));
         }
-        for (w, e) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
-            let until = edges.get(w + 1).map_or_else(|| format!(" to {range_end}"), |n| format!(" to {}", quantity(n.1.speed, "rad/s")));
-            let to = edges.get(w + 1).map_or(last, |n| n.1.speed);
-            let finding = onset(e.1, &until, &limit).evidence("uncertainty of the onset", e.1.step, "rad/s");
-            out.push(finding.evidence("to", to, "rad/s"));
+        for (k, (_, e)) in edges.iter().enumerate().filter(|(_, e)| e.1.onset) {
+            let end = until(edges.get(k + 1));
+            let finding = range(onset(e), end).evidence("uncertainty of the onset", e.step, "rad/s");
+            out.push(finding.evidence("to", end.1, "rad/s"));
         }
         out
     }
@@ -113,25 +124,23 @@ impl Shown<'_> {
     /// Of a machine with roots without number: what was counted.
     fn counts(&self) -> Vec<Finding> {
         let mut out = Vec::new();
-        let (limit, open, points) = (self.limit(), self.open(), self.points());
+        let open = self.open();
         let evaluations: u64 = self.rows().iter().map(|r| r.evaluations).sum();
         let finding = if open == 0 {
-            let text =
-                format!("At all {points} points the argument principle counts as many roots that grow faster than {limit} as were found.");
-            Finding::info("all_counted", text)
+            Finding::info("all_counted", "stability-map-all-counted")
         } else {
-            let text = format!("At {{}} of {points} points it could not be proven that no root that grows faster than {limit} is missing.");
-            Finding::warning("not_all_counted", text).value(open as f64, "")
+            Finding::warning("not_all_counted", "stability-map-not-all-counted").value(open as f64, "").arg("open", Arg::count(open))
         };
+        let finding = finding.arg("points", Arg::count(self.points())).arg("limit", self.limit());
         out.push(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
         if self.threshold > self.study.threshold {
             let words = self.system.domains(self.study.speed.to).into_iter().find(Domain::undamped).map_or(Words::PLAIN, |d| d.words);
-            let text = format!(
-                "Waves of {} grow slowly with any damping outside it: growth counts from {{}} on instead of {}, because slower waves are not all computed.",
-                words.name,
-                quantity(self.study.threshold, "1/s")
+            out.push(
+                Finding::warning("threshold_raised", "stability-map-threshold-raised")
+                    .value(self.threshold, "1/s")
+                    .arg("part", Arg::term(words.name))
+                    .arg("requested", Arg::quantity(self.study.threshold, "1/s")),
             );
-            out.push(Finding::warning("threshold_raised", text).value(self.threshold, "1/s"));
         }
         let from = self.study.speed.from;
         out.extend(region::limits(&self.system.domains(from), from));
@@ -142,30 +151,28 @@ impl Shown<'_> {
     fn undamped(&self) -> Option<Finding> {
         let rows = self.rows();
         rows.iter().any(|r| r.undamped).then(|| {
-            let machine = if rows.iter().all(|r| r.undamped) { "The machine has no damping" } else { "Where the machine has no damping" };
             let own = || rows.iter().filter(|r| r.undamped).flat_map(|r| &r.edges);
             let (double, all) = (own().filter(|e| e.double).count(), own().count());
-            let how = match (double, all) {
-                (_, 0) => ": where no mode grows, none decays either".to_string(),
-                (d, a) if d == a => ": its stability boundaries are double roots and were solved for as such".into(),
-                (d, a) => format!(": its stability boundaries are double roots; {d} of {a} were solved for as such, the others bracketed"),
+            let boundaries = match (double, all) {
+                (_, 0) => "none",
+                (d, a) if d == a => "double",
+                _ => "some",
             };
-            Finding::info("undamped", format!("{machine}{how}."))
+            Finding::info("undamped", "stability-map-undamped")
+                .arg("machines", Arg::word(if rows.iter().all(|r| r.undamped) { "all" } else { "some" }))
+                .arg("boundaries", Arg::word(boundaries))
+                .arg("double", Arg::count(double))
+                .arg("edges", Arg::count(all))
         })
     }
 }
 
-/// From where on the machine is unstable, and `until` where.
-fn onset(e: &Edge, until: &str, limit: &str) -> Finding {
+/// From where on the machine is unstable.
+fn onset(e: &Edge) -> Finding {
     if e.located {
-        let text = format!("Unstable from {{}}{until}: growth above {limit}.");
-        return Finding::warning("unstable_range", text).value(e.speed, "rad/s");
+        return Finding::warning("unstable_range", "stability-map-unstable-range").value(e.speed, "rad/s");
     }
-    let (a, b) = e.bracket;
-    let text = format!(
-        "Unstable from between {} and {}, where the boundary could not be located,{until}: growth above {limit}.",
-        quantity(a, "rad/s"),
-        quantity(b, "rad/s")
-    );
-    Finding::warning("unstable_range", text)
+    let narrow = |w: f64| Arg::speed(w).digits(6);
+    let finding = Finding::warning("unstable_range", "stability-map-unstable-range-not-located");
+    finding.arg("low", narrow(e.bracket.0)).arg("high", narrow(e.bracket.1))
 }

@@ -1,0 +1,27 @@
+//! How modes move, as arguments of findings.
+
+use crate::outcome::{Arg, Finding, Message};
+use crate::solve::pencil::{FLAT, MachineMode, Whirl};
+
+/// The phrase `forward whirl`; where neither direction leads, with the forward share of the squared amplitudes.
+pub(in crate::study) fn direction(whirl: Whirl, forward_share: f64) -> Message {
+    // the forward share of an orbit whose circles differ by FLAT, less that of a line
+    let flat = (1.0 + FLAT).powi(2) / (1.0 + (1.0 + FLAT).powi(2)) - 0.5;
+    let phrase = Message::new("whirl-direction");
+    match whirl {
+        Whirl::Mixed if (forward_share - 0.5).abs() <= flat => phrase.arg("whirl", Arg::word("straight")),
+        Whirl::Mixed => phrase.arg("whirl", Arg::word("mixed")).arg("forward_share", Arg::percent(forward_share)),
+        _ => phrase.arg("whirl", Arg::word(whirl.word())),
+    }
+}
+
+/// Adds how an unstable mode moves at a spin speed: the word `whirl`, and the frequency where it oscillates.
+pub(in crate::study) fn growing(finding: Finding, m: &MachineMode, speed: f64) -> Finding {
+    let word = match m.whirl.at(speed) {
+        _ if !(m.frequency() > 0.0) => "none",
+        w @ (Whirl::Forward | Whirl::Backward) => w.word(),
+        Whirl::Mixed | Whirl::None => "vibration",
+    };
+    let finding = finding.arg("whirl", Arg::word(word));
+    if word == "none" { finding } else { finding.arg("frequency", Arg::frequency(m.frequency())) }
+}
