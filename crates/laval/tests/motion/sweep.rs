@@ -508,3 +508,54 @@ damping = 300
     assert_eq!(hysteresis.len(), 1, "{hysteresis:?}");
     assert!((hysteresis[0].value.unwrap() - (841.38 - 833.62)).abs() < 0.5, "{}", hysteresis[0].sentence());
 }
+
+/// Started anew, the response changes where the initial condition crosses a basin boundary: above the fold, and at another speed from another initial condition.
+#[test]
+fn a_change_of_basin_is_no_fold() {
+    let machine = r#"
+[machine]
+[[part]]
+kind = "disc"
+name = "drum"
+mass = 2.4
+eccentricity = 1e-3
+[[part]]
+kind = "bearing_cubic"
+name = "bearing"
+between = ["drum", "ground"]
+law = "isotropic"
+stiffness = 1.1e7
+cubic_stiffness = 8.7e10
+[[part]]
+kind = "damper"
+name = "air"
+between = ["drum", "ground"]
+damping = 600
+"#;
+    // the lower branch of circular motion ends where roots of the balance meet
+    let (m, e, k, k3, c) = (2.4, 1e-3, 1.1e7, 8.7e10, 600.0);
+    let balance = |w: f64, a: f64| (k + k3 * a * a - m * w * w).hypot(c * w) * a - m * e * w * w;
+    let roots =
+        |w: f64| (1..12_000).filter(|&i| (balance(w, 1e-6 * f64::from(i)) > 0.0) != (balance(w, 1e-6 * f64::from(i - 1)) > 0.0)).count();
+    let (mut fold, mut above) = (2500.0, 2600.0);
+    for _ in 0..20 {
+        let middle = 0.5 * (fold + above);
+        if roots(middle) > 1 { above = middle } else { fold = middle }
+    }
+    let study = |more: &str| run(machine, &format!("speed = {{ from = 2550, to = 2690, points = 8 }}\n{more}"));
+    let o = study("start = \"all\"");
+    let of = |o: &Outcome, id: &str| {
+        let all: Vec<_> = o.findings.iter().filter(|f| f.id == id).cloned().collect();
+        assert_eq!(all.len(), 1, "{id}: {:?}", o.findings);
+        all[0].clone()
+    };
+    let (down, anew) = (of(&o, "jump_down"), of(&o, "start_jump"));
+    assert!((down.value.unwrap() - fold).abs() < 20.0 / 16.0, "{down:?} {fold}");
+    let (from, to) = (anew.number("from").unwrap(), anew.number("to").unwrap());
+    assert!(from > fold + 10.0 && to - from < 20.0 + 1e-9 && anew.value == Some(to), "{anew:?} {fold}");
+    let said = anew.sentence();
+    assert!(said.contains("basin boundary") && said.contains("differs from the fold that nonlinear_response reports"), "{said}");
+    assert!(!down.sentence().contains("basin"), "{}", down.sentence());
+    let other = of(&study("start = \"rest\"\ninitial = { \"drum.x\" = \"2 mm\" }"), "start_jump");
+    assert!(other.value.unwrap() > to + 10.0, "{other:?} {anew:?}");
+}
