@@ -61,10 +61,11 @@ impl Borders {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::centrifuge::operating_window::detail::Detail;
     use crate::study::centrifuge::operating_window::margins::Margin;
 
     fn point(speed: f64, value: f64) -> Point {
-        let margins = vec![Margin { name: STABLE, value, detail: String::new() }];
+        let margins = vec![Margin { name: STABLE, value, detail: Detail::Itself }];
         Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
     }
 
@@ -100,7 +101,7 @@ mod tests {
     #[test]
     fn the_next_margin_decides_where_the_least_is_the_same() {
         let of = |values: &[f64]| {
-            let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: String::new() }).collect();
+            let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: Detail::Itself }).collect();
             Point { margins, ..point(1.0, 0.0) }.room()
         };
         assert!(of(&[0.1, 0.9, 0.3]) > of(&[0.1, 0.2, 0.9]));

@@ -1,6 +1,7 @@
 //! The requirements at one speed, each as a dimensionless margin: kept when 0 or more.
 
 use super::Policy;
+use super::detail::Detail;
 use super::passage::Passage;
 use super::steady::{Branches, Growth, State, linear, spectrum, states_validity};
 use crate::diagnostic::Diagnostic;
@@ -36,7 +37,7 @@ pub struct Margin {
     /// Margin; NaN where it is not defined, which counts as not kept.
     pub value: f64,
     /// What binds in it.
-    pub detail: String,
+    pub detail: Detail,
 }
 
 impl Margin {
@@ -132,19 +133,12 @@ pub(super) struct Evaluator<'a> {
     pub passage: Option<&'a Passage>,
 }
 
-/// Which state of the contents decides.
-const BEFORE: &str = " before the separation";
-const AFTER: &str = " after the separation";
-
-/// Why a linear machine has no steady state.
-const WITHOUT_BOUND: &str = "amplitude without bound at an undamped resonance";
-
-fn margin(name: usize, value: f64, detail: impl Into<String>) -> Margin {
-    Margin { name, value, detail: detail.into() }
+fn margin(name: usize, value: f64, detail: Detail) -> Margin {
+    Margin { name, value, detail }
 }
 
 /// The least of several margins, NaN before all.
-fn least(name: usize, all: impl Iterator<Item = (f64, String)>) -> Option<Margin> {
+fn least(name: usize, all: impl Iterator<Item = (f64, Detail)>) -> Option<Margin> {
     all.reduce(|a, b| if b.0 < a.0 || b.0.is_nan() { b } else { a }).map(|(v, d)| margin(name, v, d))
 }
 
@@ -166,7 +160,7 @@ impl Evaluator<'_> {
         let found = needed(&task.batch, point.speed, task.recovery, &|| true);
         let time = found.as_ref().map_or(f64::NAN, |t| *t);
         let value = 1.0 - time / task.time;
-        let detail = found.map_or_else(|d| d.message, |_| "time".into());
+        let detail = found.map_or_else(|d| Detail::Path(d.message), |_| Detail::Time);
         point.needed = time;
         point.margins.retain(|m| m.name != 0);
         point.margins.insert(0, margin(0, if value.is_finite() { value } else { f64::NAN }, detail));
@@ -206,10 +200,10 @@ impl Evaluator<'_> {
         let before = if nonlinear { worst_growth(&met, &states) } else { eigen };
         let limit = required.limits.growth;
         // stable before and after the separation; NaN stays
-        let (growth, when) = match self.growth_after(speed)? {
-            None => (before, ""),
-            Some(after) if !(after.excess(limit) <= before.excess(limit)) => (after, AFTER),
-            Some(_) => (before, BEFORE),
+        let (growth, contents) = match self.growth_after(speed)? {
+            None => (before, "always"),
+            Some(after) if !(after.excess(limit) <= before.excess(limit)) => (after, "after"),
+            Some(_) => (before, "before"),
         };
         let mut margins = Vec::new();
         margins.extend(self.vibration(system, &met));
@@ -218,18 +212,18 @@ impl Evaluator<'_> {
         margins.push(margin(
             STABLE,
             if growth.rate == f64::NEG_INFINITY { 1.0 } else { -growth.excess(limit) / speed.abs() },
-            format!("growth rate{when}"),
+            Detail::Growth { contents },
         ));
         if let Some(clearance) = required.limits.clearance {
-            let mut all: Vec<(f64, String)> = Vec::new();
-            for h in &required.limits.orders {
-                let near = |p: f64| (p - h * speed).abs() / speed.abs() - clearance;
+            let mut all: Vec<(f64, Detail)> = Vec::new();
+            for &order in &required.limits.orders {
+                let near = |p: f64| (p - order * speed).abs() / speed.abs() - clearance;
                 let own = spectrum.modes.iter().map(|m| m.frequency()).filter(|p| *p > 0.0);
-                all.extend(own.map(|p| (near(p), format!("mode at {p:.4} rad/s, order {h}"))));
+                all.extend(own.map(|p| (near(p), Detail::Mode { frequency: p, order })));
                 for (cup, load) in required.cups.iter().zip(&loads).filter(|c| c.0.ring.held.is_none()) {
                     let swing = cup.ring.cup.swing_frequency(speed, load.tilt);
                     let both = [speed.abs() + swing, (speed.abs() - swing).abs()];
-                    all.extend(both.map(|p| (near(p), format!("swing of the cups, order {h}"))));
+                    all.extend(both.map(|p| (near(p), Detail::Swing(order))));
                 }
             }
             margins.extend(least(4, all.into_iter()));
@@ -247,11 +241,11 @@ impl Evaluator<'_> {
                 (Some(rated), Some(density)) => derated(highest, rated, density),
                 _ => highest,
             };
-            margins.push(margin(6, 1.0 - speed.abs() / allowed, "speed"));
+            margins.push(margin(6, 1.0 - speed.abs() / allowed, Detail::Speed));
         }
         let outside = met.iter().filter_map(|s| s.validity.clone()).map(|(ratio, part)| (1.0 - ratio, part));
         if !nonlinear && states.is_empty() && states_validity(system, speed) {
-            margins.push(margin(VALID, f64::NAN, WITHOUT_BOUND));
+            margins.push(margin(VALID, f64::NAN, Detail::WithoutBound));
         } else {
             margins.extend(least(VALID, outside));
         }
@@ -285,8 +279,8 @@ impl Evaluator<'_> {
     }
 
     /// Why no steady state is assessed.
-    fn without_state(&self) -> &'static str {
-        if self.branches.is_none() { WITHOUT_BOUND } else { "no steady state" }
+    fn without_state(&self) -> Detail {
+        if self.branches.is_none() { Detail::WithoutBound } else { Detail::NoState }
     }
 
     fn vibration(&self, system: &System, met: &[&State]) -> Option<Margin> {
@@ -312,14 +306,14 @@ impl Evaluator<'_> {
                 (&l.velocity, "velocity", &s.velocity, Some(1)),
                 (&l.tilt, "tilt", &s.tilt, None),
             ];
-            for (limits, what, list, which) in of_bodies {
+            for (limits, quantity, list, which) in of_bodies {
                 for limit in limits {
-                    all.extend(of_body(list, which, limit).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                    all.extend(of_body(list, which, limit).map(|x| limited(x, quantity, limit)));
                 }
             }
-            for (limits, what, of) in [(&l.force, "force", &s.force), (&l.moment, "moment", &s.moment)] {
+            for (limits, quantity, of) in [(&l.force, "force", &s.force), (&l.moment, "moment", &s.moment)] {
                 for limit in limits {
-                    all.extend(of.get(&limit.name).map(|x| (1.0 - x / limit.value, format!("{what} of {}", limit.name))));
+                    all.extend(of.get(&limit.name).map(|x| limited(*x, quantity, limit)));
                 }
             }
         }
@@ -340,11 +334,16 @@ impl Evaluator<'_> {
             let size = e.abs();
             if size > 0.0 && size.is_finite() {
                 let centre = |s: &State| s.forward[k] - (s.lean[k] * c(0.0, height)) + e;
-                all.extend(met.iter().map(|s| (1.0 - centre(s).abs() / size / c0, format!("centre of mass of {}", b.name))));
+                all.extend(met.iter().map(|s| (1.0 - centre(s).abs() / size / c0, Detail::CentreOfMass(b.name.clone()))));
             }
         }
         least(2, all.into_iter())
     }
+}
+
+/// Margin of a quantity with this limit.
+fn limited(x: f64, quantity: &'static str, limit: &Limit) -> (f64, Detail) {
+    (1.0 - x / limit.value, Detail::Limited { quantity, of: limit.name.clone() })
 }
 
 /// The growth that decides: of the stable states the one closest to growing, of unstable ones the slowest; NaN without a state.

@@ -22,6 +22,7 @@
 
 mod borders;
 mod contents;
+mod detail;
 mod evaluate;
 mod figures;
 mod findings;
@@ -45,6 +46,7 @@ use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::support::SPEED_RANGE;
 use crate::study::{Context, Study};
 use evaluate::Care;
+pub use detail::Detail;
 pub use evaluate::{Counted, Evaluated, Unseen};
 use laval_num::work;
 pub use margins::{Margin, Point};
@@ -211,12 +213,12 @@ ramp = "60 s"
 }
 
 impl OperatingWindow {
-    /// What the file requires and a stop left out.
+    /// What the file requires and a stop left out, as words of the sentence.
     fn missing(&self, found: &Found) -> Vec<&'static str> {
         let parts = [
-            (!found.main.refined, "the search for narrow interruptions between the speeds of the scan"),
-            (self.wants_robust() && found.robust.is_none(), "the robust window"),
-            (self.map.is_some() && found.map.is_none(), "the map"),
+            (!found.main.refined, "refinement"),
+            (self.wants_robust() && found.robust.is_none(), "robust"),
+            (self.map.is_some() && found.map.is_none(), "map"),
         ];
         parts.into_iter().filter_map(|(left_out, part)| left_out.then_some(part)).collect()
     }

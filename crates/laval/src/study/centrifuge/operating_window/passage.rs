@@ -1,5 +1,6 @@
 //! The way up through the resonances, and down again: largest displacements and torque up to every speed. Simulated to the top of the range and back.
 
+use super::detail::Detail;
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
@@ -106,8 +107,8 @@ impl Passage {
     }
 
     /// Margin of the passage to a speed and back.
-    pub(super) fn margin(&self, speed: f64, limits: &Limits) -> (f64, String) {
-        let mut worst = (f64::INFINITY, "passage".to_string());
+    pub(super) fn margin(&self, speed: f64, limits: &Limits) -> (f64, Detail) {
+        let mut worst = (f64::INFINITY, Detail::Passage);
         for limit in &limits.passage {
             let body = self.bodies.iter().position(|b| *b == limit.body);
             let point = self.points.iter().position(|p| limit.is_at(p));
@@ -116,17 +117,17 @@ impl Passage {
                 (None, Some(k)) => s.moved.get(k).copied(),
                 _ => None,
             };
-            for (_, (displacement, at)) in self.largest(speed, of) {
+            for (_, (displacement, speed)) in self.largest(speed, of) {
                 let m = 1.0 - displacement / limit.value;
                 if !(m >= worst.0) {
-                    worst = (m, format!("displacement of {} at {at:.4} rad/s", limit.name));
+                    worst = (m, Detail::Moved { of: limit.name.clone(), speed });
                 }
             }
         }
         if let Some(limit) = limits.torque {
             let m = 1.0 - self.torque(speed) / limit;
             if !(m >= worst.0) {
-                worst = (m, "torque".to_string());
+                worst = (m, Detail::Torque);
             }
         }
         if worst.0 == f64::INFINITY { (1.0, worst.1) } else { worst }

@@ -1,43 +1,39 @@
 //! The recommended speed, the shortest time, and what a reader should know of both.
 
 use super::margins::{NAMES, Point, VALID};
-use super::report::{Shown, rpm, words};
+use super::report::{Shown, requirement};
 use super::{Counted, Objective, Policy};
-use crate::outcome::{Finding, Outcome, SpecialPoint, Status, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome, SpecialPoint, Status};
 use crate::separation::measures::rcf;
 use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::centrifuge::cups::uncarried;
 use crate::study::motion::drive::without_inertia;
-use crate::study::shared::support::RPM;
 
 impl Shown<'_> {
     pub fn recommended(&self, mut out: Outcome) -> Outcome {
         let (s, m) = (self.study, &self.found.main);
         let Some(best) = &m.best else { return out };
+        let mut f = Finding::info("best_speed", "operating-window-best-speed").value(best.speed, "rad/s");
         let why = match s.objective {
             Objective::Margin => match (same(&m.points, best), best.binding(), best.next()) {
-                (Some((low, high)), Some(least), Some(next)) => format!(
-                    "the next margin ({}) decides, because the least one ({}) is the same from {} to {}",
-                    NAMES[next],
-                    NAMES[least.name],
-                    rpm(low),
-                    rpm(high)
-                ),
-                _ => "the least margin is largest".into(),
+                (Some((low, high)), Some(least), Some(next)) => {
+                    let of = |name: usize| requirement(NAMES[name], self.flow().is_some());
+                    f = f.arg("least", of(least.name)).arg("next", of(next)).arg("from", Arg::speed(low)).arg("to", Arg::speed(high));
+                    "next_margin"
+                }
+                _ => "margin",
             },
-            Objective::Time if self.flow().is_some() => "the throughput could be largest".into(),
-            Objective::Time => "the separation is shortest".into(),
-            Objective::Energy => "the energy is least".into(),
-            Objective::Amplitude => "the vibration is smallest".into(),
+            Objective::Time if self.flow().is_some() => "throughput",
+            Objective::Time => "time",
+            Objective::Energy => "energy",
+            Objective::Amplitude => "amplitude",
         };
-        let mut text = format!("Recommended: {{}}, where {why}");
-        if best.needed.is_finite() {
-            text += &match self.flow() {
-                Some((_, volume)) => format!("; the throughput may then be up to {}", litres(volume / best.needed)),
-                None => format!("; the separation then takes {}", in_words(best.needed)),
-            };
-        }
-        let mut f = Finding::info("best_speed", text + ".").value(best.speed, "rad/s").shown_as(best.speed * RPM, "rpm");
+        f = f.arg("why", Arg::word(why));
+        f = match self.flow() {
+            _ if !best.needed.is_finite() => f.arg("duty", Arg::word("none")),
+            Some((_, volume)) => f.arg("duty", Arg::word("throughput")).arg("throughput", Arg::quantity(volume / best.needed, "m^3/s")),
+            None => f.arg("duty", Arg::word("time")).arg("time", Arg::quantity(best.needed, "s")),
+        };
         for margin in &best.margins {
             f = f.evidence(format!("margin of {}", NAMES[margin.name]), margin.value, "");
         }
@@ -45,21 +41,25 @@ impl Shown<'_> {
         out = out.finding(f.evidence("tilt", best.tilt, "rad").evidence("unbalance of the cups", best.unbalance, "kg m"));
         out = self.outside(out, best);
         if let Some(b) = best.binding() {
-            let text = format!("There the requirement \"{}\" is nearest to its limit ({}): margin {{}}.", NAMES[b.name], b.detail);
-            out = out.finding(Finding::info("binding", text).value(b.value, "").shown_as(100.0 * b.value, "%"));
+            let finding = match b.detail.phrase() {
+                Some(detail) => Finding::info("binding", "operating-window-binding-detail").arg("detail", detail),
+                None => Finding::info("binding", "operating-window-binding"),
+            };
+            let of = requirement(NAMES[b.name], self.flow().is_some());
+            out = out.finding(finding.value_as(Arg::percent(b.value)).arg("requirement", of));
         }
         // why not faster: the requirement at the end of the interval above
         if let Some(i) = m.intervals.iter().find(|i| i.low.speed <= best.speed && best.speed <= i.high.speed)
             && i.high.event != "domain limit"
         {
-            let text = format!("Why not faster: at {{}} the window ends, by {}.", words(&i.high.binding, self.flow().is_some()));
-            out = out.finding(Finding::info("not_faster", text).value(i.high.speed, "rad/s").shown_as(i.high.speed * RPM, "rpm"));
+            let finding = Finding::info("not_faster", "operating-window-not-faster").value(i.high.speed, "rad/s");
+            out = out.finding(finding.arg("requirement", requirement(&i.high.binding, self.flow().is_some())));
         }
         if let Some(task) = &self.task {
             let (r1, r2) = task.vessel.separator.at(best.speed).radii();
             let g = task.suspension.medium.gravity;
-            let text = format!("The field there grows from {} g to {{}} g.", significant(rcf(best.speed, r1, g), 4));
-            out = out.finding(Finding::info("rcf", text).value(rcf(best.speed, r2, g), ""));
+            let finding = Finding::info("rcf", "operating-window-field").value(rcf(best.speed, r2, g), "");
+            out = out.finding(finding.arg("inner", Arg::number(rcf(best.speed, r1, g))));
         }
         out
     }
@@ -70,9 +70,11 @@ impl Shown<'_> {
         if within(&r.intervals, best.speed) {
             return out;
         }
-        let all: Vec<String> = r.intervals.iter().map(|(a, b)| format!("{} to {}", rpm(*a), rpm(*b))).collect();
-        let text = format!("The recommended speed, {{}}, lies outside the robust window, {}.", all.join(" and "));
-        out.finding(Finding::warning("outside_robust", text).value(best.speed, "rad/s").shown_as(best.speed * RPM, "rpm"))
+        let range = |(from, to): &(f64, f64)| {
+            Message::new("operating-window-span").arg("from", Arg::speed(*from)).arg("to", Arg::speed(*to)).into()
+        };
+        let finding = Finding::warning("outside_robust", "operating-window-outside-robust").value(best.speed, "rad/s");
+        out.finding(finding.arg("ranges", Arg::List(r.intervals.iter().map(range).collect())))
     }
 
     /// Time needed at a speed of the scan with the run-up, where everything but the separation is kept.
@@ -82,19 +84,16 @@ impl Shown<'_> {
         let kept = m.points.iter().filter(|p| p.feasible_without(0) && p.needed.is_finite());
         match kept.min_by(|a, b| a.needed.total_cmp(&b.needed)) {
             Some(p) => {
-                let text = match self.flow() {
-                    Some((_, volume)) => {
-                        let most = litres(volume / p.needed);
-                        format!("The shortest residence time the machine allows is {{}}, a throughput of {most}, at {}.", rpm(p.speed))
-                    }
-                    None => format!("The shortest time the machine allows is {{}}, at {}.", rpm(p.speed)),
-                };
-                out.finding(
-                    Finding::info("shortest_time", text)
+                let finding = match self.flow() {
+                    Some((_, volume)) => Finding::info("shortest_time", "operating-window-shortest-residence")
                         .value(p.needed, "s")
-                        .evidence(if self.flow().is_some() { "residence time" } else { "time at hand" }, task.time, "s")
-                        .evidence("speed", p.speed, "rad/s"),
-                )
+                        .arg("throughput", Arg::quantity(volume / p.needed, "m^3/s"))
+                        .evidence("residence time", task.time, "s"),
+                    None => Finding::info("shortest_time", "operating-window-shortest-time")
+                        .value(p.needed, "s")
+                        .evidence("time at hand", task.time, "s"),
+                };
+                out.finding(finding.arg("speed", Arg::speed(p.speed)).evidence("speed", p.speed, "rad/s"))
             }
             None => out,
         }
@@ -106,14 +105,9 @@ impl Shown<'_> {
         for body in &m.unseen {
             let inside = m.points.iter().filter(|p| p.feasible()).filter_map(|p| Some((*p.leans.get(body.index)?, p.speed)));
             let Some((tilt, speed)) = inside.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|x| x.0 > 0.0) else { continue };
-            let text = format!(
-                "\"{}\" tilts by up to {{}} inside the windows, at {}, and no limit applies to its tilt: its displacement counts at the reference point alone. Add tilt to \
-                 [limits].",
-                body.name,
-                rpm(speed)
-            );
-            out = out
-                .finding(Finding::warning("tilt_without_limit", text).of(&body.name).value(tilt, "rad").evidence("speed", speed, "rad/s"));
+            let finding = Finding::warning("tilt_without_limit", "operating-window-tilt-without-limit").of(&body.name).value(tilt, "rad");
+            let finding = finding.arg("body", Arg::name(&body.name)).arg("speed", Arg::speed(speed));
+            out = out.finding(finding.evidence("speed", speed, "rad/s"));
         }
         out
     }
@@ -124,27 +118,22 @@ impl Shown<'_> {
         out = self.doubts(out);
         out = self.leaning(out);
         let required = |name: usize| m.points.iter().any(|p| p.margin(name).is_some());
-        let absent: Vec<&str> = (0..NAMES.len()).filter(|&n| n != VALID && !required(n)).map(|n| NAMES[n]).collect();
+        let absent = (0..NAMES.len()).filter(|&n| n != VALID && !required(n));
+        let absent: Vec<Arg> = absent.map(|n| requirement(NAMES[n], self.flow().is_some()).into()).collect();
         if !absent.is_empty() {
-            let text = format!("Not checked, because nothing in the file requires it: {}.", absent.join(", "));
-            out = out.finding(Finding::info("not_checked", text));
+            out = out.finding(Finding::info("not_checked", "operating-window-not-checked").arg("requirements", Arg::List(absent)));
         }
         if !required(0) && !required(1) && !required(5) && !required(6) {
-            out = out.finding(Finding::warning(
-                "few_requirements",
-                "Only stability bounds this window: give [limits], and [[cup]] with [suspension], to make it one to run by.",
-            ));
+            out = out.finding(Finding::warning("few_requirements", "operating-window-few-requirements"));
         }
         if let Some(h) = m.harmonics {
-            let assessed = match self.policy {
-                Policy::All => "a speed where any stable one breaks a limit is outside",
-                Policy::Reached => {
-                    "of several stable ones that is assessed which the run-up of this file leads to; the window holds for this run-up only"
-                }
-                Policy::Highest => "of several stable ones that with the largest vibration is assessed",
+            let policy = match self.policy {
+                Policy::All => "all",
+                Policy::Reached => "reached",
+                Policy::Highest => "highest",
             };
-            let text = format!("Steady states of the nonlinear machine are those of all its branches; {assessed}.");
-            out = out.finding(Finding::info("nonlinear", text).evidence("orders kept", h as f64, ""));
+            let finding = Finding::info("nonlinear", "operating-window-nonlinear").arg("policy", Arg::word(policy));
+            out = out.finding(finding.evidence("orders kept", h as f64, ""));
         }
         for w in &m.folds {
             out = out.special_point(SpecialPoint::new("fold", *w, (*w, *w)).status(Status::Bracketed));
@@ -152,25 +141,18 @@ impl Shown<'_> {
         if let Some(p) = &m.passage {
             let top = self.study.speed.to;
             for peak in p.peaks(top) {
-                let way = if peak.up { "up" } else { "down" };
-                let range = if peak.up { "to" } else { "from" };
-                let text = format!(
-                    "On the way {way} {range} {}, the highest speed of the range, \"{}\" moves by up to {{}}, at {}.",
-                    rpm(top),
-                    peak.body,
-                    rpm(peak.speed)
-                );
-                let f = Finding::info("passage_peak", text).value(peak.displacement, "m").evidence("speed", peak.speed, "rad/s");
-                out = out.finding(f.of(peak.body));
+                let finding = Finding::info("passage_peak", "operating-window-passage-peak").value(peak.displacement, "m");
+                let finding = finding.arg("way", Arg::word(if peak.up { "up" } else { "down" })).arg("top", Arg::speed(top));
+                let finding = finding.arg("body", Arg::name(&peak.body)).arg("speed", Arg::speed(peak.speed));
+                out = out.finding(finding.evidence("speed", peak.speed, "rad/s").of(peak.body));
             }
-            out = out.finding(Finding::info("passage_torque", "The run-up takes a torque of up to {}.").value(p.torque(top), "N m"));
+            out = out.finding(Finding::info("passage_torque", "operating-window-passage-torque").value(p.torque(top), "N m"));
             out = without_inertia(self.system, "The torque of the run-up is").into_iter().fold(out, Outcome::finding);
         }
         if let (Some(t), Some(task), Some(best)) = (self.ramp, &self.task, &m.best) {
             let (_, r2) = task.vessel.separator.at(best.speed).radii();
             let share = self.study.speed.to / t * r2 / (best.speed * best.speed * r2);
-            let text = "Braking as fast as the run-up, the pellet is pulled sideways with {} of the field that holds it.";
-            out = out.finding(Finding::info("braking", text).value(share, "").shown_as(100.0 * share, "%"));
+            out = out.finding(Finding::info("braking", "operating-window-braking").value_as(Arg::percent(share)));
         }
         out
     }
@@ -182,22 +164,15 @@ impl Shown<'_> {
         let (separator, g) = (&task.vessel.separator, task.suspension.medium.gravity);
         let lowest = m.intervals.first().map(|i| i.low.speed);
         if let Some((w, field)) = lowest.and_then(|w| Some((w, gravity_felt(separator, w, g)?))) {
-            let text = format!(
-                "At the lower end of the window, {}, the field is {{}} g at the innermost liquid; the model of a machine that liquid flows through leaves gravity out, which \
-                 holds from {} g on.",
-                rpm(w),
-                significant(FIELD, 2)
-            );
-            out = out.finding(Finding::warning("gravity", text).value(field, "").evidence("least field over gravity", FIELD, ""));
+            let finding = Finding::warning("gravity", "operating-window-gravity").value(field, "").arg("speed", Arg::speed(w));
+            out = out.finding(finding.arg("least", Arg::number(FIELD)).evidence("least field over gravity", FIELD, ""));
         }
         if let Some(Counted { counted, duration, equivalent }) = m.counted {
-            let text = "The liquid of fixed-angle tubes shifts while the speed changes: the run-up counts by an estimate, the field at mean radius, as {} at full speed.";
             out = out.finding(
-                Finding::info("run_up_estimate", text).value(counted, "s").evidence("duration of the run-up", duration, "s").evidence(
-                    "by the square of the speed alone",
-                    equivalent,
-                    "s",
-                ),
+                Finding::info("run_up_estimate", "operating-window-run-up-estimate")
+                    .value(counted, "s")
+                    .evidence("duration of the run-up", duration, "s")
+                    .evidence("by the square of the speed alone", equivalent, "s"),
             );
         }
         out
@@ -224,23 +199,14 @@ fn within(intervals: &[(f64, f64)], speed: f64) -> bool {
     intervals.iter().any(|(a, b)| *a <= speed && speed <= *b)
 }
 
-/// A throughput for people.
-fn litres(q: f64) -> String {
-    format!("{} l/h", significant(q * 3.6e6, 4))
-}
-
-/// A time for people: minutes beyond ten of them.
-fn in_words(t: f64) -> String {
-    if t >= 600.0 { format!("{} min", significant(t / 60.0, 4)) } else { quantity(t, "s") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::centrifuge::operating_window::detail::Detail;
     use crate::study::centrifuge::operating_window::margins::Margin;
 
     fn point(speed: f64, values: &[f64]) -> Point {
-        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: String::new() }).collect();
+        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: Detail::Itself }).collect();
         Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
     }
 

@@ -1,10 +1,11 @@
 //! What an operating window tells.
 
+use super::margins::NAMES;
 use super::request::{policy, requested};
 use super::{Found, OperatingWindow, Policy};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Finding, Outcome, OutcomeError, SpecialPoint, Status, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome, OutcomeError, SpecialPoint, Status, significant};
 use crate::study::Study;
 use crate::study::centrifuge::cups::task::Task;
 use crate::study::shared::limits::Limits;
@@ -27,20 +28,11 @@ pub(super) fn rpm(w: f64) -> String {
     format!("{} rpm", significant(w * RPM, 5))
 }
 
-/// A requirement in words; `flow`: of a machine that liquid flows through.
-pub(super) fn words(name: &str, flow: bool) -> &'static str {
-    match name {
-        "separation" if flow => "the residence time that the separation takes",
-        "separation" => "the time that the separation takes",
-        "vibration" => "a vibration limit",
-        "self_centred" => "the self-centring of the rotor",
-        "stable" => "stability",
-        "clear" => "the clearance of a natural frequency",
-        "passage" => "the passage of the resonances",
-        "strength" => "the highest speed",
-        "valid" => "the validity of the model of a part",
-        _ => "the range looked at",
-    }
+/// A requirement, or the range of speeds, as a phrase; `flow`: of a machine that liquid flows through.
+pub(super) fn requirement(name: &str, flow: bool) -> Message {
+    let name = NAMES.iter().find(|n| **n == name).map_or("range", |n| *n);
+    let name = if flow && name == "separation" { "residence" } else { name };
+    Message::new("operating-window-requirement").arg("name", Arg::word(name))
 }
 
 impl<'a> Shown<'a> {
@@ -57,8 +49,9 @@ impl<'a> Shown<'a> {
         }
         let missing = self.study.missing(self.found);
         if !missing.is_empty() {
-            let text = format!("The study was stopped before its end; not computed: {}.", missing.join(", "));
-            out = out.finding(Finding::warning("incomplete", text));
+            let part = |word: &&'static str| Message::new("operating-window-missing").arg("part", Arg::word(word)).into();
+            let parts = Arg::List(missing.iter().map(part).collect());
+            out = out.finding(Finding::warning("incomplete", "operating-window-incomplete").arg("parts", parts));
         }
         out = if m.intervals.is_empty() { self.conflict(out) } else { self.windows(out) };
         out = self.recommended(out);

@@ -1,5 +1,6 @@
 //! All stable steady states of the machine at a speed: linear response, or every branch of the nonlinear one.
 
+use super::detail::Detail;
 use crate::diagnostic::Diagnostic;
 use crate::model::part::{At, Observed};
 use crate::model::system::{System, Workspace};
@@ -37,7 +38,7 @@ pub(super) struct State {
     /// Largest moment of each part that shows one, N m.
     pub moment: BTreeMap<String, f64>,
     /// Largest use of the validity of a part, and of which; none where no part states one.
-    pub validity: Option<(f64, String)>,
+    pub validity: Option<(f64, Detail)>,
     /// Forward amplitude of each body at the spin frequency, m.
     pub forward: Vec<C64>,
     /// The same of its tilt, rad; 0 of a body that does not tilt.
@@ -118,7 +119,7 @@ fn shown(system: &System, orbit: &Orbit, offset: &[f64], order: usize, growth: G
         for (slot, u) in system.validity(&at, &mut ws) {
             // NaN stays
             if out.validity.as_ref().is_none_or(|v| !(u.ratio <= v.0) && !v.0.is_nan()) {
-                out.validity = Some((u.ratio, format!("the model of {} ({})", system.slots()[slot].name, u.what)));
+                out.validity = Some((u.ratio, Detail::Model { part: system.slots()[slot].name.clone(), statement: u.what }));
             }
         }
         let (mut force, mut rate, mut spin) = (vec![0.0; n], vec![0.0; m], 0.0);

@@ -1,5 +1,6 @@
 //! From requirements at single speeds to intervals: scan, refinement of the ends, best speed, trade with time, conflicts.
 
+use super::detail::Detail;
 use super::margins::{Evaluator, NAMES, Point};
 use crate::diagnostic::Diagnostic;
 use laval_num::text::Text;
@@ -16,7 +17,7 @@ pub struct End {
     /// The requirement that ends it, or `range`.
     pub binding: String,
     /// What binds in it.
-    pub detail: String,
+    pub detail: Detail,
     /// crossing, jump, eigenvalue crossing, domain limit.
     #[serde(deserialize_with = "laval_num::text::one")]
     pub event: Text,
@@ -185,7 +186,7 @@ fn end(inside: &Point, outside: &Point) -> End {
     End {
         speed: inside.speed,
         binding: name.to_string(),
-        detail: binding.map_or_else(String::new, |m| m.detail.clone()),
+        detail: binding.map(|m| m.detail.clone()).unwrap_or_default(),
         event,
         bracket: (inside.speed - outside.speed).abs(),
         beyond: binding.map_or(f64::NAN, |m| m.value),
@@ -204,7 +205,7 @@ pub(super) fn intervals(
     let limit = |p: &Point| End {
         speed: p.speed,
         binding: "range".into(),
-        detail: String::new(),
+        detail: Detail::Itself,
         event: "domain limit",
         bracket: 0.0,
         beyond: f64::NAN,
@@ -279,7 +280,7 @@ mod tests {
     use crate::study::centrifuge::operating_window::margins::Margin;
 
     fn point(speed: f64, values: &[f64]) -> Point {
-        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: String::new() }).collect();
+        let margins = values.iter().enumerate().map(|(name, &value)| Margin { name, value, detail: Detail::Itself }).collect();
         Point { speed, margins, needed: 0.0, tilt: 0.0, unbalance: 0.0, states: 1, energy: 0.0, growth: 0.0, leans: vec![] }
     }
 
