@@ -550,7 +550,7 @@ damping = 600
         all[0].clone()
     };
     let (down, anew) = (of(&o, "jump_down"), of(&o, "start_jump"));
-    assert!((down.value.unwrap() - fold).abs() < 20.0 / 16.0, "{down:?} {fold}");
+    assert!((down.value.unwrap() - fold).abs() < 5.0, "{down:?} {fold}");
     let (from, to) = (anew.number("from").unwrap(), anew.number("to").unwrap());
     assert!(from > fold + 10.0 && to - from < 20.0 + 1e-9 && anew.value == Some(to), "{anew:?} {fold}");
     let said = anew.sentence();
