@@ -118,7 +118,7 @@ fn machines_that_do_not_exist() {
     assert!(classes[..4].iter().all(|c| c != "failed") && classes[6..].iter().all(|c| c == "failed"), "{classes:?}");
     let reported = part.findings.iter().filter(|f| f.id == "failed_machines");
     let (count, named) =
-        reported.fold((0.0, true), |(n, all), f| (n + f.value.unwrap(), all && f.text.contains("oil.free_surface_radius")));
+        reported.fold((0.0, true), |(n, all), f| (n + f.value.unwrap(), all && f.sentence().contains("oil.free_surface_radius = ")));
     assert!(named && count == classes.iter().filter(|c| *c == "failed").count() as f64);
 }
 

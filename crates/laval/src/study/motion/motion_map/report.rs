@@ -4,7 +4,7 @@ use super::{GridAxis, MotionMap, MotionMapResult, REFUSED, place};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Message, Outcome, Panel, Table};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::motion::steady_state::period::LONGEST;
@@ -30,12 +30,19 @@ struct Map<'a> {
 }
 
 impl Map<'_> {
-    /// "speed = 300 rad/s, drum.eccentricity = 50 µm"
-    fn place(&self, row: usize) -> String {
+    /// Where a row lies on the map.
+    fn place(&self, row: usize) -> Arg {
         let (at, axes) = (place(&self.values, row), &self.study.axes);
-        [0, 1].map(|k| format!("{} = {}", axes[k].name(), quantity(at[k], axes[k].unit))).join(", ")
+        let one = |k: usize| match &axes[k].path {
+            Some(path) => {
+                Message::new("motion-map-parameter").arg("parameter", Arg::name(path)).arg("value", Arg::quantity(at[k], axes[k].unit))
+            }
+            None => Message::new("motion-map-speed").arg("speed", Arg::speed(at[k])),
+        };
+        Arg::List((0..2).map(|k| one(k).into()).collect())
     }
 
+    /// The place as evidence.
     fn with_place(&self, f: Finding, row: usize) -> Finding {
         let (at, axes) = (place(&self.values, row), &self.study.axes);
         (0..2).fold(f, |f, k| f.evidence(axes[k].name(), at[k], axes[k].unit))
@@ -99,8 +106,13 @@ fn largest(map: &Map, system: &System) -> Vec<Finding> {
         let known = sizes.iter().copied().enumerate().filter(|a| a.1.is_finite());
         let (row, size) = known.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
         let (what, owner) = (probes::quality(probe), probes::owner(probe));
-        let text = format!("The largest {what} of \"{owner}\" is {{}}, at {}.", map.place(row));
-        Some(map.with_place(Finding::info(format!("largest_{what}"), text).of(owner).value(size, probe.unit()), row))
+        let finding = Finding::info(format!("largest_{what}"), "motion-map-largest")
+            .of(owner)
+            .value(size, probe.unit())
+            .arg("quality", Arg::word(what))
+            .arg("point", probes::arg(probe))
+            .arg("place", map.place(row));
+        Some(map.with_place(finding, row))
     };
     map.sizes.iter().filter_map(one).collect()
 }
@@ -111,16 +123,26 @@ fn repetition(map: &Map) -> Vec<Finding> {
     let known = map.count(|c| c != "failed" && c != "not settled");
     let every = map.count(|c| c == "every turn");
     if every == known && known > 0 {
-        let text = format!("All {{}} motions that settle repeat every turn, of {all} points.");
-        return vec![Finding::info("every_turn", text).value(known as f64, "")];
+        let finding = Finding::info("every_turn", "motion-map-every-turn").value(known as f64, "");
+        return vec![finding.arg("count", Arg::count(known)).arg("points", Arg::count(all))];
     }
     let mut out = Vec::new();
-    for class in all_classes().into_iter().filter(|c| c != "every turn" && c != "failed" && c != "not settled") {
+    let longer = (2..=NAMED).map(|k| (class("periodic", k as f64), "motion-map-subharmonic", k));
+    let others = [
+        (class("periodic", (NAMED + 1) as f64), "motion-map-longer-period", NAMED),
+        (class("not periodic", f64::NAN), "motion-map-not-periodic", LONGEST),
+    ];
+    for (class, key, turns) in longer.chain(others) {
         let count = map.count(|c| c == class);
         let Some(first) = map.classes.iter().position(|c| *c == class) else { continue };
-        let how = if class == "not periodic" { format!("do not repeat within {LONGEST} turns") } else { format!("repeat {class}") };
-        let text = format!("{{}} of {all} motions {how}, for instance at {}.", map.place(first));
-        out.push(map.with_place(Finding::info("other_motions", text).of(class).value(count as f64, ""), first));
+        let finding = Finding::info("other_motions", key)
+            .of(class)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("points", Arg::count(all))
+            .arg("turns", Arg::count(turns))
+            .arg("place", map.place(first));
+        out.push(map.with_place(finding, first));
     }
     out
 }
@@ -131,8 +153,8 @@ fn without(map: &Map, results: &Collected) -> Vec<Finding> {
     let mut out = Vec::new();
     let unsettled = map.count(|c| c == "not settled");
     if unsettled > 0 {
-        let text = format!("{{}} of {all} motions did not settle within the largest number of periods.");
-        out.push(Finding::warning("not_settled", text).value(unsettled as f64, ""));
+        let finding = Finding::warning("not_settled", "motion-map-not-settled").value(unsettled as f64, "");
+        out.push(finding.arg("count", Arg::count(unsettled)).arg("points", Arg::count(all)));
     }
     let mut causes: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     let refused = results.words(REFUSED);
@@ -140,16 +162,28 @@ fn without(map: &Map, results: &Collected) -> Vec<Finding> {
         causes.entry(crate::study::parameters::uncertainty::cause(why)).or_insert((0, row)).0 += 1;
     }
     for (cause, (count, row)) in causes {
-        let text = format!("{{}} of {all} points are no machine, for instance {}: {}.", map.place(row), refused[row].trim_end_matches('.'));
-        out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), row));
+        let finding = Finding::warning("failed_machines", "motion-map-failed-machines")
+            .of(cause)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("points", Arg::count(all))
+            .arg("place", map.place(row))
+            .arg("reason", Arg::term(refused[row].trim_end_matches('.')));
+        out.push(map.with_place(finding, row));
     }
     let mut motions: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     for (row, why) in results.words("failure").into_iter().enumerate().filter(|(r, w)| !w.is_empty() && refused[*r].is_empty()) {
         motions.entry(why).or_insert((0, row)).0 += 1;
     }
     for (why, (count, row)) in motions {
-        let text = format!("{{}} of {all} motions could not be followed, for instance at {}: it {why}.", map.place(row));
-        out.push(map.with_place(Finding::warning("failed_motions", text).of(why).value(count as f64, ""), row));
+        let finding = Finding::warning("failed_motions", "motion-map-failed-motions")
+            .of(&why)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("points", Arg::count(all))
+            .arg("place", map.place(row))
+            .arg("reason", Arg::term(why));
+        out.push(map.with_place(finding, row));
     }
     out
 }
