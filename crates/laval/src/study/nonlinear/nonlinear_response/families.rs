@@ -1,7 +1,7 @@
-//! What is said of states beside the main branches, and of a branch that does not close.
+//! Findings about states beside the main branches, and about a branch that does not close.
 
 use super::tables::label;
-use crate::outcome::{Finding, quantity, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Cut, Response, Traced};
 use crate::solve::harmonic::branches::unclosed::{Beyond, REACH, Unclosed};
@@ -9,32 +9,19 @@ use crate::study::shared::support::largest;
 
 /// That the branch of large motions goes on beyond the range, and whether it would ever turn back.
 pub(super) fn unclosed(u: &Unclosed) -> Finding {
-    let speed = significant(u.speed.abs(), 5);
-    let share = significant(100.0 * u.share, 4);
+    let beyond = |word| Message::new("nonlinear-response-beyond").arg("beyond", Arg::word(word)).arg("share", Arg::percent(u.share));
     let verdict = match u.beyond {
-        Beyond::Closes(at) => {
-            format!("Followed on, it turns back at {} rad/s: there these states end in a jump.", significant(at.abs(), 5))
-        }
-        Beyond::Tends(limit) if limit < 1.0 => format!(
-            "Damping takes {share} % of the power the unbalance can give there, and {} % at ever higher speed: below 100 % these states never end in a jump.",
-            significant(100.0 * limit, 4)
-        ),
-        Beyond::Tends(_) => format!(
-            "Damping takes {share} % of the power the unbalance can give there and more at ever higher speed: the states end in a jump where it takes all, \
-             beyond {REACH} times this speed.",
-        ),
-        Beyond::Lost(at) => format!(
-            "Damping takes {share} % of the power the unbalance can give there; where it takes all the states end in a jump. Beyond the range the branch \
-             could be followed to {} rad/s only.",
-            significant(at.abs(), 5)
-        ),
+        Beyond::Closes(at) => beyond("closes").arg("at", Arg::speed(at.abs())),
+        Beyond::Tends(limit) if limit < 1.0 => beyond("stays").arg("limit", Arg::percent(limit)),
+        Beyond::Tends(limit) if limit >= 1.0 => beyond("rises").arg("reach", Arg::number(REACH)),
+        Beyond::Tends(_) => beyond("unknown"),
+        Beyond::Lost(at) => beyond("lost").arg("at", Arg::speed(at.abs())),
     };
-    let text = format!(
-        "The branch of large motions does not close in the range: at {speed} rad/s its amplitude, {{}}, still grows with the speed, beside {} on the \
-         branch of small motions. The end of the range is no jump. {verdict}",
-        quantity(u.low_amplitude, "m"),
-    );
-    let finding = Finding::warning("branch_not_closed", text).value(u.amplitude, "m");
+    let mut finding = Finding::warning("branch_not_closed", "nonlinear-response-not-closed")
+        .value(u.amplitude, "m")
+        .arg("speed", Arg::speed(u.speed.abs()))
+        .arg("lower", Arg::quantity(u.low_amplitude, "m"));
+    finding.notes.push(verdict);
     let finding = finding.evidence("share of the power of the unbalance at the end of the range", u.share, "").evidence(
         "d ln amplitude / d ln speed",
         u.rise,
@@ -47,8 +34,8 @@ pub(super) fn unclosed(u: &Unclosed) -> Finding {
     }
 }
 
-/// What the search for all states found.
-pub(super) fn all(response: &Response) -> Vec<Finding> {
+/// What the search for all states found, with this number of random starts.
+pub(super) fn all(response: &Response, starts: usize) -> Vec<Finding> {
     let mut out = Vec::new();
     let mut kinds: Vec<(&str, Vec<&Traced>)> = Vec::new();
     for branch in response.branches.iter().filter(|b| !matches!(b.origin, Origin::Low | Origin::High)) {
@@ -65,63 +52,53 @@ pub(super) fn all(response: &Response) -> Vec<Finding> {
             speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)))
         };
         let ((from, to), (low, high)) = (range(false), range(true));
-        let stable = if low <= high {
-            format!("some of them stable, between {} and {} rad/s", significant(low, 5), significant(high, 5))
-        } else {
-            "none of them stable".into()
+        let stability = match points().any(|p| p.exponents.is_some()) {
+            true if low <= high => "some",
+            true => "none",
+            false => "unknown",
         };
         let images = branches.iter().map(|b| b.images).max().unwrap_or(1);
-        let turned = match (images, branches.iter().map(|b| b.turns()).max().unwrap_or(1)) {
-            (1, _) => String::new(),
-            (n, 1) => format!(" A branch stands for up to {n}, turned against each other by the symmetry of the machine."),
-            (n, _) => {
-                format!(" Each stands for up to {n} states: turned by the symmetry of the machine, and later by a turn of the rotor.")
-            }
-        };
-        let text = format!(
-            "Further states ({kind}) exist from {{}} to {} rad/s on {} branch{}, {stable}.{turned}",
-            significant(to, 6),
-            branches.len(),
-            if branches.len() == 1 { "" } else { "es" },
-        );
+        let turns = branches.iter().map(|b| b.turns()).max().unwrap_or(1);
+        let copies = Message::new("nonlinear-response-copies").arg("copies", Arg::count(images));
+        let copies = copies.arg("kind", Arg::word(if turns == 1 { "turned" } else { "later" }));
         let worst = largest(points().map(|p| p.truncation));
-        out.push(Finding::info("further_states", text).of(*kind).value(from, "rad/s").evidence(
-            "dropped over kept force harmonics, worst point",
-            worst,
-            "",
-        ));
+        let mut finding = Finding::info("further_states", "nonlinear-response-further-states")
+            .of(*kind)
+            .value(from, "rad/s")
+            .arg("kind", Arg::term(*kind))
+            .arg("branches", Arg::count(branches.len()))
+            .arg("to", Arg::speed(to))
+            .arg("stability", Arg::word(stability))
+            .evidence("dropped over kept force harmonics, worst point", worst, "");
+        if low <= high {
+            finding = finding.arg("low", Arg::speed(low)).arg("high", Arg::speed(high));
+        }
+        finding.notes.extend((images > 1).then_some(copies));
+        out.push(finding);
     }
     if let Some(cut) = &response.cut {
-        out.push(stopped(cut, kinds.is_empty()));
+        out.push(stopped(cut));
     } else if kinds.is_empty() && !response.more_families {
-        out.push(Finding::info(
-            "further_states",
-            "No states beside those from the ends of the range were found: neither by combining the planes of known states, nor from subharmonic starts, \
-             nor from starts taken anywhere. The search does not exclude that there are some.",
-        ));
+        out.push(Finding::info("further_states", "nonlinear-response-no-further-states").arg("starts", Arg::count(starts)));
     }
     if response.more_families {
-        let text = "Not all families of states were followed: narrow the range of speeds to see those left out.";
-        out.push(Finding::warning("families_left_out", text));
+        out.push(Finding::warning("families_left_out", "nonlinear-response-families-left-out"));
     }
     out
 }
 
 /// A search that is not complete shows no absence.
-fn stopped(cut: &Cut, none: bool) -> Finding {
+fn stopped(cut: &Cut) -> Finding {
     if cut.speeds.1 == 0 {
-        let text = "The search for further states was not begun: the branches from the ends of the range were stopped, or took all points allowed. Whether \
-                    there are such states is not known.";
-        return Finding::info("further_states_unknown", text);
+        return Finding::info("further_states_unknown", "nonlinear-response-search-not-begun");
     }
-    let of = |(made, all): (usize, usize)| format!("{made} of {all}");
-    let in_time = if cut.in_time.1 > 0 { format!(" and {} starts in time", of(cut.in_time)) } else { String::new() };
-    let text = format!(
-        "The search for further states is not complete: it was done at {} speeds, and {} starts of any size and phase{in_time} were made. Whether there \
-         are {} is not known.",
-        of(cut.speeds),
-        of(cut.starts),
-        if none { "such states" } else { "more of them" },
-    );
-    Finding::info("further_states_unknown", text)
+    let mut finding = Finding::info("further_states_unknown", "nonlinear-response-search-stopped")
+        .arg("speeds", Arg::count(cut.speeds.0))
+        .arg("all-speeds", Arg::count(cut.speeds.1))
+        .arg("starts", Arg::count(cut.starts.0))
+        .arg("all-starts", Arg::count(cut.starts.1));
+    let in_time = Message::new("nonlinear-response-search-in-time");
+    let in_time = in_time.arg("starts", Arg::count(cut.in_time.0)).arg("all-starts", Arg::count(cut.in_time.1));
+    finding.notes.extend((cut.in_time.1 > 0).then_some(in_time));
+    finding
 }

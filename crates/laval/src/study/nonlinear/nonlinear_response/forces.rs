@@ -1,8 +1,8 @@
-//! What is said of the forces of bearings and to the ground: the largest, and where the force of a bearing nearly vanishes.
+//! Findings about the forces of bearings and to the ground: the largest, and where the force of a bearing nearly vanishes.
 
 use super::measuring::Measuring;
 use super::shown::Shown;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::peak::{Peak, Sense};
 use crate::solve::harmonic::branches::response::{Request, Response};
@@ -94,30 +94,28 @@ impl Shown<'_> {
         for e in &self.measured.forces {
             let name = &self.system.slots()[e.slot].name;
             let (force, speed) = e.refined.as_ref().map_or(e.largest, |p| (p.value, p.speed));
-            let so_far = if rising { " up to where the states were left" } else { "" };
-            let text = format!("The largest steady force of \"{name}\"{so_far} is {{}}, at {} rad/s.", significant(speed, 6));
             let of = |f: &dyn Fn(&Peak) -> f64| e.refined.as_ref().map_or(f64::NAN, f);
-            out.push(
-                Finding::info("largest_force", text)
-                    .of(name)
-                    .value(force, "N")
-                    .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
-                    .evidence("scaled residual", of(&|p| p.residual), "")
-                    .evidence("speed", speed, "rad/s"),
-            );
+            let mut finding = Finding::info("largest_force", "nonlinear-response-largest-force")
+                .of(name)
+                .value(force, "N")
+                .arg("part", Arg::name(name))
+                .arg("speed", Arg::speed(speed))
+                .evidence("width of the bracket", of(&|p| (p.bracket.0 - p.bracket.1).abs()), "rad/s")
+                .evidence("scaled residual", of(&|p| p.residual), "")
+                .evidence("speed", speed, "rad/s");
+            finding.notes.extend(rising.then(|| Message::new("nonlinear-response-largest-force-left")));
+            out.push(finding);
         }
         for e in &self.measured.forces {
             let name = &self.system.slots()[e.slot].name;
             for (p, share) in &e.vanishing {
-                let text = format!(
-                    "The force of \"{name}\" nearly vanishes at {{}}: it falls to {} N there, {} % of what it is on both sides.",
-                    significant(p.value, 4),
-                    significant(100.0 * share, 2)
-                );
                 out.push(
-                    Finding::info("vanishing_force", text)
+                    Finding::info("vanishing_force", "nonlinear-response-antiresonance")
                         .of(name)
                         .value(p.speed, "rad/s")
+                        .arg("part", Arg::name(name))
+                        .arg("force", Arg::quantity(p.value, "N"))
+                        .arg("share", Arg::percent(*share))
                         .evidence("width of the bracket", (p.bracket.0 - p.bracket.1).abs(), "rad/s")
                         .evidence("force there", p.value, "N")
                         .evidence("scaled residual", p.residual, ""),

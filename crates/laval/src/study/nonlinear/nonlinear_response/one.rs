@@ -2,10 +2,11 @@
 //!
 //! They are those of the branches over a narrow range about it, corrected at the speed itself.
 
+use super::shown::{holder, quality};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{End, Finding, Outcome, Table, quantity};
+use crate::outcome::{Arg, End, Finding, Message, Outcome, Table, quantity};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Request, Response};
@@ -95,7 +96,7 @@ pub(super) fn motions(
     Ok(out)
 }
 
-/// What is said of the motions at a speed.
+/// Findings and the table of the motions at a speed.
 pub(super) fn outcome(
     kind: &str,
     system: &System,
@@ -114,30 +115,35 @@ pub(super) fn outcome(
     }
     let (at, count) = (quantity(speed, "rad/s"), found.len());
     if found.is_empty() {
-        let text = match complete {
-            true => format!("No periodic motion was found at {at}: a transient shows the motion there."),
-            false => format!("No periodic motion was found at {at} before the study stopped."),
+        let finding = match complete {
+            true => Finding::warning("no_motion", "nonlinear-response-no-motion"),
+            false => Finding::warning("no_motion", "nonlinear-response-no-motion-stopped"),
         };
-        outcome = outcome.finding(Finding::warning("no_motion", text));
+        outcome = outcome.finding(finding.arg("speed", Arg::speed(speed)));
     } else if found.iter().all(|m| m.stability() == "unstable") {
-        let text = format!(
-            "At {at} {}: a transient shows the motion there.",
-            if count == 1 { "the only motion found is unstable" } else { "all motions found are unstable" }
-        );
-        outcome = outcome.finding(Finding::warning("unstable", text));
+        let finding = Finding::warning("unstable", "nonlinear-response-all-unstable");
+        outcome = outcome.finding(finding.arg("speed", Arg::speed(speed)).arg("count", Arg::count(count)));
     }
     let sizes = found.iter().flat_map(|m| probes.iter().zip(m.amplitudes.iter().copied()));
-    let unforced = if probes::unforced(system, &[SpinSpeeds::one(speed)], sizes) { " Nothing forces the machine." } else { "" };
+    let unforced = probes::unforced(system, &[SpinSpeeds::one(speed)], sizes);
     for (k, m) in found.iter().enumerate() {
-        let which = if count == 1 { "the steady motion".to_string() } else { format!("steady motion {} of {count}", k + 1) };
-        let period = if m.turns == 1 { String::new() } else { format!(", repeats after {} turns", m.turns) };
         // of a body that only tilts its tilt is reported
         let reported = |(p, a): &(&Probe, &f64)| p.is_tilt() || !tilts(p.body) || !probes::still(p, **a, loud, probes::ROUNDING);
         for (p, a) in probes.iter().zip(&m.amplitudes).filter(reported) {
-            let (what, owner) = (probes::quality(p), probes::owner(p));
-            let text = format!("At {at} {which} is {}{period}; its largest {what} of \"{owner}\" is {{}}.{unforced}", m.stability());
             let id = if p.is_tilt() { "steady_tilt" } else { "steady_motion" };
-            let finding = Finding::info(id, text).of(format!("{} {owner}", k + 1)).value(*a, p.unit());
+            let mut finding = Finding::info(id, "nonlinear-response-steady")
+                .of(format!("{} {}", k + 1, probes::owner(p)))
+                .value(*a, p.unit())
+                .arg("speed", Arg::speed(speed))
+                .arg("quality", quality(p))
+                .arg("body", holder(p))
+                .arg("number", Arg::count(k + 1))
+                .arg("count", Arg::count(count))
+                .arg("stability", Arg::word(if m.growth.0.is_nan() { "unknown" } else { m.stability() }));
+            if m.turns > 1 {
+                finding.notes.push(Message::new("nonlinear-response-period").arg("turns", Arg::count(m.turns)));
+            }
+            finding.notes.extend(unforced.then(|| Message::new("nonlinear-response-no-excitation")));
             outcome = outcome.finding(finding.evidence("largest growth rate", m.growth.0, "1/s").evidence("error", m.growth.1, "1/s"));
         }
     }

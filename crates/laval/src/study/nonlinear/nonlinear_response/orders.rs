@@ -4,9 +4,9 @@
 //! at which the semi-major axis passes the threshold are solved for between neighbouring points, and the largest value between them likewise.
 
 use super::measuring::Measuring;
-use super::shown::{Shown, words};
+use super::shown::{Shown, branch};
 use super::tables::label;
-use crate::outcome::{Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::Balance;
 use crate::solve::harmonic::branches::response::{Response, State, Traced};
@@ -29,10 +29,10 @@ fn axis(w: Whirl) -> f64 {
     w.0 + w.1
 }
 
-/// In which sense an ellipse is run through.
+/// In which sense an ellipse is run through: forward, backward, or along a line.
 fn sense((forward, backward): Whirl) -> &'static str {
     if (forward - backward).abs() <= LINE * forward.max(backward) {
-        "along a line"
+        "line"
     } else if forward > backward {
         "forward"
     } else {
@@ -266,32 +266,37 @@ impl Shown<'_> {
     }
 
     fn order_findings(&self, response: &Response, stretches: &[Stretch], threshold: f64) -> Vec<Finding> {
-        let limit = quantity(threshold, "m");
+        let limit = || Arg::quantity(threshold, "m");
         if stretches.is_empty() {
-            let text = format!(
-                "No order beside the synchronous one exceeds {limit} on any state: no body has a sub- or superharmonic that large."
-            );
-            return vec![Finding::info("no_orders", text)];
+            return vec![Finding::info("no_orders", "nonlinear-response-no-orders").arg("limit", limit())];
         }
         let mut sorted: Vec<&Stretch> = stretches.iter().collect();
         sorted.sort_by(|a, b| axis(b.largest).total_cmp(&axis(a.largest)));
         let mut out: Vec<Finding> = Vec::new();
         for s in sorted.iter().take(MOST) {
-            let branch = &response.branches[s.branch];
-            let (name, order) = (&self.bodies[s.body], number(s.order, branch.turns()));
+            let traced = &response.branches[s.branch];
+            let (name, turns) = (&self.bodies[s.body], traced.turns());
+            let (order, divisor) = ratio(s.order, turns);
             let [first, last] = s.ends;
-            let part = kind(s.order, branch.turns());
-            let what = format!("The {part} of order {order} of \"{name}\", {}, exceeds {limit}", sense(s.largest));
-            let states = words(branch.origin);
-            let reached = format!("it reaches {} at {} rad/s", quantity(axis(s.largest), "m"), significant(s.at, 6));
-            let end = significant(last.speed, 6);
-            let text = match (first.cut, last.cut) {
-                (true, true) => format!("{what} on all states {states}, from {{}} to {end} rad/s; {reached}."),
-                (false, false) => format!("{what} from {{}} to {end} rad/s on states {states}; {reached}."),
-                (true, false) => format!("{what} up to {end} rad/s on states {states}, which begin at {{}}; {reached}."),
-                (false, true) => format!("{what} from {{}} on on states {states}, which end at {end} rad/s; {reached}."),
+            let extent = match (first.cut, last.cut) {
+                (true, true) => "all",
+                (false, false) => "inside",
+                (true, false) => "begins",
+                (false, true) => "ends",
             };
-            let f = Finding::info(format!("{}_range", kind(s.order, branch.turns())), text).of(format!("{name} order {order}"));
+            let f = Finding::info(format!("{}_range", kind(s.order, turns)), "nonlinear-response-order-range")
+                .of(format!("{name} order {}", number(s.order, turns)))
+                .arg("kind", Arg::word(kind(s.order, turns)))
+                .arg("order", Arg::count(order))
+                .arg("divisor", Arg::count(divisor))
+                .arg("body", Arg::name(name))
+                .arg("limit", limit())
+                .arg("extent", Arg::word(extent))
+                .arg("to", Arg::speed(last.speed))
+                .arg("branch", branch(traced.origin))
+                .arg("largest", Arg::quantity(axis(s.largest), "m"))
+                .arg("speed", Arg::speed(s.at))
+                .arg("sense", Arg::word(sense(s.largest)));
             let f = f.value(first.speed, "rad/s").evidence("end", last.speed, "rad/s");
             let f = f.evidence("largest amplitude", axis(s.largest), "m").evidence("its speed", s.at, "rad/s");
             let f = f.evidence("forward amplitude there", s.largest.0, "m").evidence("backward amplitude there", s.largest.1, "m");
@@ -299,8 +304,8 @@ impl Shown<'_> {
             out.push(f.evidence("scaled residual", first.residual, ""));
         }
         if sorted.len() > MOST {
-            let text = format!("{} more ranges of orders above {limit} are listed as special points.", sorted.len() - MOST);
-            out.push(Finding::info("more_orders", text));
+            let more = Finding::info("more_orders", "nonlinear-response-more-orders");
+            out.push(more.arg("more", Arg::count(sorted.len() - MOST)).arg("limit", limit()));
         }
         out
     }
@@ -447,6 +452,6 @@ mod tests {
         assert_eq!((number(6, 3), kind(6, 3)), ("2".into(), "superharmonic"));
         assert_eq!((number(5, 3), kind(5, 3)), ("5/3".into(), "component"));
         assert_eq!((number(2, 4), kind(2, 4)), ("1/2".into(), "subharmonic"));
-        assert_eq!([sense((2.0, 1.0)), sense((1.0, 2.0)), sense((1.0, 1.0))], ["forward", "backward", "along a line"]);
+        assert_eq!([sense((2.0, 1.0)), sense((1.0, 2.0)), sense((1.0, 1.0))], ["forward", "backward", "line"]);
     }
 }

@@ -1,8 +1,8 @@
-//! What is said of self-centring: the displacement that a rotor tends to at ever higher speed, and how far from it the machine is at the top of the range.
+//! Findings about self-centring: the displacement that a rotor tends to at ever higher speed, and how far from it the machine is at the top of the range.
 
 use super::measuring::Measuring;
 use super::shown::Shown;
-use crate::outcome::{Finding, quantity, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::centring::{Limit, limit};
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::response::{Response, Traced};
@@ -138,40 +138,36 @@ impl Shown<'_> {
         for a in &c.bodies {
             let name = &self.bodies[a.body];
             let deviation = a.deviation();
-            let held = if a.stable { "" } else { " (that state does not last)" };
-            let mut text = format!(
-                "Self-centring: at ever higher speed \"{name}\" turns with a displacement of {{}}. At {} rad/s it has {}{held}; in size and direction together that is {} % from \
-                 there",
-                significant(a.speed, 5),
-                quantity(a.displacement.abs(), "m"),
-                significant(100.0 * deviation, 3),
-            );
-            if a.settled {
-                text += &format!(", which falls like speed^{}", significant(a.power, 3));
-            }
+            let mut notes = Vec::new();
+            let close = |key: &str, from: f64| Message::new(key).arg("close", Arg::percent(CLOSE)).arg("from", Arg::speed(from));
             match a.reached {
-                Some(speed) => text += &format!(". It is within 1 % from {} rad/s on", significant(speed, 3)),
+                Some(speed) => notes.push(close("nonlinear-response-centred", speed)),
                 None if a.settled && deviation > CLOSE => {
-                    let close = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
-                    text += &format!(", and is within 1 % of it near {} rad/s", significant(close, 3));
+                    let speed = a.speed.abs() * (deviation / CLOSE).powf(-1.0 / a.power);
+                    notes.push(close("nonlinear-response-centred-beyond", speed));
                 }
                 None => (),
             }
-            text.push('.');
-            out.push(
-                Finding::info("self_centring", text)
-                    .of(name)
-                    .value(a.limit.abs(), "m")
-                    .evidence("displacement at the top of the range, first order", a.displacement.abs(), "m")
-                    .evidence("relative difference there", deviation, "")
-                    .evidence("d ln difference / d ln speed", a.power, "")
-                    .evidence("change of the limit from a tenth of the speed it was taken at", c.limit.change, ""),
-            );
+            if !a.stable {
+                notes.push(Message::new("nonlinear-response-centring-unstable").arg("speed", Arg::speed(a.speed)));
+            }
+            let mut finding = Finding::info("self_centring", "nonlinear-response-self-centring")
+                .of(name)
+                .value(a.limit.abs(), "m")
+                .arg("body", Arg::name(name))
+                .arg("speed", Arg::speed(a.speed))
+                .arg("amplitude", Arg::quantity(a.displacement.abs(), "m"))
+                .arg("difference", Arg::percent(deviation))
+                .evidence("displacement at the top of the range, first order", a.displacement.abs(), "m")
+                .evidence("relative difference there", deviation, "")
+                .evidence("d ln difference / d ln speed", a.power, "")
+                .evidence("change of the limit from a tenth of the speed it was taken at", c.limit.change, "");
+            finding.notes = notes;
+            out.push(finding);
         }
         for (slot, force) in self.force_limits() {
             let name = &self.system.slots()[slot].name;
-            let text = format!("The force of \"{name}\" does not vanish at high speed: on the branch of small motions it tends to {{}}.");
-            out.push(Finding::info("force_limit", text).of(name).value(force, "N"));
+            out.push(Finding::info("force_limit", "nonlinear-response-force-limit").of(name).value(force, "N").arg("part", Arg::name(name)));
         }
         out
     }

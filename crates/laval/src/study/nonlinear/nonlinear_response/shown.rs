@@ -6,7 +6,7 @@ use super::result::Measured;
 use super::tables::{branch_table, change_table};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{self, Outcome, SpecialPoint, Status, significant};
+use crate::outcome::{self, Arg, Message, Outcome, SpecialPoint, Status, significant};
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::measure::Measure;
 use crate::solve::harmonic::branches::response::{Fold, Request, Response, State, States, Traced};
@@ -42,6 +42,12 @@ impl<'a> Shown<'a> {
     /// The largest displacement of all.
     pub(super) fn most(&self) -> Option<&Largest> {
         self.measured.largest.iter().reduce(|a, b| if b.best().0 > a.best().0 { b } else { a })
+    }
+
+    /// The body or the point of a body that has this displacement.
+    pub(super) fn place(&self, l: &Largest) -> Arg {
+        let own = self.probes.iter().find(|p| !p.is_tilt() && probes::owner(p) == l.owner);
+        own.map_or_else(|| Arg::name(&l.owner), holder)
     }
 
     /// Nothing moves, because nothing forces the machine.
@@ -108,7 +114,32 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// After "states": which ones.
+/// Which branch, as a phrase behind "the branch".
+pub(super) fn branch(origin: Origin) -> Message {
+    let of = |word| Message::new("nonlinear-response-branch").arg("origin", Arg::word(word));
+    match origin {
+        Origin::Low => of("low"),
+        Origin::High => of("high"),
+        Origin::Broken(_, w) => of("broken").arg("speed", Arg::speed(w)),
+        Origin::Doubled(_, w) => of("doubled").arg("speed", Arg::speed(w)),
+        Origin::Crossing(_, w) => of("crossing").arg("speed", Arg::speed(w)),
+        Origin::Mixed => of("mixed"),
+        Origin::Subharmonic(nu) => of("subharmonic").arg("turns", Arg::count(nu)),
+        Origin::Start => of("start"),
+    }
+}
+
+/// The body or the point of a body whose displacement or tilt a sentence names.
+pub(in crate::study) fn holder(probe: &Probe) -> Arg {
+    if probe.is_tilt() { Message::new("body").arg("body", Arg::name(&probe.name)).into() } else { probes::arg(probe) }
+}
+
+/// The word by which a sentence says displacement or tilt.
+pub(in crate::study) fn quality(probe: &Probe) -> Arg {
+    Arg::word(probes::quality(probe))
+}
+
+/// Where a branch comes from, in the tables.
 pub(super) fn words(origin: Origin) -> String {
     let at = |w: f64| significant(w, 5);
     match origin {

@@ -1,10 +1,11 @@
-//! What is said of changes of stability, and of assessing it again by other methods.
+//! Findings about changes of stability, and about assessing it again by other methods.
 
 use super::stretches::stretch_of;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::harmonic::branches::agreement::{Agreement, TOLERANCE};
 use crate::solve::harmonic::branches::bifurcation::{Change, Event};
 use crate::solve::harmonic::branches::response::{Response, Traced};
+use crate::solve::harmonic::stability::floquet::Unassessed;
 use crate::study::shared::support::larger;
 
 /// Changes listed one by one at most.
@@ -16,9 +17,7 @@ pub(super) fn changes(response: &Response) -> Vec<Finding> {
     let mut out: Vec<Finding> = all().filter_map(|(b, c)| change(b, c)).take(MOST).collect();
     let more = all().count() - out.len();
     if more > 0 {
-        let text = format!("{more} more bifurcations are listed in the table, most of them of states that are unstable on both sides.");
-        let text = if more == 1 { "One more bifurcation is listed in the table.".into() } else { text };
-        out.push(Finding::info("more_bifurcations", text));
+        out.push(Finding::info("more_bifurcations", "nonlinear-response-more-bifurcations").arg("more", Arg::count(more)));
     }
     out
 }
@@ -32,50 +31,47 @@ fn change(branch: &Traced, c: &Change) -> Option<Finding> {
     // along rising speed, whichever way the branch runs
     let rising = b.speed.abs() > a.speed.abs();
     let lost = a.stable() == rising;
-    let what = match c.event {
-        Event::NeimarkSacker => {
-            let disturbance = if c.frequency.is_finite() {
-                format!("a disturbance of {} rad/s, beside the spin,", significant(c.frequency, 5))
-            } else {
-                "a disturbance beside the spin".into()
-            };
-            format!("Neimark-Sacker: {disturbance} {}", if lost { "begins to grow" } else { "dies out above it" })
-        }
-        Event::PeriodDoubling => "period doubling: every other turn of the rotor begins to differ".into(),
-        Event::SymmetryBreaking => "symmetry breaking: the orbit loses its symmetry, and less symmetric states branch off".into(),
-        Event::BranchPoint => "branch point: other states cross".into(),
+    let way = Arg::word(if lost { "lost" } else { "gained" });
+    let event = match c.event {
+        Event::NeimarkSacker if c.frequency.is_finite() => "neimark-sacker",
+        Event::NeimarkSacker => "torus",
+        Event::PeriodDoubling => "period-doubling",
+        Event::SymmetryBreaking => "symmetry-breaking",
+        Event::BranchPoint => "branch-point",
     };
-    let way = if lost { "lose their stability" } else { "become stable" };
+    let event = Message::new("nonlinear-response-event").arg("kind", Arg::word(event)).arg("way", way.clone());
+    let event = if c.frequency.is_finite() { event.arg("frequency", Arg::frequency(c.frequency)) } else { event };
     let (from, to) = (c.bracket.0.min(c.bracket.1), c.bracket.0.max(c.bracket.1));
-    let place =
-        if c.located { "at {}".into() } else { format!("near {{}}, between {} and {} rad/s", significant(from, 5), significant(to, 5)) };
-    let text = format!("With rising speed the states {} {way} {place} ({what}).", stretch_of(branch, c.after)?.words());
     let id = if lost { "stability_lost" } else { "stability_gained" };
-    let finding = Finding::warning(id, text).of(c.event.name()).value(c.speed, "rad/s").evidence("growth rate there", c.growth, "1/s");
+    let finding = Finding::warning(id, "nonlinear-response-stability")
+        .of(c.event.name())
+        .value(c.speed, "rad/s")
+        .arg("stretch", stretch_of(branch, c.after)?.phrase())
+        .arg("way", way)
+        .arg("place", Arg::word(if c.located { "located" } else { "bracketed" }))
+        .arg("from", Arg::speed(from))
+        .arg("to", Arg::speed(to))
+        .arg("event", event)
+        .evidence("growth rate there", c.growth, "1/s");
     let finding = if c.frequency.is_finite() { finding.evidence("frequency of the disturbance", c.frequency, "rad/s") } else { finding };
     Some(finding.evidence("width of the bracket", to - from, "rad/s"))
 }
 
 /// What the other methods say.
 pub(super) fn checked(a: &Agreement) -> Finding {
-    let text = match (a.contradictions, a.assessed) {
-        (_, [0, 0]) => {
-            let why = a.failed.clone().unwrap_or_else(|| "no state was assessed".into());
-            return Finding::warning("stability_not_checked", format!("Stability could not be assessed a second time: {why}."));
-        }
-        (0, _) => format!(
-            "Stability of {} states was assessed again by two methods that use no symmetry; growth rates differ by {{}} at most.",
-            a.states
-        ),
-        (n, _) => format!(
-            "Stability of {} states was assessed again by two methods that use no symmetry; {n} of them are called stable by one and unstable by another, \
-             and growth rates differ by {{}}.",
-            a.states
-        ),
-    };
+    if a.assessed == [0, 0] {
+        return match &a.failed {
+            Some(why) => Finding::warning("stability_not_checked", "nonlinear-response-stability-not-checked").arg("why", Arg::term(why)),
+            None => Finding::warning("stability_not_checked", "nonlinear-response-nothing-checked"),
+        };
+    }
     let worst = larger(a.difference[0], a.difference[1]);
-    let finding =
-        if a.contradictions == 0 { Finding::info("stability_checked", text) } else { Finding::warning("stability_contradicted", text) };
+    let finding = match a.contradictions {
+        0 => Finding::info("stability_checked", "nonlinear-response-stability-checked").arg("states", Arg::count(a.states)),
+        n => Finding::warning("stability_contradicted", "nonlinear-response-stability-contradicted")
+            .arg("contradictions", Arg::count(n))
+            .arg("checks", Arg::count(a.assessed[0] + a.assessed[1])),
+    };
     let difference = |k: usize| if a.assessed[k] > 0 { a.difference[k] } else { f64::NAN };
     finding
         .value(worst, "1/s")
@@ -83,4 +79,16 @@ pub(super) fn checked(a: &Agreement) -> Finding {
         .evidence("its largest difference of a growth rate", difference(0), "1/s")
         .evidence("Hill's method without sorting: states", a.assessed[1] as f64, "")
         .evidence("its largest difference of a growth rate", difference(1), "1/s")
+}
+
+/// Why stability was not assessed, as a phrase behind a colon.
+pub(in crate::study) fn unassessed(why: &Unassessed) -> Message {
+    let because = |word| Message::new("nonlinear-response-unassessed").arg("why", Arg::word(word));
+    match why {
+        Unassessed::NoTimeForm(part, cause) => because("no-time-form").arg("part", Arg::name(part)).arg("cause", Arg::term(*cause)),
+        Unassessed::TooManyStates(n) => because("states").arg("states", Arg::count(*n)),
+        Unassessed::Massless => because("massless"),
+        Unassessed::Jumps(part) => because("jumps").arg("part", Arg::name(part)),
+        Unassessed::Failed(cause) => because("failed").arg("cause", Arg::term(cause)),
+    }
 }

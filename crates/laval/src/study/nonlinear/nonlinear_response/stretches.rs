@@ -1,9 +1,9 @@
 //! Stretches of a branch from fold to fold: each holds one state at a speed, and is stable or not by itself.
 
-use super::shown::words;
-use crate::outcome::significant;
+use super::shown::branch;
+use crate::outcome::{Arg, Message};
 use crate::solve::harmonic::branches::response::{Fold, State, Traced};
-use crate::study::shared::support::runs;
+use crate::study::shared::support::{place, runs};
 use std::ops::Range;
 
 /// A frequency this small, relative to the spin, is none.
@@ -34,15 +34,15 @@ pub(super) fn stretch_of(branch: &Traced, point: usize) -> Option<Stretch<'_>> {
 }
 
 impl Stretch<'_> {
-    /// After "states": which ones.
-    pub(super) fn words(&self) -> String {
-        let at = |f: &Fold| significant(f.speed, 4);
-        let states = words(self.branch.origin);
+    /// Which part of which branch, as a phrase behind "the branch".
+    pub(super) fn phrase(&self) -> Message {
+        let of = |word| Message::new("nonlinear-response-stretch").arg("place", Arg::word(word)).arg("branch", branch(self.branch.origin));
+        let at = |f: &Fold| Arg::speed(f.speed);
         match self.folds {
-            [None, None] => states,
-            [None, Some(f)] => format!("{states} up to their fold at {} rad/s", at(f)),
-            [Some(f), None] => format!("{states} beyond their fold at {} rad/s", at(f)),
-            [Some(a), Some(b)] => format!("{states} between their folds at {} and {} rad/s", at(a), at(b)),
+            [None, None] => of("whole"),
+            [None, Some(f)] => of("before").arg("to", at(f)),
+            [Some(f), None] => of("beyond").arg("from", at(f)),
+            [Some(a), Some(b)] => of("between").arg("from", at(a)).arg("to", at(b)),
         }
     }
 
@@ -119,15 +119,11 @@ pub(super) fn ranges_of(branch: &Traced, runs: Vec<Range<usize>>) -> Vec<(f64, f
     runs.into_iter().map(range).collect()
 }
 
-/// Ranges in words.
-pub(super) fn range_words(ranges: &[(f64, f64)]) -> String {
+/// Ranges of speed as a list of phrases, the first ones one by one.
+pub(super) fn listed(ranges: &[(f64, f64)]) -> Arg {
     const MOST: usize = 4;
-    let words = |&(from, to): &(f64, f64)| {
-        let (from, to) = (significant(from, 4), significant(to, 4));
-        if from == to { format!("at {from} rad/s") } else { format!("from {from} to {to} rad/s") }
-    };
-    let ranges: Vec<String> = ranges.iter().map(words).collect();
-    let more = ranges.len().saturating_sub(MOST);
-    let shown = ranges[..ranges.len() - more].join(", ");
-    if more > 0 { format!("{shown} and over {more} more ranges") } else { shown }
+    let shown = ranges.iter().take(MOST).map(|&(from, to)| place(from, to));
+    let more = Some(ranges.len().saturating_sub(MOST)).filter(|n| *n > 0);
+    let more = more.map(|n| Message::new("nonlinear-response-more-ranges").arg("n", Arg::count(n)));
+    Arg::List(shown.chain(more).map(Arg::from).collect())
 }

@@ -1,10 +1,10 @@
 //! What a slow sweep of the speed meets: the branches it follows, and where it jumps from one state to another.
 
-use super::findings::reason;
-use super::shown::words;
-use super::stretches::{range_words, ranges_of, unstable_runs};
+use super::findings::{reason, residual};
+use super::shown::branch;
+use super::stretches::{listed, ranges_of, unstable_runs};
 use crate::model::probe::Probe;
-use crate::outcome::{self, Finding, significant};
+use crate::outcome::{self, Arg, Finding, Message};
 use crate::solve::harmonic::branches::branch::Origin;
 use crate::solve::harmonic::branches::response::{Fold, Response, Traced};
 use crate::study::shared::probes;
@@ -135,11 +135,11 @@ fn landings(response: &Response, speed: f64, up: bool) -> Option<usize> {
 
 /// Where a slow sweep jumps, that it does not, or that its states are not known.
 pub(super) fn findings(response: &Response, up: bool, ((lo, hi), study): ((f64, f64), outcome::End), size: Size) -> Vec<Finding> {
-    let Some(branch) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
+    let Some(followed) = swept(response, up, (lo, hi)) else { return vec![unstarted(up, (lo, hi))] };
     let way = if up { "up" } else { "down" };
     let begin = begins(up, (lo, hi));
     let end = if begin == lo { hi } else { lo };
-    let jumps = jumps(response, branch, up);
+    let jumps = jumps(response, followed, up);
     if !jumps.is_empty() {
         // what lies behind states that no machine stays on is reached from elsewhere
         let reached = jumps.iter().take_while(|j| j.unstable.is_none()).count();
@@ -147,54 +147,45 @@ pub(super) fn findings(response: &Response, up: bool, ((lo, hi), study): ((f64, 
         let lost = jumps.get(reached).and_then(|j| Some(unstable(way, j, j.unstable?)));
         return reported.chain(lost).collect();
     }
-    let lost = on_the_way(branch, None, None, up);
-    let none = if branch.end == End::Reached && !lost.is_empty() {
-        let text = format!(
-            "The states of a slow sweep {way} from {} to {} rad/s go on to the end of the range without a fold, but they are unstable {}.",
-            significant(begin, 5),
-            significant(end, 5),
-            range_words(&lost)
-        );
-        Finding::info(format!("no_jump_{way}"), text)
-    } else if branch.end == End::Reached {
-        Finding::info(
-            format!("no_jump_{way}"),
-            format!(
-                "A slow sweep {way} from {} to {} rad/s meets no jump; its states go on{} to the end of the range.",
-                significant(begin, 5),
-                significant(end, 5),
-                if up && response.unclosed.is_some() { ", still growing," } else { "" }
-            ),
-        )
+    let lost = on_the_way(followed, None, None, up);
+    let range = |f: Finding| f.arg("way", Arg::word(way)).arg("from", Arg::speed(begin)).arg("to", Arg::speed(end));
+    let none = if followed.end == End::Reached && !lost.is_empty() {
+        range(Finding::info(format!("no_jump_{way}"), "nonlinear-response-no-fold")).arg("ranges", listed(&lost))
+    } else if followed.end == End::Reached {
+        let rising = up && response.unclosed.is_some();
+        range(Finding::info(format!("no_jump_{way}"), "nonlinear-response-no-jump"))
+            .arg("amplitude", Arg::word(if rising { "rising" } else { "other" }))
     } else {
-        let text = |to: &str| format!("The states of a slow sweep {way} {to} ({}).", reason(&branch.end, study));
         let id = format!("sweep_{way}_unfinished");
         // where it begins is the end that was cut off
-        let begun = branch.end != End::Cancelled || up == branch.from_low();
-        match branch.points.last().filter(|_| begun) {
-            Some(p) => Finding::warning(id, text("could be followed to {} only")).value(p.speed, "rad/s"),
-            None => Finding::warning(id, text("were not followed")),
-        }
+        let begun = followed.end != End::Cancelled || up == followed.from_low();
+        let finding = match followed.points.last().filter(|_| begun) {
+            Some(p) => Finding::warning(id, "nonlinear-response-sweep-unfinished").value(p.speed, "rad/s"),
+            None => Finding::warning(id, "nonlinear-response-sweep-not-followed"),
+        };
+        finding
+            .arg("way", Arg::word(way))
+            .arg("why", reason(&followed.end, study))
+            .evidence("scaled residual of the start", residual(&followed.end), "")
     };
     vec![none]
 }
 
 impl Jump<'_> {
-    fn reported(&self, way: &str, first: bool, size: Size) -> Finding {
-        let again = if first { "jumps" } else { "jumps again" };
-        let onto = self.onto.map_or(String::new(), |b| format!(", onto the states {}", words(b.origin)));
-        let which = match self.stable {
-            Some(0) => " None of the states followed is stable just beyond it.".into(),
-            Some(n @ 2..) => format!(" {n} states are stable there: the branches do not decide which of them it comes to."),
-            _ => String::new(),
-        };
-        let lost = match &self.on_the_way[..] {
-            [] => String::new(),
-            ranges => format!(" The states on the way to it are unstable {}: a machine does not stay on them there.", range_words(ranges)),
-        };
+    fn reported(&self, way: &'static str, first: bool, size: Size) -> Finding {
         let f = self.fold;
-        let text = format!("A slow sweep {way} {again} at {{}}{onto}.{lost}{which}");
-        let finding = Finding::info(format!("jump_{way}"), text).value(f.speed, "rad/s");
+        let mut finding = Finding::info(format!("jump_{way}"), "nonlinear-response-jump")
+            .value(f.speed, "rad/s")
+            .arg("way", Arg::word(way))
+            .arg("again", Arg::word(if first { "no" } else { "yes" }))
+            .arg("onto", self.onto.map_or(Arg::word("none"), |b| branch(b.origin).into()));
+        if !self.on_the_way.is_empty() {
+            let note = Message::new("nonlinear-response-jump-unstable-before");
+            finding.notes.push(note.arg("ranges", listed(&self.on_the_way)));
+        }
+        if let Some(n) = self.stable.filter(|n| *n != 1) {
+            finding.notes.push(Message::new("nonlinear-response-jump-landing").arg("stable", Arg::count(n)));
+        }
         let finding = match size(f) {
             Some((p, size)) => {
                 finding.evidence(format!("largest {} of \"{}\" at the fold", probes::quality(p), probes::owner(p)), size, p.unit())
@@ -215,29 +206,25 @@ fn begins(up: bool, (lo, hi): (f64, f64)) -> f64 {
 }
 
 /// That the states before a fold are unstable.
-fn unstable(way: &str, jump: &Jump, growth: f64) -> Finding {
-    let text = format!(
-        "The states of a slow sweep {way} turn back at {{}}, but before it they are unstable {}: a machine is no longer on them, and no jump is reported.",
-        range_words(&jump.on_the_way)
-    );
-    Finding::warning(format!("sweep_{way}_unstable"), text).value(jump.fold.speed, "rad/s").evidence("growth rate before it", growth, "1/s")
+fn unstable(way: &'static str, jump: &Jump, growth: f64) -> Finding {
+    Finding::warning(format!("sweep_{way}_unstable"), "nonlinear-response-sweep-unstable")
+        .value(jump.fold.speed, "rad/s")
+        .arg("way", Arg::word(way))
+        .arg("ranges", listed(&jump.on_the_way))
+        .evidence("growth rate before it", growth, "1/s")
 }
 
 /// That states at an end of the range were found there alone.
 pub(super) fn unfollowed(response: &Response) -> Vec<Finding> {
     let begun = |w: f64| response.branches.iter().any(|b| b.points.first().is_some_and(|p| p.speed == w));
-    let text = "The state at {}, an end of the range, could not be followed from beyond the range: it was found there alone, and a machine brought to this \
-                speed may be on another.";
-    let reported = |&w: &f64| Finding::info("start_not_followed", text).value(w, "rad/s");
+    let reported = |&w: &f64| Finding::info("start_not_followed", "nonlinear-response-start-not-followed").value(w, "rad/s");
     response.unfollowed.iter().filter(|w| begun(**w)).map(reported).collect()
 }
 
 /// That the states of a sweep are not known.
 fn unstarted(up: bool, speeds: (f64, f64)) -> Finding {
     let way = if up { "up" } else { "down" };
-    Finding::warning(
-        format!("sweep_{way}_unknown"),
-        format!("No periodic motion was found at {{}}, where a slow sweep {way} begins: its states are missing here. Begin at another speed, or require all states."),
-    )
-    .value(begins(up, speeds), "rad/s")
+    Finding::warning(format!("sweep_{way}_unknown"), "nonlinear-response-sweep-unknown")
+        .value(begins(up, speeds), "rad/s")
+        .arg("way", Arg::word(way))
 }

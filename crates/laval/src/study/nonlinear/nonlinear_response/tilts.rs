@@ -2,7 +2,7 @@
 
 use super::largest::Largest;
 use super::shown::Shown;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding};
 
 /// Tilt that is rounding, rad.
 const ROUNDING: f64 = 1e-12;
@@ -11,9 +11,9 @@ impl Shown<'_> {
     pub(super) fn tilt_findings(&self) -> Vec<Finding> {
         let say = |t: &Largest| {
             let (tilt, speed) = t.best();
-            let text = format!("The largest steady tilt of \"{}\" is {{}}, at {} rad/s.", t.owner, significant(speed, 6));
             let slope = t.refined.as_ref().map_or(f64::NAN, |p| p.slope.abs());
-            let finding = Finding::info("largest_tilt", text).of(&t.owner).value(tilt, "rad");
+            let finding = Finding::info("largest_tilt", "nonlinear-response-largest-tilt").of(&t.owner).value(tilt, "rad");
+            let finding = finding.arg("body", Arg::name(&t.owner)).arg("speed", Arg::speed(speed));
             finding.evidence("relative slope along the branch", slope, "").evidence("speed", speed, "rad/s")
         };
         let known = self.measured.tilts.iter().filter(|t| self.measured.tilt_rising.is_none() && t.best().0 > ROUNDING);

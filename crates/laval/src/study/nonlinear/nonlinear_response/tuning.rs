@@ -7,7 +7,7 @@ use super::measuring::Measuring;
 use super::shown::Shown;
 use crate::model::capability::body::BodyParameters;
 use crate::model::system::System;
-use crate::outcome::{Finding, significant};
+use crate::outcome::{Arg, Finding, Message};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::problem::{Balance, Discretisation};
 use crate::solve::harmonic::branches::measure::Measure;
@@ -109,25 +109,27 @@ impl Shown<'_> {
     pub(super) fn tuning_findings(&self) -> Vec<Finding> {
         let say = |t: &Tuned| {
             let name = &self.system.slots()[t.slot].name;
-            let lasts = match t.stable {
-                Some(true) => "; that state is stable".to_string(),
-                Some(false) => format!("; but that state grows at {} 1/s and does not last", significant(t.growth, 4)),
-                None => "; its stability was not assessed".to_string(),
+            let stability = match t.stable {
+                Some(true) => "stable",
+                Some(false) => "unstable",
+                None => "unknown",
             };
-            let text = format!(
-                "At the machine's {} rad/s the force of \"{name}\" on the branch of small motions would fall from {} N to {} N with a stiffness of \"{}\" of {{}} \
-                 (mass times speed squared; it has {} N/m){lasts}.",
-                significant(t.speed, 5),
-                significant(t.force[0], 4),
-                significant(t.force[1], 4),
-                t.body,
-                significant(t.stiffness[0], 4),
-            );
-            let warn = t.stable == Some(false);
-            let finding = if warn { Finding::warning("foundation_tuning", text) } else { Finding::info("foundation_tuning", text) };
+            let mut finding = if t.stable == Some(false) {
+                Finding::warning("foundation_tuning", "nonlinear-response-tuning")
+            } else {
+                Finding::info("foundation_tuning", "nonlinear-response-tuning")
+            };
+            let tuned = Message::new("nonlinear-response-tuned").arg("stability", Arg::word(stability));
+            finding.notes.push(tuned.arg("growth", Arg::quantity(t.growth, "1/s")));
             finding
                 .of(name)
                 .value(t.stiffness[1], "N/m")
+                .arg("part", Arg::name(name))
+                .arg("body", Arg::name(&t.body))
+                .arg("speed", Arg::speed(t.speed))
+                .arg("stiffness", Arg::quantity(t.stiffness[0], "N/m"))
+                .arg("before", Arg::quantity(t.force[0], "N"))
+                .arg("after", Arg::quantity(t.force[1], "N"))
                 .evidence("force when tuned", t.force[1], "N")
                 .evidence("force as it is", t.force[0], "N")
                 .evidence("growth rate when tuned", t.growth, "1/s")
