@@ -18,7 +18,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{self, Axis, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity, significant};
+use crate::outcome::{self, Arg, Axis, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Table, quantity};
 use crate::solve::harmonic::free::backbone::{Family, Motion, Origin, Request, admit, backbone};
 use crate::solve::symmetry::Symmetry;
 use crate::study::shared::probes;
@@ -56,6 +56,9 @@ fn turning(motions: &[Motion]) -> Option<&Motion> {
 
 /// Relative change of a frequency that is none.
 const STEADY: f64 = 1e-7;
+
+/// Relative change of a frequency that four digits may not show.
+const ALIKE: f64 = 1e-3;
 
 /// Drive over frequency that is rounding: the machine is undamped.
 const ROUNDING: f64 = 1e-10;
@@ -191,43 +194,27 @@ impl Shown<'_> {
             out.extend(self.family(k, f));
         }
         if found.families.is_empty() {
-            out.push(Finding::warning("no_family", "No free whirl of the nonlinear machine was found at this speed."));
+            out.push(Finding::warning("no_family", "backbone-no-family"));
         }
         let motions = || found.families.iter().flat_map(|f| &f.motions);
         let driven = motions().map(|m| (m.drive.abs(), m.frequency.abs())).max_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
         if let Some((drive, w)) = driven {
             out.push(if drive <= ROUNDING * w {
-                Finding::info("undamped", "Nothing damps these whirls: they go on by themselves, at all amplitudes computed.")
-                    .evidence("largest drive over frequency", drive / w, "")
+                Finding::info("undamped", "backbone-undamped").evidence("largest drive over frequency", drive / w, "")
             } else {
-                Finding::info(
-                    "driven",
-                    "The machine is damped: these whirls are those a drive proportional to mass keeps up, of {} at most (as much negative damping per \
-                     mass).",
-                )
-                .value(drive, "1/s")
-                .evidence("frequency", w, "rad/s")
+                Finding::info("driven", "backbone-driven").value(drive, "1/s").evidence("frequency", w, "rad/s")
             });
         }
         for m in &found.modes {
-            if let Some(why) = m.left.filter(|w| w.starts_with("inside")) {
-                let text =
-                    format!("No family begins at the linear mode of {{}}: it is {why}, growing at {} 1/s.", significant(m.value.re, 4));
-                out.push(Finding::warning("merged_modes", text).value(m.value.im, "rad/s"));
+            if m.left.is_some_and(|why| why.starts_with("inside")) {
+                let finding = Finding::warning("merged_modes", "backbone-merged-modes").value_as(Arg::frequency(m.value.im));
+                out.push(finding.arg("growth", Arg::quantity(m.value.re, "1/s")));
             }
         }
-        let asymptotes: Vec<String> = found.asymptotes.iter().map(|a| significant(a.value.im, 6)).collect();
+        let asymptotes: Vec<Arg> = found.asymptotes.iter().map(|a| Arg::frequency(a.value.im)).collect();
         if !asymptotes.is_empty() {
-            out.push(
-                Finding::info(
-                    "asymptotes",
-                    format!(
-                        "With the nonlinear parts rigid the machine whirls at {} rad/s: there amplitudes of a hardening machine have no bound.",
-                        asymptotes.join(", ")
-                    ),
-                )
-                .value(asymptotes.len() as f64, ""),
-            );
+            let finding = Finding::info("asymptotes", "backbone-asymptotes").value(asymptotes.len() as f64, "");
+            out.push(finding.arg("n", Arg::count(asymptotes.len())).arg("frequencies", Arg::List(asymptotes)));
         }
         let kept = found.discretisation.harmonics;
         out.extend(short(self.request.harmonics, self.request.truncation, motions().map(|m| m.truncation), kept));
@@ -240,72 +227,63 @@ impl Shown<'_> {
         let (Some(first), Some(last)) = (f.motions.first(), f.motions.last()) else { return out };
         let name = format!("family {}", k + 1);
         let named = self.named(f);
-        let turns = if self.directed() { if named < 0.0 { " backward" } else { " forward" } } else { "" };
-        let six = |w: f64| format!("{} rad/s", significant(w, 6));
-        let word = match last.frequency.abs() / first.frequency.abs() - 1.0 {
-            change if change.abs() <= STEADY => "keeps its frequency",
-            change if change > 0.0 => "hardens",
-            _ => "softens",
+        let whirl = match self.directed() {
+            true if named < 0.0 => "backward",
+            true => "forward",
+            false => "none",
         };
-        let turning = turning(&f.motions).map_or_else(String::new, |m| {
-            let before = if m.frequency.abs() > first.frequency.abs() { "hardens" } else { "softens" };
-            format!(" It first {before}, to {} at {}.", six(m.frequency), quantity(m.amplitude, "m"))
-        });
-        let text = match f.origin {
-            Origin::Mode(_) => format!(
-                "The{turns} whirl of {{}} {word}{}: {} at {}, {} at {}.{turning}",
-                if word.starts_with("keeps") { " at all amplitudes computed" } else { " with its amplitude" },
-                six(first.frequency),
-                quantity(first.amplitude, "m"),
-                six(last.frequency),
-                quantity(last.amplitude, "m"),
-            ),
+        let change = last.frequency.abs() / first.frequency.abs() - 1.0;
+        // more digits where the change is small
+        let frequency = |w: f64| if change.abs() < ALIKE { Arg::frequency(w).digits(6) } else { Arg::frequency(w) };
+        let trend = |hardens: bool| Arg::word(if hardens { "hardens" } else { "softens" });
+        let mut finding = match f.origin {
+            Origin::Mode(_) if change.abs() <= STEADY => Finding::info("family", "backbone-family-constant"),
+            Origin::Mode(_) => {
+                let finding = Finding::info("family", "backbone-family").arg("trend", trend(change > 0.0));
+                finding.arg("first", frequency(first.frequency)).arg("last", frequency(last.frequency))
+            }
             Origin::Asymptote(a) => {
                 let least = f.motions.iter().map(|m| m.amplitude).fold(f64::INFINITY, f64::min);
-                format!(
-                    "A family of{turns} whirls beside the asymptote at {} rad/s begins at no linear mode: from {{}} at {} it goes down to {} and ends at {} \
-                     with {}.",
-                    significant(self.found.asymptotes.get(a).map_or(f64::NAN, |a| a.value.im), 6),
-                    quantity(first.amplitude, "m"),
-                    quantity(least, "m"),
-                    quantity(last.frequency, "rad/s"),
-                    quantity(last.amplitude, "m"),
-                )
+                Finding::info("family", "backbone-family-beside-asymptote")
+                    .arg("asymptote", Arg::frequency(self.found.asymptotes.get(a).map_or(f64::NAN, |a| a.value.im)))
+                    .arg("least", Arg::quantity(least, "m"))
+                    .arg("last", Arg::frequency(last.frequency))
             }
         };
+        if let (Origin::Mode(_), Some(m)) = (f.origin, turning(&f.motions)) {
+            let note = Message::new("backbone-turning").arg("trend", trend(m.frequency.abs() > first.frequency.abs()));
+            finding.notes.push(note.arg("frequency", frequency(m.frequency)).arg("amplitude", Arg::quantity(m.amplitude, "m")));
+        }
         let residual = largest(f.motions.iter().map(|m| m.residual));
         out.push(
-            Finding::info("family", text).of(&name).value(named, "rad/s").evidence("scaled residual, worst point", residual, "").evidence(
-                "orders kept",
-                self.found.discretisation.harmonics as f64,
-                "",
-            ),
+            finding
+                .of(&name)
+                .value_as(Arg::frequency(named))
+                .arg("whirl", Arg::word(whirl))
+                .arg("first-amplitude", Arg::quantity(first.amplitude, "m"))
+                .arg("last-amplitude", Arg::quantity(last.amplitude, "m"))
+                .evidence("scaled residual, worst point", residual, "")
+                .evidence("orders kept", self.found.discretisation.harmonics as f64, ""),
         );
         for (a, bracket) in &f.synchronous {
-            out.push(
-                Finding::info(
-                    "synchronous",
-                    "At an amplitude of {} this whirl has the frequency of the spin: unbalance would meet it there.",
-                )
-                .of(&name)
-                .value(*a, "m")
-                .evidence("width of the bracket", (bracket.0 - bracket.1).abs(), "m"),
-            );
+            out.push(Finding::info("synchronous", "backbone-synchronous").of(&name).value(*a, "m").evidence(
+                "width of the bracket",
+                (bracket.0 - bracket.1).abs(),
+                "m",
+            ));
         }
         if f.vanishes || last.frequency.abs() < VANISHED * first.frequency.abs() && f.end != End::Reached {
-            let text = format!(
-                "The whirl of {} could be followed to an amplitude of {{}}, where its frequency has fallen to {}: next to no restoring force is left.",
-                quantity(named, "rad/s"),
-                quantity(last.frequency, "rad/s")
+            out.push(
+                Finding::warning("whirl_ends", "backbone-whirl-ends")
+                    .of(&name)
+                    .value(last.amplitude, "m")
+                    .arg("mode", Arg::frequency(named))
+                    .arg("frequency", Arg::frequency(last.frequency))
+                    .evidence("frequency", last.frequency, "rad/s"),
             );
-            out.push(Finding::warning("whirl_ends", text).of(&name).value(last.amplitude, "m").evidence(
-                "frequency",
-                last.frequency,
-                "rad/s",
-            ));
         } else if let Some(why) = unfinished(&f.end, self.end) {
-            let text = format!("The whirl of {} could be followed to {{}} only: {why}.", quantity(named, "rad/s"));
-            out.push(Finding::warning("family_unfinished", text).of(&name).value(last.amplitude, "m"));
+            let finding = Finding::warning("family_unfinished", "backbone-family-unfinished").of(&name).value(last.amplitude, "m");
+            out.push(finding.arg("mode", Arg::frequency(named)).arg("why", why));
         }
         out
     }

@@ -5,7 +5,7 @@ use crate::model::field::{Bounds, Field, FieldKind, Value, Values};
 use crate::model::part::At;
 use crate::model::probe::Probe;
 use crate::model::system::{System, Workspace};
-use crate::outcome::{self, Finding, TableBuilder};
+use crate::outcome::{self, Arg, Finding, Message, TableBuilder};
 use crate::solve::harmonic::balance::orbit::Orbit;
 use crate::solve::harmonic::balance::pace::Pace;
 use crate::solve::harmonic::balance::problem::{Balance, Discretisation};
@@ -174,10 +174,11 @@ pub(in crate::study) fn short(
 ) -> Option<Finding> {
     let dropped = largest(truncations);
     (harmonics.is_none() && !(dropped <= accepted)).then(|| {
-        Finding::warning("harmonics_short", "The harmonics kept leave out {} of the nonlinear force at the worst point.")
-            .value(dropped, "")
-            .shown_as(100.0 * dropped, "%")
-            .evidence("orders kept", kept as f64, "")
+        let finding = match dropped.is_nan() {
+            true => Finding::warning("harmonics_short", "free-motion-harmonics-unknown"),
+            false => Finding::warning("harmonics_short", "free-motion-harmonics"),
+        };
+        finding.value_as(Arg::percent(dropped)).evidence("orders kept", kept as f64, "")
     })
 }
 
@@ -188,22 +189,23 @@ pub(in crate::study) fn invalid(system: &System, all: &[&Measured], what: &str) 
     let mut out = uses.of_motions(system, what);
     let unknown = all.iter().filter(|m| m.uses.is_none()).count();
     if unknown > 0 {
-        let text = format!("The size of {{}} of {} {what} and their distance from the limits of the parts are unknown.", all.len());
-        out.push(Finding::invalid("validity", text).value(unknown as f64, ""));
+        let finding = Finding::invalid("validity", "free-motion-unmeasured").value(unknown as f64, "");
+        out.push(finding.arg("all", Arg::count(all.len())).arg("motions", Arg::term(what)));
     }
     out
 }
 
 /// Why a family could not be followed further in a study that ended like this; `None` when it was followed to its end.
-pub(in crate::study) fn unfinished(end: &End, study: outcome::End) -> Option<&'static str> {
+pub(in crate::study) fn unfinished(end: &End, study: outcome::End) -> Option<Message> {
+    let because = |word| Some(Message::new("free-motion-end").arg("why", Arg::word(word)));
     match end {
         End::Reached | End::Closed => None,
-        End::StepTooSmall { why: Refusal::Parameter, .. } => Some("it grows without limit there"),
-        End::StepTooSmall { .. } => Some("the equations could not be solved beyond it: keep more harmonics"),
-        End::NewtonFailed { .. } => Some("no motion of this size was found near the first estimate"),
-        End::MaxPoints if study == outcome::End::WorkLimit => Some("the work limit was used up"),
-        End::MaxPoints => Some("the largest number of points was used up"),
-        End::Cancelled => Some("stopped on request"),
+        End::StepTooSmall { why: Refusal::Parameter, .. } => because("unbounded"),
+        End::StepTooSmall { .. } => because("unsolved"),
+        End::NewtonFailed { .. } => because("start"),
+        End::MaxPoints if study == outcome::End::WorkLimit => because("work-limit"),
+        End::MaxPoints => because("points"),
+        End::Cancelled => because("cancelled"),
     }
 }
 

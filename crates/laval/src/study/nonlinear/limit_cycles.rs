@@ -14,12 +14,13 @@ use super::free_motion::{
     FREQUENCY, HARMONICS, MAX_POINTS, Measure, Measured, TRUNCATION, body_columns, constant_speed, end, in_order, invalid, read, short,
     trust_columns, unfinished,
 };
+use super::nonlinear_response::{holder, unassessed};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Field, Values};
 use crate::model::probe::Probe;
 use crate::model::system::System;
 use crate::outcome::{
-    self, Axis, Band, Figure, Finding, Line, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table, quantity, significant,
+    self, Arg, Axis, Band, Figure, Finding, Line, Message, Outcome, OutcomeError, Panel, Rule, SpecialPoint, Status, Table,
 };
 use crate::solve::harmonic::free::cycles::{Cycle, Cycles, Family, Onset, Request, admit, limit_cycles};
 use crate::solve::harmonic::stability::floquet::Exponents;
@@ -218,24 +219,16 @@ impl Shown<'_> {
         if found.onsets.is_empty() {
             let unstable = found.rest.samples.first().is_some_and(|s| found.rest.unstable(s, 0.0));
             let count = found.rest.samples.len();
-            let between = format!("between {} and {} rad/s", significant(lo, 5), significant(hi, 5));
-            out.push(if unstable {
+            let finding = if unstable {
                 let most = found.rest.samples.iter().map(|s| s.value.re).fold(0.0, f64::max);
-                Finding::warning(
-                    "no_edge_unstable",
-                    format!(
-                        "Rest is unstable at each of {count} speeds {between}, growing at up to {{}}: no cycle begins in this range. Widen it, or give the machine the damping \
-                         that bounds the range{}.",
-                        self.system.damping_of_waves()
-                    ),
-                )
-                .value(most, "1/s")
+                let waves = self.system.slots().iter().find_map(|s| s.part.filling());
+                Finding::warning("no_edge_unstable", "limit-cycles-no-edge-unstable")
+                    .value(most, "1/s")
+                    .arg("damping", waves.map_or(Arg::word("none"), |f| Arg::term(f.damping())))
             } else {
-                Finding::info(
-                    "no_edge",
-                    format!("Rest is stable at each of {count} speeds {between}: no whirl begins by itself there. Large whirls that a disturbance might start are not excluded."),
-                )
-            });
+                Finding::info("no_edge", "limit-cycles-no-edge")
+            };
+            out.push(finding.arg("speeds", Arg::count(count)).arg("from", Arg::speed(lo)).arg("to", Arg::speed(hi)));
         }
         for (k, o) in found.onsets.iter().enumerate() {
             out.push(self.onset(k, o));
@@ -245,7 +238,7 @@ impl Shown<'_> {
             out.extend(self.family(k, f));
         }
         if let Some(why) = &found.unassessed {
-            out.push(Finding::warning("stability_unknown", format!("Stability of the cycles was not assessed: {why}.")));
+            out.push(Finding::warning("stability_unknown", "limit-cycles-stability-unknown").arg("why", unassessed(why)));
         }
         let truncations = found.families.iter().flat_map(|f| &f.cycles).map(|c| c.truncation);
         out.extend(short(self.request.harmonics, self.request.truncation, truncations, found.discretisation.harmonics));
@@ -254,32 +247,30 @@ impl Shown<'_> {
     }
 
     fn onset(&self, k: usize, o: &Onset) -> Finding {
-        let way = if o.edge.onset { "begins" } else { "ends" };
-        let head = format!(
-            "With rising speed the instability of rest {way} at {{}}, whirling at {} ({})",
-            quantity(o.frequency, "rad/s"),
-            o.whirl.word()
-        );
         let subject = format!("edge {}", k + 1);
-        match o.left {
-            Some(why) if o.curvature.is_nan() => Finding::warning("onset", format!("{head}; no cycle was followed from here: {why}.")),
-            _ => {
-                let side = if o.curvature > 0.0 { "higher" } else { "lower" };
-                let text = if o.hard {
-                    format!(
-                        "{head}. The onset is hard: small cycles lie at {side} speeds, beside a stable rest, and a disturbance beyond them grows."
-                    )
-                } else {
-                    format!("{head}. The onset is soft: a small whirl grows towards {side} speeds.")
-                };
-                if o.hard { Finding::warning("hard_onset", text) } else { Finding::info("soft_onset", text) }
+        let side = |key: &str| Message::new(key).arg("side", Arg::word(if o.curvature > 0.0 { "higher" } else { "lower" }));
+        let (mut finding, note) = match o.left {
+            Some(why) if o.curvature.is_nan() => {
+                (Finding::warning("onset", "limit-cycles-onset"), Message::new("limit-cycles-onset-left").arg("why", Arg::term(why)))
             }
-        }
-        .of(subject)
-        .value(o.edge.speed, "rad/s")
-        .evidence("speed over amplitude squared", o.curvature, "rad/s/m^2")
-        .evidence("its relative change at half the amplitude", o.curvature_change, "")
-        .evidence("uncertainty of the edge", o.edge.step, "rad/s")
+            // not come to, or without a mode to begin at
+            None if o.curvature.is_nan() => (
+                Finding::warning("onset", "limit-cycles-onset"),
+                Message::new(if self.end == outcome::End::Reached { "limit-cycles-onset-not-found" } else { "limit-cycles-onset-stopped" }),
+            ),
+            _ if o.hard => (Finding::warning("hard_onset", "limit-cycles-onset"), side("limit-cycles-hard")),
+            _ => (Finding::info("soft_onset", "limit-cycles-onset"), side("limit-cycles-soft")),
+        };
+        finding.notes.push(note);
+        finding
+            .arg("edge", Arg::word(if o.edge.onset { "onset" } else { "end" }))
+            .arg("frequency", Arg::frequency(o.frequency))
+            .arg("whirl", Arg::word(o.whirl.word()))
+            .of(subject)
+            .value(o.edge.speed, "rad/s")
+            .evidence("speed over amplitude squared", o.curvature, "rad/s/m^2")
+            .evidence("its relative change at half the amplitude", o.curvature_change, "")
+            .evidence("uncertainty of the edge", o.edge.step, "rad/s")
     }
 
     /// Speeds at which a stable whirl stands beside a stable rest.
@@ -297,17 +288,11 @@ impl Shown<'_> {
                 let kind = self.kind();
                 let largest = self.measured[k][a..=b].iter().map(|m| self.reach(m, kind).1).fold(0.0, f64::max);
                 out.push(
-                    Finding::warning(
-                        "whirl_beside_rest",
-                        format!(
-                            "From {} to {} rad/s the machine is stable at rest and can whirl by itself all the same, by up to {{}}: which of the two it does depends on \
-                             how it got there.",
-                            significant(lo, 5),
-                            significant(hi, 5)
-                        ),
-                    )
-                    .of(format!("family {}", k + 1))
-                    .value(largest, kind.unit()),
+                    Finding::warning("whirl_beside_rest", "limit-cycles-bistable")
+                        .of(format!("family {}", k + 1))
+                        .value(largest, kind.unit())
+                        .arg("from", Arg::speed(lo))
+                        .arg("to", Arg::speed(hi)),
                 );
             }
         }
@@ -317,55 +302,43 @@ impl Shown<'_> {
     fn family(&self, k: usize, f: &Family) -> Vec<Finding> {
         let mut out = Vec::new();
         let name = format!("family {}", k + 1);
+        let number = || Arg::count(k + 1);
         let stable = f.cycles.iter().zip(&self.measured[k]).filter(|(c, _)| c.stable());
         let kind = self.kind();
         let largest = stable.map(|(c, m)| (c, self.reach(m, kind))).max_by(|a, b| a.1.1.total_cmp(&b.1.1));
         if let Some((c, (body, r))) = largest {
             let trivial = f.cycles.iter().map(|c| c.trivial).fold(0.0, f64::max);
             out.push(
-                Finding::info(
-                    "largest_whirl",
-                    format!(
-                        "The largest stable whirl of this family {} \"{}\" by {{}}, at {} rad/s of spin, whirling at {} rad/s.",
-                        if kind.is_tilt() { "tilts" } else { "displaces" },
-                        self.probes.get(body).map_or(String::new(), probes::owner),
-                        significant(c.speed, 6),
-                        significant(c.frequency, 6)
-                    ),
-                )
-                .of(&name)
-                .value(r, kind.unit())
-                .evidence("largest exponent of a shift in time, zero in theory", trivial, "1/s")
-                .evidence("error of growth rates", c.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error), "1/s")
-                .evidence("scaled residual", c.residual, ""),
+                Finding::info("largest_whirl", "limit-cycles-largest")
+                    .of(&name)
+                    .value(r, kind.unit())
+                    .arg("family", number())
+                    .arg("quality", Arg::word(if kind.is_tilt() { "tilt" } else { "displacement" }))
+                    .arg("body", self.probes.get(body).map_or(Arg::name(""), holder))
+                    .arg("speed", Arg::speed(c.speed))
+                    .arg("frequency", Arg::frequency(c.frequency))
+                    .evidence("largest exponent of a shift in time, zero in theory", trivial, "1/s")
+                    .evidence("error of growth rates", c.exponents.as_ref().map_or(f64::NAN, |e: &Exponents| e.error), "1/s")
+                    .evidence("scaled residual", c.residual, ""),
             );
         } else if f.cycles.iter().all(|c| c.exponents.is_some()) && !f.cycles.is_empty() {
-            out.push(Finding::info("unstable_family", "All cycles of this family are unstable: no whirl of this family lasts.").of(&name));
+            out.push(Finding::info("unstable_family", "limit-cycles-all-unstable").of(&name).arg("family", number()));
         }
         for p in &f.folds {
             out.push(
-                Finding::info("fold_of_cycles", "Cycles turn back at {}: beyond it this whirl does not exist.")
-                    .of(&name)
-                    .value(p.speed, "rad/s")
-                    .evidence("scaled residual", p.residual, ""),
+                Finding::info("fold_of_cycles", "limit-cycles-fold").of(&name).value(p.speed, "rad/s").arg("family", number()).evidence(
+                    "scaled residual",
+                    p.residual,
+                    "",
+                ),
             );
         }
         if let Some(speed) = f.unbounded {
-            out.push(
-                Finding::warning(
-                    "unbounded_whirl",
-                    "Near {} of spin this whirl grows beyond all bounds: the nonlinear parts hardly deflect in it and cannot hold it.",
-                )
-                .of(&name)
-                .value(speed, "rad/s"),
-            );
+            out.push(Finding::warning("unbounded_whirl", "limit-cycles-unbounded").of(&name).value(speed, "rad/s"));
         }
         if let (Some(why), Some(last)) = (unfinished(&f.end, self.end), f.cycles.last()) {
-            out.push(
-                Finding::warning("family_unfinished", format!("The cycles could be followed to {{}} only: {why}."))
-                    .of(&name)
-                    .value(last.speed, "rad/s"),
-            );
+            let finding = Finding::warning("family_unfinished", "limit-cycles-family-unfinished").of(&name).value(last.speed, "rad/s");
+            out.push(finding.arg("family", number()).arg("why", why));
         }
         out
     }

@@ -13,7 +13,7 @@ use super::nonlinear_response::around;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::field::{Bounds, Field, FieldKind, RangeValue, Values};
 use crate::model::system::{Drive, System};
-use crate::outcome::{Axis, End, Figure, Finding, Outcome, OutcomeError, Panel, Points, Table, significant};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Message, Outcome, OutcomeError, Panel, Points, Table};
 use crate::solve::harmonic::balance::problem::Discretisation;
 use crate::solve::harmonic::branches::methods::{Comparison, Method, Value, compare, component, orders};
 use crate::solve::harmonic::branches::response::{Request, Response, respond, symmetry};
@@ -230,14 +230,26 @@ impl Methods {
     }
 }
 
+/// A method, as a phrase inside a sentence.
+fn phrase(method: Method) -> Message {
+    let of = |word| Message::new("methods-method").arg("method", Arg::word(word));
+    match method {
+        Method::Harmonic(h) => of("harmonic").arg("order", Arg::count(h)),
+        Method::Averaging => of("averaging"),
+        Method::Elliptic => of("elliptic"),
+        Method::Time => of("time"),
+        Method::Converged => of("converged"),
+    }
+}
+
 fn findings(result: &MethodsResult) -> Vec<Finding> {
     let MethodsResult { found, folds, .. } = result;
     let mut out = Vec::new();
     let states = || found.values.iter().filter(|v| v.method == Method::Converged && v.growth.is_finite());
     let (unstable, all) = (states().filter(|v| v.growth > v.growth_error).count(), states().count());
     if unstable > 0 {
-        let text = format!("{{}} of {all} states compared are unstable: no machine stays in them.");
-        out.push(Finding::warning("unstable", text).value(unstable as f64, ""));
+        let finding = Finding::warning("unstable", "methods-unstable").value(unstable as f64, "");
+        out.push(finding.arg("unstable", Arg::count(unstable)).arg("states", Arg::count(all)));
     }
     let mut methods: Vec<Method> = Vec::new();
     for v in &found.values {
@@ -249,24 +261,25 @@ fn findings(result: &MethodsResult) -> Vec<Finding> {
         let own = || found.values.iter().filter(move |v| v.method == method);
         let worst = own().filter(|v| v.deviation.is_finite()).max_by(|a, b| a.deviation.total_cmp(&b.deviation));
         let (missing, count) = (own().filter(|v| !v.deviation.is_finite()).count(), own().count());
-        let absent = if missing > 0 { format!(" It lacks {missing} of {count} states.") } else { String::new() };
-        if let Some(v) = worst {
-            let text = if v.deviation <= EXACT {
-                format!("By {method}, peaks equal the converged ones to rounding at the speeds compared: off by {{}} at most.{absent}")
-            } else {
-                let (speed, state) = (significant(v.speed, 5), v.state + 1);
-                format!("By {method}, peaks at the speeds compared are off by {{}} at most, at {speed} rad/s (state {state}).{absent}")
-            };
-            out.push(
-                Finding::info("deviation", text)
-                    .of(method.to_string())
-                    .value(v.deviation, "")
-                    .shown_as(100.0 * v.deviation, "%")
-                    .evidence("speed", v.speed, "rad/s"),
-            );
+        let Some(v) = worst else {
+            let none = Finding::warning("no_states", "methods-no-states").of(method.to_string());
+            out.push(none.arg("method", phrase(method)));
+            continue;
+        };
+        let mut finding = if v.deviation <= EXACT {
+            Finding::info("deviation", "methods-exact")
         } else {
-            out.push(Finding::warning("no_states", format!("By {method}, none of the states was found.")).of(method.to_string()));
+            Finding::info("deviation", "methods-deviation").arg("speed", Arg::speed(v.speed)).arg("state", Arg::count(v.state + 1))
         }
+        .of(method.to_string())
+        .value_as(Arg::percent(v.deviation))
+        .arg("method", phrase(method))
+        .evidence("speed", v.speed, "rad/s");
+        if missing > 0 {
+            let note = Message::new("methods-missing").arg("missing", Arg::count(missing));
+            finding.notes.push(note.arg("states", Arg::count(count)));
+        }
+        out.push(finding);
     }
     let assessed = |m: Method| found.values.iter().filter(move |v| v.method == m && v.growth.is_finite());
     let (mut wrong, mut count) = (0, 0);
@@ -279,31 +292,25 @@ fn findings(result: &MethodsResult) -> Vec<Finding> {
         }
     }
     if count > 0 {
-        let text = format!(
-            "For {wrong} of {count} states averaging gives another stability than the Floquet exponents: it holds the mode near the speed only."
-        );
-        out.push(Finding::info("averaging_stability", text).value(wrong as f64, ""));
+        let finding = Finding::info("averaging_stability", "methods-averaging-stability").value(wrong as f64, "");
+        out.push(finding.arg("wrong", Arg::count(wrong)).arg("states", Arg::count(count)));
     }
     if let Some(f) = folds
         .iter()
         .filter(|f| f.method == Method::Harmonic(1) && f.deviation.is_finite())
         .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
     {
-        let text =
-            format!("With one harmonic (and by averaging) the fold near {} rad/s is off by {{}}.", significant(f.speed - f.deviation, 6));
-        out.push(Finding::info("fold_deviation", text).value(f.deviation, "rad/s"));
+        let finding = Finding::info("fold_deviation", "methods-fold-deviation").value(f.deviation, "rad/s");
+        out.push(finding.arg("speed", Arg::speed(f.speed - f.deviation)));
     }
     if let Some(why) = found.no_elliptic {
-        out.push(Finding::info("no_elliptic_balance", format!("Elliptic balance was left out: {why}.")));
+        out.push(Finding::info("no_elliptic_balance", "methods-no-elliptic-balance").arg("why", Arg::term(why)));
     }
     if let Some(why) = &found.no_time {
-        out.push(Finding::warning("no_time_integration", format!("Some states were not followed in time: {why}.")));
+        out.push(Finding::warning("no_time_integration", "methods-no-time-integration").arg("why", Arg::term(why)));
     }
     if result.discretisation.symmetry == Symmetry::Circular {
-        out.push(Finding::info(
-            "one_harmonic_exact",
-            "The machine is symmetric by any turn: its motion is circular, and one harmonic is exact.",
-        ));
+        out.push(Finding::info("one_harmonic_exact", "methods-one-harmonic-exact"));
     }
     out
 }

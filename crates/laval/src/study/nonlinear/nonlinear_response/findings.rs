@@ -92,11 +92,11 @@ impl Shown<'_> {
         out.extend(self.tuning_findings());
         let dropped = worst(response, |p| p.truncation);
         if request.harmonics.is_none() && dropped > request.truncation {
-            out.push(
-                Finding::warning("harmonics_short", "nonlinear-response-harmonics")
-                    .value_as(Arg::percent(dropped))
-                    .evidence("orders kept", response.discretisation.harmonics as f64, ""),
-            );
+            out.push(Finding::warning("harmonics_short", "nonlinear-response-harmonics").value_as(Arg::percent(dropped)).evidence(
+                "orders kept",
+                response.discretisation.harmonics as f64,
+                "",
+            ));
         }
         if !request.stability {
             out.push(Finding::warning("stability_unknown", "nonlinear-response-stability-not-requested"));
@@ -152,11 +152,13 @@ impl Shown<'_> {
     /// Parts whose fitted time form stood for them in the assessment of stability.
     fn fitted(&self) -> Vec<Finding> {
         let fit = |slot: &Slot| match slot.physics {
-            Physics::Frequency(TimeForm::Fit(error)) => Some(
-                Finding::info("stability_fit", "nonlinear-response-stability-fit")
-                    .arg("part", Arg::name(&slot.name))
-                    .evidence("relative error of the fit", error, ""),
-            ),
+            Physics::Frequency(TimeForm::Fit(error)) => {
+                Some(Finding::info("stability_fit", "nonlinear-response-stability-fit").arg("part", Arg::name(&slot.name)).evidence(
+                    "relative error of the fit",
+                    error,
+                    "",
+                ))
+            }
             _ => None,
         };
         self.system.slots().iter().filter_map(fit).collect()

@@ -41,7 +41,7 @@ use measuring::Measuring;
 pub(in crate::study) use one::around;
 pub use result::{Measured, NonlinearResponseResult};
 use shown::Shown;
-pub(in crate::study) use shown::{holder, limited, quality};
+pub(in crate::study) use shown::{holder, limited};
 pub(in crate::study) use stability::unassessed;
 pub use {
     forces::Extremes,

@@ -167,7 +167,9 @@ impl Shown<'_> {
         }
         for (slot, force) in self.force_limits() {
             let name = &self.system.slots()[slot].name;
-            out.push(Finding::info("force_limit", "nonlinear-response-force-limit").of(name).value(force, "N").arg("part", Arg::name(name)));
+            out.push(
+                Finding::info("force_limit", "nonlinear-response-force-limit").of(name).value(force, "N").arg("part", Arg::name(name)),
+            );
         }
         out
     }

@@ -135,7 +135,7 @@ pub(in crate::study) fn holder(probe: &Probe) -> Arg {
 }
 
 /// The word by which a sentence says displacement or tilt.
-pub(in crate::study) fn quality(probe: &Probe) -> Arg {
+pub(super) fn quality(probe: &Probe) -> Arg {
     Arg::word(probes::quality(probe))
 }
 

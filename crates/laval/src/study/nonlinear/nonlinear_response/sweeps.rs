@@ -163,10 +163,11 @@ pub(super) fn findings(response: &Response, up: bool, ((lo, hi), study): ((f64, 
             Some(p) => Finding::warning(id, "nonlinear-response-sweep-unfinished").value(p.speed, "rad/s"),
             None => Finding::warning(id, "nonlinear-response-sweep-not-followed"),
         };
-        finding
-            .arg("way", Arg::word(way))
-            .arg("why", reason(&followed.end, study))
-            .evidence("scaled residual of the start", residual(&followed.end), "")
+        finding.arg("way", Arg::word(way)).arg("why", reason(&followed.end, study)).evidence(
+            "scaled residual of the start",
+            residual(&followed.end),
+            "",
+        )
     };
     vec![none]
 }
