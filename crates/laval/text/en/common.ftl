@@ -86,3 +86,8 @@ store-incomplete = Only { $done } of { $requested } { $rows } were computed.
 store-incomplete-kept = Only { $done } of { $requested } { $rows } were computed. The same command continues from there.
 run-refused = { $reason }
 run-refused-alike = The study is refused for the same reason as "{ $study }".
+
+# Vessels that the dynamics lack.
+cups-not-carried = The dynamics lack the mass and the unbalance of "{ $vessel }": no body carries it. Add on = "{ $body }", with mass and centre_of_mass.
+cups-not-carried-by-any = The dynamics lack the mass and the unbalance of "{ $vessel }": no body carries it. Add the body as on, with mass and centre_of_mass.
+cups-bowl-without-liquid = The dynamics lack the liquid in "{ $vessel }". Add a [[part]] with kind = "liquid" in the body of the bowl, or add the mass to that body.

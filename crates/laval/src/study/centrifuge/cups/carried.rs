@@ -6,7 +6,7 @@ use crate::model::field::{Attach, Extra};
 use crate::model::params::{Family, NoParams};
 use crate::model::part::Part;
 use crate::model::system::{PartInput, System};
-use crate::outcome::Finding;
+use crate::outcome::{Arg, Finding};
 use crate::separation::carried::Cups;
 use crate::separation::load::Ring;
 
@@ -61,25 +61,16 @@ pub fn uncarried(system: &System, name: Option<&str>) -> Vec<Finding> {
     let requested = |e: &&Extra| e.word == "cup" && name.is_none_or(|n| e.name == n);
     let holds_liquid = system.slots().iter().any(|s| s.part.filling().is_some());
     let body = system.slots().iter().find(|s| s.part.body().is_some_and(|b| b.parameters().mass.is_some()));
-    let body = body.map_or("the body that carries them", |s| s.name.as_str());
     let reported = |e: &Extra| {
-        let name = &e.name;
-        match e.kind {
-            "swinging" | "fixed_angle" if e.values.attach("on").is_none() => Some(Finding::warning(
-                "cups_not_carried",
-                format!(
-                    "\"{name}\" hangs on no body: neither its mass nor its unbalance is in the dynamics of this machine. Say what carries it, as on = \"{body}\", with mass and \
-                     centre_of_mass."
-                ),
-            )),
-            "tubular_bowl" | "disc_stack" | "decanter" if !holds_liquid => Some(Finding::warning(
-                "bowl_without_liquid",
-                format!(
-                    "The liquid in \"{name}\" is not in the dynamics of this machine: add [[part]] with kind = \"liquid\" in the body that is the bowl (or its mass to that body)."
-                ),
-            )),
-            _ => None,
-        }
+        let finding = match e.kind {
+            "swinging" | "fixed_angle" if e.values.attach("on").is_none() => match body {
+                Some(body) => Finding::warning("cups_not_carried", "cups-not-carried").arg("body", Arg::name(&body.name)),
+                None => Finding::warning("cups_not_carried", "cups-not-carried-by-any"),
+            },
+            "tubular_bowl" | "disc_stack" | "decanter" if !holds_liquid => Finding::warning("bowl_without_liquid", "cups-bowl-without-liquid"),
+            _ => return None,
+        };
+        Some(finding.arg("vessel", Arg::name(&e.name)))
     };
     system.machine.extras.iter().filter(requested).filter_map(reported).collect()
 }

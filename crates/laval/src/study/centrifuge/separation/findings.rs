@@ -4,80 +4,95 @@ use super::compute::size;
 use super::demand::HIGHEST_SHOWN;
 use super::report::Shown;
 use super::result::{Demand, Released, SpeedNeeded};
-use crate::outcome::{Finding, Outcome, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome};
 use crate::separation::batch::RunUp;
 use crate::separation::ensemble::{Model, cut_size};
 use crate::separation::machine::Separator;
 use crate::separation::measures;
 use crate::separation::validity::{FIELD, gravity_felt};
-use crate::study::shared::support::RPM;
+
+/// Share of the particles, read in four digits: 99.95 % is not all.
+fn share(x: f64) -> Arg {
+    Arg::percent(x).digits(4)
+}
 
 impl Shown<'_> {
-    /// The share to be caught, in words.
-    fn share(&self) -> String {
-        let percent = format!("{} %", significant(100.0 * self.study.task.recovery, 4));
-        match self.study.task.batch.from {
-            Some(d) => format!("{percent} of the particles from {} on", quantity(d, "m")),
-            None => percent,
+    /// The share to be caught.
+    fn recovery(&self) -> Message {
+        let message = match self.study.task.batch.from {
+            Some(d) => Message::new("separation-recovery-from").arg("diameter", Arg::quantity(d, "m")),
+            None => Message::new("separation-recovery"),
+        };
+        message.arg("share", share(self.study.task.recovery))
+    }
+
+    /// The time at hand, or the throughput.
+    fn at_hand(&self) -> Message {
+        match self.study.task.throughput {
+            Some(q) => Message::new("separation-at-throughput").arg("throughput", Arg::quantity(q, "m^3/s")),
+            None => Message::new("separation-in-time").arg("time", Arg::quantity(self.study.task.time, "s")),
         }
+    }
+
+    /// Without spin, or at the speed of the study.
+    fn spin(&self) -> Message {
+        match self.study.speed {
+            0.0 => Message::new("separation-without-spin"),
+            speed => Message::new("separation-at-speed").arg("speed", Arg::speed(speed)),
+        }
+    }
+
+    /// How the run-up counts in the time.
+    fn run_up(&self) -> Message {
+        // the liquid of a tube shifts while the speed changes
+        let message = match (self.duration(), &self.study.task.vessel.separator) {
+            (0.0, _) => return Message::new("separation-no-run-up"),
+            (_, Separator::Tube(..)) => Message::new("separation-run-up-estimated"),
+            _ => Message::new("separation-run-up-included"),
+        };
+        message.arg("duration", Arg::quantity(self.duration(), "s"))
     }
 
     /// How much is caught, and what the recovery takes.
     pub fn recovered(&self, out: Outcome) -> Outcome {
         let s = &self.study.task;
-        let what = s.vessel.separator.word().replace('_', " ");
-        let still = self.study.speed == 0.0;
-        let rpm = format!("{} rpm", significant(self.study.speed * RPM, 4));
-        let speed = if still { "without spin".to_string() } else { format!("at {rpm}") };
-        let run_up = match self.duration() {
-            0.0 => String::new(),
-            t => {
-                // the liquid of a tube shifts while the speed changes
-                let how = if matches!(s.vessel.separator, Separator::Tube(..)) { " by an estimate (field at mean radius)" } else { "" };
-                format!(", the run-up of {} included{how}", quantity(t, "s"))
-            }
-        };
-        let at = match s.throughput {
-            Some(q) => format!("{speed} and {} l/h", significant(q * 3.6e6, 4)),
-            None => format!("in {} {speed}{run_up}", quantity(s.time, "s")),
-        };
         let places = self.found.exits.len() as f64;
-        let of = match s.batch.from {
-            Some(d) => format!("particles from {} on", quantity(d, "m")),
-            None => "particles".to_string(),
+        let particles = match s.batch.from {
+            Some(d) => Message::new("separation-particles-from").arg("diameter", Arg::quantity(d, "m")),
+            None => Message::new("separation-particles"),
         };
-        let late = self.found.last.filter(|l| !(l.time <= s.time));
-        let text = match late {
-            None => format!("{{}} of the {of} are caught {at} ({what})."),
-            Some(l) if l.time.is_finite() => format!(
-                "All of the fixed set, nearly {{}} of the {of}, are caught {at} ({what}); the last ones would take {}.",
-                quantity(l.time, "s")
-            ),
-            Some(_) => format!("All of the fixed set, nearly {{}} of the {of}, are caught {at} ({what}); some are never caught."),
+        let finding = match self.found.last.filter(|l| !(l.time <= s.time)) {
+            None => Finding::info("caught", "separation-caught"),
+            Some(l) if l.time.is_finite() => {
+                Finding::info("caught", "separation-all-sampled-caught").arg("last", Arg::quantity(l.time, "s"))
+            }
+            Some(_) => Finding::info("caught", "separation-all-sampled-caught-some-never"),
         };
-        let mut caught = Finding::info("caught", text)
-            .value(self.found.caught, "")
-            .shown_as(100.0 * self.found.caught, "%")
+        let mut caught = finding
+            .value_as(share(self.found.caught))
+            .arg("vessel", Message::new("separation-vessel").arg("kind", Arg::word(s.vessel.separator.word())))
+            .arg("particles", particles)
+            .arg("at_hand", self.at_hand())
+            .arg("spin", self.spin())
+            .arg("run_up", self.run_up())
             .evidence("places of the fixed set", places, "")
             .evidence("share of one place", 1.0 / places, "");
         if let Some(l) = self.found.last.filter(|l| l.time.is_finite()) {
             caught = caught.evidence("the last one leaves after", l.time, "s");
         }
         let out = out.finding(caught);
-        let (name, needed) = (self.share(), self.found.needed);
-        let speed = if still { "without spin" } else { "at this speed" };
+        let needed = self.found.needed;
         if !needed.time.is_finite() {
-            let text = format!("{name} are never caught {speed}: some particles stay in the liquid.");
-            return out.finding(Finding::warning("time_needed", text));
+            let finding = Finding::warning("time_needed", "separation-never-caught");
+            return out.finding(finding.arg("recovery", self.recovery()).arg("spin", self.spin()));
         }
-        let text = match s.throughput.zip(s.vessel.separator.flow_volume()) {
-            Some((_, volume)) => format!(
-                "Catching {name} takes a residence time of {{}} {speed}, a throughput of at most {} l/h.",
-                significant(volume / needed.time * 3.6e6, 4)
-            ),
-            None => format!("Catching {name} takes {{}} {speed}{run_up}."),
+        let finding = match s.throughput.zip(s.vessel.separator.flow_volume()) {
+            Some((_, volume)) => Finding::info("time_needed", "separation-residence-needed")
+                .arg("throughput", Arg::quantity(volume / needed.time, "m^3/s")),
+            None => Finding::info("time_needed", "separation-time-needed").arg("run_up", self.run_up()),
         };
-        let mut finding = Finding::info("time_needed", text).value(needed.time, "s").evidence("time at hand", s.time, "s");
+        let finding = finding.value(needed.time, "s").arg("recovery", self.recovery()).arg("spin", self.spin());
+        let mut finding = finding.evidence("time at hand", s.time, "s");
         if let Some([x, y, z]) = needed.last {
             // not a place of the fixed set: nothing is sampled
             finding = finding.evidence("start of the last one, x", x, "m").evidence("y", y, "m").evidence("z", z, "m");
@@ -91,56 +106,37 @@ impl Shown<'_> {
     /// The speed a recovery needs, and whether the model still holds there.
     pub fn speed_findings(&self, demand: &Demand) -> Vec<Finding> {
         let s = &self.study.task;
-        let time = match s.throughput {
-            Some(q) => format!("at {} l/h", significant(q * 3.6e6, 4)),
-            None => format!("in {}", quantity(s.time, "s")),
+        let run_up = match s.batch.run_up {
+            RunUp::None => "none",
+            RunUp::Linear(_) | RunUp::Smooth(_) => "same",
+            RunUp::Programme(_) => "programme",
         };
-        let with = match s.batch.run_up {
-            RunUp::None => "",
-            RunUp::Linear(_) | RunUp::Smooth(_) => ", the run-up at the same acceleration included",
-            RunUp::Programme(_) => ", with all speeds of the programme in proportion to the last",
+        let finding = match demand.speed {
+            SpeedNeeded::Found { speed: 0.0, .. } => Finding::info("speed_needed", "separation-no-spin-needed").value(0.0, "rad/s"),
+            SpeedNeeded::Found { speed: w, bracket } => Finding::info("speed_needed", "separation-speed-needed")
+                .value(w, "rad/s")
+                .evidence("width of the bracket", bracket, "rad/s")
+                .evidence("places of the fixed set", s.batch.places as f64, ""),
+            SpeedNeeded::None { highest } => Finding::warning("speed_needed", "separation-no-speed-suffices")
+                .arg("highest", Arg::speed(highest))
+                .arg("flow", Arg::word(if self.flow() { "yes" } else { "no" })),
         };
-        let (name, found) = (self.share(), demand.speed);
-        let finding = match found {
-            SpeedNeeded::Found { speed: 0.0, .. } => {
-                Finding::info("speed_needed", format!("Gravity alone catches {name} {time}: no spin is needed, {{}}.")).value(0.0, "rad/s")
-            }
-            SpeedNeeded::Found { speed: w, bracket } => {
-                Finding::info("speed_needed", format!("Catching {name} {time} takes at least {{}}{with}."))
-                    .value(w, "rad/s")
-                    .shown_as(w * RPM, "rpm")
-                    .evidence("width of the bracket", bracket, "rad/s")
-                    .evidence("places of the fixed set", s.batch.places as f64, "")
-            }
-            SpeedNeeded::None { highest } => {
-                let text =
-                    format!("None of the speeds computed, up to {} rpm, catches {name} {time}{with}.", significant(highest * RPM, 4));
-                Finding::warning("speed_needed", text)
-            }
-        };
-        let felt = match found {
+        let finding = finding.arg("recovery", self.recovery()).arg("at_hand", self.at_hand()).arg("run_up", Arg::word(run_up));
+        let felt = match demand.speed {
             SpeedNeeded::Found { speed, .. } => gravity_felt(&s.vessel.separator, speed, s.suspension.medium.gravity),
             SpeedNeeded::None { .. } => None,
         };
         let doubt = felt.map(|field| {
-            let text = format!(
-                "At the speed needed the field is {{}} g at the innermost liquid; the model of a machine that liquid flows through leaves gravity out, which holds from {} g on.",
-                significant(FIELD, 2)
-            );
-            Finding::warning("speed_needed_gravity", text).value(field, "").evidence("least field over gravity", FIELD, "")
+            let finding = Finding::warning("speed_needed_gravity", "separation-gravity").value(field, "");
+            finding.arg("least", Arg::number(FIELD)).evidence("least field over gravity", FIELD, "")
         });
         std::iter::once(finding).chain(doubt).collect()
     }
 
     /// That no other speed was searched for.
     pub fn one_speed(&self) -> Finding {
-        let text = format!(
-            "The speed that catches {} and the sensitivities are not searched for: at up to {} times this speed every particle would be integrated with its \
-             inertia. Use model = \"drifting\", which leaves the inertia out, or look at single speeds.",
-            self.share(),
-            significant(HIGHEST_SHOWN, 2)
-        );
-        Finding::info("speed_needed", text)
+        let finding = Finding::info("speed_needed", "separation-one-speed").arg("recovery", self.recovery());
+        finding.arg("times", Arg::number(HIGHEST_SHOWN))
     }
 
     /// Tilt, field, cut size.
@@ -149,37 +145,31 @@ impl Shown<'_> {
         let g = s.suspension.medium.gravity;
         let (r1, r2) = self.found.radii;
         if let (Separator::Cup(cup), Some(tilt)) = (&s.vessel.separator, self.found.tilt) {
-            let text = if cup.held.is_some() {
-                "The cup is held at a tilt of {}.".to_string()
-            } else if tilt == 0.0 {
-                "The cup hangs straight down ({}): it does not swing out at this speed.".to_string()
-            } else {
-                "The cup swings out to {} from the vertical.".to_string()
+            let f = match (cup.held.is_some(), tilt) {
+                (true, _) => Finding::info("tilt", "separation-tilt-held"),
+                (false, 0.0) => Finding::info("tilt", "separation-tilt-none"),
+                (false, _) => Finding::info("tilt", "separation-tilt"),
             };
+            let f = f.value(tilt, "rad");
             let swing = cup.hanging.swing_frequency(self.study.speed, tilt);
-            let f = Finding::info("tilt", text).value(tilt, "rad").shown_as(tilt.to_degrees(), "°");
             out = out.finding(if cup.held.is_some() { f } else { f.evidence("frequency of its small swing", swing, "rad/s") });
         }
-        let field = if self.study.speed == 0.0 {
-            Finding::info("rcf", "Gravity alone acts: the field of the rotation is {} g.")
-        } else {
-            Finding::info(
-                "rcf",
-                format!("The field grows from {} g at the surface to {{}} g.", significant(measures::rcf(self.study.speed, r1, g), 4)),
-            )
+        let field = match self.study.speed {
+            0.0 => Finding::info("rcf", "separation-no-field"),
+            speed => Finding::info("rcf", "separation-field").arg("surface", Arg::number(measures::rcf(speed, r1, g))),
         };
         out = out.finding(field.value(measures::rcf(self.study.speed, r2, g), ""));
         let heavy = self.study.heavy();
         let d = cut_size(&self.found.products, &s.suspension.medium, self.study.median().density, 0.5, self.found.full_time);
         if d.is_finite() && d > 0.0 && self.stokes() {
-            let kind = if heavy { "" } else { " (light particles)" };
             // sizes and times scale without inertia only, and a run-up counts by its field
-            let how = match (&self.found.run_up, s.batch.model) {
-                (Some(_), _) => ", by an estimate without inertia (run-up by the field at mean radius)",
-                (None, Model::Drifting) => "",
-                (None, _) => ", inertia left out",
+            let estimate = match (&self.found.run_up, s.batch.model) {
+                (Some(_), _) => "run_up",
+                (None, Model::Drifting) => "none",
+                (None, _) => "inertia",
             };
-            out = out.finding(Finding::info("cut_size", format!("Half of the particles of {{}} are caught{kind}{how}.")).value(d, "m"));
+            let finding = Finding::info("cut_size", "separation-cut-size").value(d, "m").arg("estimate", Arg::word(estimate));
+            out = out.finding(finding.arg("particles", Arg::word(if heavy { "heavy" } else { "light" })));
         }
         out
     }
@@ -189,17 +179,14 @@ impl Shown<'_> {
         let s = self.study;
         let Released { exit, reynolds, .. } = self.found.released.as_ref()?;
         let Some(e) = exit else {
-            return Some(Finding::warning("released", "The particle released never meets a surface."));
+            return Some(Finding::warning("released", "separation-released-stays"));
         };
         if e.time == 0.0 {
-            return Some(Finding::warning("released", "The place of the release does not lie in the liquid."));
+            return Some(Finding::warning("released", "separation-released-outside"));
         }
-        let text = format!(
-            "The particle released reaches the {} after {{}}, at {} along the cup.",
-            e.surface.word(),
-            quantity(e.position[1], "m")
-        );
-        let finding = Finding::info("released", text)
+        let finding = Finding::info("released", "separation-released")
+            .arg("surface", Arg::word(e.surface.word()))
+            .arg("along", Arg::quantity(e.position[1], "m"))
             .value(e.time, "s")
             .evidence("x", e.position[0], "m")
             .evidence("y", e.position[1], "m")

@@ -263,8 +263,7 @@ ramp = "30 s"
         if result.end == End::Cancelled {
             return Ok(out);
         }
-        let text = "The work limit, counted in paths of particles, was reached before all paths were computed: nothing of it is shown.";
-        Ok(out.finding(Finding::info("nothing_shown", text)))
+        Ok(out.finding(Finding::info("nothing_shown", "separation-nothing-shown")))
     }
 }
 

@@ -5,7 +5,7 @@ use super::result::Separated;
 use super::tables::{sensitivity_table, validity_table};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Finding, Outcome, OutcomeError, significant};
+use crate::outcome::{Arg, Finding, Outcome, OutcomeError};
 use crate::separation::exit::Surface;
 use crate::separation::particle::Drag;
 use crate::separation::validity::{Case, Flag, flags};
@@ -89,7 +89,11 @@ impl Shown<'_> {
 
 /// A number beyond its limit.
 fn raised(f: &Flag) -> Finding {
-    let text = format!("Validity ({}): {}; {{}} where the limit is {}.", f.name, f.meaning, significant(f.limit, 3));
     let id = format!("validity_{}", f.name.replace([' ', '-'], "_"));
-    if f.value.is_finite() { Finding::warning(id, text).value(f.value, "") } else { Finding::warning(id, text.replace("{}", "no number")) }
+    let finding = if f.value.is_finite() {
+        Finding::warning(id, "separation-validity").value(f.value, "")
+    } else {
+        Finding::warning(id, "separation-validity-undefined")
+    };
+    finding.arg("name", Arg::term(f.name)).arg("limit", Arg::number(f.limit)).arg("meaning", Arg::term(f.meaning))
 }
