@@ -16,4 +16,4 @@ motion-map-not-periodic = The response does not repeat within { $turns } revolut
 # Points without a result.
 motion-map-not-settled = The response did not settle within most_periods at { $count } of { $points } points. Amplitudes there may contain transients; raise most_periods.
 motion-map-failed-machines = The parameters give no valid machine at { $count } of { $points } points, for instance at { $place }: { $reason }.
-motion-map-failed-motions = The integration failed at { $count } of { $points } points, for instance at { $place }: the motion { $reason }. These points have no result.
+motion-map-failed-motions = At { $count } of { $points } points the motion { $reason }, for instance at { $place }. These points have no result.

@@ -1,4 +1,4 @@
-//! What is said of basins.
+//! Findings, tables and the figure of basins.
 
 use super::super::start;
 use super::super::steady_state::period::{LONGEST, Verdict};
@@ -9,7 +9,7 @@ use super::{Basins, BasinsResult, MotionBasins};
 use crate::diagnostic::Diagnostic;
 use crate::model::probe::Probe;
 use crate::model::system::System;
-use crate::outcome::{Axis, End, Figure, Finding, Heat, Outcome, Panel, Points, Table, quantity};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Heat, Message, Outcome, Panel, Points, Table, quantity};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::inconsistent;
@@ -87,13 +87,21 @@ impl<'a> Map<'a> {
         if self.found.attractors[k].period.is_some() { format!("attractor {}", k + 1) } else { "does not repeat".into() }
     }
 
-    /// "drum.x = 1 mm, drum.x' = 0.1 m/s"
-    fn at(&self, place: [f64; 2]) -> String {
+    /// A pair of initial values.
+    fn at(&self, place: [f64; 2]) -> Arg {
         let one = |k: usize| {
             let axis = &self.study.axes[k];
-            format!("{} = {}", axis.name, quantity(place[k], &axis.unit))
+            Message::new("basins-initial-value").arg("state", Arg::name(&axis.name)).arg("value", Arg::quantity(place[k], &axis.unit)).into()
         };
-        format!("{}, {}", one(0), one(1))
+        Arg::List((0..2).filter(|&k| place[k].is_finite()).map(one).collect())
+    }
+
+    /// An attractor in a sentence.
+    fn attractor(&self, k: usize) -> Message {
+        match self.found.attractors[k].period {
+            Some(_) => Message::new("basins-attractor").arg("attractor", Arg::count(k + 1)),
+            None => Message::new("basins-irregular").arg("turns", Arg::count(LONGEST)),
+        }
     }
 
     /// Largest value of a probe on an attractor.
@@ -114,9 +122,7 @@ pub(super) fn report(
     let (map, results) = (Map::read(study, system, data)?, &data.motions);
     let mut outcome = Outcome::new(Basins::KIND, name).end(result.end);
     let axes = &study.axes;
-    let cells: usize = axes.iter().map(|a| a.values().len()).product();
-    let rows = format!("motions ({cells} cells and the undisturbed start)");
-    for f in results.remark_of(&rows).into_iter().chain(start::undeflected(&result.undeflected)) {
+    for f in results.remark_of("motions").into_iter().chain(start::undeflected(&result.undeflected)) {
         outcome = outcome.finding(f);
     }
     outcome = cut_short(&map, outcome);
@@ -141,17 +147,16 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(map.study.speed, "rad/s");
     let own: Vec<(usize, &Attractor, usize)> =
         map.found.attractors.iter().enumerate().map(|(k, a)| (k, a, map.count(a))).filter(|x| x.2 > 0).collect();
     let repeating = own.iter().filter(|x| x.1.period.is_some()).count();
-    let text = match repeating {
-        0 => format!("No cell of the grid was found to end in a motion that repeats within {LONGEST} turns, at {speed}."),
-        1 => format!("{{}} motion that repeats was found to be reached from the grid, at {speed}."),
-        _ => format!("{{}} different motions that repeat were found to be reached from the grid, at {speed}."),
-    };
     let tolerance = AGREE * map.study.rules.tolerance;
-    let mut finding = Finding::info("attractors", text).value(repeating as f64, "").evidence("cells", cells as f64, "");
+    let mut finding = Finding::info("attractors", "basins-attractors")
+        .value(repeating as f64, "")
+        .arg("count", Arg::count(repeating))
+        .arg("speed", Arg::speed(map.study.speed))
+        .arg("turns", Arg::count(LONGEST))
+        .evidence("cells", cells as f64, "");
     finding = finding.evidence("distance over the size of a motion that counts as the same", tolerance, "");
     if let Some(gap) = map.found.gap {
         finding = finding.evidence("smallest distance of two attractors of one period over their size", gap, "");
@@ -161,22 +166,29 @@ fn shares(map: &Map, mut outcome: Outcome) -> Outcome {
     by_share.sort_by_key(|x| (std::cmp::Reverse(x.2), x.0));
     for &(k, a, count) in by_share.iter().take(MOST_REPORTED) {
         let (p, error) = share(count, cells);
-        let what = match a.period {
-            Some(1) => "which repeats every turn".to_string(),
-            Some(turns) => format!("which repeats after {turns} turns"),
-            None => format!("motions that do not repeat within {LONGEST} turns, one or several attractors"),
+        let (key, turns) = match a.period {
+            Some(turns) => ("basins-share", turns),
+            None => ("basins-share-irregular", LONGEST),
         };
-        let lead = map.probes.get(map.lead);
-        let (size, body, unit) = lead.map_or(("", String::new(), ""), |p| (probes::quality(p), probes::owner(p), p.unit()));
-        let moves = if lead.is_some() { quantity(map.peak(a, map.lead), unit) } else { String::new() };
-        let begin = if a.period.is_some() { format!("{}, {what}", upper(&map.name(k))) } else { upper(&what) };
-        let text = format!("{begin} (largest {size} of \"{body}\" {moves}): reached from {{}} of the cells.");
-        let finding = Finding::info("share", text).of(map.name(k)).value(p, "").shown_as(100.0 * p, "%");
+        let mut finding = Finding::info("share", key)
+            .of(map.name(k))
+            .value_as(Arg::percent(p))
+            .arg("attractor", Arg::count(k + 1))
+            .arg("turns", Arg::count(turns));
+        let size = map.probes.get(map.lead).map(|p| (p, map.peak(a, map.lead))).filter(|s| s.1.is_finite());
+        finding = match size {
+            Some((probe, size)) => finding
+                .arg("quality", Arg::word(probes::quality(probe)))
+                .arg("point", probes::arg(probe))
+                .arg("size", Arg::quantity(size, probe.unit())),
+            None => finding.arg("quality", Arg::word("none")),
+        };
         outcome = outcome.finding(finding.evidence("sampling error", error, "").evidence("cells", count as f64, ""));
     }
     if own.len() > MOST_REPORTED {
-        let text = format!("{{}} more attractors, each with a smaller share, are in the table of {}.", own.len());
-        outcome = outcome.finding(Finding::info("more_attractors", text).value((own.len() - MOST_REPORTED) as f64, ""));
+        let more = own.len() - MOST_REPORTED;
+        outcome =
+            outcome.finding(Finding::info("more_attractors", "basins-more-attractors").value(more as f64, "").arg("count", Arg::count(more)));
     }
     outcome
 }
@@ -192,43 +204,36 @@ pub(super) fn share(count: usize, of: usize) -> (f64, f64) {
 fn disturbance(map: &Map, complete: bool, outcome: Outcome) -> Outcome {
     let axes = &map.study.axes;
     let Some(&start) = map.place.first() else { return outcome };
-    let place = map.at(start);
+    let about = |finding: Finding| finding.arg("place", map.at(start));
     let Some(home) = map.found.of[0] else {
-        let what = match map.failure[0].as_str() {
-            "" => format!("is {}", map.motion[0]),
-            why => why.to_string(),
-        };
-        return outcome.finding(Finding::warning("undisturbed", format!("The motion from the undisturbed start ({place}) {what}.")));
+        return outcome.finding(about(match map.failure[0].as_str() {
+            "" => Finding::warning("undisturbed", "basins-undisturbed-not-settled"),
+            why => Finding::warning("undisturbed", "basins-undisturbed-failed").arg("reason", Arg::term(why)),
+        }));
     };
-    let repeats = map.found.attractors[home].period.is_some();
-    let ends = if repeats { format!("ends in {}", map.name(home)) } else { format!("does not repeat within {LONGEST} turns") };
-    let from = format!("The motion from the undisturbed start ({place}) {ends}");
+    let from = |finding: Finding| about(finding).arg("attractor", map.attractor(home));
     let at_home = |row: usize| map.found.of[row] == Some(home);
     if !(complete && axes[0].holds(start[0]) && axes[1].holds(start[1])) {
-        return outcome.finding(Finding::info("undisturbed", from + "."));
+        return outcome.finding(from(Finding::info("undisturbed", "basins-undisturbed")));
     }
     let scale = axes.each_ref().map(|a| a.index.and_then(|i| map.data.sizes.get(i)).copied().unwrap_or(1.0));
     let distance = |row: usize| ((map.place[row][0] - start[0]) / scale[0]).hypot((map.place[row][1] - start[1]) / scale[1]);
-    let other =
-        map.cells().filter(|&r| map.found.of[r].is_some() && !at_home(r)).map(|r| (distance(r), r)).min_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((d, row)) = other else {
-        let which = if map.cells().any(|r| map.found.of[r].is_none()) { " that settled" } else { "" };
-        return outcome.finding(Finding::info("undisturbed", format!("{from}, as does that from every cell of the grid{which}.")));
+    let away = map.cells().filter_map(|r| Some((distance(r), r, map.found.of[r]?))).filter(|x| x.2 != home);
+    let Some((d, row, target)) = away.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        let cells = if map.cells().any(|r| map.found.of[r].is_none()) { "settled" } else { "all" };
+        return outcome.finding(from(Finding::info("undisturbed", "basins-undisturbed-everywhere")).arg("cells", Arg::word(cells)));
     };
     let nearer = |r: &usize| distance(*r) < d;
     let inside = map.cells().filter(nearer).filter(|&r| at_home(r)).map(distance).fold(0.0, f64::max);
     let unknown = map.cells().filter(nearer).filter(|&r| map.found.of[r].is_none()).count();
-    let target = map.word(row);
-    let leads = if target.starts_with("attractor") {
-        format!("to {target}")
-    } else {
-        format!("to motion that does not repeat within {LONGEST} turns")
-    };
-    let text = format!("{from}; the smallest disturbance on the grid that leads {leads} is {}, {{}} away.", map.at(map.place[row]));
     let same = axes[0].unit == axes[1].unit && scale[0] == scale[1];
     let (unit, factor, shown) = if same { (axes[0].unit.as_str(), scale[0], "") } else { ("", 1.0, " over typical sizes") };
-    let mut finding = Finding::info("smallest_disturbance", if same { text } else { text.replace("{} away", "{} typical sizes away") });
-    finding = finding.value(d * factor, unit).evidence(format!("farthest nearer cell that does not{shown}"), inside * factor, unit);
+    let mut finding = from(Finding::info("smallest_disturbance", "basins-smallest-disturbance"))
+        .value(d * factor, unit)
+        .arg("scale", Arg::word(if same { "same" } else { "typical" }))
+        .arg("target", map.attractor(target))
+        .arg("disturbed", map.at(map.place[row]))
+        .evidence(format!("farthest nearer cell that does not{shown}"), inside * factor, unit);
     for k in 0..2 {
         finding = finding.evidence(format!("grid step of {}", axes[k].name), axes[k].step(), axes[k].unit.clone());
         if !same {
@@ -249,19 +254,20 @@ fn failures(map: &Map, mut outcome: Outcome) -> Outcome {
         *causes.entry(why).or_default() += 1;
     }
     for (why, count) in causes {
-        let text = if why == UNBOUNDED {
-            format!(
-                "{{}} of {cells} cells lead to a motion that grows without bound, to more than {RUNAWAY:e} typical displacements (1 mm, 10 mrad)."
-            )
-        } else {
-            format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.")
-        };
-        outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
+        let key = if why == UNBOUNDED { "basins-unbounded" } else { "basins-failed-motions" };
+        let finding = Finding::warning("failed_motions", key)
+            .of(why)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("cells", Arg::count(cells))
+            .arg("limit", Arg::number(RUNAWAY))
+            .arg("reason", Arg::term(why));
+        outcome = outcome.finding(finding);
     }
     outcome
 }
 
-/// That settling was cut short.
+/// Cells whose settling was cut short.
 fn cut_short(map: &Map, outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let bounded = map.data.motions.numbers("bounded");
@@ -269,40 +275,29 @@ fn cut_short(map: &Map, outcome: Outcome) -> Outcome {
     if cut == 0 || map.data.modes.decay.is_none() {
         return outcome;
     }
-    let text = format!(
-        "In {{}} of {cells} cells the largest number of periods (most_periods) cut the settling short of what the slowest mode requires; they are classified by their last turns."
-    );
-    outcome.finding(Finding::info("settling_bounded", text).value(cut as f64, ""))
+    let finding = Finding::info("settling_bounded", "basins-settling-bounded").value(cut as f64, "");
+    outcome.finding(finding.arg("count", Arg::count(cut)).arg("cells", Arg::count(cells)))
 }
 
 /// Cells without a settled motion.
 fn undecided(map: &Map, mut outcome: Outcome) -> Outcome {
     let cells = map.cells().len();
     let count = |word: &str| map.cells().filter(|&r| map.word(r) == word).count();
-    if !map.place.is_empty()
-        && let Some(what) = map.data.modes.undecaying()
-    {
-        let most = map.study.rules.most_periods;
-        let mut text = format!(
-            "{}: nothing says how long settling takes, and motions that do not repeat were followed for {most} turns (most_periods).",
-            upper(&what)
-        );
-        if map.data.modes.neutral {
-            text += " One that does not repeat by then is called not settled.";
-        }
-        outcome = outcome.finding(Finding::warning("no_decay", text));
+    let modes = &map.data.modes;
+    if !map.place.is_empty() && modes.decay.is_none() {
+        let finding = match modes.growth {
+            Some(growth) => Finding::warning("no_decay", "basins-growing").arg("growth", Arg::quantity(growth, "1/s")),
+            None if modes.neutral => Finding::warning("no_decay", "basins-neutral"),
+            None => Finding::warning("no_decay", "basins-modes-unknown"),
+        };
+        outcome = outcome.finding(finding.arg("turns", Arg::Count(map.study.rules.most_periods)));
     }
     let unsettled = count("not settled");
     if unsettled > 0 {
-        let text = format!("{{}} of {cells} cells did not settle within the largest number of periods: they belong to no attractor here.");
-        outcome = outcome.finding(Finding::warning("not_settled", text).value(unsettled as f64, ""));
+        let finding = Finding::warning("not_settled", "basins-not-settled").value(unsettled as f64, "");
+        outcome = outcome.finding(finding.arg("count", Arg::count(unsettled)).arg("cells", Arg::count(cells)));
     }
     outcome
-}
-
-pub(super) fn upper(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |c| c.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 fn tables(map: &Map, mut outcome: Outcome) -> Result<Outcome, Diagnostic> {

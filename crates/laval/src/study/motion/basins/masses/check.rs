@@ -6,7 +6,7 @@
 use super::follow::Goal;
 use super::{Basins, Members, place};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Finding, Outcome, Table};
+use crate::outcome::{Arg, Finding, Outcome, Table};
 use crate::study::motion::basins::rows::PLACE;
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::Points;
@@ -73,15 +73,19 @@ impl Checked {
     /// A finding, and a table of the cells that differ.
     pub(super) fn report(&self, study: &Basins, values: &[Vec<f64>; 2], outcome: Outcome) -> Result<Outcome, Diagnostic> {
         let (differ, inside) = (self.differ.len(), self.differ.iter().filter(|d| !d.border).count());
-        let rest = match (differ, inside) {
-            (0, _) => String::new(),
-            (_, 0) => format!("; each of the {differ} others has a neighbour that ends elsewhere"),
-            _ => format!("; of the {differ} others {inside} have no neighbour that ends elsewhere"),
+        let key = match (differ, inside) {
+            (0, _) => "basins-agreement",
+            (_, 0) => "basins-agreement-at-boundaries",
+            _ => "basins-agreement-inside",
         };
-        let text = format!("{{}} of {} cells chosen by chance and followed to their ends end where the map has them{rest}.", self.cells);
-        let make = if inside > 0 || 500 * differ > self.cells { Finding::warning } else { Finding::info };
-        let finding = make("agreement", text)
+        let doubtful = inside > 0 || 500 * differ > self.cells;
+        let make = if doubtful { Finding::warning } else { Finding::info };
+        let finding = make("agreement", key)
             .value((self.cells - differ) as f64, "")
+            .arg("agree", Arg::count(self.cells - differ))
+            .arg("cells", Arg::count(self.cells))
+            .arg("inside", Arg::count(inside))
+            .arg("doubtful", Arg::word(if doubtful { "yes" } else { "no" }))
             .evidence("cells followed", self.cells as f64, "")
             .evidence("end elsewhere", differ as f64, "")
             .evidence("of them with no neighbour that does", inside as f64, "");

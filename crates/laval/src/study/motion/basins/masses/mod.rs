@@ -321,6 +321,5 @@ pub(super) fn run(study: &Basins, system: &System, context: &Context) -> Result<
 
 /// Of a study that was stopped before the first cell.
 pub(super) fn nothing(result: &BasinsResult, name: &str) -> Outcome {
-    let text = "The study was stopped while it followed starts beforehand: no cell of the grid was computed.";
-    Outcome::new(Basins::KIND, name).end(result.end).finding(Finding::warning("incomplete", text))
+    Outcome::new(Basins::KIND, name).end(result.end).finding(Finding::warning("incomplete", "basins-no-cell"))
 }

@@ -1,14 +1,14 @@
-//! What is said of the basins of a machine with movable masses.
+//! Findings, tables and the figure of the basins of a machine with movable masses.
 
 use super::super::axes::InitialValueAxis;
-use super::super::report::{share, upper};
+use super::super::report::share;
 use super::super::rows::PLACE;
 use super::super::{Basins, BasinsResult, MassBasins};
 use super::known::{MassAttractor, MassKind};
 use super::{EARLY, FAILURE, GOAL, Rehearsal, STATE, STEPS, TURNS};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
+use crate::outcome::{Arg, Axis, Figure, Finding, Heat, Outcome, Panel, Table, quantity};
 use crate::store::Collected;
 use crate::study::Study;
 use crate::study::motion::start;
@@ -84,37 +84,34 @@ fn shares(
     if cells == 0 {
         return outcome;
     }
-    let speed = quantity(study.speed, "rad/s");
     let mut order: Vec<(&str, usize)> = counts.iter().map(|(w, n)| (*w, *n)).filter(|x| x.0 != UNSETTLED && x.0 != "failed").collect();
     order.sort_by_key(|x| (std::cmp::Reverse(x.1), x.0));
-    let text = match order.len() {
-        1 => format!("All motions that settle end alike, at {speed}: {{}} end is reached from the grid."),
-        _ => format!("{{}} different ends are reached from the grid, at {speed}."),
-    };
-    outcome = outcome.finding(Finding::info("attractors", text).value(order.len() as f64, "").evidence("cells", cells as f64, ""));
+    outcome = outcome.finding(
+        Finding::info("attractors", "basins-ends")
+            .value(order.len() as f64, "")
+            .arg("count", Arg::count(order.len()))
+            .arg("speed", Arg::speed(study.speed))
+            .evidence("cells", cells as f64, ""),
+    );
     for (word, count) in order {
         let (p, error) = share(count, cells);
-        let mut text = format!("{}: reached from {{}} of the cells.", upper(word));
-        let mut balances = false;
-        if let Some(k) = names.iter().position(|n| n == word) {
-            match &data.attractors[k].kind {
-                MassKind::Rest { class, stable, .. } => {
-                    balances = class.balances();
-                    if !stable {
-                        text = format!(
-                            "{}: motions from {{}} of the cells end there although it is unstable, as those of masses that start together and stay so.",
-                            upper(word)
-                        );
-                    }
-                }
-                MassKind::Moving { slip, .. } => {
-                    let rates: Vec<String> = slip.iter().map(|s| quantity(s * study.speed, "rad/s")).collect();
-                    text = format!("{} at mean rates of {}: reached from {{}} of the cells.", upper(word), rates.join(" and "));
-                }
-            }
+        let known = names.iter().position(|n| n == word).map(|k| &data.attractors[k].kind);
+        let balances = matches!(known, Some(MassKind::Rest { class, .. }) if class.balances());
+        let key = match known {
+            Some(MassKind::Rest { stable: false, .. }) => "basins-end-unstable",
+            Some(MassKind::Moving { .. }) => "basins-end-moving",
+            _ => "basins-end",
+        };
+        let unbalanced = !balances && !word.starts_with("at rest");
+        let make = if unbalanced { Finding::warning } else { Finding::info };
+        let mut finding = make("share", key)
+            .of(word)
+            .value_as(Arg::percent(p))
+            .arg("end", Arg::term(word))
+            .arg("unbalanced", Arg::word(if unbalanced { "yes" } else { "no" }));
+        if let Some(MassKind::Moving { slip, .. }) = known {
+            finding = finding.arg("rates", Arg::List(slip.iter().map(|s| Arg::speed(s * study.speed)).collect()));
         }
-        let make = if balances || word.starts_with("at rest") { Finding::info } else { Finding::warning };
-        let finding = make("share", text).of(word).value(p, "").shown_as(100.0 * p, "%");
         outcome = outcome.finding(finding.evidence("sampling error", error, "").evidence("cells", count as f64, ""));
     }
     outcome
@@ -122,41 +119,45 @@ fn shares(
 
 fn undecided(counts: &BTreeMap<&str, usize>, cells: usize, results: &Collected, mut outcome: Outcome) -> Outcome {
     if let Some(&n) = counts.get(UNSETTLED) {
-        let text = format!("{{}} of {cells} cells did not settle within the largest number of turns: they belong to no attractor here.");
-        outcome = outcome.finding(Finding::warning("not_settled", text).value(n as f64, ""));
+        let finding = Finding::warning("not_settled", "basins-not-settled").value(n as f64, "");
+        outcome = outcome.finding(finding.arg("count", Arg::count(n)).arg("cells", Arg::count(cells)));
     }
     let mut causes: BTreeMap<String, usize> = BTreeMap::new();
     for why in results.words(FAILURE).into_iter().filter(|w| !w.is_empty()) {
         *causes.entry(why).or_default() += 1;
     }
     for (why, count) in causes {
-        let text = format!("{{}} of {cells} cells have a motion that could not be followed: it {why}.");
-        outcome = outcome.finding(Finding::warning("failed_motions", text).of(why).value(count as f64, ""));
+        let finding = Finding::warning("failed_motions", "basins-failed-motions")
+            .of(&why)
+            .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("cells", Arg::count(cells))
+            .arg("reason", Arg::term(why));
+        outcome = outcome.finding(finding);
     }
     outcome
 }
 
-/// How ends of motions were recognised early, and how often that was wrong.
+/// Ends of motions recognised early, and how often that was wrong.
 fn early(seen: Option<Rehearsal>, stored: &[f64], outcome: Outcome) -> Outcome {
     let Some(seen) = seen else {
-        return outcome.finding(Finding::info("recognition", "Every motion was followed to its end."));
+        return outcome.finding(Finding::info("recognition", "basins-recognition-none"));
     };
     let count = stored.iter().filter(|t| **t == 1.0).count();
-    let text = format!(
-        "The end of {{}} of {} cells was concluded before it was reached, from a distance to an attractor half as large as the nearest approach of {} motions that ended \
-         elsewhere; of {} other starts followed to the end {} would have been concluded so, {} of them wrongly.",
-        stored.len(),
-        seen.witnessed,
-        seen.tried,
-        seen.assigned,
-        seen.wrong
-    );
-    let make = if 100 * seen.wrong > seen.tried { Finding::warning } else { Finding::info };
+    let doubtful = 100 * seen.wrong > seen.tried;
+    let make = if doubtful { Finding::warning } else { Finding::info };
     outcome.finding(
-        make("recognition", text)
+        make("recognition", "basins-recognition")
             .value(count as f64, "")
+            .arg("count", Arg::count(count))
+            .arg("cells", Arg::count(stored.len()))
+            .arg("wrong", Arg::count(seen.wrong))
+            .arg("tried", Arg::count(seen.tried))
+            .arg("doubtful", Arg::word(if doubtful { "yes" } else { "no" }))
             .evidence("concluded wrongly", seen.wrong as f64, "")
             .evidence("starts followed to the end to see", seen.tried as f64, "")
+            .evidence("of them concluded before", seen.assigned as f64, "")
+            .evidence("starts that showed how near motions come", seen.witnessed as f64, "")
             .evidence("starts that showed what motions there are", seen.learned as f64, ""),
     )
 }
