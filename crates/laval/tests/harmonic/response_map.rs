@@ -117,7 +117,7 @@ fn hysteresis_is_reported_where_there_is_one() {
             ),
         ))
     };
-    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone());
+    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.sentence());
     let closed = map("42, to = 43");
     assert!(text(&closed, "widest_hysteresis").is_some_and(|t| !t.contains("beyond")), "{:?}", closed.findings);
     assert_eq!(finding(&closed, "jumping_machines"), 4.0);
@@ -146,14 +146,14 @@ fn reference_folds_and_what_sweeps_do() {
     assert_eq!(sweeps, ["jumps up and down", "jumps down only", "no jump", "jumps down only"]);
     assert_eq!(finding(&o, "jumping_machines"), 3.0);
     // what lies at the end of the range is a lower bound, and is marked so
-    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone());
-    assert!(text(&o, "widest_hysteresis").is_some_and(|t| t.contains("goes on beyond the range")), "{:?}", o.findings);
+    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.sentence());
+    assert!(text(&o, "widest_hysteresis").is_some_and(|t| t.contains("continues beyond the speed range")), "{:?}", o.findings);
     for row in 0..4 {
         assert_eq!(number(&o, "peak_at_end", row) == 1.0, number(&o, "peak_speed", row) == 8000.0, "{row}");
     }
     assert_eq!([0, 1, 2].map(|row| number(&o, "peak_at_end", row)), [0.0, 1.0, 0.0]);
-    assert!(text(&o, "largest_peak").is_some_and(|t| t.ends_with("an end of the range.")), "{:?}", o.findings);
-    assert!(text(&o, "smallest_peak").is_some_and(|t| !t.contains("end of the range")), "{:?}", o.findings);
+    assert!(text(&o, "largest_peak").is_some_and(|t| t.contains("at an end of the speed range")), "{:?}", o.findings);
+    assert!(text(&o, "smallest_peak").is_some_and(|t| !t.contains("end of the speed range")), "{:?}", o.findings);
     // the border goes round the one machine that does not jump
     let border = o.find_table("border").unwrap();
     assert_eq!(border.rows(), 4);

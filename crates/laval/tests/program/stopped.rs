@@ -188,7 +188,7 @@ fn states_at_rest_are_counted_up_to_the_stop() {
     let o = run(ROTOR, study, &Cancel::default(), 0);
     assert_eq!(o.end, End::WorkLimit);
     let f = finding(&o, "completeness").sentence();
-    assert!(f.contains("were found before the study stopped"), "{f}");
+    assert!(f.contains("found before the study stopped"), "{f}");
 }
 
 #[test]

@@ -20,7 +20,7 @@ bifurcation-loci-folds-meet = Two folds meet at { $parameter } = { $value } and 
 bifurcation-loci-extremum = Locus { $locus }, { $kind }, turns back at { $parameter } = { $value } and { $speed }; it lies { $side ->
         [above] above
        *[below] below
-    } this value.
+    } this value only.
 
 # Folds and hysteresis.
 bifurcation-loci-folds = Folds were found for { $parameter } from { $value } to { $largest }, { $place }. Lower limit: { $below }; upper limit: { $above }.{ $stopped ->
@@ -76,7 +76,7 @@ bifurcation-loci-none = { $sought ->
        *[other] { $values } values
     } of { $parameter }{ $stopped ->
         [yes] {" "}before the study stopped.
-       *[no] {""}. Loci between these values are possible; raise points.
+       *[no] {""}. Loci at other values are possible; raise points.
     }{ $beside ->
         [folds] {" "}{ $folds ->
             [one] One fold was
@@ -91,13 +91,13 @@ bifurcation-loci-starts-lost = No locus could be followed from { $count ->
        *[other] { $count } bifurcations
     } of the computed responses. Loci may be missing; raise points.
 bifurcation-loci-no-response = No response was computed at { $count ->
-        [one] one value
-       *[other] { $count } values
-    } of { $parameter }, first at { $first }: { $why }. Loci there may be missing.
+        [one] { $parameter } = { $first }
+       *[other] { $count } values of { $parameter }, first at { $first }
+    }: { $why }. Loci there may be missing.
 bifurcation-loci-corners = { $count ->
         [one] One fold lies
        *[other] { $count } folds lie
-    } where a force law changes along the motion, as where a contact closes. Their loci are not followed.
+    } where a force law changes along the motion, as where a contact closes. Such folds are not followed.
 bifurcation-loci-more = There are more than { $most } loci; the others were not followed. Narrow the speed range.
 bifurcation-loci-stability-unknown = Stability was not computed for some or all states: { $why }. Loci of stability changes may be missing.
 bifurcation-loci-harmonics-short = The harmonics kept leave out { $value } of the nonlinear force at the worst point of the loci. Raise harmonics.

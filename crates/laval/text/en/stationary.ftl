@@ -49,12 +49,12 @@ stationary-not-balanced = No balanced or partly balanced state was found from { 
         [used] The balls are too light there; use heavier balls, or pass quickly.
        *[left] Pass this range quickly.
     }
-stationary-harm = Balls increase the unbalance from { $from } to { $to }, up to { $value } times, on branch { $branch }, { $kind }. Hold the balls there, or pass quickly.
-stationary-harm-of-balanced = Balls unbalance the rotor from { $from } to { $to }, by up to { $value } on branch { $branch }, { $kind }. Without balls the rotor is balanced; remove or hold them.
+stationary-harm = From { $from } to { $to } balls increase the unbalance up to { $value } times: branch { $branch }, { $kind }. Hold the balls there, or pass quickly.
+stationary-harm-of-balanced = From { $from } to { $to } balls unbalance the rotor by up to { $value }: branch { $branch }, { $kind }. Without balls the rotor is balanced; remove or hold them.
 stationary-coexistence = At { $speeds ->
-        [one] one speed
-       *[other] { $speeds } speeds
-    } of the table, from { $from } to { $to }, a balanced and an unbalanced state are both stable. The initial condition decides; compute basins.
+        [one] { $from }
+       *[other] { $speeds } speeds of the table, from { $from } to { $to },
+    } a balanced and an unbalanced state are both stable. The initial condition decides; compute basins.
 
 # The best state at the operating speed.
 stationary-residual-unbalance = At { $speed } the best stable state found, { $kind }, leaves an unbalance of { $value }{ $beside ->
@@ -168,16 +168,13 @@ stationary-branch-near = branch { $branch } near { $speed }
 stationary-more = { $count } more
 
 # One speed.
-stationary-states = At { $speed } { $stable ->
-        [one] one
-       *[other] { $stable }
-    } of { $states ->
-        [one] one state found
-       *[other] { $states } states found
-    } { $stable ->
-        [one] is
-       *[other] are
-    } stable.
+stationary-states = At { $speed } { $states ->
+        [one] the one state found is stable
+       *[other] { $stable ->
+            [one] one of { $states } states found is stable
+           *[other] { $stable } of { $states } states found are stable
+        }
+    }.
 stationary-states-unstable = At { $speed } { $states ->
         [one] the one state found is unstable
        *[other] all { $states } states found are unstable

@@ -5,6 +5,7 @@ use crate::outcome::{Arg, Finding, Message, significant};
 use crate::solve::harmonic::branches::bifurcation::Event;
 use crate::solve::harmonic::loci::follow::PathEnd;
 use crate::solve::harmonic::loci::search::{Corner, Locus, LocusKind, LocusPoint, MOST_LOCI};
+use crate::study::nonlinear::nonlinear_response::unassessed;
 use crate::study::shared::validity::Uses;
 
 /// Largest difference, relative to the range of the parameter, of values that are the same.
@@ -62,20 +63,16 @@ impl Shown<'_> {
             out.push(Finding::warning("more_loci", "bifurcation-loci-more").arg("most", Arg::count(MOST_LOCI)));
         }
         if let Some(why) = &self.found.unassessed {
-            out.push(
-                Finding::warning("stability_unknown", "bifurcation-loci-stability-unknown").arg("why", Arg::term(why.to_string())),
-            );
+            out.push(Finding::warning("stability_unknown", "bifurcation-loci-stability-unknown").arg("why", unassessed(why)));
         }
         let dropped =
             self.found.loci.iter().flat_map(|l| &l.points).fold(0.0, |m: f64, p| if p.truncation <= m { m } else { p.truncation });
         if self.request.harmonics.is_none() && dropped > self.request.truncation {
-            out.push(
-                Finding::warning("harmonics_short", "bifurcation-loci-harmonics-short").value_as(Arg::percent(dropped)).evidence(
-                    "orders kept",
-                    self.found.discretisation.harmonics as f64,
-                    "",
-                ),
-            );
+            out.push(Finding::warning("harmonics_short", "bifurcation-loci-harmonics-short").value_as(Arg::percent(dropped)).evidence(
+                "orders kept",
+                self.found.discretisation.harmonics as f64,
+                "",
+            ));
         }
         out.extend(self.invalid());
         out
@@ -287,7 +284,8 @@ impl Shown<'_> {
     fn existence(&self) -> Vec<Finding> {
         let (lo, hi) = self.found.exists;
         let [below, above] = &self.found.refused;
-        let beyond = [(below, lo, "below"), (above, hi, "above")].into_iter().filter_map(|(why, edge, side)| Some((why.as_ref()?, edge, side)));
+        let beyond =
+            [(below, lo, "below"), (above, hi, "above")].into_iter().filter_map(|(why, edge, side)| Some((why.as_ref()?, edge, side)));
         let one = |(why, edge, side): (&String, f64, &'static str)| {
             Finding::warning("parameter_range", "bifurcation-loci-parameter-range")
                 .value(edge, self.unit)

@@ -5,7 +5,7 @@ use super::cells::{APART, BOTH, DOWN, FAILED, NO_JUMP, SWEEPS, TILT, UP};
 use super::{ParameterAxis, ResponseMap, ResponseMapResult, figures};
 use crate::diagnostic::Diagnostic;
 use crate::model::system::System;
-use crate::outcome::{Finding, Outcome, Table, quantity, significant};
+use crate::outcome::{Arg, Finding, Message, Outcome, Table};
 use crate::store::{Collected, Kind};
 use crate::study::Study;
 use crate::study::shared::probes;
@@ -44,13 +44,16 @@ impl Map<'_> {
         let width = self.values[0].len();
         [self.values[0][cell % width], self.values[1][cell / width]]
     }
-    /// "drum.eccentricity = 50 µm, air.damping = 42 N s/m"
-    fn at(&self, cell: usize) -> String {
-        let (place, axes) = (self.place(cell), &self.study.axes);
-        [0, 1].map(|k| format!("{} = {}", axes[k].path, quantity(place[k], axes[k].unit))).join(", ")
+    /// With the number of all machines.
+    fn of_all(&self, f: Finding) -> Finding {
+        f.arg("machines", Arg::count(self.len()))
     }
+    /// With the values of both parameters: the argument `at`, and evidence.
     fn with_place(&self, f: Finding, cell: usize) -> Finding {
         let (place, axes) = (self.place(cell), &self.study.axes);
+        let value = |k: usize| Arg::quantity(place[k], axes[k].unit);
+        let both = Message::new("response-map-place").arg("first", Arg::name(&axes[0].path)).arg("x", value(0));
+        let f = f.arg("at", both.arg("second", Arg::name(&axes[1].path)).arg("y", value(1)));
         (0..2).fold(f, |f, k| f.evidence(axes[k].path.clone(), place[k], axes[k].unit))
     }
 }
@@ -96,21 +99,19 @@ fn failures(map: &Map, results: &Collected) -> Vec<Finding> {
         causes.entry(crate::study::parameters::uncertainty::cause(&why)).or_insert((0, i, why)).0 += 1;
     }
     for (cause, (count, first, example)) in causes {
-        let text = format!("{{}} of {} machines have no response, for instance at {}: {example}", map.len(), map.at(first));
-        out.push(map.with_place(Finding::warning("failed_machines", text).of(cause).value(count as f64, ""), first));
+        let f = Finding::warning("failed_machines", "response-map-failed").of(cause).value(count as f64, "");
+        let f = map.of_all(f).arg("count", Arg::count(count)).arg("why", Arg::term(example.trim_end_matches('.')));
+        out.push(map.with_place(f, first));
     }
     let left = results.words("end").iter().filter(|w| !w.is_empty()).count();
     if left > 0 {
-        let text = format!("Of {{}} of {} machines a branch of states was left before its end: see the column `end`.", map.len());
-        out.push(Finding::warning("branches_left", text).value(left as f64, ""));
+        let f = Finding::warning("branches_left", "response-map-branches-left").value(left as f64, "");
+        out.push(map.of_all(f).arg("count", Arg::count(left)));
     }
     let rising = map.column("rising").iter().filter(|x| **x == 1.0).count();
     if rising > 0 {
-        let text = format!(
-            "Of {{}} of {} machines the displacement or tilt still rises where a branch was left: they have no peak here.",
-            map.len()
-        );
-        out.push(Finding::warning("peaks_not_reached", text).value(rising as f64, ""));
+        let f = Finding::warning("peaks_not_reached", "response-map-peaks-not-reached").value(rising as f64, "");
+        out.push(map.of_all(f).arg("count", Arg::count(rising)));
     }
     out
 }
@@ -122,20 +123,24 @@ fn jumping(map: &Map) -> Vec<Finding> {
         return Vec::new();
     }
     let count = map.count(|w| jumps(w) == Some(true));
-    let text = match count {
-        0 => format!("None of the {known} machines jumps in this range of speeds."),
-        n if n == known => {
-            format!("All {{}} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN))
-        }
-        _ => format!("{{}} of {known} machines jump in this range of speeds, {} of them on a sweep down only.", map.count(|w| w == DOWN)),
+    let jumping = match count {
+        0 => "none",
+        n if n == known => "all",
+        _ => "some",
     };
-    let mut out =
-        vec![Finding::info("jumping_machines", text).value(count as f64, "").evidence("machines whose sweeps are known", known as f64, "")];
+    let mut out = vec![
+        Finding::info("jumping_machines", "response-map-jumping")
+            .value(count as f64, "")
+            .arg("jumping", Arg::word(jumping))
+            .arg("count", Arg::count(count))
+            .arg("known", Arg::count(known))
+            .arg("down", Arg::count(map.count(|w| w == DOWN)))
+            .evidence("machines whose sweeps are known", known as f64, ""),
+    ];
     if let Some((cell, width)) = map.best("hysteresis", 1.0).filter(|b| b.1 > 0.0) {
         let open = map.column("open").get(cell) == Some(&1.0);
-        let more = if open { " and goes on beyond the range of speeds" } else { "" };
-        let text = format!("The widest hysteresis is {{}}{more}, at {}.", map.at(cell));
-        out.push(map.with_place(Finding::info("widest_hysteresis", text).value(width, "rad/s"), cell));
+        let f = Finding::info("widest_hysteresis", "response-map-widest-hysteresis").value(width, "rad/s");
+        out.push(map.with_place(f.arg("open", Arg::word(if open { "yes" } else { "no" })), cell));
     }
     out
 }
@@ -150,18 +155,18 @@ fn peaks(map: &Map, system: &System) -> Vec<Finding> {
     if probes::unforced(system, &map.study.spin_speeds(system), sizes) {
         return vec![Finding::info("largest_peak", probes::UNFORCED).value(0.0, "m")];
     }
-    let one = |id: &str, what: &str, (column, at, unit): (&str, &str, &str), sign: f64| {
+    let one = |id: &str, key: &str, (column, at, unit): (&str, &str, &str), sign: f64| {
         let (cell, peak) = map.best(column, sign)?;
         let of = |name: &str| map.column(name).get(cell).copied().unwrap_or(f64::NAN);
-        let end = if column == PEAK.0 && of("peak_at_end") == 1.0 { ", an end of the range" } else { "" };
-        let text = format!("The {what} is {{}}, at {}, at {} rad/s{end}.", map.at(cell), significant(of(at), 4));
-        let f = Finding::info(id, text).value(peak, unit).evidence("speed", of(at), "rad/s");
+        let end = column == PEAK.0 && of("peak_at_end") == 1.0;
+        let f = Finding::info(id, key).value(peak, unit).arg("speed", Arg::speed(of(at))).evidence("speed", of(at), "rad/s");
+        let f = f.arg("end", Arg::word(if end { "yes" } else { "no" }));
         Some(map.with_place(f.evidence("dropped over kept force harmonics, worst point", of("truncation"), ""), cell))
     };
     let several = map.column("peak").iter().filter(|p| p.is_finite()).count() > 1;
-    let mut out: Vec<Finding> = one("largest_peak", "largest peak", PEAK, 1.0).into_iter().collect();
-    out.extend(several.then(|| one("smallest_peak", "smallest peak", PEAK, -1.0)).flatten());
-    out.extend(one("largest_tilt", "largest tilt", (TILT, "tilt_speed", "rad"), 1.0));
+    let mut out: Vec<Finding> = one("largest_peak", "response-map-largest-peak", PEAK, 1.0).into_iter().collect();
+    out.extend(several.then(|| one("smallest_peak", "response-map-smallest-peak", PEAK, -1.0)).flatten());
+    out.extend(one("largest_tilt", "response-map-largest-tilt", (TILT, "tilt_speed", "rad"), 1.0));
     out
 }
 
@@ -169,32 +174,27 @@ fn peaks(map: &Map, system: &System) -> Vec<Finding> {
 fn instability(map: &Map, results: &Collected) -> Vec<Finding> {
     let mut out = Vec::new();
     if !map.study.request.stability {
-        out.push(Finding::warning("stability_unknown", "Stability was not requested: states shown may be unstable."));
+        out.push(Finding::warning("stability_unknown", "response-map-stability-not-requested"));
     }
     let unknown: Vec<String> = results.words("unassessed").into_iter().filter(|w| !w.is_empty()).collect();
     if let Some(why) = unknown.first() {
-        let text = format!("Stability was not assessed for some states of {{}} of {} machines: {why}.", map.len());
-        out.push(Finding::warning("stability_unknown", text).value(unknown.len() as f64, ""));
+        let f = Finding::warning("stability_unknown", "response-map-stability-unknown").value(unknown.len() as f64, "");
+        out.push(map.of_all(f).arg("count", Arg::count(unknown.len())).arg("why", Arg::term(why)));
     }
     let unstable = map.column("unstable_from").iter().filter(|x| x.is_finite()).count();
     if let Some((cell, growth)) = map.best("growth", 1.0).filter(|b| b.1 > 0.0) {
-        let text = format!(
-            "{unstable} of {} machines have states that are unstable without lying between two folds; the fastest growth is {{}}, at {}.",
-            map.len(),
-            map.at(cell)
-        );
-        let f = Finding::warning("unstable_machines", text).value(growth, "1/s").evidence("machines", unstable as f64, "");
-        out.push(map.with_place(f, cell));
+        let f = Finding::warning("unstable_machines", "response-map-unstable").value(growth, "1/s").arg("count", Arg::count(unstable));
+        out.push(map.with_place(map.of_all(f).evidence("machines", unstable as f64, ""), cell));
     }
     let events = [
-        ("neimark_sacker", "neimark_sacker_machines", "lose stability to a motion of two frequencies (Neimark-Sacker)"),
-        ("symmetry_breakings", "symmetry_breaking_machines", "have states that lose their symmetry"),
-        ("period_doublings", "period_doubling_machines", "have states that double their period"),
+        ("neimark_sacker", "neimark_sacker_machines", "response-map-neimark-sacker"),
+        ("symmetry_breakings", "symmetry_breaking_machines", "response-map-symmetry-breaking"),
+        ("period_doublings", "period_doubling_machines", "response-map-period-doubling"),
     ];
-    for (column, id, what) in events {
+    for (column, id, key) in events {
         let count = map.column(column).iter().filter(|x| **x > 0.0).count();
         if count > 0 {
-            out.push(Finding::warning(id, format!("{{}} of {} machines {what}.", map.len())).value(count as f64, ""));
+            out.push(map.of_all(Finding::warning(id, key).value(count as f64, "")).arg("count", Arg::count(count)));
         }
     }
     out
@@ -214,12 +214,12 @@ fn validity(map: &Map, results: &Collected) -> Vec<Finding> {
         }
     }
     let one = |(what, (ratio, cell, count)): (String, (f64, usize, usize))| {
-        let text = format!("Some states of {count} of {} machines lie outside the validity of a part ({what})", map.len());
         let f = if ratio.is_finite() {
-            Finding::invalid("outside_validity", text + ": up to {} times the limit.").value(ratio, "")
+            Finding::invalid("outside_validity", "response-map-outside-validity").value(ratio, "")
         } else {
-            Finding::invalid("outside_validity", text + ", without bound.")
+            Finding::invalid("outside_validity", "response-map-outside-validity-unbounded")
         };
+        let f = map.of_all(f).arg("count", Arg::count(count)).arg("what", Arg::term(&what));
         map.with_place(f.of(what), cell)
     };
     worst.into_iter().map(one).collect()

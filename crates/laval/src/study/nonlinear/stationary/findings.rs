@@ -265,15 +265,13 @@ impl Report<'_> {
             f.arg("lowest", value(lowest)).arg("highest", value(highest))
         };
         let Some(class) = least.class else {
-            return common(Finding::warning("least", "stationary-least-no-state"))
-                .arg("sought", Arg::count(least.sought))
-                .evidence("values at which states were sought", least.sought as f64, "");
+            return common(Finding::warning("least", "stationary-least-no-state")).arg("sought", Arg::count(least.sought)).evidence(
+                "values at which states were sought",
+                least.sought as f64,
+                "",
+            );
         };
-        let state = if least.loose {
-            Message::new("stationary-sample").arg("kind", Arg::word(class.word()))
-        } else {
-            balancing(class)
-        };
+        let state = if least.loose { Message::new("stationary-sample").arg("kind", Arg::word(class.word())) } else { balancing(class) };
         let limit_at = |x: f64| least.limits.iter().flatten().find(|l| l.value == x);
         let why = |x: f64| limit_at(x).map_or("open", |l| ending(l.why));
         let gains = |x: f64| least.edges.iter().find(|e| e.gains && e.value == x);
