@@ -45,7 +45,7 @@ fn degree_sixteen_beside_the_whole() {
             }
         }
         let finding = out.findings.iter().find(|f| f.id == "approximation").unwrap();
-        assert!(finding.text.contains("degree 16"), "{}", finding.text);
+        assert!(finding.number("degree") == Some(16.0) && finding.sentence().contains("degree 16"), "{}", finding.sentence());
         // no root is nearer than the frequencies say
         for i in 0..speed.len() {
             assert!(distance[i] >= (frequency[i] - whole[i]).abs() * (1.0 - 1e-12), "{i}");

@@ -168,12 +168,14 @@ fn a_mode_that_grows_is_not_stable() {
     let slow = &o.findings[place("slow_growth")];
     let first = growth.iter().zip(&stable).position(|(_, s)| !s).expect("a mode that grows") + 1;
     assert!(
-        slow.level == Level::Warning && slow.text.contains(&format!("one of the modes found grows more slowly, mode {first}")),
+        slow.level == Level::Warning && slow.number("slower") == Some(1.0) && slow.number("mode") == Some(first as f64),
         "{slow:?}"
     );
+    assert!(slow.sentence().contains(&format!("mode {first} grows more slowly")), "{}", slow.sentence());
     // growth is said first, and no mode is the least damped of all
     assert_eq!(place("slow_growth"), 0);
-    assert!(finding(o, "least_damped_mode").text.starts_with("Of the modes that decay"));
+    let least = finding(o, "least_damped_mode").sentence();
+    assert!(least.starts_with("Least damped of the decaying modes"), "{least}");
     assert_eq!(finding(o, "roots_missed").level, Level::Info);
 }
 
@@ -317,9 +319,9 @@ fn a_body_without_stiffness_is_not_said_to_lack_damping() {
         o.findings.iter().find(|f| f.id == "stable").unwrap().sentence()
     };
     let free = verdict(r#"{ kind = "damper", between = ["disc", "ground"], damping = "40 N s/m" }"#);
-    assert!(free.contains("no stiffness holds it") && !free.contains("damps"), "{free}");
+    assert!(free.contains("no stiffness holds the machine") && !free.contains("damp"), "{free}");
     let undamped = verdict(r#"{ kind = "shaft_lumped", between = ["disc", "ground"], stiffness = "1e5 N/m" }"#);
-    assert!(undamped.contains("nothing damps it") && !undamped.contains("stiffness"), "{undamped}");
+    assert!(undamped.contains("zero damping") && !undamped.contains("stiffness"), "{undamped}");
 }
 
 /// Balls without a stiffness of their own: linearising about the turning state from the undeflected machine is refused with studies that can.
@@ -381,14 +383,17 @@ fn a_response_that_closes_an_open_gap_is_a_warning() {
     let range = "{ from = 100, to = 900 }";
     let o = of(3e-4, range);
     let f = finding(&o, "gap_closes");
-    assert!(f.level == Level::Warning && f.text.contains("\"st\""), "{}", f.sentence());
+    assert!(f.level == Level::Warning && f.sentence().contains("\"st\""), "{}", f.sentence());
+    assert!(f.number("gap").is_some_and(|gap| (gap - 3e-4).abs() < 1e-12), "{f:?}");
     // the first of the speeds computed at which the orbit is wider than the gap
     let speed = column(&o, "response", "speed");
     let first = speed.iter().copied().find(|w| size(*w) > 3e-4).unwrap();
     assert!((f.value.unwrap() - first).abs() < 1e-9, "{} {first}", f.sentence());
     assert!(findings(&of(0.1, range), "gap_closes").is_empty());
     assert!(findings(&of(3e-4, "100"), "gap_closes").is_empty());
-    assert!(finding(&of(3e-4, "350"), "gap_closes").text.starts_with("At {}"));
+    let one = of(3e-4, "350");
+    let one = finding(&one, "gap_closes");
+    assert!(one.value == Some(350.0) && one.sentence().contains("at equilibrium, at 350 rad/s."), "{}", one.sentence());
 }
 
 /// At a critical speed there is no distance to it, and no rounding is given as one.
@@ -403,9 +408,11 @@ fn an_operating_speed_on_a_critical_speed_is_said_to_be_one() {
     };
     let o = run_all(&text(90.0)).remove(0);
     let critical = finding(&o, "critical_speed").value.unwrap();
-    assert!(finding(&o, "margin").text.contains("away from it"));
+    let margin = finding(&o, "margin");
+    assert_eq!((margin.message.key.as_str(), margin.number("critical")), ("critical-speeds-small-margin", Some(critical)));
+    assert!(margin.sentence().starts_with("Separation margin") && margin.sentence().contains('%'), "{}", margin.sentence());
     let o = run_all(&text(critical * (1.0 + 2e-16))).remove(0);
     let margin = finding(&o, "margin");
-    assert!(margin.level == Level::Warning && margin.sentence().contains("is a lightly damped critical speed"), "{}", margin.sentence());
+    assert!(margin.level == Level::Warning && margin.sentence().contains("is a lightly damped 1x critical speed"), "{}", margin.sentence());
     assert!(!margin.sentence().contains('%'), "{}", margin.sentence());
 }

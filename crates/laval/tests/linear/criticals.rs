@@ -103,7 +103,8 @@ fn a_peak_without_a_crossing_is_reported() {
     let found = run_all(&format!("{machine}[[study]]\nkind = \"critical_speeds\"\n{range}[[study]]\nkind = \"forced_response\"\n{range}"));
     let peak = finding(&found[1], "largest_resonance").value.unwrap();
     assert!((finding(&found[0], "response_peak").value.unwrap() / peak - 1.0).abs() < 1e-8);
-    assert!(finding(&found[0], "no_critical_speed").text.contains("frequency of a mode"));
+    let none = finding(&found[0], "no_critical_speed");
+    assert!(none.number("peaks") >= Some(1.0) && none.sentence().contains("no natural frequency equals the speed"), "{}", none.sentence());
     let distance = (peak / (3000.0 * std::f64::consts::PI / 30.0) - 1.0).abs();
     assert!((finding(&found[0], "margin").value.unwrap() / distance - 1.0).abs() < 1e-8);
 }

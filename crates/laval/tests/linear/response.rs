@@ -270,8 +270,9 @@ fn without_bound_no_validity_has_a_number() {
         assert!(poles.iter().any(|f| (f.value.unwrap() / cones - 1.0).abs() < 1e-6), "{from} {to}: {:?}", o.findings);
         let outside = of(&o, "validity");
         for part in ["disc", "upper", "lower"] {
-            let f = outside.iter().find(|f| f.text.contains(part)).unwrap_or_else(|| panic!("{from} {to} {part}: {:?}", o.findings));
-            assert!(f.value.is_none() && f.text.contains("without bound"), "{from} {to}: {}", f.sentence());
+            let named = |f: &&Finding| f.sentence().contains(&format!("\"{part}\""));
+            let f = outside.iter().find(named).unwrap_or_else(|| panic!("{from} {to} {part}: {:?}", o.findings));
+            assert!(f.value.is_none() && f.sentence().contains("is unbounded"), "{from} {to}: {}", f.sentence());
         }
         assert!(of(&o, "tilt").is_empty() && of(&o, "largest_tilt_resonance").is_empty(), "{from} {to}: {:?}", o.findings);
         let numbers = o.findings.iter().flat_map(|f| f.value.into_iter().chain(f.evidence.iter().map(|e| e.value)));
@@ -284,7 +285,7 @@ fn without_bound_no_validity_has_a_number() {
     for (system, from, to) in [(&undamped, 500.0, 700.0), (&machine(40.0), 100.0, 1000.0), (&machine(40.0), cones, cones)] {
         let o = run(system, from, to);
         assert!(of(&o, "undamped_resonance").is_empty(), "{from} {to}: {:?}", o.findings);
-        assert!(o.findings.iter().all(|f| !f.text.contains("without bound")), "{from} {to}: {:?}", o.findings);
+        assert!(o.findings.iter().all(|f| !f.sentence().contains("unbounded")), "{from} {to}: {:?}", o.findings);
         assert!(of(&o, "validity").iter().all(|f| f.value.is_some_and(|x| x > 1.0)), "{from} {to}: {:?}", o.findings);
     }
     // nothing excites the backward whirl of the tilt: its critical speed is no pole
@@ -294,7 +295,7 @@ fn without_bound_no_validity_has_a_number() {
     // a displacement alone, beside a tilt that stays bounded
     let o = run(&undamped, 300.0, sways);
     assert!((of(&o, "undamped_resonance")[0].value.unwrap() / sways - 1.0).abs() < 1e-6, "{:?}", o.findings);
-    assert!(of(&o, "validity").iter().all(|f| !f.text.contains("\"disc\"")), "{:?}", o.findings);
+    assert!(of(&o, "validity").iter().all(|f| !f.sentence().contains("\"disc\"")), "{:?}", o.findings);
 }
 
 /// Stopped early, a study claims only what it computed, and names the limit.
@@ -307,7 +308,7 @@ fn stopped_early_nothing_is_claimed_of_the_rest() {
     assert_eq!(out.end, laval::outcome::End::WorkLimit);
     assert!(out.end_in_words().contains("--work-limit"));
     let f = out.findings.iter().find(|f| f.id == "no_resonance").unwrap();
-    assert!(f.text.contains("before the study stopped"), "{f:?}");
+    assert!(f.sentence().contains("before the study stopped"), "{f:?}");
 }
 
 /// Twelve discs in a row: bodies share what the search for their extrema computes, and it ends where the amplitude is stationary.

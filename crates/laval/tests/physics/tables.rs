@@ -116,12 +116,12 @@ fn findings_beyond_a_table_are_marked() {
                 let first = &o.findings[k];
                 assert_eq!((first.id.as_str(), first.subject.as_str(), first.level), ("beyond_table", name, Level::Invalid), "{study}");
                 assert!(
-                    (first.value.unwrap() - farthest * std::f64::consts::PI / 30.0).abs() < 1e-9 && first.text.contains(word),
+                    (first.value.unwrap() - farthest * std::f64::consts::PI / 30.0).abs() < 1e-9 && first.sentence().contains(word),
                     "{first:?}"
                 );
             }
             // one fact, one place
-            assert!(!o.findings.iter().any(|f| f.text.contains("middle of the bearing table") && f.level == Level::Invalid), "{study}");
+            assert!(!o.findings.iter().any(|f| f.sentence().contains("middle of the bearing table") && f.level == Level::Invalid), "{study}");
         }
     }
     let modes = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[0])));
@@ -129,7 +129,7 @@ fn findings_beyond_a_table_are_marked() {
         modes
             .findings
             .iter()
-            .all(|f| f.level == Level::Invalid && (f.id == "beyond_table" || f.text.contains("Outside the table of \"front\"")))
+            .all(|f| f.level == Level::Invalid && (f.id == "beyond_table" || f.sentence().contains("Outside the table of \"front\"")))
     );
     let map = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[3])));
     let limit = 12000.0 * std::f64::consts::PI / 30.0 * (1.0 + 1e-9);
@@ -173,7 +173,7 @@ fn a_motor_beyond_its_torque_table_is_marked() {
     };
     for (last, inside) in [("500 rad/s", true), ("200 rad/s", false)] {
         let o = run(&file(last));
-        let table = |f: &&Finding| f.text.contains("torque table") && f.level == Level::Invalid;
+        let table = |f: &&Finding| f.sentence().contains("torque table") && f.level == Level::Invalid;
         assert_eq!(o.findings.iter().filter(table).count(), usize::from(!inside), "{last}: {:#?}", o.findings);
     }
 }
@@ -233,7 +233,7 @@ fn findings_about_a_range_beyond_a_table_are_marked() {
             let found = find(&o, id);
             assert!(!found.is_empty(), "{study}: no {id}");
             for f in found {
-                assert!(f.level == Level::Invalid && f.text.contains("Outside the table of \"b\""), "{study}: {}", f.sentence());
+                assert!(f.level == Level::Invalid && f.sentence().contains("Outside the table of \"b\""), "{study}: {}", f.sentence());
             }
         }
         // both sides

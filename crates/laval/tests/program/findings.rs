@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 /// Names that are put together where a finding is made: file, number of such places, names.
 const COMPOSED: &[(&str, usize, &[&str])] = &[
-    ("linear/forced_response/report.rs", 2, &["amplitude", "tilt", "largest_resonance", "largest_tilt_resonance"]),
     ("motion/history/findings.rs", 2, &["largest_displacement", "largest_tilt"]),
     ("motion/motion_map/report.rs", 1, &["largest_displacement", "largest_tilt"]),
     ("nonlinear/nonlinear_response/findings.rs", 1, &["largest_displacement_not_reached", "unbounded_displacement"]),

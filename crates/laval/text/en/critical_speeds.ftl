@@ -25,12 +25,12 @@ critical-speeds-margin = Separation margin { $value }, required { $required }: o
     } { $critical }{ $located ->
         [no] , not located
        *[yes] {""}
-    }.{ $excited ->
+    }.{ $search ->
+        [stopped] {" "}It is the nearest one found before the study stopped.
+       *[complete] {""}
+    }{ $excited ->
         [no] {" "}The unbalance of this machine excites no resonance there.
        *[yes] {""}
-    }{ $search ->
-        [stopped] {" "}The study stopped early: a nearer one may exist.
-       *[complete] {""}
     }
 critical-speeds-small-margin = Separation margin { $value } is below the required { $required }: operating speed { $operating }, { $nearest ->
         [peak] nearest response peak

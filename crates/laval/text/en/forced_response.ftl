@@ -7,14 +7,14 @@ forced-response-largest-resonance = The largest { $others ->
         [unbounded] bounded resonance
        *[none] resonance
     } is at { $value }: { $body } reaches { $amplitude }.{ $search ->
-        [stopped] {" "}The study stopped early: a larger one may exist.
+        [stopped] {" "}It is the largest one found before the study stopped.
        *[complete] {""}
     }
 forced-response-largest-tilt-resonance = The largest { $others ->
         [unbounded] bounded tilt resonance
        *[none] tilt resonance
     } is at { $value }: { $body } reaches { $amplitude }.{ $search ->
-        [stopped] {" "}The study stopped early: a larger one may exist.
+        [stopped] {" "}It is the largest one found before the study stopped.
        *[complete] {""}
     }
 forced-response-undamped-resonance = Undamped resonance at { $value }: the amplitude of { $body } is unbounded. Add damping or avoid this speed.

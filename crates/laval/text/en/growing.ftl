@@ -2,7 +2,7 @@
 growing-unstable = The machine is unstable { $place ->
         [one] at { $from }
         [all] at every speed computed, from { $from } to { $to }
-        [single] at 1 of { $computed } speeds computed, { $from }
+        [single] at one of { $computed } speeds computed, { $from }
        *[several] at { $unstable } of { $computed } speeds computed, between { $from } and { $to }
     }. Growth rate { $place ->
         [one] { $value }

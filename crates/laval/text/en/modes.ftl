@@ -19,8 +19,11 @@ modes-least-damped = { $among ->
     }.
 
 # Whether the machine is stable.
-modes-stable = Stable at { $speed }: the largest growth rate is { $value }, the limit { $limit }.
-modes-stable-found = Stable at { $speed }: no mode grows faster than { $limit }. The largest growth rate found is { $value }; a mode that decays more slowly may be missing.
+modes-stable = Stable at { $speed }: the largest growth rate is { $value }{ $threshold ->
+        [zero] {""}
+       *[set] , the limit { $limit }
+    }.
+modes-stable-found = Stable at { $speed }: no mode grows. The largest growth rate found is { $value }; a mode that decays more slowly may be missing.
 modes-below-threshold = No mode grows faster than { $limit } at { $speed }: the largest growth rate is { $value }.
 modes-below-threshold-found = No mode grows faster than { $limit } at { $speed }. The largest growth rate found is { $value }; a mode that grows or decays more slowly may be missing.
 modes-marginal = Marginally stable at { $speed }: { $lacks ->
@@ -32,7 +35,10 @@ modes-slow-growth = No mode grows faster than { $limit } at { $speed }, but { $s
        *[other] { $slower } modes grow more slowly
     }. Slow growth of waves of { $part } is not resolved; stability is not proven.
 modes-slow-growth-open = No mode grows faster than { $limit } at { $speed }. Slow growth of waves of { $part } is not resolved; stability is not proven.
-modes-stability-unknown = Stability at { $speed } is not proven: no mode found grows faster than { $limit }, but some modes may be missing. A lower frequency_limit or a higher growth_threshold eases the search.
+modes-stability-unknown = Stability at { $speed } is not proven: no mode was found that grows{ $threshold ->
+        [zero] {""}
+       *[set] {" "}faster than { $limit }
+    }, but some may be missing. A lower frequency_limit or a higher growth_threshold eases the search.
 
 # How the modes were computed.
 modes-massless = { $infinite ->

@@ -1,4 +1,4 @@
-//! That a machine is unstable: the first finding of studies whose answers hold for a stable machine only.
+//! That a machine is unstable: the first finding of studies whose answers hold for a stable machine only; and the growth rate that counts.
 
 use crate::model::part::Domain;
 use crate::model::system::System;
@@ -51,4 +51,9 @@ pub(in crate::study) fn unstable(system: &System, strongest: &[Strongest], follo
         .arg("follows", Arg::word(follows))
         .evidence("share of the speeds computed", share, "");
     Some(finding.evidence("first speed", first.speed, "rad/s").evidence("last speed", last.speed, "rad/s"))
+}
+
+/// Adds the growth rate above which a mode counts as unstable, `limit`, and the word `threshold`: `zero` where that is any growth.
+pub(in crate::study) fn limit(finding: Finding, growth: f64) -> Finding {
+    finding.arg("limit", Arg::quantity(growth, "1/s")).arg("threshold", Arg::word(if growth == 0.0 { "zero" } else { "set" }))
 }

@@ -46,7 +46,7 @@ impl Answer {
 
     /// Findings outside the validity of the part of this name.
     pub fn outside(&self, part: &str) -> usize {
-        let of = |f: &&laval::outcome::Finding| f.level == Level::Invalid && (f.subject.contains(part) || f.text.contains(part));
+        let of = |f: &&laval::outcome::Finding| f.level == Level::Invalid && (f.subject.contains(part) || f.sentence().contains(part));
         match self {
             Answer::Refused(_) => 0,
             Answer::Outcome(o) => o.findings.iter().filter(of).count(),

@@ -4,6 +4,7 @@ use super::report::Shown;
 use crate::model::part::Words;
 use crate::outcome::{Arg, Finding};
 use crate::solve::pencil::{MachineMode, Spectrum, holds_fit, wants_polish};
+use crate::study::linear::growing::limit;
 use crate::study::linear::whirl;
 use crate::study::shared::region;
 use crate::study::shared::support::{decay_uncounted, remarks};
@@ -105,7 +106,7 @@ impl Shown<'_> {
             };
             finding.value(largest, "1/s")
         };
-        let finding = finding.arg("speed", Arg::speed(self.study.speed)).arg("limit", Arg::quantity(self.threshold, "1/s"));
+        let finding = limit(finding.arg("speed", Arg::speed(self.study.speed)), self.threshold);
         finding.evidence("rounding of the eigenvalues", self.rounding, "1/s")
     }
 

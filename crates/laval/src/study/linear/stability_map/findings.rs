@@ -5,6 +5,7 @@ use crate::model::part::{Domain, Words};
 use crate::outcome::{Arg, Finding};
 use crate::solve::stability::Edge;
 use crate::study::linear::criterion::Criterion;
+use crate::study::linear::growing::limit;
 use crate::study::shared::region;
 use crate::study::shared::support::beyond_rounding;
 
@@ -23,10 +24,6 @@ impl Shown<'_> {
         }
         out.extend(self.undamped());
         out
-    }
-
-    fn limit(&self) -> Arg {
-        Arg::quantity(self.threshold, "1/s")
     }
 
     /// The word `computed`: whether the study reached its end.
@@ -84,7 +81,7 @@ impl Shown<'_> {
             };
             finding.value(growth, "1/s").arg("computed", self.computed())
         };
-        Some(finding.arg("limit", self.limit()).evidence("speed", speed, "rad/s"))
+        Some(limit(finding, self.threshold).evidence("speed", speed, "rad/s"))
     }
 
     /// Along one line: the ranges of speed where it is unstable.
@@ -100,7 +97,7 @@ impl Shown<'_> {
             None => ("stopped", last),
         };
         let range = |finding: Finding, (end, to): (&'static str, f64)| {
-            finding.arg("end", Arg::word(end)).arg("to", Arg::speed(to)).arg("limit", self.limit())
+            limit(finding.arg("end", Arg::word(end)).arg("to", Arg::speed(to)), self.threshold)
         };
         // an unstable start has no onset inside the range
         let start = match edges.first() {
@@ -131,7 +128,7 @@ impl Shown<'_> {
         } else {
             Finding::warning("not_all_counted", "stability-map-not-all-counted").value(open as f64, "").arg("open", Arg::count(open))
         };
-        let finding = finding.arg("points", Arg::count(self.points())).arg("limit", self.limit());
+        let finding = limit(finding.arg("points", Arg::count(self.points())), self.threshold);
         out.push(finding.evidence("evaluations of the characteristic function", evaluations as f64, ""));
         if self.threshold > self.study.threshold {
             let words = self.system.domains(self.study.speed.to).into_iter().find(Domain::undamped).map_or(Words::PLAIN, |d| d.words);
