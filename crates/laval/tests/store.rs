@@ -353,7 +353,7 @@ fn cancelled_drops_the_chunk_at_hand_and_goes_on_from_there() {
     let results = results.unwrap();
     assert_eq!((results.end(), results.done(), results.complete()), (End::Cancelled, 60, false));
     let remark = results.remark().unwrap();
-    assert_eq!(remark.sentence(), "Only 60 of 1030 rows were computed; the same command continues from there.");
+    assert_eq!(remark.sentence(), "Only 60 of 1030 rows were computed. The same command continues from there.");
     assert_eq!(results.numbers("steps").unwrap().len(), 60);
     drop(results);
     let mut computed = Vec::new();

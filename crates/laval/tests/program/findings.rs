@@ -57,7 +57,6 @@ const COMPOSED: &[(&str, usize, &[&str])] = &[
         ],
     ),
     ("motion/transient.rs", 1, &["largest_displacement", "largest_tilt"]),
-    ("shared/validity.rs", 2, &["outside_validity", "validity"]),
 ];
 
 fn sources(folder: &Path, out: &mut Vec<PathBuf>) {

@@ -92,7 +92,7 @@ fn the_closed_form_window() {
         let t = o.find_table("window").unwrap();
         if row[8] == "infeasible" {
             assert_eq!(t.rows(), 0);
-            assert!(o.findings.iter().any(|f| f.id == "excluding" && f.text.contains("\"separation\" and \"stable\"")));
+            assert!(o.findings.iter().any(|f| f.id == "excluding" && f.sentence().contains("residence time and stability")));
             // the time must be relaxed by the ratio of the shortest to the one requested
             assert!((evidence(&o, "relaxation") / (n(9) / n(0)) - 1.0).abs() < 1e-6);
             continue;
@@ -142,7 +142,7 @@ fn the_best_speed_is_where_margins_meet() {
 /// What the dynamics leave out is said: cups that hang on nothing, and the liquid of a bowl.
 #[test]
 fn what_is_not_carried_is_said() {
-    let said = |text: &str, id: &str| run(text).findings.iter().filter(|f| f.id == id).map(|f| f.text.clone()).collect::<Vec<_>>();
+    let said = |text: &str, id: &str| run(text).findings.iter().filter(|f| f.id == id).map(|f| f.sentence()).collect::<Vec<_>>();
     assert!(said(CUPS, "cups_not_carried").is_empty());
     let loose = said(&CUPS.replace("on = \"rotor\"\n", ""), "cups_not_carried");
     assert!(loose.len() == 1 && loose[0].contains("\"cups\"") && loose[0].contains("on = \"rotor\""), "{loose:?}");
@@ -156,10 +156,18 @@ fn what_is_not_carried_is_said() {
 /// In a machine that liquid flows through advice speaks of the throughput; a window that begins below ten times gravity is in doubt.
 #[test]
 fn flow_machines_are_reported_in_throughputs() {
-    let text = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).map(|f| f.text.clone()).unwrap_or_default();
+    let one = |o: &Outcome, id: &str| o.findings.iter().find(|f| f.id == id).cloned();
     let o = run(&jeffcott(1200.0));
-    assert!(text(&o, "relaxation").contains("throughput") && text(&o, "shortest_time").contains("l/h"), "{:?}", o.findings);
-    assert!(text(&o, "gravity").is_empty());
+    let relaxation = one(&o, "relaxation").unwrap();
+    // the share to which the throughput falls is that by which the time rises
+    let share = relaxation.number("share").unwrap() * relaxation.value.unwrap();
+    assert!((share - 1.0).abs() < 1e-12 && relaxation.sentence().contains("throughput"), "{relaxation:?}");
+    let shortest = one(&o, "shortest_time").unwrap();
+    let volume = PI * (0.19f64.powi(2) - 0.09f64.powi(2)) * 0.5;
+    let throughput = shortest.number("throughput").unwrap();
+    assert!((throughput * shortest.value.unwrap() / volume - 1.0).abs() < 1e-9, "{shortest:?}");
+    assert!(shortest.sentence().contains("m³/s"), "{}", shortest.sentence());
+    assert!(one(&o, "gravity").is_none());
     // particles so coarse that 20 rad/s, 3.7 g at the surface, suffice
     let coarse = jeffcott(3000.0).replace("self_centring = 0.5\n", "");
     let coarse = coarse

@@ -382,7 +382,7 @@ programme = {{ time = [0, 30, 90], speed = [{speeds}] }}
     // with the inertia of every particle the speed is not searched for, and that is said
     let o = run(&file(150.0, "stokes").replace("particles = 32", "particles = 16\nmodel = \"exact\""), 0);
     let reported = o.findings.iter().find(|f| f.id == "speed_needed").unwrap();
-    assert!(reported.value.is_none() && reported.text.contains("drifting"), "{}", reported.text);
+    assert!(reported.value.is_none() && reported.sentence().contains("drifting"), "{}", reported.sentence());
 }
 
 /// What a study tells of its progress.

@@ -74,15 +74,15 @@ fn limits_are_reached_and_jumps_lie_at_folds() {
     let folds: Vec<f64> = response.branches.iter().flat_map(|b| &b.folds).map(|f| f.speed).collect();
     let upper = folds.iter().copied().fold(0.0, f64::max);
     assert!((upper - 2668.4586212391).abs() < 1e-6, "{folds:?}");
-    for (limits, measure, limit, unit) in [
-        ("displacement = { drum = \"0.3 mm\" }", Measure::Probe(0), 3e-4, "300 µm"),
-        ("force = { bearing = \"2 kN\" }", Measure::Force(2), 2000.0, "2 kN"),
+    for (limits, measure, limit, says) in [
+        ("displacement = { drum = \"0.3 mm\" }", Measure::Probe(0), 3e-4, "displacement of \"drum\" reaches its limit, 300 µm"),
+        ("force = { bearing = \"2 kN\" }", Measure::Force(2), 2000.0, "force of \"bearing\" reaches its limit, 2 kN"),
     ] {
         let o = window(limits, "");
         let (ends, begins) = (edges(&o, "ends"), edges(&o, "begins"));
         assert_eq!((ends.len(), begins.len()), (1, 1), "{:?}", o.findings);
         let at = ends[0].value.unwrap();
-        assert!(ends[0].text.contains("reaches its limit") && ends[0].text.contains(unit), "{}", ends[0].text);
+        assert!(ends[0].sentence().contains(says), "{}", ends[0].sentence());
         assert!(evidence(ends[0], "width of the bracket") < 1e-8);
         let mut balance = Balance::new(&system, response.discretisation.whole(), (25.0, 5000.0), None).unwrap();
         let below = response.branches[0].points.iter().take_while(|p| p.speed < at).last().unwrap();
@@ -93,11 +93,12 @@ fn limits_are_reached_and_jumps_lie_at_folds() {
         let jump = begins[0].value.unwrap();
         assert!((jump - upper).abs() < 1e-7, "{jump} {upper}");
         assert!(evidence(begins[0], "difference from the fold by its extended system") < 1e-7);
-        assert!(begins[0].text.contains("2 stable states (a slow sweep can reach each of them"), "{}", begins[0].text);
+        let why = begins[0].sentence();
+        assert!(why.contains("2 stable states, any of which a slow run-up or run-down can reach") && why.contains("at a fold"), "{why}");
         let widest = o.findings.iter().find(|f| f.id == "widest_window").unwrap();
         assert!((widest.value.unwrap() - (5000.0 - jump).max(at - 50.0)).abs() < 1e-9);
         let t = o.find_table("window").unwrap();
-        assert!(words(t, "high reason")[0].contains("reaches its limit") && words(t, "low reason")[0] == "the range looked at ends");
+        assert!(words(t, "high reason")[0].contains("reaches its limit") && words(t, "low reason")[0] == "the range of speeds ends");
     }
 }
 
@@ -117,7 +118,7 @@ wave_damping = "40 1/s"
 "#;
     let o = window("growth_margin = \"0.1 1/s\"\ndisplacement = { drum = \"20 mm\" }", liquid);
     let all: Vec<_> = edges(&o, "ends").into_iter().chain(edges(&o, "begins")).collect();
-    assert!(all.iter().any(|f| f.text.contains("passes the limit of −0.1 1/s")), "{:?}", o.findings);
+    assert!(all.iter().any(|f| f.sentence().contains("growth rate reaches its limit, −0.1 1/s")), "{:?}", o.findings);
 }
 
 /// `few_requirements` is reported where stability alone bounds the window, not where the vibration or the
@@ -142,11 +143,16 @@ fn a_window_needs_more_than_stability() {
     ] {
         let o = machine(limits);
         assert_eq!(o.findings.iter().any(|f| f.id == "few_requirements"), few, "{limits}: {:?}", o.findings);
-        let open = &o.findings.iter().find(|f| f.id == "not_checked").unwrap().text;
-        for name in ["vibration", "clear", "strength", "separation"] {
-            assert_eq!(open.contains(name), checked != Some(name), "{limits}: {open}");
+        let open = o.findings.iter().find(|f| f.id == "not_checked").unwrap().sentence();
+        for (name, words) in [
+            ("vibration", "vibration"),
+            ("clear", "clearance of natural frequencies"),
+            ("strength", "highest speed"),
+            ("separation", "separation time"),
+        ] {
+            assert_eq!(open.contains(words), checked != Some(name), "{limits}: {open}");
         }
-        assert!(!open.contains("stable"), "{open}");
+        assert!(!open.contains("stability"), "{open}");
     }
 }
 

@@ -38,19 +38,19 @@ support-outside = "{ $part }" is outside its validity at { $speed }, even withou
 support-outside-unbounded = "{ $part }" is outside its validity at { $speed }, even without vibration: { $what } is unbounded (limit 1).
 
 # Motions outside the validity of a part.
-validity-states = Not valid: some states { $place } are outside the range of "{ $part }", { $what } = { $value } (limit 1).
-validity-states-unbounded = Not valid: some states { $place } are outside the range of "{ $part }", { $what } is unbounded (limit 1).
-validity-motions = Not valid: some { $motions } are outside the range of "{ $part }", { $what } = { $value } (limit 1).
-validity-motions-unbounded = Not valid: some { $motions } are outside the range of "{ $part }", { $what } is unbounded (limit 1).
+validity-states = Not valid: some states { $place } are outside the range of "{ $part }" ({ $what } = { $value }, limit 1).
+validity-states-unbounded = Not valid: some states { $place } are outside the range of "{ $part }" ({ $what } is unbounded, limit 1).
+validity-motions = Not valid: some { $motions } are outside the range of "{ $part }" ({ $what } = { $value }, limit 1).
+validity-motions-unbounded = Not valid: some { $motions } are outside the range of "{ $part }" ({ $what } is unbounded, limit 1).
 
 # Count of roots by the argument principle.
 region-growing-root = growing root
 region-faster-root = root growing faster than { $growth }
-region-all-roots = Root count verified (argument principle): no { $root } below { $frequency } is missing. The counted regions contain { $found ->
-        [0] no root
-        [1] one root
-       *[other] { $found } roots
-    }, all computed.
+region-all-roots = Root count verified (argument principle): no { $root } below { $frequency } is missing. { $found ->
+        [0] The counted regions contain no root
+        [1] The only root in the counted regions is known
+       *[other] All { $found } roots in the counted regions are known
+    }.
 region-slower-roots-missed = Root count verified (argument principle): no { $root } below { $frequency } is missing. Slow waves of { $part } add { $missing ->
         [one] one root that is counted but not computed
        *[other] { $missing } roots that are counted but not computed

@@ -44,8 +44,8 @@ operating-window-edge = The window { $side ->
         [begins] begins
        *[ends] ends
     } at { $value }: { $reason }.
-operating-window-reason = { $what } reaches its limit
-operating-window-reason-limit = { $what } reaches its limit, { $limit }
+operating-window-reason = the { $what } reaches its limit
+operating-window-reason-limit = the { $what } reaches its limit, { $limit }
 operating-window-reason-undefined = beyond it { $what }
 operating-window-reason-jump = beyond it the { $what } jumps to { $factor } times its limit{ $states ->
         [0] {""}
@@ -99,7 +99,7 @@ operating-window-no-relaxation = No single relaxation opens a window: at every c
 # The recommended speed.
 operating-window-best-speed = Recommended speed: { $value }. { $why ->
         [margin] The least margin is largest there
-        [next_margin] The least margin, { $least }, is the same from { $from } to { $to }; the next one, { $next }, decides
+        [next_margin] The least margin ({ $least }) is the same from { $from } to { $to }; the next one ({ $next }) decides
         [throughput] The throughput can be largest there
         [time] The separation is shortest there
         [energy] The energy is lowest there
