@@ -60,7 +60,7 @@ fn an_open_bearing_adds_nothing_and_says_where_it_begins() {
             }
             let o = study(&system);
             let f = o.findings.iter().find(|f| f.id == "open_gap").unwrap_or_else(|| panic!("{:?}", o.findings));
-            assert!((f.value.unwrap() / (gap - sag) - 1.0).abs() < 1e-9 && f.text.contains("\"bearing\""), "{f:?}");
+            assert!((f.value.unwrap() / (gap - sag) - 1.0).abs() < 1e-9 && f.sentence().contains("\"bearing\""), "{f:?}");
         }
     }
 }

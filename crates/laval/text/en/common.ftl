@@ -22,7 +22,7 @@ beyond-table = The table of "{ $part }" covers { $from } to { $to }. { $sides ->
 beyond-table-note = Outside the table of "{ $part }".
 
 # Nothing excites the machine.
-unforced = The machine has no excitation: the largest displacement is { $value }. Give a disc an eccentricity, an unbalance or a skew to see resonances.
+unforced = The machine has no excitation: the largest displacement is { $value }, and no resonance is reported. Give a disc an eccentricity, an unbalance or a skew.
 
 # Linear studies: what they are linearised about.
 support-linearised = { $n ->
