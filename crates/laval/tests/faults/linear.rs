@@ -73,7 +73,7 @@ fn a_machine_that_diverges_is_called_so_by_every_study() {
         assert!(rates.into_iter().any(|x| (x / growth - 1.0).abs() < 1e-6), "{name}: {first:?}");
     }
     let (o, _) = run(text, "nonlinear_response");
-    assert!(o.findings[0].text.contains("unstable"), "{:?}", o.findings[0]);
+    assert!(o.findings[0].sentence().contains("unstable"), "{:?}", o.findings[0]);
     let reported = finding(&o, "unstable_states");
     assert_eq!(reported.level, Level::Warning);
     near(column(&o, "response", "growth rate").into_iter().fold(f64::NEG_INFINITY, f64::max), growth, 1e-6);
