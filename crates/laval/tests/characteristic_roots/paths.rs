@@ -242,7 +242,8 @@ fn orders_inside_the_dense_range() {
     let few = with_bearing(&truncated(FILE, 3), "5 um");
     let finding = reported(&format!("{few}{}", study("none"))).unwrap();
     assert!(
-        finding.sentence().contains("Order 2 of the response lies in the continuous spectrum") && finding.sentence().contains("axial harmonics kept"),
+        finding.sentence().contains("Order 2 of the response lies in the continuous spectrum")
+            && finding.sentence().contains("axial harmonics kept"),
         "{}",
         finding.sentence()
     );

@@ -228,8 +228,8 @@ fn the_error_of_a_fit_is_evidence() {
     let error = 0.037;
     let system = machine(TimeForm::Fit(error), [STRENGTH; 2], 4e12, false);
     let outcome = study(&system);
-    let said = outcome.findings.iter().find(|f| f.text.contains("\"polymer\"")).unwrap_or_else(|| panic!("{:?}", outcome.findings));
-    assert!(said.evidence.iter().any(|e| e.value == error), "{said:?}");
+    let said = outcome.findings.iter().find(|f| f.id == "stability_fit").unwrap_or_else(|| panic!("{:?}", outcome.findings));
+    assert!(said.sentence().contains("\"polymer\"") && said.evidence.iter().any(|e| e.value == error), "{said:?}");
     let (a, b) = (response(&system, (100.0, 900.0)), response(&machine(TimeForm::None(WHY), [STRENGTH; 2], 4e12, false), (100.0, 900.0)));
     assert!(a.unassessed.is_none() && b.unassessed.is_some());
     for (p, q) in a.branches.iter().flat_map(|b| &b.points).zip(b.branches.iter().flat_map(|b| &b.points)) {
@@ -237,7 +237,7 @@ fn the_error_of_a_fit_is_evidence() {
     }
     let none = study(&machine(TimeForm::None(WHY), [STRENGTH; 2], 4e12, false));
     let unknown = none.findings.iter().find(|f| f.id == "stability_unknown").unwrap();
-    assert!(unknown.text.contains("polymer") && unknown.text.contains(WHY), "{unknown:?}");
+    assert!(unknown.sentence().contains("\"polymer\"") && unknown.sentence().contains(WHY), "{unknown:?}");
 }
 
 /// Different in x and y, without a time form.

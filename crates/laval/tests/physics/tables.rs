@@ -121,7 +121,10 @@ fn findings_beyond_a_table_are_marked() {
                 );
             }
             // one fact, one place
-            assert!(!o.findings.iter().any(|f| f.sentence().contains("middle of the bearing table") && f.level == Level::Invalid), "{study}");
+            assert!(
+                !o.findings.iter().any(|f| f.sentence().contains("middle of the bearing table") && f.level == Level::Invalid),
+                "{study}"
+            );
         }
     }
     let modes = run(&rotor("beyond = \"hold\"", &format!("[[study]]\n{}\n", BEYOND[0])));

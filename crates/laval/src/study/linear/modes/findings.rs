@@ -36,9 +36,8 @@ impl Shown<'_> {
     fn unstable_modes(&self) -> Vec<Finding> {
         let one = |(k, m): (usize, &MachineMode)| {
             let finding = Finding::warning("unstable_mode", "modes-unstable-mode").value(m.growth(), "1/s").arg("mode", Arg::count(k + 1));
-            whirl::growing(finding, m, self.study.speed)
-                .evidence("error of the eigenvalue", m.error, "1/s")
-                .evidence("backward error", m.residual, "")
+            let finding = whirl::growing(finding, m, self.study.speed).evidence("error of the eigenvalue", m.error, "1/s");
+            finding.evidence("backward error", m.residual, "")
         };
         self.modes().iter().enumerate().filter(|(_, m)| self.unstable(m)).map(one).collect()
     }
