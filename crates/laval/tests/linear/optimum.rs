@@ -173,10 +173,13 @@ fn bounds_and_limits_bind() {
     let d = 500.0 / (2.0 * 2e6f64.sqrt());
     near(said(&o, "optimum", "largest_displacement").value.unwrap(), 1e-4 / (2.0 * d * (1.0 - d * d).sqrt()), 1e-8);
     let r = said(&o, "recommended", "air.damping");
-    assert!(r.value == Some(500.0) && r.text.contains("its upper bound"), "{r:?}");
+    let text = r.sentence();
+    assert!(r.value == Some(500.0) && text.contains("air.damping = 500 N s/m") && text.contains("the upper bound"), "{text}");
     // what changes per what, with units: the slope of the closed form at the bound
-    let change = r.text.split("largest_displacement falls by ").nth(1).and_then(|t| t.split(" per N s/m of air.damping").next());
-    let slope = laval::units::read_quantity(change.unwrap_or_else(|| panic!("{r:?}")), "m").unwrap();
+    let change = text.split("\"largest_displacement\" falls by ").nth(1).and_then(|t| t.split(" per 1 N s/m").next());
+    let reported = laval::units::read_quantity(change.unwrap_or_else(|| panic!("{text}")), "m").unwrap();
+    let slope = r.number("rate").unwrap();
+    near(reported, slope, 5e-3);
     let peak = |c: f64| {
         let d = c / (2.0 * 2e6f64.sqrt());
         1e-4 / (2.0 * d * (1.0 - d * d).sqrt())
@@ -184,7 +187,11 @@ fn bounds_and_limits_bind() {
     near(slope, (peak(499.9) - peak(500.1)) / 0.2, 2e-3);
     // slope from inside: nothing better within the bounds
     let test = said(&o, "optimality", "");
-    assert!(test.value.unwrap() > 0.0 && test.sentence().contains("% of the present largest_displacement per whole range"), "{test:?}");
+    assert!(test.value.unwrap() > 0.0 && test.message.key == "optimum-neighbours-worse", "{test:?}");
+    // of the number over the present one, per whole range of the logarithm
+    let reported = evidence(said(&o, "optimum", "largest_displacement"), "least slope in any direction tested, relative number per whole range");
+    assert_eq!(test.value, Some(reported));
+    near(reported, slope * 500.0 * 25f64.ln() / peak(100.0), 2e-3);
     // the largest force of the damper grows with it at the top of the range; where it is 120 N
     let force = |c: f64| {
         let o = inner().run(&rotor(c, 1e6), &Context::quiet("r")).unwrap();
@@ -202,7 +209,7 @@ fn bounds_and_limits_bind() {
     );
     let r = said(&o, "recommended", "air.damping");
     near(r.value.unwrap(), a, 1e-5);
-    assert!(!r.text.contains("falls by") && !r.text.contains("rises by"), "{r:?}");
+    assert!(r.number("rate").is_none() && !r.sentence().contains("falls by") && !r.sentence().contains("rises by"), "{r:?}");
     let l = said(&o, "limit_reached", "largest_force air");
     assert!(l.value.unwrap() <= 120.0 * (1.0 + 1e-9), "{l:?}");
     // a limit that no machine keeps

@@ -1,10 +1,10 @@
 //! Findings, tables and figures.
 
 use super::Optimum;
-use super::result::{Found, Run};
+use super::result::{Found, Run, Stray};
 use super::search::{KEPT, TEST};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, End, Figure, Finding, Level, Line, Outcome, Panel, Points, Rule, Table, quantity, significant};
+use crate::outcome::{Arg, Axis, End, Figure, Finding, Line, Outcome, Panel, Points, Rule, Table, significant};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::optimise::Ended;
@@ -16,24 +16,21 @@ const AT_BOUND: f64 = 1e-9;
 /// Relative difference of the numbers of two searches that arrived at the same optimum.
 const SAME: f64 = 1e-4;
 
-/// The number with its unit.
-fn with(value: f64, unit: &str) -> String {
-    if unit.is_empty() { significant(value, 5) } else { quantity(value, unit) }
+/// Whether the searches came to their end, as a word.
+fn search_word(found: &Found) -> Arg {
+    Arg::word(if found.complete { "complete" } else { "stopped" })
 }
 
 pub(super) fn report(study: &Optimum, found: &Found, end: End, name: &str) -> Result<Outcome, Diagnostic> {
     let mut out = Outcome::new(Optimum::KIND, name).end(end).work("runs", found.runs).work("runs without the number", found.failed);
     match &found.best {
         None => {
-            let text = if !found.complete {
-                let kept = if study.limits.is_empty() { "had the number to be optimised" } else { "kept the limits" };
-                format!("No machine {kept} before the study stopped; {} runs were begun.", found.runs)
-            } else if study.limits.is_empty() {
-                "None of the machines that were tried has the number to be optimised.".to_string()
-            } else {
-                "No machine that was tried keeps the limits: widen the bounds, or relax a limit.".to_string()
-            };
-            out = out.finding(Finding::warning("no_optimum", text));
+            let key = if study.limits.is_empty() { "optimum-none" } else { "optimum-none-in-limits" };
+            let finding = Finding::warning("no_optimum", key)
+                .arg("aim", Arg::name(&study.aim.name))
+                .arg("search", search_word(found))
+                .arg("runs", Arg::Count(found.runs));
+            out = out.finding(finding);
         }
         Some(best) => {
             out = out.finding(headline(study, found, best));
@@ -45,8 +42,7 @@ pub(super) fn report(study: &Optimum, found: &Found, end: End, name: &str) -> Re
             }
             out = test(out, study, found);
             if best.invalid {
-                let text = "A result of the recommended machine lies outside the validity of a model.";
-                out = out.finding(Finding { level: Level::Invalid, ..Finding::warning("outside_validity", text) });
+                out = out.finding(Finding::invalid("outside_validity", "optimum-outside-validity"));
             }
         }
     }
@@ -58,22 +54,32 @@ pub(super) fn report(study: &Optimum, found: &Found, end: End, name: &str) -> Re
 }
 
 fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
-    let way = if study.aim.large { "largest" } else { "least" };
-    let change = 100.0 * (best.value - found.now) / found.now.abs();
+    let change = (best.value - found.now) / found.now.abs();
     // of zero nothing is a share
-    let away = if change.is_finite() { format!(" ({} % away)", significant(change.abs(), 3)) } else { String::new() };
-    let now =
-        if found.now.is_finite() { format!(" The machine as it is has {}{away}.", with(found.now, &found.unit)) } else { String::new() };
-    let so_far = if found.complete { "" } else { " before the study stopped" };
-    // a resonance is no amplitude: what is made small or large is said
-    let what = if found.unit == "rad/s" { "speed or frequency of " } else { "" };
-    let text = format!("The {way} {what}{} found within the bounds{so_far} is {{}}.{now}", study.aim.name);
+    let present = match (found.now.is_finite(), change.is_finite()) {
+        (true, true) => "change",
+        (true, false) => "value",
+        _ => "none",
+    };
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let same = arrived.iter().filter(|v| (**v - best.value).abs() <= SAME * best.value.abs()).count();
     let worst = found.slopes.iter().map(|s| s.slope).reduce(f64::min).unwrap_or(f64::NAN);
-    Finding::info("optimum", text)
+    let mut finding = Finding::info("optimum", "optimum-best")
         .of(&study.aim.name)
         .value(best.value, &found.unit)
+        .arg("aim", Arg::name(&study.aim.name))
+        .arg("extreme", Arg::word(if study.aim.large { "largest" } else { "smallest" }))
+        // a resonance is no amplitude: what is made small or large is named
+        .arg("kind", Arg::word(if found.unit == "rad/s" { "speed" } else { "other" }))
+        .arg("search", search_word(found))
+        .arg("present", Arg::word(present));
+    if found.now.is_finite() {
+        finding = finding.arg("now", Arg::quantity(found.now, &found.unit));
+    }
+    if change.is_finite() {
+        finding = finding.arg("change", Arg::percent(change));
+    }
+    finding
         .evidence("searches that ended there", same as f64, "")
         .evidence("searches", found.trails.len() as f64, "")
         .evidence("least slope in any direction tested, relative number per whole range", worst, "")
@@ -81,40 +87,62 @@ fn headline(study: &Optimum, found: &Found, best: &Run) -> Finding {
 }
 
 fn parameters(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
-    let say = |(k, v): (usize, &super::Vary)| {
-        let at = if best.place[k] <= AT_BOUND {
-            ", its lower bound: a lower one may allow a better machine"
-        } else if best.place[k] >= 1.0 - AT_BOUND {
-            ", its upper bound: a higher one may allow a better machine"
-        } else {
-            ""
-        };
-        let range = found.stray.get(k).map_or_else(String::new, |s| {
-            let end = |(x, bound): (f64, bool)| format!("{}{}", with(x, v.unit), if bound { " (the bound)" } else { "" });
-            format!(" Within {} % of the best from {} to {}.", significant(100.0 * study.tolerance, 3), end(s.ends[0]), end(s.ends[1]))
-        });
-        let slope = at_bound(study, found, best, k).unwrap_or_default();
-        let head = if found.complete { "Recommended" } else { "Best before the study stopped" };
-        let text = format!("{head}: {} = {{}}{at}.{slope}{range} The machine has {}.", v.path, with(v.now, v.unit));
+    let one = |(k, v): (usize, &super::Vary)| {
         let end = |side: usize| found.stray.get(k).map_or(f64::NAN, |s| s.ends[side].0);
-        Finding::info("recommended", text)
+        let finding = Finding::info("recommended", "optimum-recommended")
             .of(&v.path)
             .value(v.value(best.place[k]), v.unit)
-            .evidence("recommended from", end(0), v.unit)
-            .evidence("to", end(1), v.unit)
+            .arg("search", search_word(found))
+            .arg("aim", Arg::name(&study.aim.name))
+            .arg("parameter", Arg::name(&v.path))
+            .arg("now", Arg::quantity(v.now, v.unit))
+            .arg("bound", Arg::word(bound(best, k)));
+        let finding = match at_bound(study, found, best, k) {
+            Some(rate) => finding
+                .arg("slope", Arg::word(if rate > 0.0 { "rises" } else { "falls" }))
+                .arg("rate", Arg::quantity(rate.abs(), &found.unit))
+                .arg("step", Arg::quantity(1.0, v.unit)),
+            None => finding.arg("slope", Arg::word("none")),
+        };
+        let finding = match found.stray.get(k) {
+            Some(s) => finding
+                .arg("range", Arg::word(range(s)))
+                .arg("tolerance", Arg::percent(study.tolerance))
+                .arg("from", Arg::quantity(s.ends[0].0, v.unit))
+                .arg("to", Arg::quantity(s.ends[1].0, v.unit)),
+            None => finding.arg("range", Arg::word("none")),
+        };
+        finding.evidence("recommended from", end(0), v.unit).evidence("to", end(1), v.unit)
     };
-    study.vary.iter().enumerate().map(say).collect()
+    study.vary.iter().enumerate().map(one).collect()
 }
 
-/// How the number changes towards the bound at which a parameter lies. None where limits are reached: slopes then count what exceeds them.
-fn at_bound(study: &Optimum, found: &Found, best: &Run, k: usize) -> Option<String> {
+/// The bound at which a parameter lies.
+fn bound(best: &Run, k: usize) -> &'static str {
+    match best.place[k] {
+        u if u <= AT_BOUND => "lower",
+        u if u >= 1.0 - AT_BOUND => "upper",
+        _ => "none",
+    }
+}
+
+/// Which ends of a recommended range are bounds of the search.
+fn range(s: &Stray) -> &'static str {
+    match s.ends.map(|e| e.1) {
+        [true, true] => "whole",
+        [true, false] => "lower",
+        [false, true] => "upper",
+        [false, false] => "inside",
+    }
+}
+
+/// Change of the number towards the bound at which a parameter lies, per unit of the parameter. None where limits are reached: slopes then count what exceeds them.
+fn at_bound(study: &Optimum, found: &Found, best: &Run, k: usize) -> Option<f64> {
     let u = best.place[k];
-    let inwards = if u <= AT_BOUND {
-        1.0
-    } else if u >= 1.0 - AT_BOUND {
-        -1.0
-    } else {
-        return None;
+    let inwards = match bound(best, k) {
+        "lower" => 1.0,
+        "upper" => -1.0,
+        _ => return None,
     };
     if study.limits.iter().zip(&best.limited).any(|(l, x)| !(l.excess(*x) < -REACHED)) {
         return None;
@@ -122,21 +150,21 @@ fn at_bound(study: &Optimum, found: &Found, best: &Run, k: usize) -> Option<Stri
     let slope = found.slopes.iter().find(|s| s.along == Some((k, inwards)))?.slope;
     let v = &study.vary[k];
     let rate = slope.abs() * found.size() * TEST / (v.value(u + inwards * TEST) - v.value(u)).abs();
-    let word = if (slope > 0.0) == study.aim.large { "rises" } else { "falls" };
-    let unit = if v.unit.is_empty() { "unit" } else { v.unit };
-    rate.is_finite().then(|| format!(" Towards it {} {word} by {} per {unit} of {}.", study.aim.name, with(rate, &found.unit), v.path))
+    let sign = if (slope > 0.0) == study.aim.large { 1.0 } else { -1.0 };
+    Some(sign * rate).filter(|r| r.is_finite())
 }
 
 fn limits(study: &Optimum, found: &Found, best: &Run) -> Vec<Finding> {
     let each = study.limits.iter().zip(&best.limited).zip(&found.units);
     each.map(|((l, x), unit)| {
         let reached = l.excess(*x) >= -REACHED;
-        let side = if l.upper { "upper" } else { "lower" };
-        let how = if reached { "is reached: relaxing it may allow a better machine" } else { "is not reached" };
-        let text = format!("The {side} limit on {}, {}, {how}; it is {{}}.", l.name, with(l.value, unit));
-        Finding::info(if reached { "limit_reached" } else { "limit_kept" }, text)
+        let key = if reached { "optimum-limit-reached" } else { "optimum-limit-kept" };
+        Finding::info(if reached { "limit_reached" } else { "limit_kept" }, key)
             .of(&l.name)
             .value(*x, unit)
+            .arg("number", Arg::name(&l.name))
+            .arg("side", Arg::word(if l.upper { "upper" } else { "lower" }))
+            .arg("limit", Arg::quantity(l.value, unit))
             .evidence("excess over the limit, as a share of it", l.excess(*x).max(-f64::MAX), "")
             .evidence("excess that counts as kept", KEPT, "")
     })
@@ -149,42 +177,31 @@ fn test(mut out: Outcome, study: &Optimum, found: &Found) -> Outcome {
         return out;
     }
     let worst = found.slopes.iter().map(|s| s.slope).fold(f64::INFINITY, |m, s| if s < m || s.is_nan() { s } else { m });
-    let count = found.slopes.len();
-    let counted = if study.limits.is_empty() { "" } else { ", with what exceeds limits counted" };
-    let (per, shown) = if found.relative() {
-        (format!(" of the present {} per whole range between the bounds{counted}", study.aim.name), (100.0 * worst, "%"))
-    } else {
-        (format!(" per whole range between the bounds{counted}"), (worst, found.unit.as_str()))
-    };
     // what a smooth optimum shows at that distance is curvature
-    let finding = if worst >= 0.0 {
-        let text = format!("None of {count} machines at a distance of {TEST:.0e} of the bounds is better: the least slope is {{}}{per}.");
-        Finding::info("optimality", text)
-    } else if worst >= -1e-2 {
-        let better = significant(100.0 * TEST * -worst, 2);
-        let text = format!(
-            "Of {count} machines at a distance of {TEST:.0e} of the bounds the best is better by {better} % only: the search has arrived (least slope {{}}{per})."
-        );
-        Finding::info("optimality", text)
-    } else {
-        let text = format!(
-            "Of {count} machines at a distance of {TEST:.0e} of the bounds one is better: the search has not arrived (slope {{}}{per}). Allow more runs."
-        );
-        Finding::warning("optimality", text)
+    let finding = match worst {
+        w if !w.is_finite() => Finding::warning("optimality", "optimum-neighbour-without"),
+        w if w >= 0.0 => Finding::info("optimality", "optimum-neighbours-worse"),
+        w if w >= -1e-2 => Finding::info("optimality", "optimum-neighbours-alike"),
+        _ => Finding::warning("optimality", "optimum-neighbour-better"),
     };
-    out = out.finding(finding.value(worst, "").shown_as(shown.0, shown.1).evidence(
-        "distance of the machines tested, as a share of the bounds",
-        TEST,
-        "",
-    ));
+    let mut finding = finding
+        .arg("count", Arg::count(found.slopes.len()))
+        .arg("aim", Arg::name(&study.aim.name))
+        .arg("limits", Arg::word(if study.limits.is_empty() { "none" } else { "some" }));
+    if worst.is_finite() {
+        let better = -worst * TEST;
+        let better = if found.relative() { Arg::percent(better) } else { Arg::quantity(better, &found.unit) };
+        finding = finding.value(worst, "").arg("better", better);
+    }
+    out = out.finding(finding.evidence("distance of the machines tested, as a share of the bounds", TEST, ""));
     let short = found.trails.iter().filter(|t| t.ended == Ended::Evaluations).count();
     // what every search found alike needs no such caution
     let arrived: Vec<f64> = found.trails.iter().filter_map(|t| t.best.as_ref()).map(|r| r.value).collect();
     let (least, most) = arrived.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
     let agreed = arrived.len() == found.trails.len() && arrived.len() > 1 && most - least <= SAME * most.abs().max(least.abs());
     if short > 0 && !agreed {
-        let text = format!("{short} of {} searches used up their {} runs before they had narrowed down.", found.trails.len(), study.runs);
-        out = out.finding(Finding::info("searches_cut", text));
+        let finding = Finding::info("searches_cut", "optimum-searches-cut").arg("count", Arg::count(short));
+        out = out.finding(finding.arg("searches", Arg::count(found.trails.len())).arg("runs", Arg::count(study.runs)));
     }
     out
 }
@@ -194,11 +211,6 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
     let all: Vec<usize> = (0..study.vary.len()).collect();
     let float = |f: &dyn Fn(usize) -> f64| all.iter().map(|&k| f(k)).collect::<Vec<f64>>();
     let end = |k: usize, side: usize| found.stray.get(k).map_or(f64::NAN, |s| s.ends[side].0);
-    let bound = |k: usize| match best.place[k] {
-        u if u <= AT_BOUND => "lower",
-        u if u >= 1.0 - AT_BOUND => "upper",
-        _ => "",
-    };
     Table::new("optimum", "The recommended parameters")
         .text("parameter", "path", study.vary.iter().map(|v| v.path.clone()).collect())
         .float("value", "", "recommended, in its unit", float(&|k| study.vary[k].value(best.place[k])))
@@ -208,7 +220,7 @@ fn optimum_table(study: &Optimum, found: &Found, best: &Run) -> Result<Table, Di
         .float("machine", "", "value of the machine as it is", float(&|k| study.vary[k].now))
         .float("lower bound", "", "of the search", float(&|k| study.vary[k].from))
         .float("upper bound", "", "of the search", float(&|k| study.vary[k].to))
-        .text("at bound", "lower, upper or neither", all.iter().map(|&k| bound(k).to_string()).collect())
+        .text("at bound", "lower, upper or neither", all.iter().map(|&k| bound(best, k).replace("none", "")).collect())
         .float(
             "slope up",
             "",
