@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::{Attach, RangeValue};
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::outcome::{Data, Outcome};
+use laval::outcome::{Data, Finding, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*};
 use laval::solve::extrema::{curve, seeds};
 use laval::solve::rest::rest;
