@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::outcome::{Data, Outcome, Table};
+use laval::outcome::{Arg, Data, Outcome, Table};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, stop::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::sensitivity::Sensitivity;
@@ -254,7 +254,7 @@ fn unequal_axes_and_laws_that_switch() {
         .build()
         .unwrap();
     let o = study(&jumping, request);
-    assert!(o.findings.iter().any(|f| f.id == "no_derivative" && f.text.contains("\"stop\" jumps")), "{:?}", o.findings);
+    assert!(o.findings.iter().any(|f| f.id == "no_derivative" && f.sentence().contains("force of \"stop\" jumps")), "{:?}", o.findings);
 }
 
 /// A sagging disc moves otherwise in x than in y, but the halves of an isotropic law stay one parameter: every influence is a number, and that of the
@@ -282,8 +282,14 @@ fn what_is_reported() {
     for i in 1..of.len() {
         assert!(of[i] != of[i - 1] || a[i].abs().max(b[i].abs()) <= a[i - 1].abs().max(b[i - 1].abs()), "{i}");
     }
-    assert!(o.findings.iter().any(|f| f.id == "without_influence" && f.text.contains("bearing.valid_to")));
+    assert!(o.findings.iter().any(|f| f.id == "without_influence" && f.sentence().contains("bearing.valid_to")));
     let up = o.findings.iter().find(|f| f.id == "jump_up").unwrap();
-    assert!(up.text.contains("for 1 % more of") && up.value.is_some(), "{up:?}");
+    assert!(up.sentence().matches("for 1 % more").count() == 2 && up.value.is_some(), "{up:?}");
+    // the parameter of most influence on the speed comes with the influence of the table
+    let first = words(o.find_table("places").unwrap(), "kind").iter().position(|k| k == "jump up").unwrap() + 1;
+    let most_of = (0..of.len()).filter(|&i| of[i] == first as f64 && a[i].is_finite()).map(|i| a[i].abs()).fold(0.0, f64::max);
+    let Some((_, Arg::Phrase(most))) = up.message.args.iter().find(|a| a.0 == "speed-influence") else { panic!("{up:?}") };
+    let Some((_, Arg::Quantity(change))) = most.args.iter().find(|a| a.0 == "change") else { panic!("{most:?}") };
+    assert_eq!(change.value, 0.01 * most_of);
     assert!(o.figures.iter().any(|f| f.name.starts_with("influence-")));
 }

@@ -21,7 +21,7 @@ use crate::study::nonlinear::nonlinear_response::NonlinearResponse;
 use crate::study::shared::speed_range::SpinSpeeds;
 use crate::study::shared::validity::Uses;
 use crate::study::{Context, Study};
-pub use places::{Derivatives, Kind, Place};
+pub use places::{Derivatives, Kind, Place, Without};
 use serde::{Deserialize, Serialize};
 
 /// See the [module](self).

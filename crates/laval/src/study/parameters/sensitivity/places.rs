@@ -42,6 +42,17 @@ pub struct Place {
     pub moved: Moved,
 }
 
+/// Why a place has no derivatives.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Without {
+    /// The branch turns at a corner, where a force law switches.
+    Corner,
+    /// The force of this part jumps.
+    Jump(String),
+    /// The derivatives did not converge.
+    Unconverged,
+}
+
 /// The peaks and folds of a response with their derivatives.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Derivatives {
@@ -49,8 +60,8 @@ pub struct Derivatives {
     pub places: Vec<Place>,
     /// The parameters of the machine.
     pub parameters: Vec<Named>,
-    /// Places whose derivatives could not be had: speed, rad/s, and why.
-    pub without: Vec<(f64, String)>,
+    /// Places without derivatives: speed, rad/s, and why.
+    pub without: Vec<(f64, Without)>,
     /// Orders kept.
     pub harmonics: usize,
 }
@@ -108,7 +119,7 @@ fn places_of(
     b: usize,
     branch: &Traced,
     speeds: (f64, f64),
-    without: &mut Vec<(f64, String)>,
+    without: &mut Vec<(f64, Without)>,
 ) -> Vec<Seed> {
     let (system, mut seeds) = (balance.system, Vec::new());
     let (sizes, loud) = (&seen.sizes[b], probes::loudest(seen.all()));
@@ -127,7 +138,7 @@ fn places_of(
     let tilt = !probes::displaced(|| seen.all());
     for f in &branch.folds {
         if f.corner || !f.confirmed {
-            without.push((f.speed, "the branch turns at a corner, where a law switches".into()));
+            without.push((f.speed, Without::Corner));
             continue;
         }
         let (Some(before), Some(after)) = (branch.points.get(f.after), branch.points.get(f.after + 1)) else { continue };
@@ -173,7 +184,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
         }
         context.progress.report(done as u64, total);
         if let Some(part) = balance.switches(&x, speed, (0.0, period)).1 {
-            found.without.push((speed, format!("the force of \"{part}\" jumps")));
+            found.without.push((speed, Without::Jump(part)));
             continue;
         }
         let measure = Measure::Probe(seen.which[probe]);
@@ -183,7 +194,7 @@ pub(super) fn find(system: &System, response: &Response, request: &Request, cont
             break;
         };
         match moved {
-            None => found.without.push((speed, "the derivatives did not settle".into())),
+            None => found.without.push((speed, Without::Unconverged)),
             Some(moved) => found.places.push(Place { kind, branch, probe: seen.probes[probe].clone(), moved }),
         }
     }

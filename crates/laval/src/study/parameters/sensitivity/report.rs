@@ -1,9 +1,9 @@
 //! Findings, tables and bars.
 
 use super::Sensitivity;
-use super::places::{Derivatives, Kind, Place};
+use super::places::{Derivatives, Kind, Place, Without};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Band, End, Figure, Finding, Outcome, Panel, Rule, SpecialPoint, Table, significant};
+use crate::outcome::{Arg, Axis, Band, End, Figure, Finding, Message, Outcome, Panel, Rule, SpecialPoint, Table, significant};
 use crate::study::Study;
 use crate::study::shared::probes;
 use crate::study::shared::support::{inconsistent, probe_name};
@@ -66,37 +66,37 @@ impl Derivatives {
     }
 }
 
-/// `+0.5 %`.
-fn percent(x: f64) -> String {
-    format!("{}{} %", if x > 0.0 { "+" } else { "" }, significant(x, 3))
+/// The parameter of most influence on the speed (0) or size (1) of a place, and how much that changes for one per cent more of it.
+fn influence(place: &Place, found: &Derivatives, which: usize) -> Message {
+    let relative = place.relative(found);
+    let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
+    match known.max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs())) {
+        Some(k) => {
+            let x = relative[k][which];
+            Message::new("sensitivity-influence")
+                .arg("parameter", Arg::name(&found.parameters[k].path))
+                .arg("direction", Arg::word(if x < 0.0 { "falls" } else { "rises" }))
+                .arg("change", Arg::percent(0.01 * x.abs()))
+        }
+        None => Message::new("sensitivity-influence-unknown"),
+    }
 }
 
 fn finding(place: &Place, found: &Derivatives) -> Finding {
-    let relative = place.relative(found);
-    let reported = |which: usize| {
-        let known = (0..relative.len()).filter(|&k| relative[k][which].is_finite());
-        let most = known.max_by(|&a, &b| relative[a][which].abs().total_cmp(&relative[b][which].abs()));
-        most.map_or("an unknown share".into(), |k| format!("{} for 1 % more of {}", percent(relative[k][which]), found.parameters[k].path))
-    };
     let m = &place.moved;
-    let speed = significant(m.speed, 6);
-    let text = match place.kind {
-        Kind::Peak => {
-            let subject = probes::subject(&place.probe);
-            format!("The peak of {subject}, {{}} at {speed} rad/s, changes most by {}; its speed by {}.", reported(1), reported(0))
-        }
-        Kind::JumpUp | Kind::JumpDown => format!(
-            "The {} at {speed} rad/s moves most by {}; the {} of \"{}\" there, {{}}, changes most by {}.",
-            place.word(),
-            reported(0),
-            probes::quality(&place.probe),
-            probes::owner(&place.probe),
-            reported(1)
-        ),
+    let key = match place.kind {
+        Kind::Peak => "sensitivity-peak",
+        Kind::JumpUp | Kind::JumpDown => "sensitivity-jump",
     };
-    Finding::info(place.word().replace(' ', "_"), text)
+    Finding::info(place.word().replace(' ', "_"), key)
         .of(probe_name(&place.probe))
         .value(m.value, place.probe.unit())
+        .arg("way", Arg::word(if place.kind == Kind::JumpDown { "down" } else { "up" }))
+        .arg("point", probes::arg(&place.probe))
+        .arg("quality", Arg::word(probes::quality(&place.probe)))
+        .arg("speed", Arg::speed(m.speed))
+        .arg("size-influence", influence(place, found, 1))
+        .arg("speed-influence", influence(place, found, 0))
         .evidence("relative change of the second derivatives at the last narrowing of the step", m.settled, "")
         .evidence("relative slope left along the branch", m.slope_left, "")
         .evidence("speed", m.speed, "rad/s")
@@ -114,33 +114,31 @@ pub(super) fn report(found: &Derivatives, end: End, bars: usize, name: &str) -> 
             p.probe.unit(),
         ));
     }
-    let mut reasons: Vec<(&str, Vec<f64>)> = Vec::new();
+    let mut reasons: Vec<(&Without, Vec<f64>)> = Vec::new();
     for (speed, why) in &found.without {
-        match reasons.iter_mut().find(|r| r.0 == why.as_str()) {
+        match reasons.iter_mut().find(|r| r.0 == why) {
             Some(r) => r.1.push(*speed),
             None => reasons.push((why, vec![*speed])),
         }
     }
     for (why, speeds) in reasons {
-        let more = match speeds.len() - 1 {
-            0 => String::new(),
-            n => format!(" and at {n} more places up to {} rad/s", significant(speeds.iter().fold(0.0, |m: f64, s| m.max(s.abs())), 5)),
+        let finding = match why {
+            Without::Corner => Finding::warning("no_derivative", "sensitivity-no-derivative-corner"),
+            Without::Jump(part) => Finding::warning("no_derivative", "sensitivity-no-derivative-jump").arg("part", Arg::name(part)),
+            Without::Unconverged => Finding::warning("no_derivative", "sensitivity-no-derivative-open"),
         };
-        let text = format!("No derivatives are given at {{}}{more}: {why}.");
-        out = out.finding(Finding::warning("no_derivative", text).value(speeds[0], "rad/s"));
+        let highest = speeds.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let finding = finding.value(speeds[0], "rad/s").arg("more", Arg::count(speeds.len() - 1)).arg("highest", Arg::speed(highest));
+        out = out.finding(finding);
     }
     let unknown = |k: &usize| found.places.iter().any(|p| p.relative(found)[*k].iter().any(|r| !r.is_finite()));
     let unknown: Vec<&str> = (0..found.parameters.len()).filter(unknown).map(|k| found.parameters[k].path.as_str()).collect();
     if !unknown.is_empty() {
-        let text = format!("The influence of {} could not be computed at every place.", unknown.join(", "));
-        out = out.finding(Finding::warning("no_influence", text));
+        out = out.finding(Finding::warning("no_influence", "sensitivity-no-influence").arg("parameters", Arg::names(unknown)));
     }
     if found.places.is_empty() {
-        let text = match end {
-            End::Reached => "No peak and no fold of the response was found in the range of speeds.",
-            _ => "No peak and no fold of the response was found before the study stopped.",
-        };
-        out = out.finding(Finding::info("nothing_stationary", text));
+        let ended = if end == End::Reached { "complete" } else { "stopped" };
+        out = out.finding(Finding::info("nothing_stationary", "sensitivity-nothing-stationary").arg("end", Arg::word(ended)));
         return out.checked().map_err(inconsistent);
     }
     let idle: Vec<&str> = (0..found.parameters.len())
@@ -148,8 +146,7 @@ pub(super) fn report(found: &Derivatives, end: End, bars: usize, name: &str) -> 
         .map(|k| found.parameters[k].path.as_str())
         .collect();
     if !idle.is_empty() {
-        out = out
-            .finding(Finding::info("without_influence", format!("At the places listed all derivatives are zero in: {}.", idle.join(", "))));
+        out = out.finding(Finding::info("without_influence", "sensitivity-without-influence").arg("parameters", Arg::names(idle)));
     }
     out = out.table(places(found)?).table(sensitivities(found)?);
     let mut drawn: Vec<usize> = (0..found.places.len()).collect();
