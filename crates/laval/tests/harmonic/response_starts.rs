@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::Attach;
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::outcome::{Data, Outcome};
+use laval::outcome::{Arg, Data, Outcome};
 use laval::parts::{bearing_cubic::*, bearing_hertz::*, damper::*, disc::*};
 use laval::solve::harmonic::branches::branch::Origin;
 use laval::solve::harmonic::branches::response::Request;
@@ -95,9 +95,10 @@ fn a_sweep_tells_every_jump_it_meets() {
     let cut = speeds(&o, "jump_down");
     assert!(cut.len() == 2 && cut.iter().zip(&down).all(|(a, b)| (a - b).abs() < 1e-7 * b), "{cut:?} {down:?}");
     let reported: Vec<bool> =
-        o.findings.iter().filter(|f| f.id == "jump_down").map(|f| f.text.contains("onto the states from low speed")).collect();
+        o.findings.iter().filter(|f| f.id == "jump_down").map(|f| f.sentence().contains("onto the branch from low speed")).collect();
     assert_eq!(reported, [true, false]);
-    assert!(!o.findings.iter().any(|f| f.text.contains("states are stable there")));
+    let several = |a: &(&str, Arg)| matches!(a, ("stable", Arg::Count(2..)));
+    assert!(!o.findings.iter().flat_map(|f| &f.notes).any(|n| n.args.iter().any(several)), "{:?}", o.findings);
     assert_eq!(speeds(&o, "jump_up").len(), 1);
 }
 

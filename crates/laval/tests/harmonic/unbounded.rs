@@ -7,7 +7,7 @@ use laval::model::builder::Builder;
 use laval::model::field::{Attach, Value, Values};
 use laval::model::part::Link;
 use laval::model::system::System;
-use laval::outcome::{End, Level, Outcome};
+use laval::outcome::{Arg, End, Level, Outcome};
 use laval::parts::{bearing_cubic::*, damper::*, disc::*, shaft_lumped::*};
 use laval::solve::harmonic::branches::response::Request;
 use laval::study::nonlinear_response::NonlinearResponse;
@@ -88,7 +88,7 @@ fn a_growing_transient_within_its_bound_has_no_largest_displacement() {
     let o = run::<Transient>(&jeffcott(), &[("duration", Value::Number(0.4)), ("speed", Value::Number(900.0))]);
     assert_eq!(o.end, End::Reached);
     let f = o.findings.iter().find(|f| f.id == "largest_displacement").unwrap();
-    assert!(f.text.contains("still grows"), "{}", f.text);
+    assert!(f.message.key == "transient-still-growing", "{}", f.sentence());
     assert!(has(&o, "growth_rate") && has(&o, "energy_balance"));
 }
 
@@ -99,10 +99,10 @@ fn growth_at_an_undamped_resonance_is_linear_in_time() {
     let o = run::<Transient>(&undamped(0.0), &[("duration", Value::Number(400.0 / w)), ("speed", Value::Number(w))]);
     assert!(!has(&o, "growth_rate"), "{:?}", o.findings);
     let f = o.findings.iter().find(|f| f.id == "no_growth_rate").unwrap_or_else(|| panic!("{:?}", o.findings));
-    assert!(f.level == Level::Warning && f.text.contains("grows linearly in time") && f.unit == "m/s", "{f:?}");
+    assert!(f.level == Level::Warning && f.message.key == "transient-grows-linearly" && f.unit == "m/s", "{f:?}");
     assert!((f.value.unwrap() / (0.5 * E * w) - 1.0).abs() < 0.02, "{f:?}");
     let f = o.findings.iter().find(|f| f.id == "largest_displacement").unwrap();
-    assert!(f.text.contains("still grows"), "{}", f.text);
+    assert!(f.message.key == "transient-still-growing", "{}", f.sentence());
 }
 
 #[test]
@@ -121,7 +121,8 @@ fn an_undamped_response_has_no_largest_displacement() {
     let o = NonlinearResponse::new(Request::over(100.0, 3000.0)).run(&undamped(0.0), &Context::quiet("r")).unwrap();
     assert!(has(&o, "unbounded_displacement") && !has(&o, "largest_displacement"), "{:?}", o.findings);
     let f = o.findings.iter().find(|f| f.id == "unbounded_displacement").unwrap();
-    assert!(f.text.contains("was left at"), "{}", f.text);
+    let left = f.evidence.iter().find(|e| e.what == "speed").map(|e| e.value);
+    assert!(f.sentence().contains("was left") && left.is_some() && f.number("speed") == left && f.value > Some(0.0), "{f:?}");
     assert!(o.figures.iter().all(|f| !f.alt.contains("the largest,")), "{:?}", o.figures[0].alt);
     // used up points are no bound either
     let request = Request { max_points: 20, ..Request::over(500.0, 3000.0) };
@@ -133,7 +134,10 @@ fn an_undamped_response_has_no_largest_displacement() {
     // (K + k3 r^2 - M W^2) r = M E W^2 at the end of the range
     let (r, w) = (f.value.unwrap(), 3000.0);
     assert!(((K + 3e10 * r * r - M * w * w) * r / (M * E * w * w) - 1.0).abs() < 1e-6, "{r}");
-    assert!(f.text.contains("an end of the range"), "{}", f.text);
+    assert!(
+        f.message.args.contains(&("place", Arg::word("end"))) && f.number("speed").is_some_and(|at| (at - w).abs() < 1e-9 * w),
+        "{f:?}"
+    );
 }
 
 /// The range of instability in words ends where it is located: the onset of a Jeffcott rotor with inner damping.
@@ -142,8 +146,8 @@ fn the_range_of_instability_begins_at_the_closed_form() {
     let onset = (K / M).sqrt() * (1.0 + OUTER / INNER);
     let o = NonlinearResponse::new(Request::over(100.0, 3000.0)).run(&jeffcott(), &Context::quiet("r")).unwrap();
     let f = o.findings.iter().find(|f| f.id == "unstable_states").unwrap_or_else(|| panic!("{:?}", o.findings));
-    let range = format!("from {} to 3000 rad/s", laval::outcome::significant(onset, 4));
-    assert!(f.text.contains(&range), "{} {range}", f.text);
+    let range = format!("from {} rad/s to 3000 rad/s", laval::outcome::significant(onset, 4));
+    assert!(f.sentence().contains(&range), "{} {range}", f.sentence());
     assert!((f.value.unwrap() / growth(3000.0) - 1.0).abs() < 1e-9);
     let changes: Vec<f64> = o.special_points.iter().filter(|p| p.kind == "Neimark-Sacker").map(|p| p.at).collect();
     assert_eq!(changes.len(), 1);
@@ -160,8 +164,8 @@ fn the_range_of_instability_is_the_band_of_the_liquid() {
     // above the synchronous resonance, which does not know the fill
     let o = NonlinearResponse::new(Request::over(1960.0, 2900.0)).run(&system, &Context::quiet("r")).unwrap();
     let f = o.findings.iter().find(|f| f.id == "unstable_states").unwrap_or_else(|| panic!("{:?}", o.findings));
-    let range = format!("from {} to {} rad/s", laval::outcome::significant(open, 4), laval::outcome::significant(close, 4));
-    assert!(f.text.contains(&range), "{} {range}", f.text);
+    let range = format!("from {} rad/s to {} rad/s", laval::outcome::significant(open, 4), laval::outcome::significant(close, 4));
+    assert!(f.sentence().contains(&range), "{} {range}", f.sentence());
     let changes: Vec<f64> = o.special_points.iter().filter(|p| p.kind == "Neimark-Sacker").map(|p| p.at).collect();
     assert_eq!(changes.len(), 2, "{changes:?}");
     // growth rises with the root of the distance from the edge and is seen once it exceeds the error of a double root

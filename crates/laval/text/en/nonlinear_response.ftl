@@ -108,7 +108,7 @@ nonlinear-response-further-states = Further states, { $kind }: { $branches ->
     } from { $value } to { $to }, { $stability ->
         [some] partly stable between { $low } and { $high }
         [none] unstable throughout
-       *[unknown] stability not assessed
+       *[unknown] stability not known
     }.
 nonlinear-response-copies = { $kind ->
         [turned] Each branch represents up to { $copies } symmetric copies.
@@ -142,7 +142,7 @@ nonlinear-response-unbounded = The steady { $quality ->
     } of { $body } is unbounded: { $value } and rising at { $speed }, where the branch { $branch } was left. Add damping.
 nonlinear-response-largest-force = The largest steady force of "{ $part }" is { $value }, at { $speed }.
 nonlinear-response-largest-force-left = The response was not followed to its end; larger forces are not excluded.
-nonlinear-response-antiresonance = Antiresonance: the force of "{ $part }" falls to { $force } at { $value }, { $share } of its maxima on both sides.
+nonlinear-response-antiresonance = Antiresonance: the force of "{ $part }" falls to { $force } at { $value }, { $share } of the smaller maximum beside it.
 nonlinear-response-tuning = Tuning: a stiffness of { $value } of "{ $body }", now { $stiffness }, would reduce the force of "{ $part }" at { $speed } from { $before } to { $after } on the lower branch.
 nonlinear-response-tuned = { $stability ->
         [stable] The tuned response is stable.
@@ -207,7 +207,7 @@ nonlinear-response-determinant = The stability of { $states ->
 nonlinear-response-balls-elsewhere = No computed state is stable. Balls have further states; use `stationary`, `transient` or `basins`.
 
 # Validity.
-nonlinear-response-harmonics = The harmonics kept leave out { $value } of the nonlinear force at the worst point. Sharp details of the motion are not resolved; raise harmonics, or smooth force laws with kinks.
+nonlinear-response-harmonics = The harmonics kept leave out { $value } of the nonlinear force at the worst point. Sharp details of the motion are not resolved; smooth force laws with kinks.
 nonlinear-response-no-number = "{ $part }" gives no finite force in some states. The response is not valid there.
 
 # Orders beside the synchronous one.
@@ -232,7 +232,7 @@ nonlinear-response-order-range = The { $kind ->
 nonlinear-response-more-orders = { $more ->
         [one] One more range of orders above { $limit } is
        *[other] { $more } more ranges of orders above { $limit } are
-    } listed as special points.
+    } listed among the special points.
 
 # One speed.
 nonlinear-response-no-motion = No periodic solution was found at { $speed }. `transient` shows the motion there.

@@ -52,8 +52,8 @@ pub(super) fn all(response: &Response, starts: usize) -> Vec<Finding> {
             speeds.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), w| (l.min(w), h.max(w)))
         };
         let ((from, to), (low, high)) = (range(false), range(true));
-        let stability = match points().any(|p| p.exponents.is_some()) {
-            true if low <= high => "some",
+        let stability = match points().all(|p| p.exponents.is_some()) {
+            _ if low <= high => "some",
             true => "none",
             false => "unknown",
         };
