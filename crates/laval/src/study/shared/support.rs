@@ -5,7 +5,7 @@ use crate::model::field::{Bounds, Field, FieldKind, MOST_POINTS, RangeValue, Val
 use crate::model::part::At;
 use crate::model::probe::{Probe, Sight};
 use crate::model::system::{Slot, System, Workspace};
-use crate::outcome::{Arg, Finding, Level, Message, OutcomeError, quantity, quantity_to};
+use crate::outcome::{Arg, Finding, Level, Message, OutcomeError, quantity_to};
 use crate::solve::characteristic::{Equilibrium, coordinate_sectors};
 use crate::solve::pencil::{MachineMode, Spectrum, time_forms};
 use crate::solve::roots::transcendental;
@@ -27,14 +27,6 @@ pub fn probe_name(probe: &Probe) -> String {
         Sight::Displacement(0.0) => probe.name.clone(),
         Sight::Displacement(z) => format!("{} at {}", probe.name, quantity_to(z, "m", probe.digits)),
         Sight::Tilt => format!("tilt of {}", probe.name),
-    }
-}
-
-/// How a probe moves by an amplitude, in words.
-pub fn moves(probe: &Probe, amplitude: f64) -> String {
-    match probe.sight {
-        Sight::Tilt => format!("{} tilts by {}", probe.name, quantity(amplitude, "rad")),
-        _ => format!("{} moves {}", probe_name(probe), quantity(amplitude, "m")),
     }
 }
 

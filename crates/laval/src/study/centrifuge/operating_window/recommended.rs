@@ -7,7 +7,7 @@ use crate::outcome::{Arg, Finding, Message, Outcome, SpecialPoint, Status};
 use crate::separation::measures::rcf;
 use crate::separation::validity::{FIELD, gravity_felt};
 use crate::study::centrifuge::cups::uncarried;
-use crate::study::motion::drive::without_inertia;
+use crate::study::motion::drive::spin_inertia;
 
 impl Shown<'_> {
     pub fn recommended(&self, mut out: Outcome) -> Outcome {
@@ -147,7 +147,7 @@ impl Shown<'_> {
                 out = out.finding(finding.evidence("speed", peak.speed, "rad/s").of(peak.body));
             }
             out = out.finding(Finding::info("passage_torque", "operating-window-passage-torque").value(p.torque(top), "N m"));
-            out = without_inertia(self.system, "The torque of the run-up is").into_iter().fold(out, Outcome::finding);
+            out = spin_inertia(self.system).into_iter().fold(out, Outcome::finding);
         }
         if let (Some(t), Some(task), Some(best)) = (self.ramp, &self.task, &m.best) {
             let (_, r2) = task.vessel.separator.at(best.speed).radii();
