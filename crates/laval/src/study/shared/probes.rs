@@ -50,11 +50,6 @@ pub fn owner(probe: &Probe) -> String {
     if probe.is_tilt() { probe.name.clone() } else { probe_name(probe) }
 }
 
-/// Subject of a sentence: "drum" in quotes, or the tilt of it.
-pub fn subject(probe: &Probe) -> String {
-    if probe.is_tilt() { format!("the tilt of \"{}\"", probe.name) } else { format!("\"{}\"", probe_name(probe)) }
-}
-
 /// The body, point of a body or tilt of a body, as an argument of a sentence.
 pub fn arg(probe: &Probe) -> Arg {
     let body = |key: &str| Message::new(key).arg("body", Arg::name(&probe.name));

@@ -67,7 +67,9 @@ pub fn uncarried(system: &System, name: Option<&str>) -> Vec<Finding> {
                 Some(body) => Finding::warning("cups_not_carried", "cups-not-carried").arg("body", Arg::name(&body.name)),
                 None => Finding::warning("cups_not_carried", "cups-not-carried-by-any"),
             },
-            "tubular_bowl" | "disc_stack" | "decanter" if !holds_liquid => Finding::warning("bowl_without_liquid", "cups-bowl-without-liquid"),
+            "tubular_bowl" | "disc_stack" | "decanter" if !holds_liquid => {
+                Finding::warning("bowl_without_liquid", "cups-bowl-without-liquid")
+            }
             _ => return None,
         };
         Some(finding.arg("vessel", Arg::name(&e.name)))

@@ -89,9 +89,11 @@ impl Shown<'_> {
                         .value(p.needed, "s")
                         .arg("throughput", Arg::quantity(volume / p.needed, "m^3/s"))
                         .evidence("residence time", task.time, "s"),
-                    None => Finding::info("shortest_time", "operating-window-shortest-time")
-                        .value(p.needed, "s")
-                        .evidence("time at hand", task.time, "s"),
+                    None => Finding::info("shortest_time", "operating-window-shortest-time").value(p.needed, "s").evidence(
+                        "time at hand",
+                        task.time,
+                        "s",
+                    ),
                 };
                 out.finding(finding.arg("speed", Arg::speed(p.speed)).evidence("speed", p.speed, "rad/s"))
             }

@@ -87,8 +87,9 @@ impl Shown<'_> {
             return out.finding(finding.arg("recovery", self.recovery()).arg("spin", self.spin()));
         }
         let finding = match s.throughput.zip(s.vessel.separator.flow_volume()) {
-            Some((_, volume)) => Finding::info("time_needed", "separation-residence-needed")
-                .arg("throughput", Arg::quantity(volume / needed.time, "m^3/s")),
+            Some((_, volume)) => {
+                Finding::info("time_needed", "separation-residence-needed").arg("throughput", Arg::quantity(volume / needed.time, "m^3/s"))
+            }
             None => Finding::info("time_needed", "separation-time-needed").arg("run_up", self.run_up()),
         };
         let finding = finding.value(needed.time, "s").arg("recovery", self.recovery()).arg("spin", self.spin());
