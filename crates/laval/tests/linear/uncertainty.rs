@@ -234,7 +234,7 @@ fn stopped_and_continued_gives_what_the_undisturbed_study_gives() {
     let o = run_in(&settings, &Context { cancel: &stop, progress: &watch, keep: Some(&keep), ..Context::quiet("u") });
     assert_eq!(o.end, End::Cancelled);
     let reported = o.findings.iter().find(|f| f.id == "incomplete").unwrap().sentence();
-    assert!(reported.contains("of 100 rows") && reported.contains("the same command continues"), "{reported}");
+    assert!(reported.contains("of 100 rows") && reported.contains("The same command continues"), "{reported}");
     assert!(o.find_table("samples").unwrap().rows() < 100);
     let continued = run_in(&settings, &Context { keep: Some(&keep), ..Context::quiet("u") });
     assert_eq!(format!("{continued:?}"), format!("{:?}", run(&settings)));
