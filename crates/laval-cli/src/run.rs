@@ -9,9 +9,9 @@ use laval::file::{self, Loaded, NamedStudy};
 use laval::hash::sha256;
 use laval::outcome::{Arg, End, Finding, Outcome};
 use laval::plain;
-use laval::report::{self, Format, Provenance, Report, WriteError};
+use laval::report::{self, Format, Language, Provenance, Report, Style, Units, WriteError};
 use laval::store::Keep;
-use laval::study::{Cancel, Context};
+use laval::study::{self, Cancel, Context};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::Ordering;
@@ -37,6 +37,12 @@ pub struct Args {
     /// Remove what the folder holds of long studies and start them anew, instead of going on with them
     #[arg(long)]
     fresh: bool,
+    /// Print all findings of every study, not the summary alone
+    #[arg(long)]
+    all: bool,
+    /// Language of the report and of the summary: en, ru, kk, uz [default: that of LANG where it is one of them]
+    #[arg(long, value_name = "LANGUAGE", value_parser = str::parse::<Language>)]
+    lang: Option<Language>,
     /// Print nothing but what is wrong
     #[arg(long, short)]
     quiet: bool,
@@ -51,6 +57,12 @@ fn steps(text: &str) -> Result<u64, String> {
         Err(_) if beyond() => Err(format!("the largest value is {}; without the option there is no limit", u64::MAX)),
         Err(_) => Err("give a whole number from 1 on, in digits alone".into()),
     }
+}
+
+/// The language requested, else that of the environment.
+fn language(requested: Option<Language>) -> Language {
+    let environment = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|name| std::env::var(name).ok()).find(|v| !v.is_empty());
+    requested.or_else(|| environment?.parse().ok()).unwrap_or_default()
 }
 
 static CANCEL: LazyLock<Cancel> = LazyLock::new(Cancel::default);
@@ -160,6 +172,8 @@ impl<'a> Run<'a> {
             input: Some(input.text()),
             studies: loaded.spec.studies.iter().map(|b| b.name.clone()).collect(),
             outcomes: Vec::new(),
+            overview: None,
+            style: Style { language: language(args.lang), units: Units::new(file::written_units(&input.text())) },
         };
         Run {
             args,
@@ -214,6 +228,7 @@ impl<'a> Run<'a> {
                 written = Instant::now();
             }
         }
+        self.overview();
         let files = match self.write() {
             Ok(files) => files,
             Err(code) => return code,
@@ -258,9 +273,25 @@ impl<'a> Run<'a> {
             }
         };
         // shown as soon as known: the next study may take long
-        let mut one = Report { outcomes: vec![outcome], ..Report::default() };
-        self.paragraph(&report::terminal(&one, terminal::findings()));
+        let mut one = Report { outcomes: vec![outcome], style: self.report.style.clone(), ..Report::default() };
+        if self.args.all {
+            self.paragraph(&report::terminal(&one, terminal::findings()));
+        }
         self.report.outcomes.append(&mut one.outcomes);
+    }
+
+    /// The first page, from the machine and what its studies found.
+    fn overview(&mut self) {
+        if CANCEL.load(Ordering::Relaxed) {
+            return;
+        }
+        let bar = Bar::new("summary", self.args.quiet);
+        let context = Context { name: "summary", cancel: &CANCEL, progress: &bar, work_limit: u64::MAX, keep: None };
+        let system = &self.loaded.system;
+        let speeds: Vec<_> = self.loaded.studies.iter().flat_map(|s| s.study.speeds(system)).collect();
+        self.report.overview = guarded(|| study::overview(system, &speeds, &self.report.outcomes, &context));
+        bar.finish();
+        self.paragraph(&report::summary(&self.report, terminal::findings()));
     }
 
     /// Where a long study keeps its rows.

@@ -35,6 +35,7 @@ mod figure;
 mod finding;
 mod message;
 mod number;
+mod overview;
 mod table;
 
 pub use animation::{Animation, Circle};
@@ -44,6 +45,7 @@ pub use message::{Arg, Message, Quantity, Role};
 pub(crate) use number::quantity_to;
 pub use number::{quantity, significant, unit_text};
 use serde::{Deserialize, Serialize};
+pub use overview::{Block, Check, Mode, OverSpeed, Overview, Resonance, Unstable, Verdict};
 pub use table::{Column, Data, Table, TableBuilder};
 
 use crate::diagnostic::Diagnostic;

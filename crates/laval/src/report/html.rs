@@ -1,6 +1,8 @@
 //! The report as one page that opens offline: findings first, then each study with figures and tables, then the input.
 
 use super::Report;
+use super::first_page;
+use super::words::Style;
 use super::animation::animation;
 use super::embed::hash;
 use super::payload::{column_for, payload};
@@ -9,11 +11,11 @@ use super::svg::{NARROW, WIDE, render};
 use super::text::escape;
 use super::write::Names;
 use crate::outcome::{
-    Column, Data, Evidence, Finding, Level, Outcome, OutcomeError, SpecialPoint, Status, Table, quantity, significant, unit_text,
+    Column, Data, Evidence, Figure, Finding, Level, Outcome, OutcomeError, SpecialPoint, Status, Table, quantity, significant, unit_text,
 };
 use std::fmt::Write;
 
-const CSS: &str = include_str!("assets/report.css");
+const CSS: &str = concat!(include_str!("assets/report.css"), include_str!("assets/first_page.css"));
 const JS: &str = concat!(include_str!("assets/report.js"), include_str!("assets/animation.js"));
 /// Rows shown of a table; the files hold all.
 const MOST_ROWS: usize = 20;
@@ -43,13 +45,21 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         let own: Result<Vec<Scene>, _> = o.figures.iter().map(|f| Scene::new(f, &o.tables)).collect();
         scenes.push(own.map_err(|e| (o.name.clone(), e))?);
     }
-    let column = column_for(&scenes.iter().flatten().collect::<Vec<_>>());
+    let style = &report.style;
+    let over = report.overview.as_ref().and_then(|page| {
+        let over = page.over_speed.as_ref()?;
+        let (figure, tables) = (first_page::over_speed(page, over, style), first_page::tables(over));
+        let scene = Scene::new(&figure, &tables).ok()?;
+        Some((figure, scene))
+    });
+    let column = column_for(&scenes.iter().flatten().chain(over.iter().map(|o| &o.1)).collect::<Vec<_>>());
     let names = Names::new(report);
     let machine = escape(if report.machine.is_empty() { "machine without a name" } else { &report.machine });
     let mut s = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; script-src 'sha256-{}'; base-uri 'none'; form-action 'none'\">\n\
          <title>{machine} · laval report</title>\n<style>{CSS}</style>\n<script>{JS}</script>\n</head>\n<body>\n<header>\n<h1>{machine}</h1>\n",
+        style.language.code(),
         hash(CSS),
         hash(JS)
     );
@@ -64,9 +74,22 @@ pub(super) fn page(report: &Report, links: bool) -> Result<String, (String, Outc
         from.push(format!("input <span title=\"{}\">{}</span>", escape(&p.input_hash), escape(&short)));
     }
     let _ = writeln!(s, "<p class=\"from\">{}</p>\n</header>\n<main>", from.join(" · "));
-    summary(&mut s, report);
+    match &report.overview {
+        Some(page) => {
+            first_page::head(&mut s, page, style);
+            if let Some((figure, scene)) = &over {
+                drawn(&mut s, figure, scene, "over", column);
+                s.push_str(HINT);
+            }
+            first_page::tail(&mut s, page, style);
+            s.push_str("<details class=\"all\"><summary>All findings</summary>\n");
+            summary(&mut s, report);
+            s.push_str("</details>\n");
+        }
+        None => summary(&mut s, report),
+    }
     for (i, (o, scenes)) in report.outcomes.iter().zip(&scenes).enumerate() {
-        study(&mut s, o, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
+        study(&mut s, report, scenes, i, column, links.then_some(&names)).map_err(|e| (o.name.clone(), e))?;
     }
     if let Some(input) = &report.input {
         let name = if p.input_name.is_empty() { "Input file".into() } else { format!("Input file {}", escape(&p.input_name)) };
@@ -111,8 +134,8 @@ fn summary(s: &mut String, report: &Report) {
     // what several studies say in the same words stands once, with all their names
     let mut once: Vec<(&Finding, Vec<(usize, &Outcome)>)> = Vec::new();
     for (i, o, f) in sorted {
-        let text = f.sentence();
-        match once.iter_mut().find(|k| k.0.level == f.level && k.0.sentence() == text) {
+        let text = report.style.sentence(f);
+        match once.iter_mut().find(|k| k.0.level == f.level && report.style.sentence(k.0) == text) {
             Some((_, places)) => places.push((i, o)),
             None => once.push((f, vec![(i, o)])),
         }
@@ -125,7 +148,7 @@ fn summary(s: &mut String, report: &Report) {
         let mut places = places.clone();
         places.dedup_by_key(|p| p.0);
         let links: Vec<String> = places.iter().map(|(i, o)| link(*i, o)).collect();
-        let _ = writeln!(s, "{}{}</li>", sentence(f), links.join(","));
+        let _ = writeln!(s, "{}{}</li>", sentence(f, &report.style), links.join(","));
     }
     s.push_str("</ul>\n");
     if more > 0 {
@@ -162,13 +185,13 @@ fn fair(studies: impl Iterator<Item = usize>) -> Vec<bool> {
 }
 
 /// Start of a list item; the caller closes it.
-fn sentence(f: &Finding) -> String {
+fn sentence(f: &Finding, style: &Style) -> String {
     let tag = match f.level {
         Level::Info => "",
         Level::Warning => "<span class=\"tag\">! Warning</span>",
         Level::Invalid => "<span class=\"tag\">!! Outside validity</span>",
     };
-    format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&f.sentence()))
+    format!("<li class=\"{}\">{tag}{}", f.level.word(), escape(&style.sentence(f)))
 }
 
 fn evidence(s: &mut String, label: &str, list: &[Evidence]) {
@@ -182,7 +205,8 @@ fn evidence(s: &mut String, label: &str, list: &[Evidence]) {
     s.push_str("</dl></details>");
 }
 
-fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
+fn study(s: &mut String, report: &Report, scenes: &[Scene], i: usize, column: f64, names: Option<&Names>) -> Result<(), OutcomeError> {
+    let (o, overview) = (&report.outcomes[i], &report.overview);
     let kind = if o.kind == o.name { String::new() } else { format!("<span class=\"kind\">{}</span>", escape(&o.kind.replace('_', " "))) };
     let _ = writeln!(s, "<section class=\"study\" id=\"s{i}\">\n<h2>{}{kind}</h2>", escape(&o.name));
     let (class, sign) = if o.end.is_complete() { ("end", "") } else { ("end stopped", "! ") };
@@ -196,7 +220,7 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
                 continue;
             }
             shown += 1;
-            s.push_str(&sentence(f));
+            s.push_str(&sentence(f, &report.style));
             evidence(s, "Evidence", &f.evidence);
             s.push_str("</li>\n");
         }
@@ -206,22 +230,9 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
         }
     }
     for (k, (f, scene)) in o.figures.iter().zip(scenes).enumerate() {
-        let id = format!("f{i}-{k}");
-        let _ = writeln!(
-            s,
-            "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">",
-            escape(&f.title),
-            escape(&f.alt)
-        );
-        s.push_str(&render(scene, f, WIDE, column.max(1.0), Some(&format!("{id}w"))));
-        s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
-        let _ = writeln!(
-            s,
-            "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
-            payload(scene, column)
-        );
-        if i == 0 && k == 0 {
-            s.push_str("<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n");
+        drawn(s, f, scene, &format!("f{i}-{k}"), column);
+        if i == 0 && k == 0 && overview.is_none() {
+            s.push_str(HINT);
         }
     }
     for (k, a) in o.animations.iter().enumerate() {
@@ -245,6 +256,26 @@ fn study(s: &mut String, o: &Outcome, scenes: &[Scene], i: usize, column: f64, n
     }
     s.push_str("</section>\n");
     Ok(())
+}
+
+/// How to read a figure with the mouse and the keyboard.
+const HINT: &str = "<p class=\"hint\">Point at a curve to read its values. Drag to zoom, double-click to see all, click a name to hide its curve. Keys: arrows, +, −, 0.</p>\n";
+
+/// A figure that the script of the page makes live.
+fn drawn(s: &mut String, f: &Figure, scene: &Scene, id: &str, column: f64) {
+    let _ = writeln!(
+        s,
+        "<figure class=\"fig\" id=\"{id}\" tabindex=\"0\" aria-labelledby=\"{id}-c\">\n<figcaption id=\"{id}-c\"><b>{}</b> {}</figcaption>\n<div class=\"plot\">",
+        escape(&f.title),
+        escape(&f.alt)
+    );
+    s.push_str(&render(scene, f, WIDE, column.max(1.0), Some(&format!("{id}w"))));
+    s.push_str(&render(scene, f, NARROW, column.max(1.0), Some(&format!("{id}n"))));
+    let _ = writeln!(
+        s,
+        "<div class=\"tip\" hidden aria-live=\"polite\"></div><button type=\"button\" hidden>Reset zoom</button></div>\n<script type=\"application/json\">{}</script>\n</figure>",
+        payload(scene, column)
+    );
 }
 
 /// How far the ends of a point's bracket lie apart; nothing where the point's own equations were solved and the bracket is merely where it was

@@ -21,6 +21,7 @@ mod animation;
 mod colour;
 mod csv;
 mod embed;
+mod first_page;
 mod heat;
 mod html;
 mod json;
@@ -31,6 +32,7 @@ mod parquet;
 mod payload;
 mod renew;
 mod scene;
+mod summary;
 mod svg;
 mod terminal;
 mod text;
@@ -47,6 +49,7 @@ pub use page::{figure, page};
 #[cfg(feature = "parquet")]
 pub use parquet::parquet;
 pub use renew::{outdated, prepare, renew};
+pub use summary::summary;
 pub use svg::draw;
 pub use terminal::{Terminal, terminal};
 pub use text::{escape, file_name};
@@ -54,7 +57,7 @@ pub use units::{Rung, Units};
 pub use words::{Language, Style};
 pub use write::{Format, WriteError, folders, write};
 
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, Overview};
 
 /// Everything one run found out, ready to be written.
 #[derive(Clone, Debug, Default)]
@@ -69,6 +72,10 @@ pub struct Report {
     pub studies: Vec<String>,
     /// One outcome per study that was run, in the order of the file.
     pub outcomes: Vec<Outcome>,
+    /// The first page.
+    pub overview: Option<Overview>,
+    /// Language and units of the reader.
+    pub style: Style,
 }
 
 impl Report {

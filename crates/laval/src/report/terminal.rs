@@ -1,6 +1,7 @@
 //! Findings as a few calm lines for the terminal.
 
 use super::Report;
+use super::words::Style;
 use crate::outcome::{Level, Outcome, quantity, significant};
 use crate::plain;
 
@@ -33,11 +34,11 @@ const MOST_RESULTS: usize = 8;
 /// assert_eq!(terminal(&report, Terminal::default()), "modes at rest\n  The first mode turns at 210 rad/s.\n");
 /// ```
 pub fn terminal(report: &Report, how: Terminal) -> String {
-    let studies: Vec<String> = report.outcomes.iter().map(|o| study(o, how)).collect();
+    let studies: Vec<String> = report.outcomes.iter().map(|o| study(o, &report.style, how)).collect();
     studies.join("\n")
 }
 
-fn study(o: &Outcome, how: Terminal) -> String {
+fn study(o: &Outcome, style: &Style, how: Terminal) -> String {
     let paint = |text: &str, code: &str| if how.colour { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() };
     let mut out = format!("{}\n", paint(&plain::line(&o.name), "1"));
     if !o.end.is_complete() {
@@ -54,7 +55,7 @@ fn study(o: &Outcome, how: Terminal) -> String {
             Level::Warning => (paint("!", "33"), 1),
             Level::Invalid => (paint("!!", "31"), 2),
         };
-        let mut text = plain::line(&f.sentence()).into_owned();
+        let mut text = plain::line(&style.sentence(f)).into_owned();
         let first = f.evidence.first().map(|e| format!(" ({} {})", plain::line(&e.what), quantity(e.value, &e.unit)));
         // evidence only where it is not said already and does not push the finding beyond two lines
         let said = f.evidence.first().is_some_and(|e| {

@@ -23,7 +23,7 @@ impl Rung {
 pub struct Units {
     /// SI unit, and the unit preferred to it.
     preferred: Vec<(String, Rung)>,
-    /// Speeds are read in rpm, so that frequencies are read in Hz and angles in degrees.
+    /// Angles in degrees, unbalance in g mm, small masses in g.
     everyday: bool,
 }
 
@@ -58,15 +58,17 @@ const LARGEST: f64 = 1e5;
 const SMALLEST: f64 = 1e-2;
 
 impl Units {
-    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first.
+    /// From units that a machine file writes: text of the unit, its size in the SI unit and the SI unit, most frequent first. Multiples of SI units by
+    /// powers of ten are chosen by size.
     pub fn new(written: impl IntoIterator<Item = (String, f64, String)>) -> Units {
-        let mut out = Units::default();
+        let mut out = Units { preferred: Vec::new(), everyday: true };
         for (name, size, si) in written {
-            if out.preferred.iter().all(|p| p.0 != si) && name != si {
+            let multiple = prefixes(&si).into_iter().chain(everyday(&si)).any(|r| (r.size / size - 1.0).abs() < 1e-12);
+            if (si == "rad/s" || !multiple) && out.of(&si).is_none() {
+                let name = if name == "deg" { "°".into() } else { name };
                 out.preferred.push((si, Rung { name, size }));
             }
         }
-        out.everyday = out.of("rad/s").is_some();
         out
     }
 
@@ -90,7 +92,8 @@ impl Units {
             return Rung::new("%", 1e-2);
         }
         if si == "rad/s" {
-            return if role == Role::Frequency && self.everyday { Rung::new("Hz", TAU) } else { self.speed() };
+            let speed = self.speed();
+            return if role == Role::Frequency && speed.size != 1.0 { Rung::new("Hz", TAU) } else { speed };
         }
         let size = size.abs();
         if let Some(r) = self.of(si).filter(|r| (SMALLEST..LARGEST).contains(&(size / r.size))) {

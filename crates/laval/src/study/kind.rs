@@ -72,6 +72,8 @@ pub trait ErasedStudy: Send + Sync {
     /// # Errors
     /// As [`Study::prepare`].
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic>;
+    /// Spin speeds that it covers.
+    fn speeds(&self, system: &System) -> Vec<SpinSpeeds>;
     /// Runs it.
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic>;
 }
@@ -87,6 +89,9 @@ impl<T: Study> ErasedStudy for T {
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         speed_range::known(self, system)?;
         watch::prepare(self, system, context)
+    }
+    fn speeds(&self, system: &System) -> Vec<SpinSpeeds> {
+        self.spin_speeds(system)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         speed_range::known(self, system)?;
@@ -168,6 +173,9 @@ impl<T: Study> ErasedStudy for Written<T> {
     }
     fn prepare(&self, system: &System, context: &Context) -> Result<(), Diagnostic> {
         ErasedStudy::prepare(&self.study, system, context).map_err(|d| self.located(d))
+    }
+    fn speeds(&self, system: &System) -> Vec<SpinSpeeds> {
+        self.study.spin_speeds(system)
     }
     fn run(&self, system: &System, context: &Context) -> Result<Outcome, Diagnostic> {
         ErasedStudy::run(&self.study, system, context).map_err(|d| self.located(d))

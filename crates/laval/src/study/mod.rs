@@ -9,6 +9,7 @@ mod centrifuge;
 mod linear;
 mod motion;
 mod nonlinear;
+mod overview;
 mod parameters;
 mod shared;
 
@@ -20,6 +21,7 @@ pub use laval_num::work::Cancel;
 pub use linear::{approximation, campbell, criterion, critical_speeds, forced_response, modes, stability_map};
 pub use motion::{basins, motion_map, record, run_up, sweep, transient};
 pub use nonlinear::{backbone, bifurcation_loci, limit_cycles, methods, nonlinear_response, response_map, stationary};
+pub use overview::overview;
 pub use parameters::{optimum, sensitivity, uncertainty};
 pub use registry::registry;
 pub use shared::{limits, speed_range, support};

@@ -8,6 +8,10 @@ pub trait Filling: Parametric {
     fn density(&self) -> &'static str;
     /// What damps its waves, as an instruction: `of the liquid's wave: wave_damping`.
     fn damping(&self) -> &'static str;
+    /// The parameters that are the radius of the cavity, the radius of the free surface and the height of the cavity, for a drawing.
+    fn cavity(&self) -> Option<[&'static str; 3]> {
+        None
+    }
 }
 
 /// The object-safe face.
@@ -17,6 +21,7 @@ pub mod erased {
     pub trait Filling {
         fn density(&self) -> &'static str;
         fn damping(&self) -> &'static str;
+        fn cavity(&self) -> Option<[&'static str; 3]>;
     }
 
     impl<T: super::Filling> Filling for T {
@@ -25,6 +30,9 @@ pub mod erased {
         }
         fn damping(&self) -> &'static str {
             super::Filling::damping(self)
+        }
+        fn cavity(&self) -> Option<[&'static str; 3]> {
+            super::Filling::cavity(self)
         }
     }
 }

@@ -532,6 +532,9 @@ impl Filling for Liquid {
     fn damping(&self) -> &'static str {
         "of the liquid's wave: wave_damping"
     }
+    fn cavity(&self) -> Option<[&'static str; 3]> {
+        Some(["cavity_radius", "free_surface_radius", "cavity_height"])
+    }
 }
 
 impl FrequencyDomain for Liquid {

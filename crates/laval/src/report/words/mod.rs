@@ -56,7 +56,8 @@ impl Style {
         }
     }
 
-    fn arg(&self, arg: &Arg) -> String {
+    /// A value in words.
+    pub fn arg(&self, arg: &Arg) -> String {
         match arg {
             Arg::Quantity(q) => self.quantity(q),
             Arg::Count(n) => n.to_string(),

@@ -1,0 +1,67 @@
+//! The units that a machine file writes, for reports in the units of the reader.
+
+use crate::units::parse_unit;
+use std::collections::BTreeMap;
+use toml::Value;
+
+/// SI units of results.
+const RESULTS: [&str; 24] = [
+    "rad/s", "m", "kg", "s", "N", "N/m", "N s/m", "kg m", "kg m^2", "rad", "Pa", "m/s", "m^3", "m^2/s", "kg/m^3", "N m", "N m/rad", "1/s",
+    "W", "rad/s^2", "m^2", "N/m^3", "m/s^2", "N m s/rad",
+];
+
+/// Units of a file, by how often they stand there; that of the operating speed first: text, size in the SI unit, SI unit. A file that cannot be read has
+/// none.
+pub fn written_units(text: &str) -> Vec<(String, f64, String)> {
+    let Ok(file) = text.parse::<toml::Table>() else { return Vec::new() };
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    let all = Value::Table(file);
+    walk(&all, &mut counts);
+    if let Some(speed) = all.get("machine").and_then(|m| m.get("speed")) {
+        for count in unit(speed).into_iter() {
+            *counts.entry(count).or_default() += 1_000_000;
+        }
+    }
+    let mut sorted: Vec<(String, usize)> = counts.into_iter().collect();
+    sorted.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
+    let known: Vec<_> = RESULTS.iter().filter_map(|si| Some((si, parse_unit(si).ok()?))).collect();
+    let one = |(name, _): (String, usize)| {
+        let unit = parse_unit(&name).ok()?;
+        let (si, _) = known.iter().find(|k| k.1.dimension.same(&unit.dimension))?;
+        Some((name, unit.factor(), si.to_string()))
+    };
+    sorted.into_iter().filter_map(one).collect()
+}
+
+fn walk(value: &Value, counts: &mut BTreeMap<String, usize>) {
+    match value {
+        Value::Table(t) => t.values().for_each(|v| walk(v, counts)),
+        Value::Array(a) => a.iter().for_each(|v| walk(v, counts)),
+        other => unit(other).into_iter().for_each(|u| *counts.entry(u).or_default() += 1),
+    }
+}
+
+/// The unit behind the number of a quantity.
+fn unit(value: &Value) -> Option<String> {
+    let (number, unit) = value.as_str()?.trim().split_once(' ')?;
+    number.parse::<f64>().ok()?;
+    let unit = unit.trim();
+    parse_unit(unit).ok().filter(|u| !u.dimension.is_none()).map(|_| unit.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_comes_first_and_frequent_units_before_rare_ones() {
+        let text = r#"
+            machine = { speed = "50 Hz" }
+            part = [{ a = "3000 rpm", b = "2000 rpm", c = "1 N/mm", d = "2 N/m", e = "3 N/mm", name = "5 drums", share = "5 %" }]
+        "#;
+        let units: Vec<_> = written_units(text).into_iter().map(|u| (u.0, u.2)).collect();
+        let want = [("Hz", "rad/s"), ("N/mm", "N/m"), ("rpm", "rad/s"), ("N/m", "N/m")];
+        assert_eq!(units, want.map(|(a, b)| (a.to_string(), b.to_string())));
+        assert!(written_units("not = [toml").is_empty());
+    }
+}

@@ -1,0 +1,166 @@
+//! The answer in short: whether the machine may run at its speed, how far trouble is, what it does over the speed. All of it data; `report` words and draws it.
+
+use super::message::{Arg, Message};
+
+/// The first page of a report.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overview {
+    /// Operating speed, rad/s.
+    pub operating: Option<f64>,
+    /// How the headline is to be taken.
+    pub verdict: Verdict,
+    /// One or two sentences: the answer.
+    pub headline: Vec<Message>,
+    /// Up to three remarks, each with a heading: at the operating speed, on the way to it, above it.
+    pub remarks: Vec<(Message, Vec<Message>)>,
+    /// Requirements and how they are met.
+    pub checks: Vec<Check>,
+    /// Behaviour over the spin speed.
+    pub over_speed: Option<OverSpeed>,
+    /// Modes at the operating speed.
+    pub modes: Vec<Mode>,
+    /// Bodies and what joins them.
+    pub machine: Vec<Block>,
+    /// What to do next.
+    pub next: Vec<Message>,
+}
+
+/// How a check ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The requirement is met.
+    Passed,
+    /// Nothing is required.
+    NoLimit,
+    /// It needs a study that the file does not have, or that takes long.
+    #[default]
+    NotComputed,
+    /// It needs attention, or is not proven.
+    Attention,
+    /// The requirement is not met.
+    Failed,
+}
+
+impl Verdict {
+    /// The machine-readable word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Passed => "passed",
+            Verdict::NoLimit => "no_limit",
+            Verdict::NotComputed => "not_computed",
+            Verdict::Attention => "attention",
+            Verdict::Failed => "failed",
+        }
+    }
+}
+
+/// One requirement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// Its name in the catalogues: `check-stability`.
+    pub what: Message,
+    /// What was found.
+    pub result: Message,
+    /// What supports or explains it, in small print.
+    pub detail: Option<Message>,
+    /// The required value; none where no limit is set.
+    pub required: Option<Arg>,
+    /// How it ended.
+    pub verdict: Verdict,
+    /// A number in place of the word of the verdict: a margin.
+    pub margin: Option<f64>,
+}
+
+impl Check {
+    /// A check without detail, requirement or margin.
+    pub fn new(what: &str, result: Message, verdict: Verdict) -> Self {
+        Check { what: Message::new(what), result, detail: None, required: None, verdict, margin: None }
+    }
+}
+
+/// Behaviour over the spin speed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OverSpeed {
+    /// Range computed, rad/s.
+    pub range: (f64, f64),
+    /// Ranges in which the machine is unstable.
+    pub unstable: Vec<Unstable>,
+    /// Resonances of the unbalance response, or lightly damped critical speeds where nothing forces the machine, rad/s.
+    pub resonances: Vec<Resonance>,
+    /// Speeds at which a slow sweep jumps, rad/s.
+    pub jumps: Vec<f64>,
+    /// Speeds of the growth rates, rad/s.
+    pub growth_speed: Vec<f64>,
+    /// Largest growth rate at each, 1/s.
+    pub growth: Vec<f64>,
+    /// Speeds of the amplitudes, rad/s.
+    pub response_speed: Vec<f64>,
+    /// Amplitude of each body at each speed, m.
+    pub amplitudes: Vec<(String, Vec<f64>)>,
+}
+
+/// A range of speeds in which the machine is unstable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unstable {
+    /// First speed, rad/s.
+    pub from: f64,
+    /// Last speed, rad/s.
+    pub to: f64,
+    /// It goes on beyond the range computed, below and above.
+    pub open: (bool, bool),
+    /// Largest growth rate in it, 1/s.
+    pub growth: f64,
+    /// Frequency of the whirl that grows, rad/s.
+    pub frequency: f64,
+}
+
+/// A resonance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resonance {
+    /// Spin speed, rad/s.
+    pub speed: f64,
+    /// Body that moves most there, and its amplitude, m; infinite without damping. None where nothing forces the machine.
+    pub amplitude: Option<(String, f64)>,
+}
+
+/// A mode at the operating speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Growth rate, 1/s.
+    pub growth: f64,
+    /// Frequency, rad/s.
+    pub frequency: f64,
+    /// `forward`, `backward`, `mixed` or `none`.
+    pub whirl: &'static str,
+    /// Bodies with the semi-axes of their orbits, as shares of the largest; of those that hardly move none.
+    pub orbits: Vec<(String, f64, f64)>,
+    /// Part whose internal states move most, where the bodies hardly do.
+    pub inner: Option<String>,
+}
+
+/// A body of the drawing, or what joins two.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// A body.
+    Body {
+        /// Its name.
+        name: String,
+        /// It turns.
+        rotor: bool,
+        /// Values of it that a reader looks for.
+        labels: Vec<Arg>,
+        /// Radius of a cavity, radius of the free surface, height, m.
+        cavity: Option<(f64, f64, f64)>,
+    },
+    /// A part between two bodies, or a body and the ground (`None`).
+    Link {
+        /// Its name.
+        name: String,
+        /// Its kind.
+        kind: &'static str,
+        /// What it joins, and at which heights, m.
+        ends: [Option<(String, f64)>; 2],
+        /// Values of it.
+        labels: Vec<Arg>,
+    },
+}

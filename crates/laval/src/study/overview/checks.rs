@@ -1,0 +1,249 @@
+//! Requirements at the operating speed, and how they are met.
+
+use super::margins::{self, Nearest};
+use super::{Facts, Known, MARGIN};
+use crate::model::probe::Probe;
+use crate::outcome::{Arg, Check, Level, Message, OverSpeed, Verdict};
+use crate::solve::linear_response::Response;
+use crate::study::Study;
+use crate::study::shared::limits::Limit;
+use std::f64::consts::TAU;
+
+/// Bodies and parts named in one result.
+const MOST_NAMED: usize = 3;
+
+/// All checks that apply to this machine.
+pub(super) fn checks(facts: &Facts, over: Option<&OverSpeed>) -> Vec<Check> {
+    let Some(speed) = facts.operating else { return Vec::new() };
+    let mut out = vec![stability(facts)];
+    out.extend(instability(facts, over, speed));
+    out.extend(resonance(facts, over, speed));
+    out.extend(vibration(facts));
+    out.extend(forces(facts));
+    out.push(validity(facts));
+    out.extend(balls(facts));
+    out.extend(run_up(facts, over, speed));
+    out
+}
+
+/// Whether the machine is stable at its speed, in the words of the study of modes.
+fn stability(facts: &Facts) -> Check {
+    let required = Some(Arg::from(Message::new("required-decay").arg("margin", Arg::quantity(facts.limits.growth, "1/s"))));
+    let of = |result: Message, verdict| Check { required: required.clone(), ..Check::new("check-stability", result, verdict) };
+    let Some((study, known)) = &facts.modes else { return of(Message::new("why-no-speed"), Verdict::NotComputed) };
+    let Known::Yes(result) = known else { return of(known.why(), Verdict::NotComputed) };
+    let Ok(outcome) = study.report(facts.system, result, "modes") else {
+        return of(Message::new("why-too-long"), Verdict::NotComputed);
+    };
+    let has = |id: &str| outcome.findings.iter().any(|f| f.id == id);
+    let modes = &result.spectrum.modes;
+    let Some(least) = result.spectrum.least_stable() else { return of(Message::new("stability-no-mode"), Verdict::NotComputed) };
+    let detail = (least.frequency() > 0.0).then(|| {
+        Message::new("stability-mode")
+            .arg("frequency", Arg::frequency(least.frequency()))
+            .arg("decrement", Arg::number(-TAU * least.growth() / least.frequency()))
+    });
+    let named = |key: &str| {
+        Message::new(key)
+            .arg("modes", Arg::count(modes.len()))
+            .arg("growth", Arg::quantity(least.growth(), "1/s"))
+            .arg("decay", Arg::quantity(-least.growth(), "1/s"))
+            .arg("time", Arg::quantity(1.0 / least.growth().abs(), "s"))
+    };
+    let (message, verdict) = if has("unstable_mode") {
+        (named("stability-unstable"), Verdict::Failed)
+    } else if has("stability_unknown") || has("slow_growth") {
+        (named("stability-unknown"), Verdict::Attention)
+    } else if facts.limits.growth > 0.0 && !(-least.growth() >= facts.limits.growth) {
+        (named("stability-stable"), Verdict::Failed)
+    } else if outcome.findings.iter().any(|f| f.id == "stable" && f.value == Some(0.0)) {
+        return of(named("stability-neutral"), Verdict::Attention);
+    } else {
+        (named("stability-stable"), Verdict::Passed)
+    };
+    Check { detail, ..of(message, verdict) }
+}
+
+/// A distance in speed with its requirement.
+fn distance(what: &str, none: &str, nearest: &Nearest, speed: f64, required: f64, within: (f64, f64)) -> Check {
+    let places = |key: &str| {
+        let mut m = Message::new(key).arg("from", Arg::speed(within.0)).arg("to", Arg::speed(within.1));
+        for (name, place) in [("below", nearest.below), ("above", nearest.above)] {
+            m = m.arg(name, place.map_or(Arg::word("none"), Arg::speed));
+        }
+        m
+    };
+    let margin = nearest.margin(speed);
+    let result = match (nearest.below, nearest.above) {
+        (None, None) => places(none),
+        (Some(_), None) => places("distance-below"),
+        (None, Some(_)) => places("distance-above"),
+        (Some(_), Some(_)) => places("distance-both"),
+    };
+    let verdict = match margin {
+        Some(m) if !(m >= required) => Verdict::Attention,
+        _ => Verdict::Passed,
+    };
+    Check { required: Some(Arg::percent(required)), margin, ..Check::new(what, result, verdict) }
+}
+
+fn instability(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> {
+    let Some(over) = over.filter(|o| !o.growth.is_empty()) else {
+        return Some(Check::new("check-instability", facts.stability.why(), Verdict::NotComputed));
+    };
+    let nearest = margins::instability(over, speed);
+    let mut check = distance("check-instability", "distance-stable-throughout", &nearest, speed, MARGIN, over.range);
+    if nearest.margin(speed) == Some(0.0) {
+        check.verdict = Verdict::Failed;
+        check.result = Message::new("distance-inside-unstable");
+    }
+    Some(check)
+}
+
+fn resonance(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> {
+    let required = facts.limits.clearance.unwrap_or(MARGIN);
+    let Some(over) = over.filter(|_| facts.criticals.get().is_some()) else {
+        return Some(Check::new("check-resonance", facts.criticals.why(), Verdict::NotComputed));
+    };
+    let nearest = margins::resonance(over, speed);
+    Some(distance("check-resonance", "distance-no-resonance", &nearest, speed, required, over.range))
+}
+
+/// The response at the operating speed.
+fn response<'a>(facts: &'a Facts) -> Result<&'a Response, Message> {
+    let Some(known) = &facts.response else { return Err(Message::new("why-no-speed")) };
+    let Some(result) = known.get() else { return Err(known.why()) };
+    result.curve.points.first().filter(|r| r.x.iter().all(|x| x.is_finite())).ok_or_else(|| Message::new("vibration-unbounded"))
+}
+
+/// Displacements of bodies against their limits.
+fn vibration(facts: &Facts) -> Vec<Check> {
+    let r = match response(facts) {
+        Ok(r) => r,
+        Err(why) => return vec![Check::new("check-vibration", why, Verdict::NotComputed)],
+    };
+    let sizes: Vec<(&Probe, f64)> = facts.system.probes().iter().filter(|p| p.is_reference()).map(|p| (p, r.size(p))).collect();
+    let mut largest = sizes.clone();
+    largest.sort_by(|a, b| b.1.total_cmp(&a.1));
+    largest.truncate(MOST_NAMED);
+    let item = |(p, x): &(&Probe, f64)| {
+        Arg::from(Message::new("item").arg("name", Arg::name(&p.name)).arg("value", Arg::quantity(*x, "m")))
+    };
+    let result = Message::new("vibration-sizes").arg("sizes", Arg::List(largest.iter().map(item).collect()));
+    let speed = r.speed.abs();
+    let detail = largest.first().map(|(p, x)| {
+        Message::new("vibration-velocity").arg("name", Arg::name(&p.name)).arg("peak", Arg::quantity(x * speed, "m/s"))
+    });
+    let kept = |limits: &[Limit], factor: f64| {
+        let of = |l: &&Limit| facts.system.probes().iter().find(|p| if l.at.is_some() { l.is_at(p) } else { p.is_reference() && p.name == l.body });
+        limits.iter().filter_map(|l| Some((l, factor * r.size(of(&l)?)))).max_by(|a, b| (a.1 / a.0.value).total_cmp(&(b.1 / b.0.value))).map(|(l, x)| (l.value, x))
+    };
+    let worst = [(kept(&facts.limits.displacement, 1.0), "m"), (kept(&facts.limits.velocity, speed), "m/s")];
+    let worst = worst.into_iter().filter_map(|(w, unit)| Some((w?, unit))).max_by(|a, b| (a.0.1 / a.0.0).total_cmp(&(b.0.1 / b.0.0)));
+    let (required, verdict) = against(worst);
+    vec![Check { detail, required, ..Check::new("check-vibration", result, verdict) }]
+}
+
+/// A limit with its unit, and whether a value keeps it.
+fn against(worst: Option<((f64, f64), &'static str)>) -> (Option<Arg>, Verdict) {
+    match worst {
+        Some(((limit, x), unit)) => {
+            let verdict = if x <= limit { Verdict::Passed } else { Verdict::Failed };
+            (Some(Message::new("required-below").arg("limit", Arg::quantity(limit, unit)).into()), verdict)
+        }
+        None => (None, Verdict::NoLimit),
+    }
+}
+
+/// Forces of the parts against their limits.
+fn forces(facts: &Facts) -> Option<Check> {
+    let result = facts.response.as_ref()?.get()?;
+    let mut all: Vec<(&str, f64)> = Vec::new();
+    for q in result.observed.quantities.iter().filter(|q| q.unit == "N") {
+        let Some(x) = q.values.first().copied().filter(|x| x.is_finite()) else { continue };
+        match all.iter_mut().find(|a| a.0 == q.part) {
+            Some(a) => a.1 = a.1.max(x),
+            None => all.push((&q.part, x)),
+        }
+    }
+    if all.is_empty() {
+        return None;
+    }
+    let limit = |part: &str| facts.limits.force.iter().find(|l| l.body == part).map(|l| l.value);
+    let worst = all.iter().filter_map(|(p, x)| Some((limit(p)?, *x))).max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)));
+    let (required, verdict) = against(worst.map(|w| (w, "N")));
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all.truncate(MOST_NAMED);
+    let item = |(name, x): &(&str, f64)| Arg::from(Message::new("item").arg("name", Arg::name(*name)).arg("value", Arg::quantity(*x, "N")));
+    let result = Message::new("forces-sizes").arg("sizes", Arg::List(all.iter().map(item).collect()));
+    Some(Check { required, ..Check::new("check-forces", result, verdict) })
+}
+
+/// Validity of the parts at the operating speed, and what the studies of the file found outside.
+fn validity(facts: &Facts) -> Check {
+    let outside: Vec<&str> = facts
+        .outcomes
+        .iter()
+        .flat_map(|o| &o.findings)
+        .filter(|f| f.level == Level::Invalid)
+        .map(|f| if f.subject.is_empty() { f.id.as_str() } else { f.subject.as_str() })
+        .collect();
+    let here = facts.response.as_ref().and_then(Known::get).and_then(|r| r.observed.validity.first().copied());
+    let required = Some(Arg::from(Message::new("required-validity")));
+    let (result, verdict) = match here {
+        Some(x) if !(x <= 1.0) => (Message::new("validity-outside-here").arg("ratio", Arg::number(x)), Verdict::Failed),
+        Some(x) if outside.is_empty() => (Message::new("validity-inside").arg("share", Arg::percent(x)), Verdict::Passed),
+        Some(x) => (Message::new("validity-elsewhere").arg("share", Arg::percent(x)), Verdict::Passed),
+        None if outside.is_empty() => (Message::new("validity-nothing"), Verdict::NotComputed),
+        None => (Message::new("validity-studies").arg("count", Arg::count(outside.len())), Verdict::Attention),
+    };
+    Check { required, ..Check::new("check-validity", result, verdict) }
+}
+
+/// What balls leave of the unbalance, of a study of stationary states.
+fn balls(facts: &Facts) -> Option<Check> {
+    if !facts.system.slots().iter().any(|s| s.part.movable_masses().is_some()) {
+        return None;
+    }
+    let found = facts.outcomes.iter().filter(|o| o.kind == "stationary").flat_map(|o| &o.findings);
+    let left = found.clone().find(|f| f.id == "residual_unbalance");
+    let Some((left, value)) = left.and_then(|f| Some((f, f.value?))) else {
+        return Some(Check::new("check-balls", Message::new("balls-no-study"), Verdict::NotComputed));
+    };
+    let number = |what: &str| left.evidence.iter().find(|e| e.what == what).map(|e| e.value);
+    let without = number("without the masses").unwrap_or(f64::NAN);
+    let result = Message::new("balls-left").arg("left", Arg::quantity(value, "kg m")).arg("without", Arg::quantity(without, "kg m"));
+    let verdict = if value < without { Verdict::Passed } else { Verdict::Attention };
+    Some(Check { required: Some(Message::new("required-less-unbalance").into()), ..Check::new("check-balls", result, verdict) })
+}
+
+/// What a run-up to the operating speed crosses.
+fn run_up(facts: &Facts, over: Option<&OverSpeed>, speed: f64) -> Option<Check> {
+    let over = over?;
+    let resonances: Vec<Arg> = over.resonances.iter().filter(|r| r.speed < speed).map(|r| Arg::speed(r.speed)).collect();
+    let unstable = over.unstable.iter().filter(|u| u.from < speed);
+    let range = |from: f64, to: f64| Arg::from(Message::new("speed-span").arg("from", Arg::speed(from)).arg("to", Arg::speed(to)));
+    let ranges: Vec<Arg> = unstable.map(|u| range(u.from, u.to.min(speed))).collect();
+    let what = Message::new("check-run-up").arg("speed", Arg::speed(speed));
+    let run = facts.outcomes.iter().find(|o| o.kind == "run_up" && o.end.is_complete());
+    let largest = run.and_then(|o| o.findings.iter().find(|f| f.id == "largest_displacement")).and_then(|f| Some((f, f.value?)));
+    let limit = facts.limits.passage.iter().map(|l| l.value).reduce(f64::min);
+    let (result, required, verdict) = match (largest, resonances.is_empty() && ranges.is_empty()) {
+        (Some((f, x)), _) => {
+            let result = Message::new("run-up-computed").arg("body", Arg::name(&f.subject)).arg("value", Arg::quantity(x, "m"));
+            let (required, verdict) = against(limit.map(|l| ((l, x), "m")));
+            (result, required, verdict)
+        }
+        (None, true) => (Message::new("run-up-free"), None, Verdict::Passed),
+        (None, false) => {
+            let key = match (resonances.is_empty(), ranges.is_empty()) {
+                (false, true) => "run-up-resonances",
+                (true, _) => "run-up-unstable",
+                (false, false) => "run-up-both",
+            };
+            let m = Message::new(key).arg("count", Arg::count(resonances.len())).arg("resonances", Arg::List(resonances));
+            (m.arg("ranges", Arg::List(ranges)), None, Verdict::NotComputed)
+        }
+    };
+    Some(Check { what, required, ..Check::new("check-run-up", result, verdict) })
+}

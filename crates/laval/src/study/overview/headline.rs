@@ -1,0 +1,133 @@
+//! The answer in one sentence, three remarks, and what to do next.
+
+use super::margins;
+use super::{Facts, MARGIN};
+use crate::outcome::{Arg, Check, Message, OverSpeed, Overview, Unstable, Verdict};
+
+/// Remarks of one heading.
+const MOST: usize = 3;
+
+pub(super) fn headline(facts: &Facts, page: &mut Overview) {
+    let Some(speed) = facts.operating else {
+        page.verdict = Verdict::NotComputed;
+        page.headline = vec![Message::new("headline-no-speed")];
+        page.next = vec![Message::new("next-speed")];
+        return;
+    };
+    let at = |key: &str| Message::new(key).arg("speed", Arg::speed(speed));
+    let check = |name: &str| page.checks.iter().find(|c| c.what.key == name);
+    let over = page.over_speed.as_ref();
+    let crossed: Vec<&Unstable> = over.iter().flat_map(|o| &o.unstable).filter(|u| u.to < speed).collect();
+    let stability = check("check-stability").map_or(Verdict::NotComputed, |c| c.verdict);
+    let failed = page.checks.iter().find(|c| c.verdict == Verdict::Failed && c.what.key != "check-stability");
+    let near = |name: &str| check(name).filter(|c| c.verdict == Verdict::Attention).and_then(|c| c.margin);
+    let (mut verdict, mut headline) = match stability {
+        Verdict::Failed => (Verdict::Failed, vec![at("headline-unstable")]),
+        Verdict::Passed => (Verdict::Passed, vec![at("headline-stable")]),
+        Verdict::Attention => (Verdict::Attention, vec![at("headline-not-proven")]),
+        _ => (Verdict::NotComputed, vec![at("headline-unknown")]),
+    };
+    if stability != Verdict::Failed {
+        let more = if let Some(c) = failed {
+            verdict = Verdict::Failed;
+            Some(Message::new("headline-limit").arg("check", c.what.clone()))
+        } else if let (Some(m), Some(o)) = (near("check-resonance"), over) {
+            verdict = verdict.max(Verdict::Attention);
+            let n = margins::resonance(o, speed);
+            let place = [n.below, n.above].into_iter().flatten().min_by(|a, b| (a - speed).abs().total_cmp(&(b - speed).abs()));
+            place.map(|p| Message::new("headline-resonance").arg("margin", Arg::percent(m)).arg("resonance", Arg::speed(p)))
+        } else if let Some(m) = near("check-instability") {
+            verdict = verdict.max(Verdict::Attention);
+            Some(Message::new("headline-near-instability").arg("margin", Arg::percent(m)))
+        } else if let (Some(first), Some(last)) = (crossed.first(), crossed.last()) {
+            verdict = verdict.max(Verdict::Attention);
+            let m = Message::new("headline-crosses").arg("count", Arg::count(crossed.len()));
+            Some(m.arg("from", Arg::speed(first.from)).arg("to", Arg::speed(last.to)))
+        } else {
+            None
+        };
+        headline.extend(more);
+    }
+    let remarks = [here(facts, page, speed), below(over, speed), above(over, speed)];
+    let next = next(facts, &page.checks, over, speed);
+    (page.verdict, page.headline, page.next) = (verdict, headline, next);
+    page.remarks = remarks.into_iter().flatten().collect();
+}
+
+/// At the operating speed.
+fn here(_: &Facts, page: &Overview, speed: f64) -> Option<(Message, Vec<Message>)> {
+    let names = ["check-stability", "check-vibration", "check-forces"];
+    let of = |name: &str| page.checks.iter().find(|c| c.what.key == name && c.verdict != Verdict::NotComputed);
+    let texts: Vec<Message> = names.iter().filter_map(|n| Some(Message::new("as-sentence").arg("text", of(n)?.result.clone()))).collect();
+    (!texts.is_empty()).then(|| (Message::new("remark-here").arg("speed", Arg::speed(speed)), texts))
+}
+
+fn span(key: &str, u: &Unstable) -> Message {
+    Message::new(key)
+        .arg("from", Arg::speed(u.from))
+        .arg("to", Arg::speed(u.to))
+        .arg("frequency", Arg::frequency(u.frequency))
+        .arg("time", Arg::quantity(1.0 / u.growth, "s"))
+        .arg("open", Arg::word(if u.open.1 { "yes" } else { "no" }))
+        .arg("oscillates", Arg::word(if u.frequency > 0.0 { "yes" } else { "no" }))
+}
+
+/// On the way up.
+fn below(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)> {
+    let over = over?;
+    let mut out: Vec<Message> = over.unstable.iter().filter(|u| u.to < speed).map(|u| span("remark-unstable", u)).collect();
+    for r in over.resonances.iter().filter(|r| r.speed < speed) {
+        out.push(resonance(r));
+    }
+    out.truncate(MOST);
+    (!out.is_empty()).then(|| (Message::new("remark-below"), out))
+}
+
+fn resonance(r: &crate::outcome::Resonance) -> Message {
+    let m = |key: &str| Message::new(key).arg("speed", Arg::speed(r.speed));
+    match &r.amplitude {
+        Some((body, x)) if x.is_finite() => m("remark-resonance").arg("body", Arg::name(body)).arg("value", Arg::quantity(*x, "m")),
+        Some((body, _)) => m("remark-resonance-unbounded").arg("body", Arg::name(body)),
+        None => m("remark-critical"),
+    }
+}
+
+/// Above the operating speed.
+fn above(over: Option<&OverSpeed>, speed: f64) -> Option<(Message, Vec<Message>)> {
+    let over = over?;
+    let mut out: Vec<(f64, Message)> =
+        over.unstable.iter().filter(|u| u.from > speed).map(|u| (u.from, span("remark-unstable", u))).collect();
+    out.extend(over.resonances.iter().filter(|r| r.speed > speed).map(|r| (r.speed, resonance(r))));
+    out.extend(over.jumps.iter().filter(|w| **w > speed).map(|w| (*w, Message::new("remark-jump").arg("speed", Arg::speed(*w)))));
+    out.sort_by(|a, b| a.0.total_cmp(&b.0));
+    out.truncate(MOST);
+    (!out.is_empty()).then(|| (Message::new("remark-above"), out.into_iter().map(|o| o.1).collect()))
+}
+
+/// What to do next: from what is missing or not met.
+fn next(facts: &Facts, checks: &[Check], over: Option<&OverSpeed>, speed: f64) -> Vec<Message> {
+    let mut out = Vec::new();
+    let verdict = |name: &str| checks.iter().find(|c| c.what.key == name).map(|c| c.verdict);
+    let runs = |kind: &str| facts.outcomes.iter().any(|o| o.kind == kind);
+    let nonlinear = facts.system.slots().iter().any(|s| !s.is_linear());
+    if verdict("check-stability") == Some(Verdict::Failed) {
+        out.push(Message::new(if runs("stability_map") { "next-unstable" } else { "next-stability-map" }));
+    }
+    if verdict("check-resonance") == Some(Verdict::Attention) {
+        out.push(Message::new("next-resonance").arg("margin", Arg::percent(facts.limits.clearance.unwrap_or(MARGIN))));
+    }
+    if verdict("check-balls") == Some(Verdict::NotComputed) {
+        out.push(Message::new("next-balls"));
+    }
+    let crosses = over.is_some_and(|o| o.unstable.iter().any(|u| u.to < speed) || o.resonances.iter().any(|r| r.speed < speed));
+    if crosses && !runs("run_up") {
+        out.push(Message::new("next-run-up"));
+    }
+    if nonlinear && !runs("nonlinear_response") && verdict("check-balls").is_none() {
+        out.push(Message::new("next-nonlinear"));
+    }
+    if checks.iter().any(|c| c.verdict == Verdict::NoLimit) {
+        out.push(Message::new("next-limits"));
+    }
+    out
+}

@@ -1,0 +1,140 @@
+//! The first page of a report: whether the machine may run at its speed, how far trouble is, and what it does over the speed.
+//!
+//! Computed from the machine itself with the linear studies ([`Modes`], [`StabilityMap`], [`CriticalSpeeds`]), each within [`SECOND`], and from
+//! what the studies of the file found. A check that would take longer is named and not computed.
+//!
+//! Validity: small motions about the equilibrium; what a nonlinear study of the file found is stated beside it.
+
+mod checks;
+mod headline;
+mod machine;
+mod margins;
+mod over_speed;
+mod shapes;
+
+use crate::diagnostic::Diagnostic;
+use crate::model::system::System;
+use crate::outcome::{Message, Outcome, Overview};
+use crate::study::linear::criterion::Criterion;
+use crate::study::linear::critical_speeds::{CriticalSpeeds, CriticalSpeedsResult};
+use crate::study::linear::forced_response::{ForcedResponse, ForcedResponseResult};
+use crate::study::linear::modes::{Modes, ModesResult};
+use crate::study::linear::stability_map::{StabilityMap, StabilityMapResult};
+use crate::study::shared::limits::{self, Limits};
+use crate::study::shared::speed_range::SpinSpeeds;
+use crate::study::shared::support::About;
+use crate::study::{Context, Study};
+use laval_num::work::watched;
+
+/// Most units of work of one check, about a second.
+const SECOND: u64 = 1_000_000_000;
+/// Speeds of the range at which growth and response are computed.
+const POINTS: usize = 120;
+/// Distance from resonances and instability, over the operating speed, where `[limits]` gives none.
+pub(super) const MARGIN: f64 = 0.15;
+
+/// What a computation within a second gave.
+pub(super) enum Known<R> {
+    /// Its result.
+    Yes(R),
+    /// The machine cannot answer it, and why.
+    Refused(Diagnostic),
+    /// It takes longer.
+    TooLong,
+}
+
+impl<R> Known<R> {
+    fn get(&self) -> Option<&R> {
+        match self {
+            Known::Yes(r) => Some(r),
+            _ => None,
+        }
+    }
+
+    /// Why it is not known.
+    fn why(&self) -> Message {
+        match self {
+            Known::Refused(d) => Message::new("why-refused").arg("reason", crate::outcome::Arg::term(d.message.clone())),
+            _ => Message::new("why-too-long"),
+        }
+    }
+}
+
+fn within<T: Study>(study: &T, system: &System, context: &Context) -> Known<T::Result> {
+    let run = || {
+        study.admit(system)?;
+        study.compute(system, context)
+    };
+    match watched(Some(context.cancel), SECOND, run) {
+        Ok(Ok(result)) => Known::Yes(result),
+        Ok(Err(d)) => Known::Refused(d),
+        Err(_) => Known::TooLong,
+    }
+}
+
+/// All that the first page rests on.
+pub(super) struct Facts<'a> {
+    system: &'a System,
+    /// Operating speed, not 0.
+    operating: Option<f64>,
+    limits: Limits,
+    /// Results of the studies of the file.
+    outcomes: &'a [Outcome],
+    modes: Option<(Modes, Known<ModesResult>)>,
+    /// Response at the operating speed.
+    response: Option<Known<ForcedResponseResult>>,
+    range: (f64, f64),
+    stability: Known<StabilityMapResult>,
+    criticals: Known<CriticalSpeedsResult>,
+}
+
+/// The first page. `speeds`: what the studies of the file cover.
+pub fn overview(system: &System, speeds: &[SpinSpeeds], outcomes: &[Outcome], context: &Context) -> Overview {
+    let operating = system.machine.speed.filter(|w| *w != 0.0);
+    let range = range(operating, speeds);
+    let speed = crate::model::field::RangeValue { from: range.0, to: range.1, points: Some(POINTS) };
+    let modes = operating.map(|speed| {
+        let study = Modes { speed, about: About::Rest, threshold: 0.0, frequency: None };
+        let known = within(&study, system, context);
+        (study, known)
+    });
+    let one = |w: f64| crate::model::field::RangeValue { from: w, to: w, points: Some(1) };
+    let response = operating.map(|w| within(&ForcedResponse { speed: one(w) }, system, context));
+    let map = StabilityMap {
+        speed: speed.clone(),
+        parameter: None,
+        about: About::Rest,
+        criterion: Criterion::Growth,
+        threshold: 0.0,
+        frequency: None,
+    };
+    let stability = within(&map, system, context);
+    let criticals = within(&CriticalSpeeds { speed, orders: vec![1.0], margin: MARGIN }, system, context);
+    let facts =
+        Facts { system, operating, limits: limits::of(system), outcomes, modes, response, range, stability, criticals };
+    let mut out = Overview {
+        operating,
+        over_speed: over_speed::over_speed(&facts),
+        modes: shapes::modes(&facts),
+        machine: machine::blocks(system),
+        ..Overview::default()
+    };
+    out.checks = checks::checks(&facts, out.over_speed.as_ref());
+    headline::headline(&facts, &mut out);
+    out
+}
+
+/// The range shown: that of the studies of the file, with the operating speed well inside.
+fn range(operating: Option<f64>, speeds: &[SpinSpeeds]) -> (f64, f64) {
+    let wide = speeds.iter().filter(|s| s.to > s.from && s.from >= 0.0);
+    let (mut from, mut to) = wide.fold((f64::INFINITY, 0.0f64), |(a, b), s| (a.min(s.from), b.max(s.to)));
+    if let Some(w) = operating.map(f64::abs) {
+        from = from.min(0.2 * w);
+        to = to.max(1.5 * w);
+    }
+    if !(from.is_finite() && to > 0.0) {
+        (from, to) = (10.0, 1000.0);
+    }
+    // at standstill nothing turns, and ratios of speeds have no end
+    (from.max(1e-3 * to), to)
+}

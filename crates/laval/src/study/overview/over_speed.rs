@@ -1,0 +1,80 @@
+//! Growth, response and jumps over the spin speed.
+
+use super::Facts;
+use crate::outcome::{OverSpeed, Resonance, Unstable};
+use crate::solve::criticals::Critical;
+use crate::solve::stability::Row;
+use crate::study::linear::campbell::damping;
+
+/// A critical speed with more damping than this does not show as a resonance.
+const LIGHT: f64 = 0.1;
+/// Peaks smaller than this share of the largest are not resonances of the page.
+const SMALL: f64 = 0.02;
+
+/// What is known over the speed; none where nothing is.
+pub(super) fn over_speed(facts: &Facts) -> Option<OverSpeed> {
+    let mut out = OverSpeed { range: facts.range, jumps: jumps(facts), ..OverSpeed::default() };
+    if let Some(row) = facts.stability.get().and_then(|r| r.rows.first()) {
+        out.unstable = unstable(row, facts.range);
+        (out.growth_speed, out.growth) = row.samples.iter().map(|s| (s.speed, s.value.re)).unzip();
+    }
+    if let Some(found) = facts.criticals.get() {
+        match &found.response {
+            Some(curve) => {
+                out.response_speed = curve.points.iter().map(|p| p.speed).collect();
+                let bodies = facts.system.probes().iter().filter(|p| p.is_reference());
+                let size = |p| curve.points.iter().map(|r| r.size(p)).collect();
+                out.amplitudes = bodies.map(|p| (p.name.clone(), size(p))).collect();
+                out.resonances = peaks(facts, curve);
+            }
+            None => {
+                let light = found.crossings.iter().filter(|c| c.located() && damping(c).abs() < LIGHT);
+                out.resonances = light.map(|c: &Critical| Resonance { speed: c.speed, amplitude: None }).collect();
+            }
+        }
+        out.resonances.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    }
+    let known = !(out.growth.is_empty() && out.response_speed.is_empty() && out.jumps.is_empty());
+    known.then_some(out)
+}
+
+/// Maxima of the response, one for all bodies that peak together.
+fn peaks(facts: &Facts, curve: &crate::solve::extrema::Curve) -> Vec<Resonance> {
+    let probes = facts.system.probes();
+    let maxima: Vec<_> = curve.extrema.iter().filter(|e| e.maximum).collect();
+    let size = |e: &crate::solve::extrema::Extremum| if e.unbounded { f64::INFINITY } else { e.value / probes[e.probe].typical() };
+    let largest = maxima.iter().filter(|e| !e.unbounded).map(|e| size(e)).fold(0.0, f64::max);
+    let mut out: Vec<Resonance> = Vec::new();
+    let mut sorted = maxima.clone();
+    sorted.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    for e in sorted.into_iter().filter(|e| size(e) >= SMALL * largest) {
+        if out.iter().any(|r| (r.speed - e.speed).abs() < 0.02 * e.speed.abs()) {
+            continue;
+        }
+        let amplitude = (!probes[e.probe].is_tilt()).then(|| (probes[e.probe].name.clone(), if e.unbounded { f64::INFINITY } else { e.value }));
+        out.push(Resonance { speed: e.speed, amplitude });
+    }
+    out
+}
+
+/// Ranges above the threshold, with what grows most in each.
+fn unstable(row: &Row, range: (f64, f64)) -> Vec<Unstable> {
+    let one = |(from, to): (f64, f64)| {
+        let samples = row.samples.iter().filter(|s| (from..=to).contains(&s.speed)).map(|s| s.value);
+        let peaks = row.peaks.iter().filter(|p| (from..=to).contains(&p.speed)).map(|p| p.value);
+        let edges = row.edges.iter().filter(|e| e.speed == from || e.speed == to).map(|e| e.value);
+        let worst = samples.chain(peaks).chain(edges).max_by(|a, b| a.re.total_cmp(&b.re))?;
+        let open = (from <= range.0, to >= range.1 && !row.stopped);
+        Some(Unstable { from, to, open, growth: worst.re, frequency: worst.im.abs() })
+    };
+    row.unstable_ranges(0.0).into_iter().filter_map(one).collect()
+}
+
+/// Speeds of the jumps that a nonlinear response of the file found.
+fn jumps(facts: &Facts) -> Vec<f64> {
+    let responses = facts.outcomes.iter().filter(|o| o.kind == "nonlinear_response");
+    let found = responses.flat_map(|o| &o.findings).filter(|f| f.id == "jump_up" || f.id == "jump_down");
+    let mut out: Vec<f64> = found.filter_map(|f| f.value).collect();
+    out.sort_by(f64::total_cmp);
+    out
+}

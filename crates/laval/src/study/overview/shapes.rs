@@ -1,0 +1,55 @@
+//! Modes at the operating speed: frequency, damping, direction, and which bodies move.
+
+use super::Facts;
+use crate::outcome::Mode;
+use crate::solve::pencil::{MachineMode, Whirl};
+use crate::solve::sectors::circular;
+
+/// Modes shown: the slowest in decay first.
+const MOST: usize = 8;
+/// Share of the largest amplitude below which a body is not named.
+const HARDLY: f64 = 0.02;
+
+/// Modes by frequency; of many those that decay most slowly.
+pub(super) fn modes(facts: &Facts) -> Vec<Mode> {
+    let Some(result) = facts.modes.as_ref().and_then(|m| m.1.get()) else { return Vec::new() };
+    let mut all: Vec<&MachineMode> = result.spectrum.modes.iter().filter(|m| m.frequency() > 0.0).collect();
+    all.sort_by(|a, b| b.damping_ratio().total_cmp(&a.damping_ratio()).reverse());
+    all.truncate(MOST);
+    all.sort_by(|a, b| a.frequency().total_cmp(&b.frequency()));
+    let speed = facts.operating.unwrap_or(0.0);
+    all.into_iter().map(|m| mode(facts, m, speed)).collect()
+}
+
+fn mode(facts: &Facts, m: &MachineMode, speed: f64) -> Mode {
+    let probes = facts.system.probes();
+    let axes: Vec<(String, f64, f64)> = probes
+        .iter()
+        .filter(|p| p.is_reference())
+        .map(|p| {
+            let [x, y] = p.amplitudes(&m.q);
+            let (f, b) = circular(x, y);
+            (p.name.clone(), f.abs() + b.abs(), (f.abs() - b.abs()).abs())
+        })
+        .collect();
+    let largest = axes.iter().map(|a| a.1).fold(0.0, f64::max);
+    let share = |x: f64| if largest > 0.0 { x / largest } else { 0.0 };
+    let orbits = axes.into_iter().map(|(n, a, b)| (n, share(a), share(b))).filter(|o| o.1 >= HARDLY).collect();
+    let whirl = match m.whirl.at(speed) {
+        Whirl::Forward => "forward",
+        Whirl::Backward => "backward",
+        Whirl::Mixed => "mixed",
+        Whirl::None => "none",
+    };
+    Mode { growth: m.growth(), frequency: m.frequency(), whirl, orbits, inner: inner(facts, m) }
+}
+
+/// The part whose internal states hold most of the mode, where its bodies hold little.
+fn inner(facts: &Facts, m: &MachineMode) -> Option<String> {
+    let most = |v: &[laval_num::complex::C64]| v.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    if most(&m.z) <= most(&m.q) {
+        return None;
+    }
+    let k = (0..m.z.len()).max_by(|&a, &b| m.z[a].abs().total_cmp(&m.z[b].abs()))?;
+    facts.system.slots().iter().find(|s| s.states.contains(&k)).map(|s| s.name.clone())
+}

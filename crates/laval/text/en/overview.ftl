@@ -1,0 +1,148 @@
+# The first page of a report, and the summary in the terminal.
+
+# Verdicts.
+verdict-passed = met
+verdict-no_limit = no limit set
+verdict-not_computed = not computed
+verdict-attention = attention
+verdict-failed = not met
+
+# Headline.
+headline-stable = Stable at { $speed }.
+headline-unstable = Unstable at { $speed }. Do not run the machine at this speed.
+headline-not-proven = Stability at { $speed } is not proven.
+headline-unknown = Stability at { $speed } was not computed.
+headline-no-speed = No operating speed is set.
+headline-limit = Requirement not met: { $check }.
+headline-resonance = The nearest resonance, { $resonance }, is only { $margin } away.
+headline-near-instability = The nearest instability is only { $margin } away.
+headline-crosses = { $count ->
+        [one] The run-up crosses an unstable range, { $from } to { $to }.
+       *[other] The run-up crosses { $count } unstable ranges between { $from } and { $to }.
+    }
+
+# Remarks below it.
+remark-here = At { $speed }
+remark-below = On the way up
+remark-above = Above
+remark-unstable = { $open ->
+        [yes] Unstable from { $from } on: { $oscillates ->
+            [yes] whirl at { $frequency }
+           *[no] motion without oscillation
+        } grows by the factor e in { $time }.
+       *[no] Unstable from { $from } to { $to }: { $oscillates ->
+            [yes] whirl at { $frequency }
+           *[no] motion without oscillation
+        } grows by the factor e in { $time }.
+    }
+remark-resonance = Resonance at { $speed }, "{ $body }" { $value }.
+remark-resonance-unbounded = Undamped resonance at { $speed }: the amplitude of "{ $body }" has no bound.
+remark-critical = Critical speed { $speed }.
+remark-jump = The amplitude jumps at { $speed }.
+as-sentence = { $text }.
+
+# Checks: name, result, requirement.
+check-stability = Stability
+check-instability = Distance to instability
+check-resonance = Distance to resonance (1×)
+check-vibration = Vibration
+check-forces = Forces
+check-validity = Validity of the model
+check-balls = Unbalance with balls
+check-run-up = Run-up to { $speed }
+
+required-decay = decay > { $margin }
+required-below = ≤ { $limit }
+required-validity = inside
+required-less-unbalance = less than without
+
+stability-stable = { $modes ->
+        [one] the mode decays at { $decay }
+       *[other] all { $modes } modes decay, the slowest at { $decay }
+    }
+stability-unstable = a mode grows by the factor e in { $time }
+stability-unknown = no mode found grows, but some may be missing
+stability-neutral = the least damped mode has no damping
+stability-mode = at { $frequency }, logarithmic decrement { $decrement }
+stability-no-mode = the machine has no mode
+distance-both = { $below } below, { $above } above
+distance-below = { $below } below, none above up to { $to }
+distance-above = none below from { $from }, { $above } above
+distance-stable-throughout = stable from { $from } to { $to }
+distance-inside-unstable = the operating speed is in an unstable range
+distance-no-resonance = none from { $from } to { $to }
+item = { $name } { $value }
+vibration-sizes = { $sizes }
+vibration-velocity = { $name } { $peak } peak velocity
+vibration-unbounded = undamped resonance at this speed
+forces-sizes = { $sizes }
+validity-inside = { $share } of the limits used
+validity-elsewhere = inside at this speed ({ $share } used); outside at other speeds
+validity-outside-here = { $ratio } times the limit of a part
+validity-nothing = no part was assessed at this speed
+validity-studies = { $count ->
+        [one] one finding is outside the validity of its model
+       *[other] { $count } findings are outside the validity of their model
+    }
+balls-no-study = needs a study "stationary" or "transient"
+balls-left = { $left } left of { $without }
+run-up-computed = largest displacement { $value } ("{ $body }")
+run-up-free = crosses no resonance and no unstable range
+run-up-resonances = { $count ->
+        [one] crosses the resonance at { $resonances }
+       *[other] crosses { $count } resonances, at { $resonances }
+    }
+run-up-unstable = crosses the unstable range { $ranges }
+run-up-both = crosses { $count ->
+        [one] the resonance at { $resonances }
+       *[other] { $count } resonances, at { $resonances },
+    } and the unstable range { $ranges }
+speed-span = { $from } – { $to }
+why-refused = not available for this machine: { $reason }
+why-too-long = takes longer than a second; add the study to the file
+why-no-speed = no operating speed is set
+
+# What to do next.
+next-speed = Set speed in [machine]: the checks need an operating speed.
+next-unstable = Choose a speed outside the unstable range, or add damping; see the stability map.
+next-stability-map = Add a study "stability_map" to find stable speeds and the damping that is needed.
+next-resonance = Move the operating speed or the resonance apart by { $margin } or more, or add damping.
+next-balls = Add a study "stationary": at which speeds the balls balance.
+next-run-up = Simulate the run-up: add a study "run_up".
+next-nonlinear = Add a study "nonlinear_response": the machine has nonlinear parts, and jumps are not excluded.
+next-limits = Set [limits] displacement and force to have the vibration assessed.
+
+# Headings of the page.
+page-checks = Checks
+page-check = Check
+page-result = Result
+page-required = Required
+page-verdict = Verdict
+page-not-set = not set
+page-over-speed = Behaviour over the speed
+page-modes = Modes at { $speed }
+page-machine = Machine
+page-next = What to do next
+page-findings = Findings
+page-mode = Mode { $number }
+page-whirl = { $whirl ->
+        [forward] forward
+        [backward] backward
+        [mixed] mixed
+       *[none] no whirl
+    }
+page-decrement = decrement { $decrement }
+page-grows = grows
+page-inner = mainly "{ $part }"
+axis-speed = speed ({ $unit })
+axis-amplitude = amplitude
+axis-growth = growth rate (1/s)
+strip-stable = stable
+strip-unstable = unstable
+axis-speed-plain = speed
+axis-operating = operating speed
+strip-stable-limit = stable below
+caption-both = Amplitude of the linear unbalance response, and growth rate of the least stable mode.
+caption-amplitude = Amplitude of the linear unbalance response.
+caption-growth = Growth rate of the least stable mode.
+strip-resonance = resonance
