@@ -3,7 +3,7 @@
 use super::result::{Samples, Shares, Spread};
 use super::{Interval, Uncertainty};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
+use crate::outcome::{Arg, Axis, Band, Figure, Finding, Line, Outcome, Panel, Rule, Table};
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
 use std::collections::BTreeMap;
@@ -28,9 +28,8 @@ pub fn distributions(
 ) -> Result<Outcome, Diagnostic> {
     let chosen = shown(study, samples);
     if chosen.is_empty() && !samples.names.is_empty() {
-        let names = samples.names.iter().map(|n| n.0.as_str()).collect::<Vec<_>>().join(", ");
-        let text = format!("No number begins with \"{}\", so nothing is drawn; there are: {names}.", study.show);
-        outcome = outcome.finding(Finding::warning("nothing_shown", text));
+        let finding = Finding::warning("nothing_shown", "uncertainty-nothing-shown").arg("show", Arg::name(&study.show));
+        outcome = outcome.finding(finding.arg("quantities", Arg::names(samples.names.iter().map(|n| n.0.as_str()))));
     }
     for i in chosen {
         let ((name, unit), s) = (&samples.names[i], &spreads[i]);

@@ -3,7 +3,7 @@
 use super::result::{Failure, Found, Samples, Shares, Spread, Statistics};
 use super::{Design, Uncertainty, figures};
 use crate::diagnostic::Diagnostic;
-use crate::outcome::{End, Finding, Outcome, Table, TableBuilder, quantity};
+use crate::outcome::{Arg, End, Finding, Message, Outcome, Table, TableBuilder};
 use crate::study::Study;
 use crate::study::shared::support::inconsistent;
 use laval_num::sampling::morris::Effects;
@@ -16,7 +16,7 @@ pub fn report(study: &Uncertainty, found: &Found, end: End, name: &str) -> Resul
     let samples = &found.samples;
     let mut outcome = Outcome::new(Uncertainty::KIND, name).end(end).work("runs of the study", samples.count as u64);
     let own: BTreeMap<&str, f64> = found.nominal.iter().map(|q| (q.label.as_str(), q.value)).collect();
-    // what is missing is said before what was found
+    // what is missing comes before what was found
     outcome = failures(outcome, samples)?;
     match &found.statistics {
         Statistics::Effects(effects) => outcome = screening(outcome, study, samples, effects)?,
@@ -64,18 +64,18 @@ fn interval(table: TableBuilder, name: &str, unit: &str, doc: &str, all: &[Inter
         .float(format!("{name}_high"), unit, "upper end; NaN where the samples are too few", column(|i| i.high))
 }
 
-/// Sentences at most; the tables have all.
+/// Findings of one id at most, and names in a list; the tables have all.
 const LEADING: usize = 4;
 
-/// The first sentences, and where the numbers of the others are.
-fn lead(mut outcome: Outcome, sentences: Vec<Finding>, table: &str) -> Outcome {
-    let more = sentences.len().saturating_sub(LEADING);
-    for s in sentences.into_iter().take(LEADING) {
-        outcome = outcome.finding(s);
+/// The first findings, and where the numbers of the others are.
+fn lead(mut outcome: Outcome, findings: Vec<Finding>, table: &str) -> Outcome {
+    let more = findings.len().saturating_sub(LEADING);
+    for f in findings.into_iter().take(LEADING) {
+        outcome = outcome.finding(f);
     }
     if more > 0 {
-        let text = format!("{{}} more numbers were found; the table \"{table}\" has all.");
-        outcome = outcome.finding(Finding::info("more_numbers", text).of(table).value(more as f64, ""));
+        let finding = Finding::info("more_numbers", "uncertainty-more-numbers").of(table).value(more as f64, "");
+        outcome = outcome.finding(finding.arg("table", Arg::name(table)).arg("count", Arg::count(more)));
     }
     outcome
 }
@@ -88,45 +88,47 @@ fn distributions(
     (spreads, succeeded): (&[Spread], usize),
 ) -> Result<Outcome, Diagnostic> {
     // what varies first
-    let mut said: Vec<usize> = (0..spreads.len()).collect();
-    said.sort_by_key(|&k| !(spreads[k].deviation > 0.0));
-    let mut sentences = Vec::new();
-    for k in said {
+    let mut order: Vec<usize> = (0..spreads.len()).collect();
+    order.sort_by_key(|&k| !(spreads[k].deviation > 0.0));
+    let mut findings = Vec::new();
+    for k in order {
         let ((name, unit), s) = (&samples.names[k], &spreads[k]);
         if s.count == 0 {
             continue;
         }
-        // a sentence keeps the outer two; the table has all
-        let ends: Vec<String> = [0, study.quantiles.len().saturating_sub(1)]
-            .into_iter()
-            .filter_map(|j| {
-                Some(format!("{} % below {}", significant(100.0 * study.quantiles.get(j)?), quantity(s.quantiles[j].value, unit)))
-            })
-            .collect();
-        let mut text = format!("{name}: mean {{}}");
-        if s.deviation.is_finite() {
-            text += &format!(", standard deviation {}", quantity(s.deviation, unit));
-        }
-        if s.deviation > 0.0 && ends.len() == 2 && ends[0] != ends[1] {
-            text += &format!(", {}", ends.join(", "));
-        }
-        if s.count < succeeded {
-            text += &format!("; found in {} of {succeeded} samples", s.count);
-        }
-        let mut finding = Finding::info("distribution", text + ".")
+        let mut finding = Finding::info("distribution", "uncertainty-distribution")
             .of(name)
             .value(s.mean.value, unit)
+            .arg("quantity", Arg::name(name))
+            .arg("spread", Arg::word(if s.deviation.is_finite() { "known" } else { "none" }))
+            .arg("found", Arg::word(if s.count < succeeded { "some" } else { "all" }))
+            .arg("count", Arg::count(s.count))
+            .arg("samples", Arg::count(succeeded));
+        if s.deviation.is_finite() {
+            finding = finding.arg("deviation", Arg::quantity(s.deviation, unit));
+        }
+        // a sentence keeps the outer two; the table has all
+        let outer = s.deviation > 0.0 && study.quantiles.first() != study.quantiles.last();
+        finding = finding.arg("quantiles", Arg::word(if outer { "outer" } else { "none" }));
+        if outer {
+            let last = study.quantiles.len() - 1;
+            // shares beside 1 need their digits
+            let share = |j: usize| Arg::percent(study.quantiles[j]).digits(6);
+            let value = |j: usize| Arg::quantity(s.quantiles[j].value, unit);
+            finding = finding.arg("lower", share(0)).arg("low", value(0)).arg("upper", share(last)).arg("high", value(last));
+        }
+        finding = finding
             .evidence("half width of the 95 % interval of the mean", s.mean.high - s.mean.value, unit)
             .evidence("standard deviation", s.deviation, unit)
             .evidence("share of the samples", s.share.value, "");
         for (p, q) in study.quantiles.iter().zip(&s.quantiles) {
             finding = finding.evidence(format!("{} % quantile", significant(100.0 * p)), q.value, unit);
         }
-        sentences.push(finding);
+        findings.push(finding);
     }
-    outcome = lead(outcome, sentences, "quantities");
+    outcome = lead(outcome, findings, "quantities");
     if samples.names.is_empty() {
-        outcome = outcome.finding(Finding::warning("no_numbers", "The study says nothing in numbers, so there is nothing to distribute."));
+        outcome = outcome.finding(Finding::warning("no_numbers", "uncertainty-no-numbers"));
     }
     let names = || samples.names.iter().map(|n| n.0.clone()).collect::<Vec<_>>();
     let units = || samples.names.iter().map(|n| n.1.clone()).collect::<Vec<_>>();
@@ -168,10 +170,8 @@ fn significant(x: f64) -> String {
 /// Fewest base points, or trajectories, whose resampling gives a confidence interval of an index.
 const LEAST: usize = 8;
 
-/// An interval in a sentence.
-fn ends(i: &Interval, unit: &str) -> String {
-    format!("95 % interval {} to {}", quantity(i.low, unit), quantity(i.high, unit))
-}
+/// Excess of a first-order index over the total one that three digits show.
+const VISIBLE: f64 = 5e-4;
 
 /// The sample is large enough for these indices: enough base points, intervals narrower than the range from 0 to 1 that both have, which meet it, and
 /// a first-order index that may lie below the total one.
@@ -180,11 +180,30 @@ fn known(i: &Indices, used: usize) -> bool {
     used >= LEAST && meets(&i.first) && meets(&i.total) && i.first.low <= i.total.high
 }
 
+/// The first-order index is not above the total one, of which it is a part.
+fn resolved(i: &Indices) -> bool {
+    i.first.value <= i.total.value + VISIBLE
+}
+
 /// The first names of a list, and how many more there are.
-fn listed(names: &[&str]) -> String {
+fn listed(names: &[&str]) -> Arg {
     let more = names.len().saturating_sub(LEADING);
-    let list = names[..names.len() - more].join(", ");
-    if more > 0 { format!("{list} and {more} more") } else { list }
+    let mut list: Vec<Arg> = names[..names.len() - more].iter().map(|n| Arg::name(*n)).collect();
+    if more > 0 {
+        list.push(Message::new("uncertainty-more").arg("count", Arg::count(more)).into());
+    }
+    Arg::List(list)
+}
+
+/// Quantities with a first-order index above the total one, beside those whose sample is too small.
+fn unresolved(names: &[(String, String)], found: &[Option<Shares>], small: &[(&str, usize)]) -> Option<Finding> {
+    let excess = |s: &Shares| s.each.iter().filter(|i| !resolved(i)).map(|i| i.first.value - i.total.value).fold(0.0, f64::max);
+    let all = names.iter().zip(found).filter_map(|(n, f)| Some((n.0.as_str(), excess(f.as_ref()?))));
+    let own: Vec<(&str, f64)> = all.filter(|x| x.1 > 0.0 && !small.iter().any(|s| s.0 == x.0)).collect();
+    let most = own.iter().map(|x| x.1).reduce(f64::max)?;
+    let list: Vec<&str> = own.iter().map(|x| x.0).collect();
+    let finding = Finding::warning("unresolved_indices", "uncertainty-unresolved-indices").value(most, "");
+    Some(finding.arg("quantities", listed(&list)))
 }
 
 fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Option<Shares>]) -> Result<Outcome, Diagnostic> {
@@ -193,7 +212,7 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
         .enumerate()
         .flat_map(|(q, f)| f.iter().flat_map(move |f| f.each.iter().enumerate().map(move |(p, i)| (q, p, i, f.used))))
         .collect();
-    let (mut sentences, mut without, mut small) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut findings, mut without, mut small) = (Vec::new(), Vec::new(), Vec::new());
     for (q, f) in found.iter().enumerate() {
         let name = &samples.names[q].0;
         let Some(Shares { each: list, used }) = f else {
@@ -214,39 +233,37 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
                 .map(|(q, _)| study.parameters[q].path.as_str())
                 .collect();
             let path = &study.parameters[p].path;
-            let indices = format!(
-                "total index {{}} ({}), first-order index {} ({})",
-                ends(&i.total, ""),
-                significant(i.first.value),
-                ends(&i.first, "")
-            );
-            let text = if rivals.is_empty() {
-                format!("{name} depends most on {path}: {indices}.")
-            } else {
-                format!("In the samples {name} depends most on {path}: {indices}. Intervals overlap with {}.", rivals.join(", "))
-            };
-            sentences.push(
-                Finding::info("most_influential", text)
-                    .of(name)
-                    .value(i.total.value, "")
-                    .evidence("base points used", *used as f64, "")
-                    .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), ""),
-            );
+            let key = if rivals.is_empty() { "uncertainty-most-influential" } else { "uncertainty-most-influential-overlap" };
+            let mut finding = Finding::info("most_influential", key)
+                .of(name)
+                .value(i.total.value, "")
+                .arg("quantity", Arg::name(name))
+                .arg("parameter", Arg::name(path))
+                .arg("low", Arg::number(i.total.low))
+                .arg("high", Arg::number(i.total.high))
+                .arg("rivals", Arg::names(rivals))
+                .evidence("base points used", *used as f64, "")
+                .evidence("half width of its 95 % interval", 0.5 * (i.total.high - i.total.low), "");
+            if resolved(i) {
+                finding = finding
+                    .evidence("first-order index", i.first.value, "")
+                    .evidence("half width of the 95 % interval of the first-order index", 0.5 * (i.first.high - i.first.low), "");
+            }
+            findings.push(finding);
         }
     }
-    outcome = lead(outcome, sentences, "indices");
+    outcome = lead(outcome, findings, "indices");
     if !without.is_empty() {
-        let verb = if without.len() == 1 { "does not vary, or was" } else { "do not vary, or were" };
-        let list = listed(&without);
-        outcome = outcome.finding(Finding::info("no_indices", format!("{list} {verb} found too seldom: no sensitivity indices.")));
+        let finding = Finding::info("no_indices", "uncertainty-no-indices").arg("quantities", listed(&without));
+        outcome = outcome.finding(finding);
     }
     if let Some(used) = small.iter().map(|s| s.1).min() {
         let names: Vec<&str> = small.iter().map(|s| s.0).collect();
-        let text = format!(
-            "The sample, {{}} base points, is too small for the sensitivity indices of {}: the table \"indices\" has their 95 % intervals. Raise samples.",
-            listed(&names)
-        );
-        outcome = outcome.finding(Finding::warning("no_indices", text).value(used as f64, ""));
+        let finding = Finding::warning("no_indices", "uncertainty-few-base-points").value(used as f64, "");
+        outcome = outcome.finding(finding.arg("count", Arg::count(used)).arg("quantities", listed(&names)));
+    }
+    if let Some(finding) = unresolved(&samples.names, found, &small) {
+        outcome = outcome.finding(finding);
     }
     let table = Table::new("indices", "Sensitivity indices of Sobol")
         .text("quantity", "name", rows.iter().map(|r| samples.names[r.0].0.clone()).collect())
@@ -259,28 +276,32 @@ fn sensitivity(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, fou
         "base points used",
         rows.iter().map(|r| r.3 as i64).collect(),
     );
+    let table = table.flag("resolved", "the first-order index is not above the total one", rows.iter().map(|r| resolved(r.2)).collect());
     outcome = outcome.table(table.build().map_err(inconsistent)?);
     figures::indices(outcome, study, samples, found)
 }
 
 fn screening(mut outcome: Outcome, study: &Uncertainty, samples: &Samples, found: &[Vec<Effects>]) -> Result<Outcome, Diagnostic> {
-    let mut sentences = Vec::new();
+    let mut findings = Vec::new();
     for (list, (name, unit)) in found.iter().zip(&samples.names) {
         let known = list.iter().enumerate().filter(|(_, e)| e.count > 0);
         if let Some((p, e)) = known.max_by(|a, b| a.1.mu_star.value.total_cmp(&b.1.mu_star.value)) {
-            let interval =
-                if e.mu_star.low.is_finite() { ends(&e.mu_star, unit) } else { "the sample is too small for its interval".into() };
-            let text = format!("{name} changes most with {}: mu* = {{}} ({interval}).", study.parameters[p].path);
-            sentences.push(
-                Finding::info("most_influential", text).of(name).value(e.mu_star.value, unit).evidence("sigma", e.sigma, unit).evidence(
-                    "effects",
-                    e.count as f64,
-                    "",
-                ),
-            );
+            let known = e.mu_star.low.is_finite() && e.mu_star.high.is_finite();
+            let key = if known { "uncertainty-largest-effect" } else { "uncertainty-largest-effect-few" };
+            let mut finding = Finding::info("most_influential", key)
+                .of(name)
+                .value(e.mu_star.value, unit)
+                .arg("quantity", Arg::name(name))
+                .arg("parameter", Arg::name(&study.parameters[p].path))
+                .evidence("sigma", e.sigma, unit)
+                .evidence("effects", e.count as f64, "");
+            if known {
+                finding = finding.arg("low", Arg::quantity(e.mu_star.low, unit)).arg("high", Arg::quantity(e.mu_star.high, unit));
+            }
+            findings.push(finding);
         }
     }
-    outcome = lead(outcome, sentences, "effects");
+    outcome = lead(outcome, findings, "effects");
     let rows: Vec<(usize, usize)> = (0..found.len()).flat_map(|q| (0..study.parameters.len()).map(move |p| (q, p))).collect();
     let at = |r: &(usize, usize)| found[r.0][r.1];
     let table = Table::new("effects", "Elementary effects of Morris, per unit of probability, in the unit of the number")
@@ -304,17 +325,19 @@ fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnost
     let mut all: Vec<(&String, &Failure)> = samples.failures.iter().collect();
     all.sort_by(|a, b| b.1.count.cmp(&a.1.count).then(a.0.cmp(b.0)));
     for (cause, Failure { count, first, example }) in &all {
-        let instance = if *count > 1 { format!(", for instance sample {first}") } else { String::new() };
-        let text = format!("{{}} of {} samples have no result{instance}: {example}", samples.count);
-        outcome = outcome.finding(Finding::warning("failed_samples", text).of(*cause).value(*count as f64, "").evidence(
-            "first such sample",
-            *first as f64,
-            "",
-        ));
+        let finding = Finding::warning("failed_samples", "uncertainty-failed-samples")
+            .of(*cause)
+            .value(*count as f64, "")
+            .arg("count", Arg::count(*count))
+            .arg("samples", Arg::count(samples.count))
+            .arg("first", Arg::count(*first))
+            .arg("reason", Arg::term(example.trim_end_matches('.')))
+            .evidence("first such sample", *first as f64, "");
+        outcome = outcome.finding(finding);
     }
     if samples.invalid > 0 {
-        let text = format!("In {{}} of {} samples a result lies outside the validity of a model.", samples.count);
-        outcome = outcome.finding(Finding::invalid("outside_validity", text).value(samples.invalid as f64, ""));
+        let finding = Finding::invalid("outside_validity", "uncertainty-outside-validity").value(samples.invalid as f64, "");
+        outcome = outcome.finding(finding.arg("count", Arg::count(samples.invalid)).arg("samples", Arg::count(samples.count)));
     }
     let table = Table::new("failures", "Samples without a result, by cause")
         .text("cause", "cause, without its numbers", all.iter().map(|f| f.0.clone()).collect())
@@ -327,6 +350,8 @@ fn failures(mut outcome: Outcome, samples: &Samples) -> Result<Outcome, Diagnost
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::outcome::Level;
+    use crate::report::Style;
 
     /// Estimates beyond 0 and 1 are known where their intervals say how far, and not where these contradict the range, or fill it.
     #[test]
@@ -345,7 +370,31 @@ mod tests {
             assert_eq!(known(&Indices { first, total }, LEAST), is, "{first:?} {total:?}");
             assert!(!known(&Indices { first, total }, LEAST - 1));
         }
-        assert_eq!(listed(&["a", "b"]), "a, b");
-        assert_eq!(listed(&["a", "b", "c", "d", "e", "f"]), "a, b, c, d and 2 more");
+        let text = |names: &[&str]| Style::default().arg(&listed(names));
+        assert_eq!(text(&["a", "b"]), "a and b");
+        assert_eq!(text(&["a", "b", "c", "d", "e", "f"]), "a, b, c, d and 2 more");
+    }
+
+    /// A first-order index is a part of the total one: above it, it is a sampling error.
+    #[test]
+    fn a_first_order_index_above_the_total_one_is_not_resolved() {
+        let of = |value: f64| Interval { value, low: value - 0.1, high: value + 0.1 };
+        let index = |first: f64, total: f64| Indices { first: of(first), total: of(total) };
+        let shares = |each: Vec<Indices>| Some(Shares { each, used: 64 });
+        let names: Vec<(String, String)> = ["a", "b", "c", "d"].map(|n| (n.to_string(), String::new())).to_vec();
+        let found = [
+            shares(vec![index(0.4, 0.6), index(0.2, 0.27)]),
+            shares(vec![index(0.72, 0.68), index(0.31, 0.3)]),
+            None,
+            shares(vec![index(0.9, 0.5)]),
+        ];
+        let f = unresolved(&names, &found, &[("d", 4)]).unwrap();
+        assert_eq!((f.id.as_str(), f.level), ("unresolved_indices", Level::Warning));
+        assert!((f.value.unwrap() - 0.04).abs() < 1e-12, "{f:?}");
+        let text = f.sentence();
+        assert!(text.contains("of b are not resolved") && text.contains("Raise samples"), "{text}");
+        assert_eq!(unresolved(&names[..1], &found[..1], &[]), None);
+        // what three digits do not show is no contradiction
+        assert_eq!(unresolved(&names[..1], &[shares(vec![index(0.9004, 0.9)])], &[]), None);
     }
 }
