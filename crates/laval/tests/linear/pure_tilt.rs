@@ -116,7 +116,7 @@ fn settled_motions() {
         "kind = \"basins\"\nfrom = { \"d.tilt_x\" = -1e-3, \"d.tilt_y\" = -1e-3 }\nto = { \"d.tilt_x\" = 1e-3, \"d.tilt_y\" = 1e-3 }\npoints = 2",
     );
     let f = o.findings.iter().find(|f| f.id == "share").expect("a share");
-    assert!(f.text.contains("largest displacement of \"d at 100 mm\""), "{}", f.text);
+    assert!(f.sentence().contains("largest displacement of \"d\" at 100 mm"), "{}", f.sentence());
     near(column(o.find_table("attractors").expect("attractors"), "tilt.d")[0], tilt(900.0), 1e-4);
 }
 
@@ -216,7 +216,7 @@ fn peaks_of_a_tilt_have_derivatives() {
         near(tilts[1][1], top, 1e-9);
         let found = finding(&o, "peak", "tilt of d");
         assert_eq!(found.unit, "rad");
-        assert!(found.text.contains("The peak of the tilt of \"d\""), "{}", found.text);
+        assert!(found.sentence().contains("The peak of the tilt of \"d\""), "{}", found.sentence());
         for (place, height, column_of) in [(0, HEIGHT, "displacement"), (1, 1.0, "tilt")] {
             near(column(t, "speed")[place], speed, 1e-8);
             let (of, speeds, sizes) = (column(s, "place"), column(s, "speed slope"), column(s, &format!("{column_of} slope")));
